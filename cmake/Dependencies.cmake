@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every dependency is a Debian package and says what it is for.
+include(FeatureSummary)
+find_package(Threads REQUIRED)
+set_package_properties(Threads PROPERTIES TYPE REQUIRED PURPOSE "The engine thread and its mailbox")
+
+find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets PrintSupport Svg SerialPort SerialBus LinguistTools)
+set_package_properties(Qt5 PROPERTIES TYPE REQUIRED
+  PURPOSE "Core: JSON, descriptors in an event loop. Widgets, Svg: the window. SerialPort, SerialBus: links. LinguistTools: translations")
+find_package(QCustomPlot REQUIRED) # needs Qt5 PrintSupport found before it
+set_package_properties(QCustomPlot PROPERTIES TYPE REQUIRED PURPOSE "Axes, layers and export of the plots")
+find_package(tl-expected CONFIG REQUIRED)
+set_package_properties(tl-expected PROPERTIES TYPE REQUIRED PURPOSE "Result<T>: value or fault, without exceptions")
+find_package(CLI11 CONFIG REQUIRED)
+set_package_properties(CLI11 PROPERTIES TYPE REQUIRED PURPOSE "Arguments of motorbenchctl")
+
+if(MOTORBENCH_TESTS)
+  find_package(Qt5 5.15 REQUIRED COMPONENTS Test)
+  find_package(GTest REQUIRED)
+  set_package_properties(GTest PROPERTIES TYPE REQUIRED PURPOSE "Tests of the device library")
+endif()
+if(MOTORBENCH_BENCHMARKS)
+  find_package(benchmark REQUIRED)
+  set_package_properties(benchmark PROPERTIES TYPE REQUIRED PURPOSE "Measurements printed by scripts/benchmark")
+endif()

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/mailbox.h"
+
+#include <cstdint>
+#include <utility>
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+namespace mb {
+
+Mailbox::Mailbox()
+    : m_event(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC))
+{
+}
+
+Mailbox::~Mailbox()
+{
+    ::close(m_event);
+}
+
+bool Mailbox::post(std::function<void()> work)
+{
+    const std::lock_guard lock(m_mutex);
+    if (m_closed)
+        return false;
+    m_waiting.push_back(std::move(work));
+    const std::uint64_t one = 1;
+    // A full counter means that it is readable already.
+    [[maybe_unused]] const auto written = ::write(m_event, &one, sizeof one);
+    return true;
+}
+
+void Mailbox::drain()
+{
+    std::vector<std::function<void()>> work;
+    {
+        const std::lock_guard lock(m_mutex);
+        std::uint64_t count = 0;
+        [[maybe_unused]] const auto taken = ::read(m_event, &count, sizeof count);
+        work.swap(m_waiting);
+    }
+    for (const auto &item : work)
+        item();
+}
+
+void Mailbox::close()
+{
+    std::vector<std::function<void()>> dropped;
+    const std::lock_guard lock(m_mutex);
+    m_closed = true;
+    dropped.swap(m_waiting);
+}
+
+} // namespace mb

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <mutex>
+#include <vector>
+
+namespace mb {
+
+/// The one way across threads: functions posted by any thread, run by the thread that drains. Plain C++ and an eventfd,
+/// so that ThreadSanitizer can judge it without Qt.
+class Mailbox {
+public:
+    Mailbox();
+    Mailbox(const Mailbox &) = delete;
+    Mailbox &operator=(const Mailbox &) = delete;
+    ~Mailbox();
+
+    /// Any thread. False after close(): the work was not taken.
+    bool post(std::function<void()> work);
+    /// The owner's thread: runs what was posted before this call, in order.
+    void drain();
+    /// Any thread: nothing is taken any more, and what waits is dropped.
+    void close();
+    /// Readable while work waits.
+    [[nodiscard]] int descriptor() const { return m_event; }
+
+private:
+    int m_event = -1;
+    std::mutex m_mutex;
+    std::vector<std::function<void()>> m_waiting;
+    bool m_closed = false;
+};
+
+} // namespace mb

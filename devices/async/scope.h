@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/clock.h"
+#include "async/task.h"
+
+#include <list>
+#include <memory>
+
+namespace mb {
+
+/// Owns tasks that nobody awaits. Destroying the scope cancels what still runs. `finished` gets the result; it runs
+/// after the task's last step, from the clock, so that it may destroy the scope.
+class Scope {
+public:
+    explicit Scope(Clock &clock)
+        : m_clock(clock)
+    {
+    }
+    Scope(const Scope &) = delete;
+    Scope &operator=(const Scope &) = delete;
+    ~Scope() { clear(); }
+
+    template <class T> void spawn(Task<T> task, std::function<void(Result<T>)> finished = {})
+    {
+        auto running = std::make_unique<Running<T>>(m_clock, std::move(task), std::move(finished));
+        Running<T> &ref = *running;
+        m_running.push_back(std::move(running));
+        const auto self = std::prev(m_running.end());
+        ref.task.start([this, self, &ref] {
+            ref.timer.startIn(Duration::zero(), [this, self, &ref] {
+                const auto keep = std::move(*self);
+                m_running.erase(self);
+                if (ref.finished)
+                    ref.finished(std::move(ref.task.result()));
+            });
+        });
+    }
+    /// Cancels everything. Not from inside a task of this scope.
+    void clear() { m_running.clear(); }
+    [[nodiscard]] bool isIdle() const { return m_running.empty(); }
+
+private:
+    struct Any {
+        virtual ~Any() = default;
+    };
+    template <class T> struct Running final : Any {
+        Running(Clock &clock, Task<T> work, std::function<void(Result<T>)> callback)
+            : task(std::move(work))
+            , finished(std::move(callback))
+            , timer(clock)
+        {
+        }
+        Task<T> task;
+        std::function<void(Result<T>)> finished;
+        Timer timer;
+    };
+
+    Clock &m_clock;
+    std::list<std::unique_ptr<Any>> m_running;
+};
+
+} // namespace mb

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/task.h"
+#include "model/identity.h"
+#include "model/parameterstore.h"
+#include "model/progress.h"
+#include "model/setpoint.h"
+#include "model/telemetry.h"
+#include "transport/link.h"
+
+#include <memory>
+
+namespace mb {
+
+struct Family;
+
+struct FaultRecord {
+    std::string key; ///< over_current, …; stable, for JSON
+    bool active = false;
+    bool sticky = false;
+    std::optional<std::int64_t> count;
+};
+
+/// Whether the device is heard, and whether it moves.
+struct Liveness {
+    bool heard = false; ///< its telemetry is up to date
+    bool moving = false; ///< its output is on, or its shaft turns
+    std::optional<Mode> mode; ///< as the device reports it
+    bool foreignMaster = false; ///< somebody else sends it control frames
+    bool restarted = false; ///< it was reset or changed its session since it was opened; read it again
+    std::vector<std::string> faults; ///< keys of the faults it reports in its telemetry
+
+    friend bool operator==(const Liveness &, const Liveness &) = default;
+};
+
+/// One controller. Engine thread only, but for `telemetry()`, whose readers may be anywhere. Tasks it returns must end or be
+/// destroyed before it; one of its tasks at a time.
+class Device {
+public:
+    Device(const Device &) = delete;
+    Device &operator=(const Device &) = delete;
+    virtual ~Device();
+
+    [[nodiscard]] const Family &family() const { return m_family; }
+    [[nodiscard]] Link &link() const { return m_link; }
+    [[nodiscard]] Clock &clock() const { return m_clock; }
+    [[nodiscard]] const Identity &identity() const { return m_identity; }
+    /// What a newer scan found.
+    void setIdentity(Identity identity);
+    [[nodiscard]] std::string selector() const { return selectorOf(m_link.address(), m_identity).text(); }
+
+    [[nodiscard]] ParameterStore &parameters() { return m_parameters; }
+    [[nodiscard]] const ParameterStore &parameters() const { return m_parameters; }
+    [[nodiscard]] const std::shared_ptr<Telemetry> &telemetry() const { return m_telemetry; }
+    [[nodiscard]] const Liveness &liveness() const { return m_liveness; }
+    /// Identity, liveness or faults changed.
+    [[nodiscard]] Listeners<> &changed() { return m_changed; }
+
+    /// Versions and descriptors from the device itself.
+    [[nodiscard]] Task<void> refresh() { return doRefresh(); }
+    /// Raw value in force; the store follows. Unsupported for a write-only parameter.
+    [[nodiscard]] Task<std::int64_t> read(ParameterIndex index);
+    /// Writes, and yields what the device says is in force (for a write-only one, what was sent). For a Counter, the
+    /// value before it was cleared. Does not compare: see parametertransfer.h.
+    [[nodiscard]] Task<std::int64_t> write(ParameterIndex index, std::int64_t raw);
+    /// Makes what was written survive a power cycle and proves it where the device can: true; false where it cannot.
+    [[nodiscard]] Task<bool> store(Progress &progress) { return doStore(progress); }
+    [[nodiscard]] Task<std::vector<FaultRecord>> readFaults() { return doReadFaults(); }
+    /// Reads and clears sticky faults and counters; yields what they were.
+    [[nodiscard]] Task<std::vector<FaultRecord>> clearFaults() { return doClearFaults(); }
+    /// Blinks, or Unsupported.
+    [[nodiscard]] Task<void> identify() { return doIdentify(); }
+    [[nodiscard]] Task<void> rename(std::string name) { return doRename(std::move(name)); }
+    /// Gives the device another address; on success identity() has it, proved by the device's answer from there.
+    [[nodiscard]] Task<void> renumber(int address) { return doRenumber(address); }
+    /// Asks for this many samples per second of a channel, as near as the device can; 0 returns to what it was.
+    [[nodiscard]] Task<void> setRate(ChannelIndex channel, double hertz) { return doSetRate(channel, hertz); }
+
+    /// Why this device must not be driven now: duplicate, bootloader, foreign master, update …, or success.
+    [[nodiscard]] Result<void> mayMove() const;
+    /// Checks the set-point against what the device can do: OutOfRange or Unsupported, nothing sent.
+    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const { return doCheck(setPoint); }
+    /// One control frame, now. Must be repeated within the device's watchdog time: SetPointStream does.
+    [[nodiscard]] Result<void> command(const SetPoint &setPoint);
+    /// Stop, now, without waiting for anything; before everything that is queued on the link. Always allowed.
+    void stop();
+    /// Seen by telemetry that is younger than the call to stop(): output off.
+    [[nodiscard]] bool isSeenStopped() const { return doIsSeenStopped(); }
+
+    /// While an update runs nothing else may talk to the device.
+    void setBusy(std::string why) { m_busy = std::move(why); }
+    [[nodiscard]] const std::string &busy() const { return m_busy; }
+
+protected:
+    Device(const Family &family, Link &link, Clock &clock, Identity identity);
+    /// For families: updates what is known, and notifies if it differs.
+    void setLiveness(const Liveness &liveness);
+    [[nodiscard]] Instant stoppedAt() const { return m_stoppedAt; }
+
+private:
+    virtual Task<void> doRefresh() = 0;
+    virtual Task<std::int64_t> doRead(ParameterIndex index) = 0;
+    virtual Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) = 0;
+    virtual Task<bool> doStore(Progress &progress) = 0;
+    virtual Task<std::vector<FaultRecord>> doReadFaults() = 0;
+    virtual Task<std::vector<FaultRecord>> doClearFaults() = 0;
+    virtual Task<void> doIdentify() = 0;
+    virtual Task<void> doRename(std::string name) = 0;
+    virtual Task<void> doRenumber(int address) = 0;
+    virtual Task<void> doSetRate(ChannelIndex channel, double hertz) = 0;
+    [[nodiscard]] virtual Result<void> doCheck(const SetPoint &setPoint) const = 0;
+    virtual Result<void> doCommand(const SetPoint &setPoint) = 0;
+    virtual void doStop() = 0;
+    [[nodiscard]] virtual bool doIsSeenStopped() const = 0;
+
+    const Family &m_family;
+    Link &m_link;
+    Clock &m_clock;
+    Identity m_identity;
+    ParameterStore m_parameters;
+    std::shared_ptr<Telemetry> m_telemetry;
+    Liveness m_liveness;
+    Listeners<> m_changed;
+    std::string m_busy;
+    Instant m_stoppedAt {};
+};
+
+} // namespace mb

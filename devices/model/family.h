@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/device.h"
+#include "model/firmwareimage.h"
+#include "model/simulator.h"
+
+#include <functional>
+
+namespace mb {
+
+/// What a device of this family can do; each has its clause in the contract test.
+struct Capabilities {
+    bool readback = true; ///< parameters can be read
+    bool watchdog = false; ///< the device stops by itself when nobody commands it
+    bool versionOnWire = true; ///< the device tells its firmware version
+    bool identify = false; ///< it can blink
+    bool rename = false;
+    bool renumber = false;
+    int axes = 1;
+    int slots = 1;
+    std::chrono::milliseconds commandPeriod {20}; ///< between control frames of a running motor
+};
+
+/// One decoded frame of `decode` and the Bus page. Names are those of the protocol's tables.
+struct DecodedField {
+    std::string_view name;
+    double value = 0.0;
+    std::string_view unit;
+};
+struct DecodedFrame {
+    std::string_view family;
+    std::string_view message;
+    int address = 0;
+    bool control = false; ///< makes motors move: sending one by hand needs a confirmation
+    std::vector<DecodedField> fields;
+};
+
+/// Gets what a scan finds, each as soon as it answers. A device may be reported again with more detail: same address and
+/// session. A row that must go (it was half an answer) is simply not in the final list.
+class ScanSink {
+public:
+    virtual ~ScanSink() = default;
+    virtual void found(const Identity &identity) = 0;
+    virtual void progress(const std::string &what, int done, int total) = 0;
+};
+
+struct UpdateOptions {
+    bool dryRun = false; ///< preflight only
+    bool force = false; ///< write even if the version is the same
+    std::string via;
+    std::string target;
+};
+
+enum class UpdateOutcome { Done, UpToDate, Refused, Failed, Cancelled };
+[[nodiscard]] std::string_view toString(UpdateOutcome outcome);
+
+struct UpdateReport {
+    UpdateOutcome outcome = UpdateOutcome::Failed;
+    std::string from; ///< version before, empty when there was none
+    std::string to; ///< version that the device reports now
+    int pages = 0; ///< written and accepted
+    int retries = 0;
+    bool verified = false; ///< the device answered with the version of the image
+    std::string evidence; ///< what proves it, or what went wrong and what to do
+    std::optional<Fault> fault; ///< of Failed
+};
+
+/// What an image would do, without a device.
+struct ImageSummary {
+    std::string version;
+    std::vector<int> parts; ///< pages in the order they are written
+    std::optional<int> criticalPart; ///< power must not fail while this one is written
+    std::vector<std::string> notes;
+};
+
+/// A controller family: data and functions, nothing else. `const`, one per folder, listed in FAMILIES.
+struct Family {
+    std::string_view key;
+    std::string_view title; ///< "DMC60C"
+    std::span<const LinkKind> links;
+    std::span<const Parameter> parameters;
+    std::span<const Channel> channels;
+    std::span<const Mode> modes; ///< without Off, which all have
+    Capabilities capabilities;
+    /// Units of the bench behind `sim:`, in the notation of `simulate`.
+    std::span<const std::string_view> bench;
+
+    /// Finds devices. Sends nothing that changes or moves one. Ends when the list is complete.
+    Task<void> (*scan)(Link &, Clock &, ScanSink &) = nullptr;
+    std::unique_ptr<Device> (*open)(Link &, Clock &, const Identity &) = nullptr;
+    /// Nothing when the frame is not of this family.
+    std::optional<DecodedFrame> (*decodeCan)(const CanFrame &, std::string_view dialect) = nullptr;
+    /// nullptr: no firmware update. The image outlives the task.
+    Task<UpdateReport> (*update)(Device &, const FirmwareImage &, UpdateOptions, Progress &) = nullptr;
+    Result<ImageSummary> (*inspect)(const FirmwareImage &) = nullptr;
+    Result<std::unique_ptr<Simulator>> (*simulate)(Link &, Clock &, const SimulatedUnit &) = nullptr;
+};
+
+} // namespace mb

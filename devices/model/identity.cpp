@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/identity.h"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+
+namespace mb {
+namespace {
+
+std::optional<int> parseInt(std::string_view text, int base)
+{
+    int value = 0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value, base);
+    if (parsed.ec != std::errc {} || parsed.ptr != text.data() + text.size() || value < 0)
+        return std::nullopt;
+    return value;
+}
+
+} // namespace
+
+std::string_view toString(DeviceState state)
+{
+    switch (state) {
+    case DeviceState::Duplicate: return "duplicate";
+    case DeviceState::Unassigned: return "unassigned";
+    case DeviceState::Bootloader: return "bootloader";
+    case DeviceState::Online: return "online";
+    }
+    return "";
+}
+
+Result<DeviceSelector> DeviceSelector::parse(std::string_view text)
+{
+    const auto bad = [text] {
+        return fail(Fault::OutOfRange, "'" + std::string(text) + "' is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5");
+    };
+    const auto slash = text.find_last_of('/');
+    if (slash == std::string_view::npos)
+        return bad();
+    auto link = LinkAddress::parse(text.substr(0, slash));
+    if (!link)
+        return fail(link.error());
+    const std::string_view device = text.substr(slash + 1);
+    const auto colon = device.find(':');
+    if (colon == std::string_view::npos || colon == 0)
+        return bad();
+    const auto at = device.find('@', colon);
+    const auto address = parseInt(device.substr(colon + 1, at == std::string_view::npos ? at : at - colon - 1), 10);
+    if (!address)
+        return bad();
+    DeviceSelector selector {std::move(*link), std::string(device.substr(0, colon)), *address, std::nullopt};
+    if (at != std::string_view::npos) {
+        selector.session = parseInt(device.substr(at + 1), 16);
+        if (!selector.session)
+            return bad();
+    }
+    return selector;
+}
+
+std::string DeviceSelector::text() const
+{
+    std::string out = link.text() + '/' + family + ':' + std::to_string(address);
+    if (session) {
+        std::array<char, 16> hex {};
+        std::snprintf(hex.data(), hex.size(), "@%04x", static_cast<unsigned>(*session));
+        out += hex.data();
+    }
+    return out;
+}
+
+DeviceSelector selectorOf(const LinkAddress &link, const Identity &identity)
+{
+    DeviceSelector selector {link, identity.family, identity.address, std::nullopt};
+    if (identity.state == DeviceState::Duplicate)
+        selector.session = identity.session;
+    return selector;
+}
+
+} // namespace mb

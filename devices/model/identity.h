@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/result.h"
+#include "transport/linkaddress.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mb {
+
+/// What `scan` reports; the first that holds.
+enum class DeviceState { Duplicate, Unassigned, Bootloader, Online };
+
+[[nodiscard]] std::string_view toString(DeviceState state);
+
+/// What is known of one controller without talking to it again. Empty text and nothing mean unknown.
+struct Identity {
+    std::string family;
+    int address = 0;
+    std::optional<int> session; ///< tells devices of one address apart, where the protocol has one
+    std::string name;
+    std::string serial;
+    DeviceState state = DeviceState::Online;
+    std::string firmware; ///< "1.23"
+    std::string bootloader;
+    std::string dialect;
+    std::string detail; ///< one sentence for people: what is unusual, and the remedy
+    std::vector<std::pair<std::string, std::string>> descriptors; ///< in the device's order, key and text
+
+    friend bool operator==(const Identity &, const Identity &) = default;
+};
+
+/// `LINK/FAMILY:ADDRESS[@SESSION]` of product.md, "Device selectors". The device part follows the last `/`.
+struct DeviceSelector {
+    LinkAddress link;
+    std::string family;
+    int address = 0;
+    std::optional<int> session;
+
+    [[nodiscard]] static Result<DeviceSelector> parse(std::string_view text);
+    [[nodiscard]] std::string text() const;
+};
+
+/// The selector that finds this device again; with the session only where the address alone is not enough.
+[[nodiscard]] DeviceSelector selectorOf(const LinkAddress &link, const Identity &identity);
+
+} // namespace mb

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/parameter.h"
+
+#include "wire/fixedpoint.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+std::optional<double> parseNumber(std::string text)
+{
+    std::replace(text.begin(), text.end(), ',', '.');
+    if (text.starts_with("\xE2\x88\x92")) // U+2212, the minus sign that the window shows
+        text.replace(0, 3, "-");
+    if (text.starts_with('+'))
+        text.erase(0, 1);
+    if (text.starts_with("0x") || text.starts_with("0X")) {
+        std::uint64_t value = 0;
+        const auto parsed = std::from_chars(text.data() + 2, text.data() + text.size(), value, 16);
+        if (parsed.ec != std::errc {} || parsed.ptr != text.data() + text.size() || value > 0xFFFFFFFFULL)
+            return std::nullopt;
+        return static_cast<double>(value);
+    }
+    double value = 0.0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (parsed.ec != std::errc {} || parsed.ptr != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+std::string trimmed(std::string_view text)
+{
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos)
+        return {};
+    return std::string(text.substr(first, text.find_last_not_of(" \t") - first + 1));
+}
+
+std::string rangeText(const Parameter &p)
+{
+    const std::string unit = p.unit.empty() ? std::string() : ' ' + std::string(p.unit);
+    return numberText(p.minimum) + " … " + numberText(p.maximum) + unit;
+}
+
+} // namespace
+
+std::optional<ParameterIndex> findParameter(std::span<const Parameter> table, std::string_view key)
+{
+    const auto found = std::find_if(table.begin(), table.end(), [key](const Parameter &p) { return p.key == key; });
+    if (found == table.end())
+        return std::nullopt;
+    return ParameterIndex {static_cast<std::uint16_t>(found - table.begin())};
+}
+
+std::string_view typeName(const Parameter &parameter)
+{
+    switch (parameter.type) {
+    case WireType::Boolean: return "boolean";
+    case WireType::Flags32: return "flags";
+    case WireType::Fixed16x16: return "number";
+    default: return parameter.one == 1.0 ? "integer" : "number";
+    }
+}
+
+Value toValue(const Parameter &parameter, std::int64_t raw)
+{
+    if (parameter.type == WireType::Boolean)
+        return raw != 0;
+    return fromFixed(raw, parameter.one);
+}
+
+Result<std::int64_t> toRaw(const Parameter &parameter, double number)
+{
+    const std::string key(parameter.key);
+    if (!std::isfinite(number))
+        return fail(Fault::OutOfRange, key + " needs a number");
+    if (number > parameter.maximum)
+        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is above " + numberText(parameter.maximum) + "; legal is " + rangeText(parameter));
+    if (number < parameter.minimum)
+        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is below " + numberText(parameter.minimum) + "; legal is " + rangeText(parameter));
+    if (parameter.one == 1.0 && number != std::floor(number))
+        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is not a whole number");
+    const RawRange wire = rangeOf(parameter.type);
+    return std::clamp(toFixed(number, parameter.one), wire.low, wire.high);
+}
+
+Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text)
+{
+    std::string word = trimmed(text);
+    for (const Choice &choice : parameter.choices) {
+        if (choice.label == word)
+            return choice.raw;
+    }
+    if (parameter.type == WireType::Boolean) {
+        std::transform(word.begin(), word.end(), word.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+        if (word == "on" || word == "true" || word == "yes" || word == "1")
+            return 1;
+        if (word == "off" || word == "false" || word == "no" || word == "0")
+            return 0;
+        return fail(Fault::OutOfRange, std::string(parameter.key) + ": '" + word + "' is neither on nor off");
+    }
+    const auto number = parseNumber(word);
+    if (!number)
+        return fail(Fault::OutOfRange, std::string(parameter.key) + ": '" + word + "' is not a number");
+    return toRaw(parameter, *number);
+}
+
+std::string numberText(double number)
+{
+    std::array<char, 64> buffer {};
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number == 0.0 ? 0.0 : number,
+        std::abs(number) >= 1e-6 && std::abs(number) < 1e15 ? std::chars_format::fixed : std::chars_format::general);
+    return number == 0.0 ? "0" : std::string(buffer.data(), end.ptr);
+}
+
+std::string toText(const Parameter &parameter, std::int64_t raw)
+{
+    if (parameter.type == WireType::Boolean)
+        return raw != 0 ? "on" : "off";
+    const double value = fromFixed(raw, parameter.one);
+    if (parameter.one == 1.0)
+        return numberText(value);
+    std::array<char, 64> buffer {};
+    for (int digits = 0; digits < 12; ++digits) {
+        const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
+        double back = 0.0;
+        std::from_chars(buffer.data(), end.ptr, back);
+        if (toFixed(back, parameter.one) == raw)
+            return numberText(back);
+    }
+    return numberText(value);
+}
+
+} // namespace mb

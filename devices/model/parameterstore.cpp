@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/parameterstore.h"
+
+namespace mb {
+
+std::string_view toString(ParameterState state)
+{
+    switch (state) {
+    case ParameterState::Unknown: return "unknown";
+    case ParameterState::Stored: return "stored";
+    case ParameterState::Ram: return "ram";
+    case ParameterState::Volatile: return "volatile";
+    case ParameterState::Assumed: return "assumed";
+    case ParameterState::Failed: return "failed";
+    }
+    return "";
+}
+
+void ParameterStore::setRead(ParameterIndex index, std::int64_t raw)
+{
+    const Parameter &p = parameter(index);
+    const Entry &before = entry(index);
+    ParameterState state = p.persistent ? ParameterState::Stored : ParameterState::Volatile;
+    if (p.persistent && before.state == ParameterState::Ram && before.raw == raw)
+        state = ParameterState::Ram; // reading does not prove that flash has it
+    set(index, raw, state);
+}
+
+void ParameterStore::setWritten(ParameterIndex index, std::int64_t raw)
+{
+    const Parameter &p = parameter(index);
+    if (p.access == Access::WriteOnly)
+        set(index, raw, ParameterState::Assumed);
+    else if (!p.persistent)
+        set(index, raw, ParameterState::Volatile);
+    else
+        set(index, raw, ParameterState::Ram);
+}
+
+void ParameterStore::setFailed(ParameterIndex index)
+{
+    set(index, entry(index).raw, ParameterState::Failed);
+}
+
+void ParameterStore::setAllStored()
+{
+    for (Entry &e : m_entries) {
+        if (e.state == ParameterState::Ram)
+            e.state = ParameterState::Stored;
+    }
+    touch();
+}
+
+void ParameterStore::forgetVolatile()
+{
+    for (Entry &e : m_entries) {
+        if (e.state == ParameterState::Volatile)
+            e = {};
+    }
+    touch();
+}
+
+void ParameterStore::forgetAll()
+{
+    std::fill(m_entries.begin(), m_entries.end(), Entry {});
+    touch();
+}
+
+void ParameterStore::set(ParameterIndex index, std::optional<std::int64_t> raw, ParameterState state)
+{
+    m_entries[index.value] = {raw, state};
+    touch();
+}
+
+void ParameterStore::touch()
+{
+    ++m_revision;
+    m_changed.notify();
+}
+
+} // namespace mb

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/listeners.h"
+#include "model/parameter.h"
+
+#include <vector>
+
+namespace mb {
+
+/// How far a value can be trusted, and whether it outlives the power.
+enum class ParameterState : std::uint8_t {
+    Unknown, ///< never read
+    Stored, ///< read from the device, and nothing written since that flash may not have
+    Ram, ///< written and in force, not yet proved to be in flash
+    Volatile, ///< in force; the device never keeps it
+    Assumed, ///< last written to a device that cannot be asked
+    Failed, ///< the last read had no answer, or an error
+};
+
+[[nodiscard]] std::string_view toString(ParameterState state);
+
+/// What is known of one device's parameters. Single-threaded.
+class ParameterStore {
+public:
+    struct Entry {
+        std::optional<std::int64_t> raw;
+        ParameterState state = ParameterState::Unknown;
+    };
+
+    explicit ParameterStore(std::span<const Parameter> table)
+        : m_table(table)
+        , m_entries(table.size())
+    {
+    }
+
+    [[nodiscard]] std::span<const Parameter> table() const { return m_table; }
+    [[nodiscard]] const Parameter &parameter(ParameterIndex index) const { return m_table[index.value]; }
+    [[nodiscard]] const Entry &entry(ParameterIndex index) const { return m_entries[index.value]; }
+    [[nodiscard]] std::span<const Entry> entries() const { return m_entries; }
+
+    void setRead(ParameterIndex index, std::int64_t raw);
+    void setWritten(ParameterIndex index, std::int64_t raw);
+    void setFailed(ParameterIndex index);
+    /// The device proved that what was in RAM is in flash.
+    void setAllStored();
+    /// After a restart: volatile values are unknown again.
+    void forgetVolatile();
+    void forgetAll();
+
+    [[nodiscard]] std::uint64_t revision() const { return m_revision; }
+    [[nodiscard]] Listeners<> &changed() { return m_changed; }
+
+private:
+    void set(ParameterIndex index, std::optional<std::int64_t> raw, ParameterState state);
+    void touch();
+
+    std::span<const Parameter> m_table;
+    std::vector<Entry> m_entries;
+    std::uint64_t m_revision = 0;
+    Listeners<> m_changed;
+};
+
+} // namespace mb

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace mb {
+
+enum class Severity { Info, Good, Caution, Danger };
+
+/// State of one numbered part of a long job, such as a flash page.
+enum class PartState : std::uint8_t { Waiting, Active, Done, Repeated, Absent };
+
+/// Where a long job reports; outlives the job's task. All calls on the job's thread.
+class Progress {
+public:
+    virtual ~Progress() = default;
+    /// What it does now, in English, and how far: `total` 0 means unknown length.
+    virtual void step(const std::string &what, int done, int total) = 0;
+    virtual void part(int number, PartState state) = 0;
+    virtual void log(Severity severity, const std::string &text) = 0;
+    /// While false, the job must not be cut (page 0 of a DMC60C).
+    virtual void mayInterrupt(bool) { }
+};
+
+/// For callers that do not look.
+class NoProgress final : public Progress {
+public:
+    void step(const std::string &, int, int) override { }
+    void part(int, PartState) override { }
+    void log(Severity, const std::string &) override { }
+};
+
+} // namespace mb

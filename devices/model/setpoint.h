@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace mb {
+
+/// The modes of product.md, "Modes and units". A family offers what its device has.
+enum class Mode : std::uint8_t { Off, Duty, Velocity, Position, Current, Voltage, Follow, RampPosition, RampVelocity };
+
+/// duty, velocity, …, as on the command line.
+[[nodiscard]] std::string_view toString(Mode mode);
+[[nodiscard]] std::optional<Mode> modeFromString(std::string_view text);
+/// Unit of the target: fraction, counts/s, counts, A, V; empty for follow and off.
+[[nodiscard]] std::string_view unitOf(Mode mode);
+
+/// One command to a motor. Targets are in the units of product.md whatever the wire uses.
+struct SetPoint {
+    Mode mode = Mode::Off;
+    double target = 0.0;
+    int axis = 1; ///< 1…
+    int slot = 0; ///< gain set, where the device has several
+    std::optional<bool> brake; ///< override: true brakes, false coasts at zero output; nothing leaves the stored setting
+    double ramp = 0.0; ///< greatest change of output in duty per second, 0 = immediate
+    bool reverseMotor = false;
+    bool reverseSensor = false;
+    bool overrideLimits = false; ///< the two flags below replace the device's own enables
+    bool disableForwardLimit = false;
+    bool disableReverseLimit = false;
+    double velocity = 0.0; ///< of profiled modes, counts/s
+    double acceleration = 0.0; ///< of profiled modes, counts/s²
+
+    friend bool operator==(const SetPoint &, const SetPoint &) = default;
+};
+
+} // namespace mb

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/simulator.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace mb {
+namespace {
+
+enum class Needs { Nothing, Number, TwoNumbers };
+
+struct FaultRow {
+    std::string_view kind;
+    Needs needs;
+};
+constexpr std::array faultRows {
+    FaultRow {"drop", Needs::Number},
+    FaultRow {"corrupt", Needs::Number},
+    FaultRow {"delay", Needs::TwoNumbers},
+    FaultRow {"silent", Needs::Number},
+    FaultRow {"power", Needs::Number},
+    FaultRow {"power-page", Needs::Number},
+    FaultRow {"reset", Needs::Number},
+    FaultRow {"busoff", Needs::Number},
+    FaultRow {"encoder-dead", Needs::Number},
+    FaultRow {"encoder-reversed", Needs::Nothing},
+    FaultRow {"brownout", Needs::Number},
+    FaultRow {"stall", Needs::Number},
+    FaultRow {"duplicate", Needs::Nothing},
+};
+
+bool parseNumber(std::string_view text, double &out)
+{
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), out);
+    return parsed.ec == std::errc {} && parsed.ptr == text.data() + text.size() && out >= 0.0;
+}
+
+} // namespace
+
+Result<SimulatedFault> SimulatedFault::parse(std::string_view text)
+{
+    const auto at = text.find('@');
+    SimulatedFault fault;
+    fault.kind = text.substr(0, at);
+    const auto row = std::find_if(faultRows.begin(), faultRows.end(), [&](const FaultRow &r) { return r.kind == fault.kind; });
+    if (row == faultRows.end())
+        return fail(Fault::OutOfRange, "unknown fault '" + fault.kind + "'");
+    const auto bad = [text] { return fail(Fault::OutOfRange, "fault '" + std::string(text) + "' does not parse"); };
+    if (row->needs == Needs::Nothing)
+        return at == std::string_view::npos ? Result<SimulatedFault>(fault) : bad();
+    if (at == std::string_view::npos)
+        return bad();
+    const std::string_view numbers = text.substr(at + 1);
+    const auto colon = numbers.find(':');
+    if (!parseNumber(numbers.substr(0, colon), fault.at))
+        return bad();
+    const bool two = colon != std::string_view::npos;
+    if (two != (row->needs == Needs::TwoNumbers) || (two && !parseNumber(numbers.substr(colon + 1), fault.argument)))
+        return bad();
+    return fault;
+}
+
+Result<SimulatedUnit> SimulatedUnit::parse(std::string_view text)
+{
+    const auto bad = [text](std::string_view why) {
+        return fail(Fault::OutOfRange, "'" + std::string(text) + "' is not a simulated device: " + std::string(why));
+    };
+    const std::string_view device = text.substr(0, text.find(','));
+    const auto colon = device.find(':');
+    if (colon == std::string_view::npos || colon == 0)
+        return bad("FAMILY:ADDRESS is needed, such as dmc60c:5");
+    SimulatedUnit unit;
+    unit.family = device.substr(0, colon);
+    double address = 0.0;
+    if (!parseNumber(device.substr(colon + 1), address) || address > 65535.0 || address != static_cast<int>(address))
+        return bad("its address is not a number");
+    unit.address = static_cast<int>(address);
+    std::string_view rest = text.substr(device.size());
+    while (!rest.empty()) {
+        rest.remove_prefix(1);
+        const std::string_view item = rest.substr(0, rest.find(','));
+        rest.remove_prefix(item.size());
+        const auto equals = item.find('=');
+        if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size())
+            return bad("option '" + std::string(item) + "' is not KEY=VALUE");
+        if (item.substr(0, equals) != "fault") {
+            unit.options.emplace_back(item.substr(0, equals), item.substr(equals + 1));
+            continue;
+        }
+        auto fault = SimulatedFault::parse(item.substr(equals + 1));
+        if (!fault)
+            return fail(fault.error());
+        unit.faults.push_back(*fault);
+    }
+    return unit;
+}
+
+std::optional<std::string_view> SimulatedUnit::option(std::string_view key) const
+{
+    for (const auto &[name, value] : options) {
+        if (name == key)
+            return value;
+    }
+    return std::nullopt;
+}
+
+} // namespace mb

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "transport/link.h"
+
+#include <functional>
+
+namespace mb {
+
+enum class Priority {
+    Normal,
+    Urgent, ///< goes before everything that still waits in this program: stop frames
+};
+
+/// A CAN bus seen through one controller. Frames of others arrive through `received`; our own do not come back.
+class CanLink : public Link {
+public:
+    /// Hands a frame to the backend, which may queue it behind earlier ones; never waits. Fails with LinkLost when the
+    /// link is not open.
+    Result<void> send(const CanFrame &frame, Priority priority = Priority::Normal);
+    /// Frames accepted by send() and not yet handed to the bus or the kernel.
+    [[nodiscard]] std::size_t backlog() const { return doBacklog(); }
+    /// Bit/s, 0 when the link does not know.
+    [[nodiscard]] int bitrate() const { return doBitrate(); }
+    /// Fraction of the bus in use over the last second of traffic, ours included, from estimated frame lengths;
+    /// `now` is the present time. 1 Mbit/s is assumed when the rate is unknown.
+    [[nodiscard]] double load(Instant now) const;
+
+    [[nodiscard]] Listeners<const CanFrame &> &received() { return m_received; }
+    /// Error frames, decoded by nobody yet: id holds the class bits of linux/can/error.h.
+    [[nodiscard]] Listeners<const CanFrame &> &errorFrames() { return m_errorFrames; }
+
+protected:
+    explicit CanLink(LinkAddress address)
+        : Link(std::move(address), LinkKind::Can)
+    {
+    }
+    /// For backends: one frame from the bus, then endBatch() once no more are at hand.
+    void deliver(const CanFrame &frame);
+    void endBatch() { batchEnded().notify(); }
+
+private:
+    virtual Result<void> doSend(const CanFrame &frame, Priority priority) = 0;
+    [[nodiscard]] virtual std::size_t doBacklog() const = 0;
+    [[nodiscard]] virtual int doBitrate() const = 0;
+    void countBits(const CanFrame &frame);
+
+    Listeners<const CanFrame &> m_received;
+    Listeners<const CanFrame &> m_errorFrames;
+    Instant m_second {};
+    std::uint64_t m_bits = 0;
+    std::uint64_t m_bitsBefore = 0;
+};
+
+} // namespace mb

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/exchange.h"
+
+namespace mb {
+
+Task<CanFrame> exchange(CanLink &link, Clock &clock, CanFrame request, CanInbox::Match match, Attempts attempts)
+{
+    CanInbox inbox(link, clock, std::move(match));
+    Error last {Fault::Timeout, "no answer"};
+    for (int i = 0; i < attempts.tries; ++i) {
+        if (auto sent = link.send(request); !sent)
+            co_return fail(sent.error());
+        Result<CanFrame> reply = co_await inbox.next(attempts.timeout);
+        if (reply)
+            co_return *reply;
+        last = reply.error();
+        if (last.fault != Fault::Timeout)
+            break;
+    }
+    co_return fail(last);
+}
+
+} // namespace mb

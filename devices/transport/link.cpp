@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/link.h"
+
+namespace mb {
+
+Link::Link(LinkAddress address, LinkKind kind)
+    : m_address(std::move(address))
+    , m_kind(kind)
+{
+}
+
+Link::~Link() = default;
+
+Result<void> Link::open()
+{
+    if (m_state == LinkState::Open)
+        return {};
+    if (m_state == LinkState::Lost)
+        doClose();
+    if (auto opened = doOpen(); !opened)
+        return opened;
+    m_reason.clear();
+    m_counters = {};
+    setState(LinkState::Open);
+    return {};
+}
+
+void Link::close()
+{
+    if (m_state == LinkState::Closed)
+        return;
+    doClose();
+    setState(LinkState::Closed);
+}
+
+void Link::lose(std::string reason)
+{
+    if (m_state != LinkState::Open)
+        return;
+    m_reason = std::move(reason);
+    setState(LinkState::Lost);
+}
+
+void Link::setState(LinkState state)
+{
+    if (m_state == state)
+        return;
+    m_state = state;
+    m_stateChanged.notify(state);
+}
+
+void Link::passed(const Traffic &traffic)
+{
+    if (traffic.direction == Direction::Received)
+        ++m_counters.rx;
+    else
+        ++m_counters.tx;
+    m_traffic.notify(traffic);
+}
+
+} // namespace mb

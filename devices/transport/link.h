@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/listeners.h"
+#include "async/result.h"
+#include "transport/linkaddress.h"
+#include "wire/canframe.h"
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+namespace mb {
+
+enum class LinkState {
+    Closed, ///< not open yet, or closed by us
+    Open,
+    Lost, ///< was open; the interface or adapter went away, or the controller is bus-off
+};
+
+/// Since the link was opened. `lost` counts what is known missing: receive buffer overruns, frames dropped by the interface.
+struct LinkCounters {
+    std::uint64_t rx = 0;
+    std::uint64_t tx = 0;
+    std::uint64_t lost = 0;
+    std::uint64_t errors = 0;
+};
+
+enum class Direction { Received, Sent };
+
+/// One thing that passed a link, valid during the notification only.
+struct Traffic {
+    Instant time {};
+    Direction direction = Direction::Received;
+    const CanFrame *can = nullptr; ///< on a CAN link
+    std::span<const std::uint8_t> bytes; ///< on the others
+};
+
+/// A way to devices. Owns its backend; address, state, counters and the trace tap are common, the rest is in CanLink,
+/// SerialLink and SpiLink. Single-threaded: everything, notifications too, on the thread that made it.
+class Link {
+public:
+    Link(const Link &) = delete;
+    Link &operator=(const Link &) = delete;
+    virtual ~Link();
+
+    [[nodiscard]] const LinkAddress &address() const { return m_address; }
+    [[nodiscard]] LinkKind kind() const { return m_kind; }
+    [[nodiscard]] LinkState state() const { return m_state; }
+    /// Why the link is lost, in one clause.
+    [[nodiscard]] const std::string &reason() const { return m_reason; }
+    [[nodiscard]] const LinkCounters &counters() const { return m_counters; }
+
+    /// Fails with LinkLost and a cause that names the remedy. Opening an open link does nothing.
+    [[nodiscard]] Result<void> open();
+    void close();
+
+    [[nodiscard]] Listeners<LinkState> &stateChanged() { return m_stateChanged; }
+    /// Everything received and sent, in order. What listens here must be quick: it runs once per frame.
+    [[nodiscard]] Listeners<const Traffic &> &traffic() { return m_traffic; }
+    /// After each batch of received frames: the moment to commit what was decoded from it.
+    [[nodiscard]] Listeners<> &batchEnded() { return m_batchEnded; }
+
+protected:
+    Link(LinkAddress address, LinkKind kind);
+
+    /// For backends: the link is gone.
+    void lose(std::string reason);
+    void setState(LinkState state);
+    void countLost(std::uint64_t frames) { m_counters.lost += frames; }
+    void countError() { ++m_counters.errors; }
+    void passed(const Traffic &traffic);
+
+private:
+    virtual Result<void> doOpen() = 0;
+    virtual void doClose() = 0;
+
+    LinkAddress m_address;
+    LinkKind m_kind;
+    LinkState m_state = LinkState::Closed;
+    std::string m_reason;
+    LinkCounters m_counters;
+    Listeners<LinkState> m_stateChanged;
+    Listeners<const Traffic &> m_traffic;
+    Listeners<> m_batchEnded;
+};
+
+} // namespace mb

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/linkaddress.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mb {
+namespace {
+
+constexpr std::array schemes {"sim", "socketcan", "qtcan", "serial", "spidev", "unix", "replay"};
+
+Result<void> parseOptions(std::string_view text, std::vector<std::pair<std::string, std::string>> &out)
+{
+    while (!text.empty()) {
+        const std::string_view item = text.substr(0, text.find('&'));
+        text.remove_prefix(std::min(text.size(), item.size() + 1));
+        const auto equals = item.find('=');
+        if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size())
+            return fail(Fault::OutOfRange, "link option '" + std::string(item) + "' is not KEY=VALUE");
+        out.emplace_back(item.substr(0, equals), item.substr(equals + 1));
+    }
+    return {};
+}
+
+} // namespace
+
+std::string_view toString(LinkKind kind)
+{
+    switch (kind) {
+    case LinkKind::Can: return "can";
+    case LinkKind::Serial: return "serial";
+    case LinkKind::Spi: return "spi";
+    }
+    return "";
+}
+
+Result<LinkAddress> LinkAddress::parse(std::string_view text)
+{
+    const auto colon = text.find(':');
+    if (colon == std::string_view::npos)
+        return fail(Fault::OutOfRange, "'" + std::string(text) + "' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:");
+    LinkAddress address;
+    address.scheme = text.substr(0, colon);
+    if (std::find(schemes.begin(), schemes.end(), address.scheme) == schemes.end())
+        return fail(Fault::OutOfRange, "unknown link kind '" + address.scheme + "': sim, socketcan, qtcan, serial, spidev, unix and replay are known");
+    const std::string_view rest = text.substr(colon + 1);
+    const auto question = rest.find('?');
+    address.path = rest.substr(0, question);
+    if (question != std::string_view::npos) {
+        if (auto parsed = parseOptions(rest.substr(question + 1), address.options); !parsed)
+            return fail(parsed.error());
+    }
+    if (address.isSimulated()) {
+        if (!address.path.empty() && address.path != "can" && address.path != "serial" && address.path != "spi")
+            return fail(Fault::OutOfRange, "there is no simulated link 'sim:" + address.path + "': can, serial and spi are known");
+    } else if (address.path.empty()) {
+        return fail(Fault::OutOfRange, "'" + std::string(text) + "' names no interface");
+    }
+    return address;
+}
+
+std::string LinkAddress::text() const
+{
+    std::string out = scheme + ':' + path;
+    char separator = '?';
+    for (const auto &[key, value] : options) {
+        out += separator;
+        out += key + '=' + value;
+        separator = '&';
+    }
+    return out;
+}
+
+std::string LinkAddress::shortName() const
+{
+    if (isSimulated())
+        return scheme + ':' + path;
+    const auto slash = path.find_last_of('/');
+    return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+std::optional<std::string_view> LinkAddress::option(std::string_view key) const
+{
+    for (const auto &[name, value] : options) {
+        if (name == key)
+            return value;
+    }
+    return std::nullopt;
+}
+
+} // namespace mb

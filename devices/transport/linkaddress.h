@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/result.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace mb {
+
+/// What travels on a link: frames, bytes, or full-duplex transfers.
+enum class LinkKind { Can, Serial, Spi };
+
+[[nodiscard]] std::string_view toString(LinkKind kind);
+
+/// `SCHEME:PATH?KEY=VALUE&…` of product.md, "Link addresses": `sim:can?loss=0.1`, `socketcan:can0`, `serial:/dev/ttyUSB0?baud=57600`.
+struct LinkAddress {
+    std::string scheme;
+    std::string path;
+    std::vector<std::pair<std::string, std::string>> options; ///< in the order given; a key may repeat
+
+    /// Fails with OutOfRange: no scheme, unknown scheme, empty path where one is needed, an option without a value.
+    [[nodiscard]] static Result<LinkAddress> parse(std::string_view text);
+    [[nodiscard]] std::string text() const;
+    /// The part people read: `sim:can`, `can0`, `ttyUSB0`.
+    [[nodiscard]] std::string shortName() const;
+    [[nodiscard]] std::optional<std::string_view> option(std::string_view key) const;
+    [[nodiscard]] bool isSimulated() const { return scheme == "sim"; }
+
+    friend bool operator==(const LinkAddress &, const LinkAddress &) = default;
+};
+
+} // namespace mb
