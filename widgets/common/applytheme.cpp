@@ -19,8 +19,8 @@ QHash<QString, QColor> colourTokens(const Theme &t)
         {QStringLiteral("outline"), t.outline}, {QStringLiteral("text"), t.text}, {QStringLiteral("dim"), t.dim},
         {QStringLiteral("faint"), t.faint}, {QStringLiteral("accent"), t.accent}, {QStringLiteral("fill"), t.fill},
         {QStringLiteral("onFill"), t.onFill}, {QStringLiteral("sel"), t.sel}, {QStringLiteral("ok"), t.ok},
-        {QStringLiteral("caution"), t.caution}, {QStringLiteral("danger"), t.danger},
-        {QStringLiteral("stop"), t.stop}, {QStringLiteral("armed"), t.armed}, {QStringLiteral("onArmed"), t.onArmed},
+        {QStringLiteral("caution"), t.caution}, {QStringLiteral("danger"), t.danger}, {QStringLiteral("stop"), t.stop},
+        {QStringLiteral("armed"), t.armed}, {QStringLiteral("onArmed"), t.onArmed},
         {QStringLiteral("bannerCaution"), t.bannerCaution}, {QStringLiteral("bannerDanger"), t.bannerDanger},
         {QStringLiteral("bannerOk"), t.bannerOk}, {QStringLiteral("bannerInfo"), t.bannerInfo},
         {QStringLiteral("editedTint"), t.editedTint}, {QStringLiteral("errorTint"), t.errorTint}};

@@ -15,13 +15,20 @@ namespace {
 QString toneWord(Tone tone)
 {
     switch (tone) {
-    case Tone::Text: return QStringLiteral("text");
-    case Tone::Dim: return QStringLiteral("dim");
-    case Tone::Faint: return QStringLiteral("faint");
-    case Tone::Accent: return QStringLiteral("accent");
-    case Tone::Ok: return QStringLiteral("ok");
-    case Tone::Caution: return QStringLiteral("caution");
-    case Tone::Danger: return QStringLiteral("danger");
+    case Tone::Text:
+        return QStringLiteral("text");
+    case Tone::Dim:
+        return QStringLiteral("dim");
+    case Tone::Faint:
+        return QStringLiteral("faint");
+    case Tone::Accent:
+        return QStringLiteral("accent");
+    case Tone::Ok:
+        return QStringLiteral("ok");
+    case Tone::Caution:
+        return QStringLiteral("caution");
+    case Tone::Danger:
+        return QStringLiteral("danger");
     }
     return {};
 }
@@ -29,15 +36,24 @@ QString toneWord(Tone tone)
 QString roleWord(TextRole role)
 {
     switch (role) {
-    case TextRole::Body: return QStringLiteral("body");
-    case TextRole::Emphasis: return QStringLiteral("emphasis");
-    case TextRole::Caption: return QStringLiteral("caption");
-    case TextRole::Section: return QStringLiteral("section");
-    case TextRole::Title: return QStringLiteral("title");
-    case TextRole::Value: return QStringLiteral("value");
-    case TextRole::Stop: return QStringLiteral("stop");
-    case TextRole::Verdict: return QStringLiteral("verdict");
-    case TextRole::Raw: return QStringLiteral("raw");
+    case TextRole::Body:
+        return QStringLiteral("body");
+    case TextRole::Emphasis:
+        return QStringLiteral("emphasis");
+    case TextRole::Caption:
+        return QStringLiteral("caption");
+    case TextRole::Section:
+        return QStringLiteral("section");
+    case TextRole::Title:
+        return QStringLiteral("title");
+    case TextRole::Value:
+        return QStringLiteral("value");
+    case TextRole::Stop:
+        return QStringLiteral("stop");
+    case TextRole::Verdict:
+        return QStringLiteral("verdict");
+    case TextRole::Raw:
+        return QStringLiteral("raw");
     }
     return {};
 }
@@ -54,9 +70,15 @@ void setStyleProperty(QWidget &widget, const char *name, const QVariant &value)
     widget.update();
 }
 
-void setTone(QWidget &widget, Tone tone) { setStyleProperty(widget, "tone", toneWord(tone)); }
+void setTone(QWidget &widget, Tone tone)
+{
+    setStyleProperty(widget, "tone", toneWord(tone));
+}
 
-void setTextRole(QWidget &widget, TextRole role) { setStyleProperty(widget, "role", roleWord(role)); }
+void setTextRole(QWidget &widget, TextRole role)
+{
+    setStyleProperty(widget, "role", roleWord(role));
+}
 
 QLabel *textLabel(const QString &text, TextRole role, Tone tone, QWidget *parent)
 {
@@ -143,8 +165,8 @@ void ElidedLabel::paintEvent(QPaintEvent *event)
     }
     QPainter painter(this);
     const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, contentsRect().width());
-    style()->drawItemText(&painter, contentsRect(), static_cast<int>(alignment()), palette(), isEnabled(), shown,
-        foregroundRole());
+    style()->drawItemText(
+        &painter, contentsRect(), static_cast<int>(alignment()), palette(), isEnabled(), shown, foregroundRole());
 }
 
 bool ElidedLabel::event(QEvent *event)

@@ -47,13 +47,20 @@ int Theme::u(double n) const
 QColor Theme::tone(Tone tone) const
 {
     switch (tone) {
-    case Tone::Text: return text;
-    case Tone::Dim: return dim;
-    case Tone::Faint: return faint;
-    case Tone::Accent: return accent;
-    case Tone::Ok: return ok;
-    case Tone::Caution: return caution;
-    case Tone::Danger: return danger;
+    case Tone::Text:
+        return text;
+    case Tone::Dim:
+        return dim;
+    case Tone::Faint:
+        return faint;
+    case Tone::Accent:
+        return accent;
+    case Tone::Ok:
+        return ok;
+    case Tone::Caution:
+        return caution;
+    case Tone::Danger:
+        return danger;
     }
     return text;
 }
@@ -61,7 +68,7 @@ QColor Theme::tone(Tone tone) const
 QFont Theme::font(TextRole role, const QFont &body) const
 {
     QFont font = role == TextRole::Raw ? QFontDatabase::systemFont(QFontDatabase::FixedFont) : body;
-    constexpr std::array<double, 9> scale {1.0, 1.0, 0.85, 0.85, 1.15, 1.5, 1.3, 7.5, 0.92};
+    constexpr std::array<double, 9> scale{1.0, 1.0, 0.85, 0.85, 1.15, 1.5, 1.3, 7.5, 0.92};
     font.setPointSizeF(bodyPointSize * scale.at(static_cast<std::size_t>(role)));
     const bool bold = role == TextRole::Emphasis || role == TextRole::Section || role == TextRole::Title
         || role == TextRole::Stop || role == TextRole::Verdict;
@@ -75,8 +82,9 @@ QFont Theme::font(TextRole role, const QFont &body) const
 
 bool Theme::operator==(const Theme &other) const
 {
-    return dark == other.dark && reducedMotion == other.reducedMotion && qFuzzyCompare(bodyPointSize, other.bodyPointSize)
-        && surfaces(*this) == surfaces(other) && states(*this) == states(other);
+    return dark == other.dark && reducedMotion == other.reducedMotion
+        && qFuzzyCompare(bodyPointSize, other.bodyPointSize) && surfaces(*this) == surfaces(other)
+        && states(*this) == states(other);
 }
 
 Theme darkTheme(double bodyPointSize)

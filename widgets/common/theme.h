@@ -15,7 +15,8 @@ namespace mb {
 /// What a colour of text or of a shape says. Red, amber and green mean state, never decoration.
 enum class Tone { Text, Dim, Faint, Accent, Ok, Caution, Danger };
 
-/// The quantity that a trace shows; it alone decides the colour. `Setpoint` and `Neutral` are grey: wished for, not measured.
+/// The quantity that a trace shows; it alone decides the colour. `Setpoint` and `Neutral` are grey: wished for, not
+/// measured.
 enum class TraceRole { Setpoint, Position, Velocity, Current, Duty, Error, Temperature, Neutral };
 inline constexpr int TraceRoleCount = 8;
 

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/theme.h"
+
+#include <QIcon>
+#include <QWidget>
+
+class QPainter;
+
+namespace mb {
+
+/// The states of devices, values and steps. Each has one shape, one word and one colour everywhere in the program.
+enum class GlyphState {
+    Online,
+    Moving,
+    Bootloader,
+    Duplicate,
+    Unassigned,
+    Fault,
+    Gone, // of a device
+    Stored,
+    InRam,
+    Edited,
+    OutOfRange,
+    Assumed,
+    Volatile,
+    Busy, // of a value
+    Done,
+    Waiting,
+    Warning,
+    Recording // of a step
+};
+inline constexpr int GlyphStateCount = 18;
+
+/// Draws the shape into the square in the middle of `box`; made for 12 units, sharp from 8 upwards.
+void paintGlyph(QPainter &painter, const QRectF &box, GlyphState state, const QColor &color);
+Tone glyphTone(GlyphState state);
+/// Colour of the shape. Moving wears the colour of the lamp, everything else its tone.
+QColor glyphColor(GlyphState state, const Theme &theme);
+/// The translated word that stands beside the shape ("online", "RAM, not in flash").
+QString glyphWord(GlyphState state);
+QIcon glyphIcon(GlyphState state, const Theme &theme);
+
+/// The shape as a widget of 12 units; its accessible name is the word.
+class StateGlyph : public QWidget {
+    Q_OBJECT
+public:
+    StateGlyph(const ThemeSource &theme, GlyphState state, QWidget *parent = nullptr);
+    GlyphState state() const { return m_state; }
+    void setState(GlyphState state);
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    const ThemeSource &m_theme;
+    GlyphState m_state;
+};
+
+} // namespace mb
