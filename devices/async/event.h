@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <coroutine>
+#include <utility>
+
+namespace mb {
+
+/// Something that one task waits for and somebody else announces. `co_await event.wait();` goes on at once when it was set.
+class Event {
+public:
+    Event() = default;
+    Event(const Event &) = delete;
+    Event &operator=(const Event &) = delete;
+
+    void set()
+    {
+        m_set = true;
+        if (const auto waiting = std::exchange(m_waiting, {}))
+            waiting.resume();
+    }
+    [[nodiscard]] bool isSet() const { return m_set; }
+
+    class Wait {
+    public:
+        explicit Wait(Event &event)
+            : m_event(event)
+        {
+        }
+        Wait(const Wait &) = delete;
+        Wait &operator=(const Wait &) = delete;
+        ~Wait() { m_event.m_waiting = {}; }
+        [[nodiscard]] bool await_ready() const noexcept { return m_event.m_set; }
+        void await_suspend(std::coroutine_handle<> handle) noexcept { m_event.m_waiting = handle; }
+        void await_resume() const noexcept { }
+
+    private:
+        Event &m_event;
+    };
+    [[nodiscard]] Wait wait() { return Wait(*this); }
+
+private:
+    bool m_set = false;
+    std::coroutine_handle<> m_waiting;
+};
+
+} // namespace mb

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/bench.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace mb {
+namespace {
+
+bool serves(const Family &family, LinkKind kind)
+{
+    return std::find(family.links.begin(), family.links.end(), kind) != family.links.end();
+}
+
+struct BenchOptions {
+    std::uint64_t seed = 1;
+    double loss = 0.0;
+    int bitrate = 1'000'000;
+    std::vector<SimulatedFault> faults;
+};
+
+template <class T> bool parse(std::string_view text, T &out)
+{
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), out);
+    return parsed.ec == std::errc {} && parsed.ptr == text.data() + text.size();
+}
+
+Result<BenchOptions> parseOptions(const LinkAddress &address)
+{
+    BenchOptions options;
+    for (const auto &[key, value] : address.options) {
+        bool good = false;
+        if (key == "seed") {
+            good = parse(value, options.seed);
+        } else if (key == "loss") {
+            good = parse(value, options.loss) && options.loss >= 0.0 && options.loss < 1.0;
+        } else if (key == "bitrate") {
+            good = parse(value, options.bitrate) && options.bitrate >= 1250 && options.bitrate <= 1'000'000;
+        } else if (key == "fault") {
+            auto fault = SimulatedFault::parse(value);
+            if (!fault)
+                return fail(fault.error());
+            options.faults.push_back(*fault);
+            good = true;
+        } else {
+            return fail(Fault::OutOfRange, "unknown option '" + key + "' of a simulated link; seed, loss, bitrate and fault are known");
+        }
+        if (!good)
+            return fail(Fault::OutOfRange, "link option " + key + "=" + value + " is out of range");
+    }
+    return options;
+}
+
+} // namespace
+
+Bench::Bench(LinkAddress address, Clock &clock, int bitrate, std::uint64_t seed)
+    : m_address(std::move(address))
+    , m_clock(clock)
+    , m_seed(seed)
+    , m_bus(clock, bitrate, seed)
+    , m_busOff(clock)
+{
+}
+
+Result<std::unique_ptr<Bench>> Bench::create(const LinkAddress &address, Clock &clock, std::span<const Family *const> families)
+{
+    if (address.path != "can")
+        return fail(Fault::Unsupported, "this build simulates no devices on sim:" + address.path);
+    auto options = parseOptions(address);
+    if (!options)
+        return fail(options.error());
+    std::unique_ptr<Bench> bench(new Bench(address, clock, options->bitrate, options->seed));
+    bench->m_bus.setLoss(options->loss);
+    for (const SimulatedFault &fault : options->faults) {
+        if (fault.kind == "busoff")
+            bench->m_busOffAt = fault.at;
+    }
+    std::erase_if(options->faults, [](const SimulatedFault &fault) { return fault.kind == "busoff"; });
+    if (auto populated = bench->populate(families, options->faults); !populated)
+        return fail(populated.error());
+    return bench;
+}
+
+Result<void> Bench::populate(std::span<const Family *const> families, const std::vector<SimulatedFault> &faults)
+{
+    for (const Family *family : families) {
+        if (!serves(*family, LinkKind::Can) || !family->simulate)
+            continue;
+        for (const std::string_view text : family->bench) {
+            auto unit = SimulatedUnit::parse(text);
+            if (!unit)
+                return fail(unit.error());
+            unit->faults.insert(unit->faults.end(), faults.begin(), faults.end());
+            unit->seed = m_seed * 1000 + m_simulators.size();
+            if (auto added = addUnit(*family, std::move(*unit)); !added)
+                return added;
+        }
+    }
+    return {};
+}
+
+Result<void> Bench::addUnit(const Family &family, SimulatedUnit unit)
+{
+    auto link = std::make_unique<VirtualCanLink>(m_address, m_bus);
+    if (auto opened = link->open(); !opened)
+        return opened;
+    auto simulator = family.simulate(*link, m_clock, unit);
+    if (!simulator)
+        return fail(simulator.error());
+    m_links.push_back(std::move(link));
+    m_simulators.push_back(std::move(*simulator));
+    return {};
+}
+
+std::unique_ptr<Link> Bench::hostLink()
+{
+    auto link = std::make_unique<VirtualCanLink>(m_address, m_bus);
+    if (m_busOffAt) {
+        const auto at = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(*m_busOffAt));
+        m_busOff.startIn(at, [this, host = link.get()] { m_bus.forceBusOff(*host); });
+    }
+    return link;
+}
+
+std::vector<Simulator *> Bench::simulators() const
+{
+    std::vector<Simulator *> all;
+    for (const auto &simulator : m_simulators)
+        all.push_back(simulator.get());
+    return all;
+}
+
+std::vector<LinkAddress> expandLink(const LinkAddress &address, std::span<const Family *const> families)
+{
+    if (!address.isSimulated() || !address.path.empty())
+        return {address};
+    std::vector<LinkAddress> all;
+    for (const LinkKind kind : {LinkKind::Can, LinkKind::Serial, LinkKind::Spi}) {
+        const bool any = std::any_of(families.begin(), families.end(), [kind](const Family *f) { return !f->bench.empty() && serves(*f, kind); });
+        if (any)
+            all.push_back({address.scheme, std::string(toString(kind)), address.options});
+    }
+    return all;
+}
+
+} // namespace mb

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/family.h"
+#include "transport/backends/virtualcan.h"
+
+#include <memory>
+#include <vector>
+
+namespace mb {
+
+/// The simulated bench behind a `sim:` link: a bus in memory with the units that the families list, factory-fresh.
+/// Options of the address: seed, loss, bitrate, fault (product.md, "Link addresses").
+class Bench {
+public:
+    /// OutOfRange when an option does not parse; Unsupported when no family has units for such a link.
+    [[nodiscard]] static Result<std::unique_ptr<Bench>> create(const LinkAddress &address, Clock &clock, std::span<const Family *const> families);
+
+    /// The host's end of the bus; the bench outlives it.
+    [[nodiscard]] std::unique_ptr<Link> hostLink();
+    [[nodiscard]] std::vector<Simulator *> simulators() const;
+
+private:
+    Bench(LinkAddress address, Clock &clock, int bitrate, std::uint64_t seed);
+    [[nodiscard]] Result<void> populate(std::span<const Family *const> families, const std::vector<SimulatedFault> &faults);
+    [[nodiscard]] Result<void> addUnit(const Family &family, SimulatedUnit unit);
+
+    LinkAddress m_address;
+    Clock &m_clock;
+    std::uint64_t m_seed;
+    VirtualCanBus m_bus;
+    std::vector<std::unique_ptr<VirtualCanLink>> m_links;
+    std::vector<std::unique_ptr<Simulator>> m_simulators;
+    Timer m_busOff;
+    std::optional<double> m_busOffAt; ///< seconds after the host opened its end
+};
+
+/// `sim:` stands for every simulated link that has units; another address for itself.
+[[nodiscard]] std::vector<LinkAddress> expandLink(const LinkAddress &address, std::span<const Family *const> families);
+
+} // namespace mb

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/parameterfile.h"
+
+#include "model/family.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QSaveFile>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+QString qt(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+QJsonValue textOrNull(const std::string &text)
+{
+    return text.empty() ? QJsonValue() : QJsonValue(qt(text));
+}
+
+Result<std::int64_t> rawFrom(const Parameter &parameter, const QJsonObject &row)
+{
+    const QJsonValue raw = row.value(QLatin1String("raw"));
+    const std::string key(parameter.key);
+    if (raw.isDouble()) {
+        const double number = raw.toDouble();
+        if (number != std::floor(number) || number < parameter.minimum * parameter.one - 0.5 || number > parameter.maximum * parameter.one + 0.5)
+            return fail(Fault::OutOfRange, key + ": raw value " + numberText(number) + " is out of range");
+        return static_cast<std::int64_t>(number);
+    }
+    const QJsonValue value = row.value(QLatin1String("value"));
+    if (value.isBool() && parameter.type == WireType::Boolean)
+        return value.toBool() ? 1 : 0;
+    if (value.isDouble() && parameter.type != WireType::Boolean)
+        return toRaw(parameter, value.toDouble());
+    return fail(Fault::OutOfRange, key + " has no value of the right kind");
+}
+
+Result<void> takeRow(const Family &family, const QString &key, const QJsonValue &row, ParameterFile &file)
+{
+    const auto index = findParameter(family.parameters, key.toStdString());
+    if (!index) {
+        file.notes.push_back("unknown key " + key.toStdString());
+        return {};
+    }
+    if (!row.isObject())
+        return fail(Fault::OutOfRange, key.toStdString() + " is not an object");
+    const QJsonObject object = row.toObject();
+    if (object.value(QLatin1String("value")).isNull() && object.value(QLatin1String("raw")).isNull()) {
+        file.notes.push_back(key.toStdString() + " was unknown when the file was written");
+        return {};
+    }
+    const auto raw = rawFrom(family.parameters[index->value], object);
+    if (!raw)
+        return fail(raw.error());
+    file.values.push_back({*index, *raw});
+    return {};
+}
+
+} // namespace
+
+QJsonObject parameterToJson(const Parameter &parameter, const ParameterStore::Entry &entry)
+{
+    QJsonObject row;
+    row.insert(QLatin1String("unit"), qt(parameter.unit));
+    row.insert(QLatin1String("state"), qt(toString(entry.state)));
+    row.insert(QLatin1String("raw"), QJsonValue());
+    row.insert(QLatin1String("value"), QJsonValue());
+    if (!entry.raw || entry.state == ParameterState::Failed)
+        return row;
+    row.insert(QLatin1String("raw"), static_cast<double>(*entry.raw));
+    const Value value = toValue(parameter, *entry.raw);
+    if (const bool *flag = std::get_if<bool>(&value))
+        row.insert(QLatin1String("value"), *flag);
+    else if (const double *number = std::get_if<double>(&value))
+        row.insert(QLatin1String("value"), *number);
+    return row;
+}
+
+QJsonObject parametersToJson(const Device &device, std::span<const ParameterIndex> indices)
+{
+    QJsonObject rows;
+    for (const ParameterIndex index : indices) {
+        const Parameter &parameter = device.parameters().parameter(index);
+        rows.insert(qt(parameter.key), parameterToJson(parameter, device.parameters().entry(index)));
+    }
+    QJsonObject object;
+    object.insert(QLatin1String("device"), qt(device.selector()));
+    object.insert(QLatin1String("family"), qt(device.family().key));
+    object.insert(QLatin1String("serial"), textOrNull(device.identity().serial));
+    object.insert(QLatin1String("firmware"), textOrNull(device.identity().firmware));
+    object.insert(QLatin1String("parameters"), rows);
+    return object;
+}
+
+Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &family)
+{
+    QJsonParseError error {};
+    const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
+    if (!document.isObject()) {
+        const std::string why = document.isNull() ? error.errorString().toStdString() + " at byte " + std::to_string(error.offset) : "no object at the top";
+        return fail(Fault::OutOfRange, "not a parameter file: " + why);
+    }
+    const QJsonObject object = document.object();
+    ParameterFile file;
+    file.family = object.value(QLatin1String("family")).toString().toStdString();
+    file.device = object.value(QLatin1String("device")).toString().toStdString();
+    file.serial = object.value(QLatin1String("serial")).toString().toStdString();
+    file.firmware = object.value(QLatin1String("firmware")).toString().toStdString();
+    if (file.family != family.key)
+        return fail(Fault::OutOfRange, "the file is for family '" + file.family + "', the device is a " + std::string(family.key));
+    const QJsonValue rows = object.value(QLatin1String("parameters"));
+    if (!rows.isObject())
+        return fail(Fault::OutOfRange, "not a parameter file: it has no \"parameters\"");
+    const QJsonObject parameters = rows.toObject();
+    for (auto row = parameters.begin(); row != parameters.end(); ++row) {
+        if (auto taken = takeRow(family, row.key(), row.value(), file); !taken)
+            return fail(taken.error());
+    }
+    std::sort(file.values.begin(), file.values.end(), [](const ParameterChange &a, const ParameterChange &b) { return a.index < b.index; });
+    return file;
+}
+
+std::vector<ParameterDifference> differences(const Device &device, const ParameterFile &file)
+{
+    std::vector<ParameterDifference> out;
+    for (const ParameterChange &change : file.values) {
+        const Parameter &parameter = device.parameters().parameter(change.index);
+        if (parameter.access == Access::ReadOnly || !parameter.persistent || parameter.nature != Nature::Setting)
+            continue;
+        const auto &entry = device.parameters().entry(change.index);
+        const auto known = entry.state == ParameterState::Failed ? std::nullopt : entry.raw;
+        if (known != change.raw)
+            out.push_back({change.index, known, change.raw});
+    }
+    return out;
+}
+
+Result<void> saveFile(const std::string &path, const QByteArray &bytes)
+{
+    QSaveFile file(qt(path));
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return fail(Fault::OutOfRange, path + " cannot be written: " + file.errorString().toStdString());
+    return {};
+}
+
+Result<QByteArray> loadFile(const std::string &path, std::int64_t limit)
+{
+    const QFileInfo info(qt(path));
+    if (!info.exists())
+        return fail(Fault::OutOfRange, path + " does not exist");
+    if (info.isDir())
+        return fail(Fault::OutOfRange, path + " is a directory");
+    QFile file(qt(path));
+    if (!file.open(QIODevice::ReadOnly))
+        return fail(Fault::OutOfRange, path + " cannot be read: " + file.errorString().toStdString());
+    QByteArray bytes = file.read(limit + 1);
+    if (bytes.size() > limit)
+        return fail(Fault::OutOfRange, path + " is larger than " + std::to_string(limit) + " bytes");
+    return bytes;
+}
+
+} // namespace mb

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/device.h"
+#include "model/parametertransfer.h"
+
+#include <QByteArray>
+#include <QJsonObject>
+
+namespace mb {
+
+/// The object of `motorbenchctl get`, which is also the file format: {"device","family","serial","firmware","parameters"}.
+[[nodiscard]] QJsonObject parametersToJson(const Device &device, std::span<const ParameterIndex> indices);
+/// One value as {"value","raw","unit","state"}; null when unknown.
+[[nodiscard]] QJsonObject parameterToJson(const Parameter &parameter, const ParameterStore::Entry &entry);
+
+struct ParameterFile {
+    std::string family;
+    std::string device;
+    std::string serial;
+    std::string firmware;
+    std::vector<ParameterChange> values; ///< in table order; raw wins over value where both are given
+    std::vector<std::string> notes; ///< rows that were left out and why: unknown keys, unknown values
+};
+
+/// OutOfRange with one clear cause: not JSON, another family, a value out of range. Nothing is half taken.
+[[nodiscard]] Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &family);
+
+struct ParameterDifference {
+    ParameterIndex index;
+    std::optional<std::int64_t> from; ///< in the device, when known
+    std::int64_t to = 0;
+};
+
+/// What `restore` would write: keys that can be written, are persistent and are settings, and differ from what is known.
+[[nodiscard]] std::vector<ParameterDifference> differences(const Device &device, const ParameterFile &file);
+
+/// Writes the whole text or nothing: to a temporary file beside it, then renamed.
+[[nodiscard]] Result<void> saveFile(const std::string &path, const QByteArray &bytes);
+/// OutOfRange when it is missing, a directory, unreadable or above `limit` bytes.
+[[nodiscard]] Result<QByteArray> loadFile(const std::string &path, std::int64_t limit);
+
+} // namespace mb

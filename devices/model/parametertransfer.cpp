@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/parametertransfer.h"
+
+namespace mb {
+
+std::vector<ParameterIndex> readable(const Device &device)
+{
+    std::vector<ParameterIndex> indices;
+    const auto table = device.parameters().table();
+    for (std::uint16_t i = 0; i < table.size(); ++i) {
+        if (table[i].access != Access::WriteOnly)
+            indices.push_back({i});
+    }
+    return indices;
+}
+
+Task<std::vector<TransferOutcome>> readParameters(Device &device, std::vector<ParameterIndex> indices, Progress &progress)
+{
+    std::vector<TransferOutcome> outcomes;
+    const int total = static_cast<int>(indices.size());
+    for (const ParameterIndex index : indices) {
+        progress.step("Reading " + std::string(device.parameters().parameter(index).key), static_cast<int>(outcomes.size()), total);
+        auto task = device.read(index);
+        Result<std::int64_t> raw = co_await std::move(task).attempt();
+        const bool lost = !raw && raw.error().fault == Fault::LinkLost;
+        outcomes.push_back({index, std::move(raw), std::nullopt});
+        if (lost)
+            break;
+    }
+    progress.step("Read", static_cast<int>(outcomes.size()), total);
+    co_return outcomes;
+}
+
+namespace {
+
+Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
+{
+    const Parameter &parameter = device.parameters().parameter(change.index);
+    TransferOutcome outcome {change.index, 0, std::nullopt};
+    auto write = device.write(change.index, change.raw);
+    outcome.raw = co_await std::move(write).attempt();
+    if (!outcome.raw || parameter.access == Access::WriteOnly || parameter.nature == Nature::Counter)
+        co_return outcome;
+    auto read = device.read(change.index);
+    const Result<std::int64_t> back = co_await std::move(read).attempt();
+    if (!back) {
+        outcome.raw = fail(back.error());
+        co_return outcome;
+    }
+    outcome.raw = *back;
+    outcome.verified = parameter.nature == Nature::Live || *back == change.raw;
+    if (!*outcome.verified)
+        outcome.raw = fail(Fault::BadCheck, std::string(parameter.key) + " was written as " + toText(parameter, change.raw) + " but reads " + toText(parameter, *back));
+    co_return outcome;
+}
+
+} // namespace
+
+Task<std::vector<TransferOutcome>> writeParameters(Device &device, std::vector<ParameterChange> changes, Progress &progress)
+{
+    std::vector<TransferOutcome> outcomes;
+    const int total = static_cast<int>(changes.size());
+    for (const ParameterChange change : changes) {
+        const std::string key(device.parameters().parameter(change.index).key);
+        progress.step("Writing " + key, static_cast<int>(outcomes.size()), total);
+        auto task = writeOne(device, change);
+        TransferOutcome outcome = co_await std::move(task);
+        const bool failed = !outcome.raw;
+        if (failed)
+            progress.log(Severity::Danger, key + ": " + outcome.raw.error().detail);
+        outcomes.push_back(std::move(outcome));
+        if (failed)
+            break;
+    }
+    progress.step("Written", static_cast<int>(outcomes.size()), total);
+    co_return outcomes;
+}
+
+} // namespace mb

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/session.h"
+
+#include "async/event.h"
+#include "async/scope.h"
+#include "transport/linkcatalog.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr Duration commitPeriod = std::chrono::milliseconds(10);
+
+} // namespace
+
+/// Gathers what the families of one scan find.
+class Session::ScanRound {
+public:
+    struct Sink final : ScanSink {
+        Sink(ScanRound &scanRound, const Family &scanned)
+            : round(scanRound)
+            , family(scanned)
+        {
+        }
+        void found(const Identity &identity) override { round.m_session.adopt(round.m_link, family, identity, round.seen); }
+        void progress(const std::string &, int, int) override { }
+        ScanRound &round;
+        const Family &family;
+    };
+
+    ScanRound(Session &session, Link &link)
+        : m_session(session)
+        , m_link(link)
+        , m_scope(session.m_clock)
+    {
+    }
+    void start()
+    {
+        for (const Family *family : m_session.m_families) {
+            if (!family->scan || std::find(family->links.begin(), family->links.end(), m_link.kind()) == family->links.end())
+                continue;
+            m_sinks.push_back(std::make_unique<Sink>(*this, *family));
+            ++m_running;
+            m_scope.spawn<void>(family->scan(m_link, m_session.m_clock, *m_sinks.back()), [this](Result<void> result) {
+                if (!result)
+                    error = result.error();
+                if (--m_running == 0)
+                    done.set();
+            });
+        }
+        if (m_running == 0)
+            done.set();
+    }
+
+    std::vector<Device *> seen;
+    std::optional<Error> error;
+    Event done;
+
+private:
+    Session &m_session;
+    Link &m_link;
+    std::vector<std::unique_ptr<Sink>> m_sinks;
+    int m_running = 0;
+    Scope m_scope;
+};
+
+Session::Session(Clock &clock, std::span<const Family *const> families)
+    : m_clock(clock)
+    , m_families(families)
+    , m_commit(clock)
+{
+}
+
+Session::~Session()
+{
+    stopAll();
+}
+
+Result<Session::OpenLink> Session::makeLink(const LinkAddress &address)
+{
+    OpenLink made;
+    if (address.isSimulated()) {
+        auto bench = Bench::create(address, m_clock, m_families);
+        if (!bench)
+            return fail(bench.error());
+        made.bench = std::move(*bench);
+        made.link = made.bench->hostLink();
+        return made;
+    }
+    auto link = createLink(address, m_clock);
+    if (!link)
+        return fail(link.error());
+    made.link = std::move(*link);
+    return made;
+}
+
+Result<Link *> Session::openLink(const LinkAddress &address)
+{
+    if (Link *known = findLink(address)) {
+        if (auto opened = known->open(); !opened)
+            return fail(opened.error());
+        return known;
+    }
+    auto made = makeLink(address);
+    if (!made)
+        return fail(made.error());
+    if (auto opened = made->link->open(); !opened)
+        return fail(opened.error());
+    made->state = made->link->stateChanged().add([this](LinkState) { m_changed.notify(); });
+    made->batch = made->link->batchEnded().add([this] { scheduleCommit(); });
+    m_links.push_back(std::move(*made));
+    m_changed.notify();
+    return m_links.back().link.get();
+}
+
+void Session::closeLink(Link &link)
+{
+    for (Entry &entry : m_devices) {
+        if (&entry.device->link() == &link && entry.stream)
+            entry.stream->stop();
+    }
+    std::erase_if(m_devices, [&link](const Entry &entry) { return &entry.device->link() == &link; });
+    std::erase_if(m_links, [&link](const OpenLink &open) { return open.link.get() == &link; });
+    m_changed.notify();
+}
+
+std::vector<Link *> Session::links() const
+{
+    std::vector<Link *> all;
+    for (const OpenLink &open : m_links)
+        all.push_back(open.link.get());
+    return all;
+}
+
+Link *Session::findLink(const LinkAddress &address) const
+{
+    const auto open = std::find_if(m_links.begin(), m_links.end(), [&](const OpenLink &o) { return o.link->address() == address; });
+    return open == m_links.end() ? nullptr : open->link.get();
+}
+
+Bench *Session::bench(const Link &link) const
+{
+    const auto open = std::find_if(m_links.begin(), m_links.end(), [&](const OpenLink &o) { return o.link.get() == &link; });
+    return open == m_links.end() ? nullptr : open->bench.get();
+}
+
+Task<std::vector<Device *>> Session::scan(Link &link)
+{
+    ScanRound round(*this, link);
+    round.start();
+    co_await round.done.wait();
+    if (round.error)
+        co_return fail(*round.error);
+    co_return round.seen;
+}
+
+Device &Session::adopt(Link &link, const Family &family, const Identity &identity, std::vector<Device *> &seen)
+{
+    Entry *match = nullptr;
+    for (Entry &entry : m_devices) {
+        Device &device = *entry.device;
+        if (&device.link() != &link || &device.family() != &family || device.identity().address != identity.address)
+            continue;
+        if (device.identity().session == identity.session) {
+            match = &entry;
+            break;
+        }
+        // Another session under the same number is the same unit after a power cycle, unless both answered in this scan.
+        if (!match && std::find(seen.begin(), seen.end(), &device) == seen.end())
+            match = &entry;
+    }
+    if (!match) {
+        Entry entry {DeviceId {++m_lastId}, family.open(link, m_clock, identity), nullptr, {}};
+        entry.changed = entry.device->changed().add([this] { m_changed.notify(); });
+        m_devices.push_back(std::move(entry));
+        match = &m_devices.back();
+        m_changed.notify();
+    } else {
+        match->device->setIdentity(identity);
+    }
+    if (std::find(seen.begin(), seen.end(), match->device.get()) == seen.end())
+        seen.push_back(match->device.get());
+    return *match->device;
+}
+
+Task<Device *> Session::connect(DeviceSelector selector)
+{
+    auto link = openLink(selector.link);
+    if (!link)
+        co_return fail(link.error());
+    auto scanning = scan(**link);
+    const std::vector<Device *> seen = co_await std::move(scanning);
+    std::vector<Device *> fitting;
+    for (Device *device : seen) {
+        const Identity &identity = device->identity();
+        if (identity.family == selector.family && identity.address == selector.address && (!selector.session || identity.session == selector.session))
+            fitting.push_back(device);
+    }
+    if (fitting.empty())
+        co_return fail(Fault::Timeout, "no " + selector.family + " answers as number " + std::to_string(selector.address) + " on " + selector.link.text());
+    if (fitting.size() > 1)
+        co_return fail(Fault::Refused, std::to_string(fitting.size()) + " units answer as number " + std::to_string(selector.address) + "; name one: " + fitting[0]->selector() + " or " + fitting[1]->selector());
+    co_return fitting.front();
+}
+
+std::vector<Device *> Session::devices() const
+{
+    std::vector<Device *> all;
+    for (const Entry &entry : m_devices)
+        all.push_back(entry.device.get());
+    return all;
+}
+
+Device *Session::find(DeviceId id) const
+{
+    const auto entry = std::find_if(m_devices.begin(), m_devices.end(), [id](const Entry &e) { return e.id == id; });
+    return entry == m_devices.end() ? nullptr : entry->device.get();
+}
+
+DeviceId Session::idOf(const Device &device) const
+{
+    const auto entry = std::find_if(m_devices.begin(), m_devices.end(), [&](const Entry &e) { return e.device.get() == &device; });
+    return entry == m_devices.end() ? DeviceId {} : entry->id;
+}
+
+SetPointStream &Session::stream(Device &device)
+{
+    const auto entry = std::find_if(m_devices.begin(), m_devices.end(), [&](const Entry &e) { return e.device.get() == &device; });
+    if (!entry->stream)
+        entry->stream = std::make_unique<SetPointStream>(device, m_clock);
+    return *entry->stream;
+}
+
+void Session::stopAll()
+{
+    for (Entry &entry : m_devices) {
+        if (entry.stream && entry.stream->isRunning())
+            entry.stream->stop();
+        else if (entry.device->liveness().moving && entry.device->link().state() == LinkState::Open)
+            entry.device->stop();
+    }
+}
+
+void Session::scheduleCommit()
+{
+    if (m_commit.isActive())
+        return;
+    m_commit.startIn(commitPeriod, [this] {
+        for (Entry &entry : m_devices)
+            entry.device->telemetry()->commit();
+    });
+}
+
+} // namespace mb

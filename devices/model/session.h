@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/bench.h"
+#include "model/family.h"
+#include "model/setpointstream.h"
+
+#include <map>
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace mb {
+
+/// Names a device of a session for its whole life, across rescans, renumbering and restarts; never used twice.
+struct DeviceId {
+    std::uint32_t value = 0;
+    friend auto operator<=>(const DeviceId &, const DeviceId &) = default;
+};
+
+/// Everything that one process works on: links, the devices found on them, their set-point streams. One thread: the engine's
+/// in the window, the only one in the console and in tests.
+class Session {
+public:
+    Session(Clock &clock, std::span<const Family *const> families);
+    Session(const Session &) = delete;
+    Session &operator=(const Session &) = delete;
+    /// Stops every motor that was driven.
+    ~Session();
+
+    [[nodiscard]] Clock &clock() const { return m_clock; }
+    [[nodiscard]] std::span<const Family *const> families() const { return m_families; }
+
+    /// Opens a link, or yields the one that is open under this address. `sim:` alone must be expanded first (expandLink).
+    [[nodiscard]] Result<Link *> openLink(const LinkAddress &address);
+    /// Stops its motors, forgets its devices.
+    void closeLink(Link &link);
+    [[nodiscard]] std::vector<Link *> links() const;
+    [[nodiscard]] Link *findLink(const LinkAddress &address) const;
+    /// The bench behind a simulated link; nullptr for others. For tests and for disturbing a simulated load.
+    [[nodiscard]] Bench *bench(const Link &link) const;
+
+    /// Scans with every family that speaks this kind of link, all at once; devices() grows as answers come. Yields what
+    /// answered this time, in table order. A device that did not answer stays in devices() and is not heard.
+    [[nodiscard]] Task<std::vector<Device *>> scan(Link &link);
+    /// Opens the link, asks whether exactly this device is there. Timeout when not; Refused when the number is taken twice
+    /// and the selector does not say which.
+    [[nodiscard]] Task<Device *> connect(DeviceSelector selector);
+
+    [[nodiscard]] std::vector<Device *> devices() const;
+    [[nodiscard]] Device *find(DeviceId id) const;
+    [[nodiscard]] DeviceId idOf(const Device &device) const;
+    /// One per device, made when first asked for.
+    [[nodiscard]] SetPointStream &stream(Device &device);
+    /// Stops every stream, and sends a stop to every device that reports motion. Waits for nothing.
+    void stopAll();
+
+    /// Links or devices came, went or changed.
+    [[nodiscard]] Listeners<> &changed() { return m_changed; }
+
+private:
+    struct Entry {
+        DeviceId id;
+        std::unique_ptr<Device> device;
+        std::unique_ptr<SetPointStream> stream;
+        Subscription changed;
+    };
+    struct OpenLink {
+        std::unique_ptr<Bench> bench;
+        std::unique_ptr<Link> link;
+        Subscription state;
+        Subscription batch;
+    };
+    class ScanRound;
+
+    [[nodiscard]] Result<OpenLink> makeLink(const LinkAddress &address);
+    Device &adopt(Link &link, const Family &family, const Identity &identity, std::vector<Device *> &seen);
+    void scheduleCommit();
+
+    Clock &m_clock;
+    std::span<const Family *const> m_families;
+    Listeners<> m_changed;
+    std::vector<OpenLink> m_links;
+    std::vector<Entry> m_devices;
+    std::uint32_t m_lastId = 0;
+    Timer m_commit;
+};
+
+} // namespace mb

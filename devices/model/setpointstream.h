@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/lease.h"
+#include "model/device.h"
+
+#include <memory>
+
+namespace mb {
+
+/// Keeps a motor's set-point alive: one control frame every command period, only as long as somebody renews the lease
+/// (docs/architecture.md, Motion lease). Whatever ends it ends in Device::stop(): the lease, another master, a lost link, a
+/// restarted or silent device, its destruction. It never starts again by itself. Engine thread.
+class SetPointStream {
+public:
+    enum class End {
+        None, ///< still running, or never started
+        Stopped, ///< by stop()
+        LeaseExpired,
+        LinkLost,
+        DeviceSilent,
+        DeviceRestarted,
+        ForeignMaster,
+        Refused, ///< mayMove() or check() said no while running
+    };
+
+    SetPointStream(Device &device, Clock &clock);
+    SetPointStream(const SetPointStream &) = delete;
+    SetPointStream &operator=(const SetPointStream &) = delete;
+    ~SetPointStream();
+
+    /// Sends the first frame now. Fails without sending when the device may not move or cannot do it.
+    [[nodiscard]] Result<void> start(const SetPoint &setPoint, Duration lease);
+    /// A new target for the next frame, sent now; renews the lease. Fails and goes on with the old one when it is not legal.
+    [[nodiscard]] Result<void> update(const SetPoint &setPoint);
+    void renew();
+    /// Stops the motor now. Safe at any time.
+    void stop();
+
+    [[nodiscard]] bool isRunning() const { return m_running; }
+    [[nodiscard]] const SetPoint &setPoint() const { return m_setPoint; }
+    [[nodiscard]] End end() const { return m_end; }
+    /// One clause for people about why it ended.
+    [[nodiscard]] const std::string &reason() const { return m_reason; }
+    [[nodiscard]] Listeners<> &changed() { return m_changed; }
+
+private:
+    void tick();
+    void finish(End end, std::string reason);
+    [[nodiscard]] bool checkDevice();
+
+    Device &m_device;
+    Clock &m_clock;
+    SetPoint m_setPoint;
+    bool m_running = false;
+    End m_end = End::None;
+    std::string m_reason;
+    Instant m_startedAt {};
+    Instant m_next {};
+    Timer m_timer;
+    std::unique_ptr<Lease> m_lease;
+    Subscription m_linkState;
+    Subscription m_deviceChanged;
+    Listeners<> m_changed;
+};
+
+[[nodiscard]] std::string_view toString(SetPointStream::End end);
+
+} // namespace mb
