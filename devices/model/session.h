@@ -5,7 +5,7 @@
 #include "model/family.h"
 #include "model/setpointstream.h"
 
-#include <map>
+#include <list>
 #include <memory>
 #include <span>
 #include <vector>
@@ -80,8 +80,8 @@ private:
     Clock &m_clock;
     std::span<const Family *const> m_families;
     Listeners<> m_changed;
-    std::vector<OpenLink> m_links;
-    std::vector<Entry> m_devices;
+    std::list<OpenLink> m_links; // lists: an element is destroyed whole, in the reverse order of its members
+    std::list<Entry> m_devices;
     std::uint32_t m_lastId = 0;
     Timer m_commit;
 };
