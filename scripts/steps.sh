@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# shellcheck shell=bash
+# Sourced by the other scripts: long steps with short output.
+
+jobs=$(nproc)
+
+# quietly TITLE COMMAND…: one line for a step that works, its output for one that does not.
+quietly() {
+    local title=$1 log status=0 start=$SECONDS
+    shift
+    log=$(mktemp)
+    "$@" >"$log" 2>&1 </dev/null || status=$?
+    if [ "$status" = 0 ]; then
+        printf '%-58s ok (%d s)\n' "$title" $((SECONDS - start))
+    else
+        printf '%-58s FAILED (exit status %d), the end of its output:\n' "$title" "$status"
+        { grep -E -A12 '^FAILED: |CMake Error' "$log" || true; } | head -n 60
+        tail -n 40 "$log"
+    fi
+    rm -f "$log"
+    return "$status"
+}
+
+# build PRESET [-DOPTION=VALUE…] -- [TARGET…]: configures and builds; no target means all.
+build() {
+    local preset=$1 options=()
+    shift
+    while [ $# -gt 0 ] && [ "$1" != -- ]; do
+        options+=("$1")
+        shift
+    done
+    shift
+    quietly "configure $preset" cmake --preset "$preset" "${options[@]}" &&
+        quietly "build $preset${1:+: $*}" cmake --build "build/$preset" -j "$jobs" ${1:+--target "$@"}
+}
