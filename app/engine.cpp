@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine.h"
+
+#include <QSocketNotifier>
+#include <QThread>
+
+namespace mb {
+namespace {
+
+constexpr Duration snapshotPeriod = std::chrono::milliseconds(33);
+constexpr Duration listingPeriod = std::chrono::seconds(2);
+constexpr std::size_t keptNotices = 5000;
+
+} // namespace
+
+/// What lives in the engine thread, made and destroyed there.
+struct Engine::Room {
+    Room(Engine &owner, std::span<const Family *const> families, bool opensByItself)
+        : engine(owner)
+        , core(clock, families, opensByItself)
+        , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
+        , tick(clock)
+    {
+        QObject::connect(&arrivals, &QSocketNotifier::activated, &arrivals, [this] { engine.m_toEngine.drain(); });
+        noticed = core.noticed().add([this](Severity severity, const std::string &device, const std::string &text) {
+            engine.m_toWindow.post([to = &engine, severity, device, text] { to->report(severity, QString::fromStdString(device), QString::fromStdString(text)); });
+        });
+        publish();
+    }
+    void publish()
+    {
+        tick.startIn(snapshotPeriod, [this] { publish(); });
+        if (engine.m_snapshotUnderWay.exchange(true))
+            return;
+        if (clock.now() - listedAt >= listingPeriod) {
+            listedAt = clock.now();
+            listings = listLinks();
+        }
+        auto shot = std::make_shared<Snapshot>(core.snapshot());
+        engine.m_toWindow.post([to = &engine, shot, list = listings] { to->takeSnapshot(std::move(*shot), list); });
+    }
+
+    Engine &engine;
+    QtClock clock;
+    EngineCore core;
+    QSocketNotifier arrivals;
+    Timer tick;
+    Subscription noticed;
+    Instant listedAt {};
+    std::vector<LinkListing> listings;
+};
+
+/// The engine thread: its body is the room's event loop.
+class Engine::Loop final : public QThread {
+public:
+    Loop(Engine &engine, std::span<const Family *const> families, bool opensByItself)
+        : m_engine(engine)
+        , m_families(families)
+        , m_opensByItself(opensByItself)
+    {
+    }
+
+private:
+    void run() override
+    {
+        Room room(m_engine, m_families, m_opensByItself);
+        m_engine.m_room = &room;
+        exec();
+        m_engine.m_toEngine.close();
+        m_engine.m_room = nullptr;
+    }
+
+    Engine &m_engine;
+    std::span<const Family *const> m_families;
+    bool m_opensByItself;
+};
+
+Engine::Engine(std::span<const Family *const> families, bool opensByItself, QObject *parent)
+    : Workbench(parent)
+    , m_arrivals(std::make_unique<QSocketNotifier>(m_toWindow.descriptor(), QSocketNotifier::Read))
+    , m_thread(std::make_unique<Loop>(*this, families, opensByItself))
+{
+    connect(m_arrivals.get(), &QSocketNotifier::activated, this, [this] { m_toWindow.drain(); });
+    m_thread->setObjectName(QStringLiteral("engine"));
+    m_thread->start(QThread::TimeCriticalPriority);
+}
+
+Engine::~Engine()
+{
+    m_toEngine.post([this] {
+        m_room->core.stopAll();
+        QThread::currentThread()->exit();
+    });
+    m_thread->wait();
+    m_toWindow.close();
+}
+
+void Engine::post(std::function<void(EngineCore &)> work)
+{
+    m_toEngine.post([this, work = std::move(work)] { work(m_room->core); });
+}
+
+EngineCore::Finished Engine::comeBack(Finished finished)
+{
+    if (!finished)
+        return {};
+    return [this, finished = std::move(finished)](Result<void> result) { m_toWindow.post([finished, result] { finished(result); }); };
+}
+
+void Engine::takeSnapshot(Snapshot snapshot, std::vector<LinkListing> listings)
+{
+    m_snapshot = std::move(snapshot);
+    m_listings = std::move(listings);
+    m_snapshotUnderWay = false;
+    Q_EMIT changed();
+}
+
+void Engine::report(Severity severity, const QString &device, const QString &text)
+{
+    if (m_notices.size() >= keptNotices)
+        m_notices.erase(m_notices.begin(), m_notices.begin() + static_cast<std::ptrdiff_t>(keptNotices / 10));
+    m_notices.push_back({now(), severity, device, text});
+    Q_EMIT noticed(m_notices.back());
+}
+
+void Engine::openLink(const LinkAddress &address, Finished finished)
+{
+    post([address, back = comeBack(std::move(finished))](EngineCore &core) { core.openLink(address, back); });
+}
+
+void Engine::closeLink(const std::string &address)
+{
+    post([address](EngineCore &core) { core.closeLink(address); });
+}
+
+void Engine::scan()
+{
+    post([](EngineCore &core) { core.scanAll(); });
+}
+
+void Engine::readParameters(DeviceId device)
+{
+    post([device](EngineCore &core) { core.readParameters(device); });
+}
+
+void Engine::writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished)
+{
+    post([device, changes = std::move(changes), back = comeBack(std::move(finished))](EngineCore &core) { core.writeParameters(device, changes, back); });
+}
+
+void Engine::storeParameters(DeviceId device, Finished finished)
+{
+    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.storeParameters(device, back); });
+}
+
+void Engine::identify(DeviceId device, Finished finished)
+{
+    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.identify(device, back); });
+}
+
+void Engine::rename(DeviceId device, const QString &name, Finished finished)
+{
+    const QByteArray latin1 = name.toLatin1();
+    post([device, text = latin1.toStdString(), back = comeBack(std::move(finished))](EngineCore &core) { core.rename(device, text, back); });
+}
+
+void Engine::renumber(DeviceId device, int address, Finished finished)
+{
+    post([device, address, back = comeBack(std::move(finished))](EngineCore &core) { core.renumber(device, address, back); });
+}
+
+void Engine::clearFaults(DeviceId device, Finished finished)
+{
+    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.clearFaults(device, back); });
+}
+
+void Engine::setRate(DeviceId device, ChannelIndex channel, double hertz)
+{
+    post([device, channel, hertz](EngineCore &core) { core.setRate(device, channel, hertz); });
+}
+
+void Engine::startMotion(DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished)
+{
+    post([device, setPoint, lease, back = comeBack(std::move(finished))](EngineCore &core) { core.startMotion(device, setPoint, lease, back); });
+}
+
+void Engine::updateMotion(DeviceId device, const SetPoint &setPoint, Finished finished)
+{
+    post([device, setPoint, back = comeBack(std::move(finished))](EngineCore &core) { core.updateMotion(device, setPoint, back); });
+}
+
+void Engine::renewMotion(DeviceId device)
+{
+    post([device](EngineCore &core) { core.renewMotion(device); });
+}
+
+void Engine::stopMotion(DeviceId device)
+{
+    post([device](EngineCore &core) { core.stopMotion(device); });
+}
+
+void Engine::stopAll()
+{
+    post([](EngineCore &core) { core.stopAll(); });
+}
+
+void Engine::update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options)
+{
+    post([device, image = std::move(image), options = std::move(options)](EngineCore &core) { core.update(device, image, options); });
+}
+
+void Engine::cancel(OperationId operation)
+{
+    post([operation](EngineCore &core) { core.cancel(operation); });
+}
+
+void Engine::sendFrame(const std::string &link, const CanFrame &frame, Finished finished)
+{
+    post([link, frame, back = comeBack(std::move(finished))](EngineCore &core) { core.sendFrame(link, frame, back); });
+}
+
+} // namespace mb

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/enginecore.h"
+#include "async/mailbox.h"
+#include "transport/qtclock.h"
+#include "widgets/common/workbench.h"
+
+#include <atomic>
+#include <memory>
+
+class QSocketNotifier;
+
+namespace mb {
+
+/// The door between the two threads, and the only one. Orders are posted to the engine thread's mailbox; snapshots, notices
+/// and results come back through the window's. At most one snapshot is under way, so a window that hangs is not buried.
+class Engine final : public Workbench {
+    Q_OBJECT
+public:
+    Engine(std::span<const Family *const> families, bool opensByItself, QObject *parent = nullptr);
+    /// Stops every motor, then ends the engine thread.
+    ~Engine() override;
+
+    [[nodiscard]] const Snapshot &snapshot() const override { return m_snapshot; }
+    [[nodiscard]] Instant now() const override { return m_clock.now(); }
+    [[nodiscard]] Duration unixOffset() const override { return m_clock.unixOffset(); }
+    [[nodiscard]] const std::vector<LinkListing> &listings() const override { return m_listings; }
+
+    void openLink(const LinkAddress &address, Finished finished) override;
+    void closeLink(const std::string &address) override;
+    void scan() override;
+    void readParameters(DeviceId device) override;
+    void writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) override;
+    void storeParameters(DeviceId device, Finished finished) override;
+    void identify(DeviceId device, Finished finished) override;
+    void rename(DeviceId device, const QString &name, Finished finished) override;
+    void renumber(DeviceId device, int address, Finished finished) override;
+    void clearFaults(DeviceId device, Finished finished) override;
+    void setRate(DeviceId device, ChannelIndex channel, double hertz) override;
+    void startMotion(DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished) override;
+    void updateMotion(DeviceId device, const SetPoint &setPoint, Finished finished) override;
+    void renewMotion(DeviceId device) override;
+    void stopMotion(DeviceId device) override;
+    void stopAll() override;
+    void update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options) override;
+    void cancel(OperationId operation) override;
+    void sendFrame(const std::string &link, const CanFrame &frame, Finished finished) override;
+    void report(Severity severity, const QString &device, const QString &text) override;
+    [[nodiscard]] const std::vector<Notice> &notices() const override { return m_notices; }
+
+    /// Runs `work` on the engine thread. For tests that disturb a simulated device.
+    void post(std::function<void(EngineCore &)> work);
+
+private:
+    struct Room;
+    class Loop;
+
+    /// A callback that hops back to the window's thread.
+    [[nodiscard]] EngineCore::Finished comeBack(Finished finished);
+    void takeSnapshot(Snapshot snapshot, std::vector<LinkListing> listings);
+
+    QtClock m_clock;
+    Mailbox m_toEngine;
+    Mailbox m_toWindow;
+    std::unique_ptr<QSocketNotifier> m_arrivals;
+    std::atomic<bool> m_snapshotUnderWay = false;
+    Snapshot m_snapshot;
+    std::vector<LinkListing> m_listings;
+    std::vector<Notice> m_notices;
+    Room *m_room = nullptr; ///< the engine thread's; touched only there
+    std::unique_ptr<Loop> m_thread;
+};
+
+} // namespace mb

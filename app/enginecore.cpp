@@ -1,0 +1,404 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/enginecore.h"
+
+#include "transport/linkcatalog.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr Duration lookPeriod = std::chrono::seconds(1);
+constexpr Duration rescanPeriod = std::chrono::seconds(5);
+constexpr std::size_t keptOperations = 32;
+
+void answer(const EngineCore::Finished &finished, Result<void> result)
+{
+    if (finished)
+        finished(std::move(result));
+}
+
+} // namespace
+
+EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bool opensByItself)
+    : m_clock(clock)
+    , m_opensByItself(opensByItself)
+    , m_session(clock, families)
+    , m_sessionChanged(m_session.changed().add([this] { touch(); }))
+    , m_look(clock)
+    , m_scope(clock)
+{
+    m_look.startIn(Duration::zero(), [this] { look(); });
+}
+
+EngineCore::~EngineCore()
+{
+    m_session.stopAll();
+    m_scope.clear();
+    m_operations.clear();
+}
+
+std::string EngineCore::labelOf(const Device &device)
+{
+    return device.link().address().shortName() + " #" + std::to_string(device.identity().address);
+}
+
+Snapshot EngineCore::snapshot()
+{
+    Snapshot shot;
+    shot.time = m_clock.now();
+    for (Link *link : m_session.links()) {
+        LinkView view = viewOf(*link, shot.time);
+        if (const auto watched = m_watched.find(link); watched != m_watched.end()) {
+            view.scanning = watched->second.scanning;
+            view.traffic = watched->second.traffic;
+        }
+        shot.links.push_back(std::move(view));
+        for (Device *device : m_session.devices()) {
+            if (&device->link() == link)
+                shot.devices.push_back(viewOf(m_session, *device));
+        }
+    }
+    std::stable_sort(shot.devices.begin(), shot.devices.end(), [](const DeviceView &a, const DeviceView &b) {
+        return a.link == b.link && (a.family == b.family ? a.identity.address < b.identity.address : a.family->key < b.family->key);
+    });
+    for (const Running &running : m_operations)
+        shot.operations.push_back({running.id, running.device, running.operation->status(), running.update});
+    return shot;
+}
+
+void EngineCore::openLink(const LinkAddress &address, const Finished &finished)
+{
+    for (const LinkAddress &one : expandLink(address, m_session.families())) {
+        auto link = m_session.openLink(one);
+        if (!link) {
+            notice(Severity::Danger, one.shortName(), link.error().detail);
+            answer(finished, fail(link.error()));
+            return;
+        }
+        watch(**link);
+        scan(**link);
+    }
+    answer(finished, {});
+}
+
+void EngineCore::closeLink(const std::string &address)
+{
+    const auto parsed = LinkAddress::parse(address);
+    Link *link = parsed ? m_session.findLink(*parsed) : nullptr;
+    if (!link)
+        return;
+    m_scope.clear(); // a scan of this link may be under way
+    for (auto &[other, watched] : m_watched)
+        watched.scanning = false;
+    for (Device *device : m_session.devices()) {
+        if (&device->link() != link)
+            continue;
+        const DeviceId id = m_session.idOf(*device);
+        m_streams.erase(id);
+        std::erase_if(m_operations, [id](const Running &running) { return running.device == id; });
+    }
+    m_watched.erase(link);
+    m_session.closeLink(*link);
+}
+
+void EngineCore::watch(Link &link)
+{
+    auto [entry, isNew] = m_watched.try_emplace(&link);
+    if (!isNew)
+        return;
+    entry->second.traffic = std::make_shared<TrafficLog>();
+    TrafficLog &log = *entry->second.traffic;
+    entry->second.tap = link.traffic().add([&log](const Traffic &traffic) {
+        if (traffic.can)
+            log.append(traffic.direction, *traffic.can);
+    });
+    entry->second.state = link.stateChanged().add([this, &link](LinkState state) {
+        if (state == LinkState::Lost)
+            notice(Severity::Danger, link.address().shortName(), link.reason());
+        touch();
+    });
+}
+
+void EngineCore::scanAll()
+{
+    for (Link *link : m_session.links())
+        scan(*link);
+}
+
+void EngineCore::scan(Link &link)
+{
+    Watched &watched = m_watched[&link];
+    if (watched.scanning || link.state() != LinkState::Open)
+        return;
+    watched.scanning = true;
+    m_lastScan = m_clock.now();
+    touch();
+    m_scope.spawn<std::vector<Device *>>(m_session.scan(link), [this, &link](Result<std::vector<Device *>> devices) { scanned(link, devices); });
+}
+
+void EngineCore::scanned(Link &link, const Result<std::vector<Device *>> &devices)
+{
+    m_watched[&link].scanning = false;
+    m_lastScan = m_clock.now();
+    if (!devices)
+        notice(Severity::Caution, link.address().shortName(), devices.error().detail);
+    touch();
+}
+
+bool EngineCore::isQuiet() const
+{
+    const bool busy = std::any_of(m_operations.begin(), m_operations.end(), [](const Running &r) { return r.operation->isRunning(); });
+    const auto all = m_session.devices();
+    return !busy && std::none_of(all.begin(), all.end(), [](const Device *d) { return d->liveness().moving; });
+}
+
+void EngineCore::look()
+{
+    m_look.startIn(lookPeriod, [this] { look(); });
+    if (m_opensByItself)
+        openByItself();
+    for (Link *link : m_session.links()) {
+        if (link->state() == LinkState::Lost && link->open()) {
+            notice(Severity::Good, link->address().shortName(), "is back");
+            scan(*link);
+        }
+    }
+    if (isQuiet() && m_clock.now() - m_lastScan >= rescanPeriod)
+        scanAll();
+}
+
+void EngineCore::openByItself()
+{
+    for (const LinkListing &listing : listLinks()) {
+        if (listing.kind != LinkKind::Can || !listing.openable || m_session.findLink(listing.link))
+            continue;
+        if (auto link = m_session.openLink(listing.link)) {
+            watch(**link);
+            scan(**link);
+        }
+    }
+}
+
+bool EngineCore::hasOperation(DeviceId id) const
+{
+    return std::any_of(m_operations.begin(), m_operations.end(), [id](const Running &r) { return r.device == id && r.operation->isRunning(); });
+}
+
+void EngineCore::prune()
+{
+    for (auto running = m_operations.begin(); running != m_operations.end() && m_operations.size() > keptOperations;)
+        running = running->operation->isRunning() ? std::next(running) : m_operations.erase(running);
+}
+
+template <class T>
+void EngineCore::begin(DeviceId id, const char *title, const std::function<Task<T>(Device &, Progress &)> &make, std::function<void(Running &, Result<T>)> finished,
+    const Finished &refused)
+{
+    Device *device = m_session.find(id);
+    if (!device) {
+        answer(refused, fail(Fault::Timeout, "the device is gone"));
+        return;
+    }
+    if (hasOperation(id)) {
+        answer(refused, fail(Fault::Unsafe, "the device is busy with something else"));
+        return;
+    }
+    prune();
+    m_operations.push_back({OperationId {++m_lastOperation}, id, std::make_unique<Operation>(m_clock, title), std::nullopt, 0});
+    Running &running = m_operations.back();
+    running.operation->run<T>(make(*device, *running.operation), [this, &running, finished = std::move(finished)](Result<T> result) {
+        finished(running, std::move(result));
+        touch();
+    });
+    touch();
+}
+
+void EngineCore::beginSimple(DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished)
+{
+    begin<void>(
+        id, title, make,
+        [this, id, title = std::string(title), finished](Running &, const Result<void> &result) {
+            if (const Device *device = m_session.find(id); device && !result)
+                notice(Severity::Danger, labelOf(*device), title + ": " + result.error().detail);
+            answer(finished, result);
+        },
+        finished);
+}
+
+void EngineCore::readParameters(DeviceId id)
+{
+    begin<std::vector<TransferOutcome>>(
+        id, "Read parameters", [](Device &device, Progress &progress) { return mb::readParameters(device, readable(device), progress); },
+        [this, id](Running &running, const Result<std::vector<TransferOutcome>> &outcomes) {
+            const Device *device = m_session.find(id);
+            if (!device || !outcomes)
+                return;
+            const auto failed = std::count_if(outcomes->begin(), outcomes->end(), [](const TransferOutcome &o) { return !o.raw; });
+            const auto missing = readable(*device).size() - outcomes->size() + static_cast<std::size_t>(failed);
+            if (missing > 0)
+                notice(Severity::Caution, labelOf(*device), std::to_string(missing) + " parameters gave no answer");
+            else
+                running.operation->log(Severity::Good, "all " + std::to_string(outcomes->size()) + " read");
+        },
+        {});
+}
+
+void EngineCore::writeParameters(DeviceId id, std::vector<ParameterChange> changes, Finished finished)
+{
+    begin<std::vector<TransferOutcome>>(
+        id, "Write parameters", [changes](Device &device, Progress &progress) { return mb::writeParameters(device, changes, progress); },
+        [this, id, finished](Running &, const Result<std::vector<TransferOutcome>> &outcomes) {
+            const Device *device = m_session.find(id);
+            Result<void> result;
+            if (!outcomes)
+                result = fail(outcomes.error());
+            else if (!outcomes->empty() && !outcomes->back().raw)
+                result = fail(outcomes->back().raw.error());
+            if (device && result)
+                notice(Severity::Good, labelOf(*device), std::to_string(outcomes->size()) + " written, read back and equal");
+            else if (device)
+                notice(Severity::Danger, labelOf(*device), result.error().detail);
+            answer(finished, result);
+        },
+        finished);
+}
+
+void EngineCore::storeParameters(DeviceId id, Finished finished)
+{
+    begin<bool>(
+        id, "Store to flash", [](Device &device, Progress &progress) { return device.store(progress); },
+        [this, id, finished](Running &, const Result<bool> &proved) {
+            const Device *device = m_session.find(id);
+            if (device && proved)
+                notice(*proved ? Severity::Good : Severity::Caution, labelOf(*device), *proved ? "stored, the flash sequence number advanced" : "stored, not verifiable");
+            else if (device)
+                notice(Severity::Danger, labelOf(*device), proved.error().detail);
+            answer(finished, proved ? Result<void>() : Result<void>(fail(proved.error())));
+        },
+        finished);
+}
+
+void EngineCore::identify(DeviceId id, Finished finished)
+{
+    beginSimple(id, "Identify", [](Device &device, Progress &) { return device.identify(); }, std::move(finished));
+}
+
+void EngineCore::rename(DeviceId id, const std::string &name, Finished finished)
+{
+    beginSimple(id, "Rename", [name](Device &device, Progress &) { return device.rename(name); }, std::move(finished));
+}
+
+void EngineCore::renumber(DeviceId id, int address, Finished finished)
+{
+    beginSimple(id, "Assign number", [address](Device &device, Progress &) { return device.renumber(address); }, std::move(finished));
+}
+
+void EngineCore::clearFaults(DeviceId id, Finished finished)
+{
+    begin<std::vector<FaultRecord>>(
+        id, "Read and clear faults", [](Device &device, Progress &) { return device.clearFaults(); },
+        [finished](Running &, const Result<std::vector<FaultRecord>> &faults) { answer(finished, faults ? Result<void>() : Result<void>(fail(faults.error()))); },
+        finished);
+}
+
+void EngineCore::setRate(DeviceId id, ChannelIndex channel, double hertz)
+{
+    beginSimple(id, "Set telemetry rate", [channel, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); }, {});
+}
+
+void EngineCore::startMotion(DeviceId id, const SetPoint &setPoint, Duration lease, const Finished &finished)
+{
+    Device *device = m_session.find(id);
+    if (!device) {
+        answer(finished, fail(Fault::Timeout, "the device is gone"));
+        return;
+    }
+    SetPointStream &stream = m_session.stream(*device);
+    m_streams[id] = stream.changed().add([this, id] { streamChanged(id); });
+    answer(finished, stream.start(setPoint, lease));
+    touch();
+}
+
+void EngineCore::streamChanged(DeviceId id)
+{
+    touch();
+    Device *device = m_session.find(id);
+    if (!device)
+        return;
+    const SetPointStream &stream = m_session.stream(*device);
+    if (!stream.isRunning() && stream.end() != SetPointStream::End::Stopped)
+        notice(Severity::Danger, labelOf(*device), "stopped: " + stream.reason());
+}
+
+void EngineCore::updateMotion(DeviceId id, const SetPoint &setPoint, const Finished &finished)
+{
+    if (Device *device = m_session.find(id))
+        answer(finished, m_session.stream(*device).update(setPoint));
+}
+
+void EngineCore::renewMotion(DeviceId id)
+{
+    if (Device *device = m_session.find(id))
+        m_session.stream(*device).renew();
+}
+
+void EngineCore::stopMotion(DeviceId id)
+{
+    if (Device *device = m_session.find(id))
+        m_session.stream(*device).stop();
+    touch();
+}
+
+void EngineCore::stopAll()
+{
+    m_session.stopAll();
+    touch();
+}
+
+void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image, const UpdateOptions &options)
+{
+    begin<UpdateReport>(
+        id, "Update firmware",
+        [image, options](Device &device, Progress &progress) {
+            device.setBusy("firmware update");
+            return device.family().update(device, *image, options, progress);
+        },
+        [this, id, image](Running &running, Result<UpdateReport> report) {
+            Device *device = m_session.find(id);
+            if (!report)
+                report = UpdateReport {report.error().fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed, {}, {}, 0, 0, false, report.error().detail, report.error().fault};
+            running.update = *report;
+            if (!device)
+                return;
+            device->setBusy({});
+            const bool good = report->outcome == UpdateOutcome::Done || report->outcome == UpdateOutcome::UpToDate;
+            notice(good ? Severity::Good : Severity::Danger, labelOf(*device), "firmware: " + report->evidence);
+            scan(device->link());
+        },
+        [this, id](const Result<void> &result) {
+            if (const Device *device = m_session.find(id))
+                notice(Severity::Caution, labelOf(*device), result.error().detail);
+        });
+}
+
+void EngineCore::cancel(OperationId id)
+{
+    for (Running &running : m_operations) {
+        if (running.id == id)
+            (void)running.operation->cancel();
+    }
+}
+
+void EngineCore::sendFrame(const std::string &link, const CanFrame &frame, const Finished &finished)
+{
+    for (Link *open : m_session.links()) {
+        if (open->address().text() != link || open->kind() != LinkKind::Can)
+            continue;
+        answer(finished, static_cast<CanLink *>(open)->send(frame));
+        return;
+    }
+    answer(finished, fail(Fault::LinkLost, "the link is not open"));
+}
+
+} // namespace mb

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/scope.h"
+#include "model/parametertransfer.h"
+#include "model/snapshot.h"
+
+#include <functional>
+#include <list>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace mb {
+
+/// The engine thread's half of the door: the session, its operations and the scanning that goes on by itself. Knows no Qt
+/// and no thread, so that tests drive it on a virtual clock.
+class EngineCore {
+public:
+    using Finished = std::function<void(Result<void>)>;
+
+    /// `opensByItself`: also opens CAN interfaces that are up, as they come (product.md, "Link addresses").
+    EngineCore(Clock &clock, std::span<const Family *const> families, bool opensByItself);
+    EngineCore(const EngineCore &) = delete;
+    EngineCore &operator=(const EngineCore &) = delete;
+    ~EngineCore();
+
+    [[nodiscard]] Session &session() { return m_session; }
+    [[nodiscard]] Snapshot snapshot();
+    /// Something that a snapshot shows has changed since the last one.
+    [[nodiscard]] Listeners<> &changed() { return m_changed; }
+    /// Lines for the log: severity, device, English text.
+    [[nodiscard]] Listeners<Severity, const std::string &, const std::string &> &noticed() { return m_noticed; }
+
+    void openLink(const LinkAddress &address, const Finished &finished);
+    void closeLink(const std::string &address);
+    void scanAll();
+
+    void readParameters(DeviceId id);
+    void writeParameters(DeviceId id, std::vector<ParameterChange> changes, Finished finished);
+    void storeParameters(DeviceId id, Finished finished);
+    void identify(DeviceId id, Finished finished);
+    void rename(DeviceId id, const std::string &name, Finished finished);
+    void renumber(DeviceId id, int address, Finished finished);
+    void clearFaults(DeviceId id, Finished finished);
+    void setRate(DeviceId id, ChannelIndex channel, double hertz);
+
+    void startMotion(DeviceId id, const SetPoint &setPoint, Duration lease, const Finished &finished);
+    void updateMotion(DeviceId id, const SetPoint &setPoint, const Finished &finished);
+    void renewMotion(DeviceId id);
+    void stopMotion(DeviceId id);
+    void stopAll();
+
+    void update(DeviceId id, std::shared_ptr<const FirmwareImage> image, const UpdateOptions &options);
+    void cancel(OperationId id);
+    void sendFrame(const std::string &link, const CanFrame &frame, const Finished &finished);
+
+private:
+    struct Running {
+        OperationId id;
+        DeviceId device;
+        std::unique_ptr<Operation> operation;
+        std::optional<UpdateReport> update;
+        std::uint64_t shown = 0;
+    };
+    struct Watched {
+        bool scanning = false;
+        std::shared_ptr<TrafficLog> traffic;
+        Subscription tap;
+        Subscription state;
+    };
+
+    /// Starts a job that has the device for itself; refuses when another one has it. The maker runs at once.
+    template <class T>
+    void begin(DeviceId id, const char *title, const std::function<Task<T>(Device &, Progress &)> &make, std::function<void(Running &, Result<T>)> finished,
+        const Finished &refused);
+    void beginSimple(DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished);
+    void watch(Link &link);
+    void scan(Link &link);
+    void scanned(Link &link, const Result<std::vector<Device *>> &devices);
+    void look();
+    void openByItself();
+    void streamChanged(DeviceId id);
+    void prune();
+    void touch() { m_changed.notify(); }
+    void notice(Severity severity, const std::string &device, const std::string &text) { m_noticed.notify(severity, device, text); }
+    [[nodiscard]] bool isQuiet() const;
+    [[nodiscard]] bool hasOperation(DeviceId id) const;
+    [[nodiscard]] static std::string labelOf(const Device &device);
+
+    Clock &m_clock;
+    bool m_opensByItself;
+    Listeners<> m_changed;
+    Listeners<Severity, const std::string &, const std::string &> m_noticed;
+    Session m_session;
+    std::map<const Link *, Watched> m_watched;
+    std::map<DeviceId, Subscription> m_streams;
+    std::list<Running> m_operations;
+    std::uint32_t m_lastOperation = 0;
+    Subscription m_sessionChanged;
+    Timer m_look;
+    Instant m_lastScan {};
+    Scope m_scope; ///< last: its tasks use everything above
+};
+
+} // namespace mb

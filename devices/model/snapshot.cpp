@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/snapshot.h"
+
+#include <algorithm>
+
+namespace mb {
+
+const DeviceView *Snapshot::device(DeviceId id) const
+{
+    const auto found = std::find_if(devices.begin(), devices.end(), [id](const DeviceView &d) { return d.id == id; });
+    return found == devices.end() ? nullptr : &*found;
+}
+
+const LinkView *Snapshot::link(std::string_view address) const
+{
+    const auto found = std::find_if(links.begin(), links.end(), [address](const LinkView &l) { return l.address == address; });
+    return found == links.end() ? nullptr : &*found;
+}
+
+const OperationView *Snapshot::operation(DeviceId device) const
+{
+    const auto found = std::find_if(operations.rbegin(), operations.rend(), [device](const OperationView &o) { return o.device == device; });
+    return found == operations.rend() ? nullptr : &*found;
+}
+
+DeviceView viewOf(Session &session, Device &device)
+{
+    DeviceView view;
+    view.id = session.idOf(device);
+    view.family = &device.family();
+    view.identity = device.identity();
+    view.selector = device.selector();
+    view.link = device.link().address().text();
+    view.liveness = device.liveness();
+    view.busy = device.busy();
+    const SetPointStream &stream = session.stream(device);
+    view.motion = {stream.isRunning(), stream.setPoint(), stream.end(), stream.reason()};
+    view.telemetry = device.telemetry();
+    view.parameters.assign(device.parameters().entries().begin(), device.parameters().entries().end());
+    view.parameterRevision = device.parameters().revision();
+    if (auto allowed = device.mayMove(); !allowed)
+        view.mayNotMove = allowed.error().detail;
+    return view;
+}
+
+LinkView viewOf(const Link &link, Instant now)
+{
+    LinkView view;
+    view.address = link.address().text();
+    view.name = link.address().shortName();
+    view.kind = link.kind();
+    view.state = link.state();
+    view.reason = link.reason();
+    view.simulated = link.address().isSimulated();
+    view.counters = link.counters();
+    if (link.kind() == LinkKind::Can) {
+        const auto &can = static_cast<const CanLink &>(link);
+        view.bitrate = can.bitrate();
+        view.load = can.load(now);
+    }
+    return view;
+}
+
+} // namespace mb

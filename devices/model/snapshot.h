@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/operation.h"
+#include "model/session.h"
+#include "model/trafficlog.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mb {
+
+/// What the window shows, by value: taken in the engine thread, read in the other. `Family`, `Telemetry` and `TrafficLog` are
+/// safe to share: the first is const data, the others lock.
+struct LinkView {
+    std::string address;
+    std::string name; ///< short: can0, sim:can
+    LinkKind kind = LinkKind::Can;
+    LinkState state = LinkState::Closed;
+    std::string reason; ///< why it is lost
+    bool simulated = false;
+    bool scanning = false;
+    int bitrate = 0;
+    double load = 0.0; ///< 0…1
+    LinkCounters counters;
+    std::shared_ptr<const TrafficLog> traffic;
+};
+
+struct MotionView {
+    bool running = false;
+    SetPoint setPoint;
+    SetPointStream::End end = SetPointStream::End::None;
+    std::string reason;
+};
+
+struct DeviceView {
+    DeviceId id;
+    const Family *family = nullptr;
+    Identity identity;
+    std::string selector;
+    std::string link; ///< address of its link
+    Liveness liveness;
+    std::string busy; ///< what it does now, in English
+    MotionView motion;
+    std::shared_ptr<const Telemetry> telemetry;
+    std::vector<ParameterStore::Entry> parameters; ///< in table order
+    std::uint64_t parameterRevision = 0;
+    std::string mayNotMove; ///< empty when it may be driven
+};
+
+struct OperationId {
+    std::uint32_t value = 0;
+    friend auto operator<=>(const OperationId &, const OperationId &) = default;
+};
+
+struct OperationView {
+    OperationId id;
+    DeviceId device;
+    OperationStatus status;
+    std::optional<UpdateReport> update; ///< of a finished firmware update
+};
+
+struct Snapshot {
+    Instant time {};
+    std::vector<LinkView> links;
+    std::vector<DeviceView> devices; ///< grouped by link, in order of address
+    std::vector<OperationView> operations; ///< oldest first
+
+    [[nodiscard]] const DeviceView *device(DeviceId id) const;
+    [[nodiscard]] const LinkView *link(std::string_view address) const;
+    /// The newest operation of a device, running or ended.
+    [[nodiscard]] const OperationView *operation(DeviceId device) const;
+};
+
+[[nodiscard]] DeviceView viewOf(Session &session, Device &device);
+[[nodiscard]] LinkView viewOf(const Link &link, Instant now);
+
+} // namespace mb

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/parametertransfer.h"
+#include "model/snapshot.h"
+#include "transport/linkcatalog.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
+
+namespace mb {
+
+/// One line of the log of the window.
+struct Notice {
+    Instant time{};
+    Severity severity = Severity::Info;
+    QString device; ///< "can0 #5", empty when it is about none
+    QString text;
+};
+
+/// The door between the window and the devices, as pages see it: orders go in, snapshots come out, nothing waits.
+/// Everything on the GUI thread; callbacks too, later, never from inside the call. The program's is app/engine.
+class Workbench : public QObject {
+    Q_OBJECT
+public:
+    using Finished = std::function<void(Result<void>)>;
+
+    using QObject::QObject;
+
+    [[nodiscard]] virtual const Snapshot &snapshot() const = 0;
+    /// The present time on the line of all time stamps, and what to add to get Unix time.
+    [[nodiscard]] virtual Instant now() const = 0;
+    [[nodiscard]] virtual Duration unixOffset() const = 0;
+    [[nodiscard]] virtual const std::vector<LinkListing> &listings() const = 0;
+
+    virtual void openLink(const LinkAddress &address, Finished finished) = 0;
+    virtual void closeLink(const std::string &address) = 0;
+    /// Scans every open link.
+    virtual void scan() = 0;
+
+    /// All readable parameters. An operation of the device.
+    virtual void readParameters(DeviceId device) = 0;
+    /// Writes with read-back; `finished` has the first error. An operation of the device.
+    virtual void writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) = 0;
+    /// Waits for the device's own proof that flash has what RAM has. An operation of the device.
+    virtual void storeParameters(DeviceId device, Finished finished) = 0;
+
+    /// Blink; new name; new number. Operations of the device.
+    virtual void identify(DeviceId device, Finished finished) = 0;
+    virtual void rename(DeviceId device, const QString &name, Finished finished) = 0;
+    virtual void renumber(DeviceId device, int address, Finished finished) = 0;
+    virtual void clearFaults(DeviceId device, Finished finished) = 0;
+    /// Samples per second wished for while a page shows the device; 0 returns to the device's own.
+    virtual void setRate(DeviceId device, ChannelIndex channel, double hertz) = 0;
+
+    /// Motion. The caller renews the lease from the GUI thread for as long as it means the motor to turn.
+    virtual void startMotion(
+        DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished)
+        = 0;
+    virtual void updateMotion(DeviceId device, const SetPoint &setPoint, Finished finished) = 0;
+    virtual void renewMotion(DeviceId device) = 0;
+    virtual void stopMotion(DeviceId device) = 0;
+    /// STOP: every motor on every link, before anything else that waits.
+    virtual void stopAll() = 0;
+
+    /// An operation of the device; its report is in the snapshot.
+    virtual void update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options) = 0;
+    virtual void cancel(OperationId operation) = 0;
+
+    /// Sends one frame by hand.
+    virtual void sendFrame(const std::string &link, const CanFrame &frame, Finished finished) = 0;
+
+    /// A line for the log and, for 8 s, the status bar.
+    virtual void report(Severity severity, const QString &device, const QString &text) = 0;
+    [[nodiscard]] virtual const std::vector<Notice> &notices() const = 0;
+
+Q_SIGNALS:
+    /// snapshot() is a new one; at most 30 times a second.
+    void changed();
+    void noticed(const mb::Notice &notice);
+};
+
+} // namespace mb
