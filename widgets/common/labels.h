@@ -4,6 +4,7 @@
 #include "widgets/common/theme.h"
 
 #include <QLabel>
+#include <QVariant>
 
 class QFrame;
 class QPushButton;

@@ -12,24 +12,27 @@ namespace mb {
 
 /// The states of devices, values and steps. Each has one shape, one word and one colour everywhere in the program.
 enum class GlyphState {
+    // of a device
     Online,
     Moving,
     Bootloader,
     Duplicate,
     Unassigned,
     Fault,
-    Gone, // of a device
+    Gone,
+    // of a value
     Stored,
     InRam,
     Edited,
     OutOfRange,
     Assumed,
     Volatile,
-    Busy, // of a value
+    Busy,
+    // of a step
     Done,
     Waiting,
     Warning,
-    Recording // of a step
+    Recording
 };
 inline constexpr int GlyphStateCount = 18;
 

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/labels.h"
+
+#include <QFrame>
+#include <vector>
+
+class QVBoxLayout;
+
+namespace mb {
+
+enum class BannerKind { Caution, Danger, Ok, Info };
+
+/// A condition above a page: glyph, bold cause with its number, dim remedy, at most one button, Dismiss.
+class Banner : public QFrame {
+    Q_OBJECT
+public:
+    Banner(const ThemeSource &theme, BannerKind kind, const QString &cause, const QString &remedy,
+        QWidget *parent = nullptr);
+
+    BannerKind kind() const { return m_kind; }
+    QString cause() const;
+    void setText(const QString &cause, const QString &remedy);
+    /// A verb with an object; empty hides the button.
+    void setAction(const QString &text);
+    void setDismissable(bool dismissable);
+
+Q_SIGNALS:
+    void actionTriggered();
+    /// The owner hides or deletes the banner; it does nothing by itself.
+    void dismissed();
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    void restyle();
+
+    const ThemeSource &m_theme;
+    BannerKind m_kind;
+    QLabel *m_cause = nullptr;
+    QLabel *m_remedy = nullptr;
+    QPushButton *m_action = nullptr;
+    QPushButton *m_dismiss = nullptr;
+};
+
+/// The banners of a page, most severe and newest first: at most two are shown, then "3 more notices".
+/// Each is known by a key, so that a condition that persists does not pile up. Dismissed keys stay silent until
+/// cleared.
+class BannerStack : public QWidget {
+    Q_OBJECT
+public:
+    explicit BannerStack(const ThemeSource &theme, QWidget *parent = nullptr);
+
+    void post(
+        const QString &key, BannerKind kind, const QString &cause, const QString &remedy, const QString &action = {});
+    /// The condition has ended.
+    void clear(const QString &key);
+    /// All that stand, dismissed ones excluded.
+    int count() const;
+
+Q_SIGNALS:
+    void actionTriggered(const QString &key);
+    void countChanged(int count);
+    /// "3 more notices" was clicked.
+    void allRequested();
+
+private:
+    struct Entry {
+        QString key;
+        Banner *banner = nullptr;
+        bool dismissed = false;
+    };
+    Entry *find(const QString &key);
+    void arrange();
+
+    const ThemeSource &m_theme;
+    std::vector<Entry> m_entries;
+    QVBoxLayout *m_column = nullptr;
+    QPushButton *m_more = nullptr;
+};
+
+} // namespace mb

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/headerbar.h"
+
+#include <QPainter>
+
+namespace mb {
+
+DemoStripe::DemoStripe(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    setText(tr("simulated bench"));
+    connect(&theme, &ThemeSource::changed, this, [this] {
+        updateGeometry();
+        update();
+    });
+}
+
+void DemoStripe::setText(const QString &text)
+{
+    m_text = tr("Demo  ·  %1  ·  no real motor is connected").arg(text);
+    setAccessibleName(m_text);
+    update();
+}
+
+QSize DemoStripe::sizeHint() const
+{
+    return {m_theme.theme().u(400), m_theme.theme().u(22)};
+}
+
+void DemoStripe::paintEvent(QPaintEvent *)
+{
+    const Theme &theme = m_theme.theme();
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.demo);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.demoAlternate);
+    const int band = theme.u(14);
+    for (int x = -height(); x < width(); x += 2 * band) {
+        const QPoint corners[] = {{x, height()}, {x + height(), 0}, {x + height() + band, 0}, {x + band, height()}};
+        painter.drawPolygon(corners, 4);
+    }
+    QFont text = theme.font(TextRole::Section, font());
+    painter.setFont(text);
+    painter.setPen(theme.onFill);
+    painter.drawText(rect(), Qt::AlignCenter, m_text);
+}
+
+} // namespace mb

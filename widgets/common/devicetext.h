@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/snapshot.h"
+#include "widgets/common/stateglyph.h"
+
+#include <QString>
+
+#include <optional>
+#include <string_view>
+
+namespace mb {
+
+/// The one place where device states and faults become text and shape for people.
+
+[[nodiscard]] inline QString qt(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+/// Texts of parameter and channel tables, which are English in the family's folder.
+[[nodiscard]] QString tableText(std::string_view english);
+[[nodiscard]] QString errorText(const Error &error);
+/// "over-current" for the key over_current.
+[[nodiscard]] QString faultText(std::string_view key);
+[[nodiscard]] QString modeText(Mode mode);
+
+[[nodiscard]] GlyphState glyphOf(const DeviceView &device);
+/// "DMC60C #5"
+[[nodiscard]] QString titleOf(const DeviceView &device);
+/// Second line of the tree: name and what it does now.
+[[nodiscard]] QString lineOf(const DeviceView &device);
+/// "boot", "2 ×", a dialect; empty when nothing is unusual.
+[[nodiscard]] QString badgeOf(const DeviceView &device);
+/// One sentence: state, cause, remedy.
+[[nodiscard]] QString tooltipOf(const DeviceView &device);
+
+/// The newest committed value of a channel by key; nothing when it was never seen or is older than `staleAfter`.
+[[nodiscard]] std::optional<double> liveValue(const DeviceView &device, std::string_view channel, Instant now, Duration staleAfter = std::chrono::seconds(2));
+
+} // namespace mb

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/headerbar.h"
+
+#include "widgets/common/icons.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QPainter>
+#include <QToolButton>
+
+namespace mb {
+
+HeaderBar::HeaderBar(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    setObjectName(QStringLiteral("header"));
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    auto *row = new QHBoxLayout(this);
+    buildName(*row);
+    buildChips(*row);
+    row->addStretch(1);
+    buildSafety(*row);
+    connect(&theme, &ThemeSource::changed, this, &HeaderBar::restyle);
+    restyle();
+    setNotices(0);
+    setRecording({});
+}
+
+void HeaderBar::buildName(QHBoxLayout &row)
+{
+    m_name = new QToolButton(this);
+    m_name->setText(tr("MotorBench"));
+    m_name->setAccessibleName(tr("Program menu"));
+    m_name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_name->setPopupMode(QToolButton::InstantPopup);
+    m_name->setIcon(applicationIcon());
+    row.addWidget(m_name);
+}
+
+void HeaderBar::buildChips(QHBoxLayout &row)
+{
+    m_linkRow = new QHBoxLayout;
+    row.addLayout(m_linkRow);
+    m_folded = new Chip(m_theme, this);
+    m_folded->hide();
+    connect(m_folded, &Chip::clicked, this, &HeaderBar::linksActivated);
+    row.addWidget(m_folded);
+    m_notices = new Chip(m_theme, this);
+    connect(m_notices, &Chip::clicked, this, &HeaderBar::noticesActivated);
+    row.addWidget(m_notices);
+    m_recording = new Chip(m_theme, this);
+    m_recording->setGlyph(GlyphState::Recording);
+    m_recording->setEdge(Tone::Danger);
+    connect(m_recording, &Chip::clicked, this, &HeaderBar::recordingActivated);
+    row.addWidget(m_recording);
+}
+
+void HeaderBar::buildSafety(QHBoxLayout &row)
+{
+    m_lamp = new Lamp(m_theme, this);
+    m_stop = new StopButton(m_theme, this);
+    row.addWidget(m_lamp);
+    row.addWidget(m_stop);
+}
+
+void HeaderBar::restyle()
+{
+    const Theme &theme = m_theme.theme();
+    auto *row = qobject_cast<QHBoxLayout *>(layout());
+    row->setContentsMargins(theme.u(8), 0, theme.u(8), theme.u(2));
+    row->setSpacing(theme.u(8));
+    m_linkRow->setSpacing(theme.u(8));
+    QFont bold = font();
+    bold.setPointSizeF(theme.bodyPointSize * 1.08);
+    bold.setBold(true);
+    m_name->setFont(bold);
+    m_name->setIconSize({theme.u(20), theme.u(20)});
+    setFixedHeight(theme.u(52));
+    updateFolding();
+    update();
+}
+
+void HeaderBar::setMenu(QMenu *menu)
+{
+    m_name->setMenu(menu);
+}
+
+void HeaderBar::setLinks(const std::vector<LinkStatus> &links)
+{
+    while (m_links.size() > links.size()) {
+        m_links.back()->deleteLater();
+        m_links.back()->hide();
+        m_links.pop_back();
+    }
+    while (m_links.size() < links.size()) {
+        auto *chip = new LinkChip(m_theme, this);
+        connect(chip, &Chip::clicked, this, [this, chip] { Q_EMIT linkActivated(chip->status().name); });
+        m_linkRow->addWidget(chip);
+        m_links.push_back(chip);
+    }
+    for (std::size_t i = 0; i < links.size(); ++i)
+        m_links[i]->setStatus(links[i]);
+    updateFolded();
+    updateFolding();
+}
+
+void HeaderBar::updateFolded()
+{
+    const auto sick
+        = std::find_if(m_links.begin(), m_links.end(), [](const LinkChip *chip) { return !chip->status().healthy; });
+    m_folded->setTitle(tr("%n link(s)", nullptr, static_cast<int>(m_links.size())));
+    m_folded->setGlyph(sick == m_links.end() ? GlyphState::Online : (*sick)->status().state);
+    m_folded->setEdge(sick == m_links.end() ? std::nullopt : std::optional(Tone::Caution));
+    m_folded->setAccessibleName(tr("Links"));
+}
+
+void HeaderBar::updateFolding()
+{
+    const int gap = m_theme.theme().u(8);
+    int needed = m_name->sizeHint().width() + m_lamp->sizeHint().width() + m_stop->sizeHint().width() + 5 * gap;
+    for (const QWidget *chip : {m_notices, m_recording})
+        needed += chip->isHidden() ? 0 : chip->sizeHint().width() + gap;
+    for (const LinkChip *chip : m_links)
+        needed += chip->sizeHint().width() + gap;
+    const bool fold = needed > width() && m_links.size() > 1;
+    for (LinkChip *chip : m_links)
+        chip->setVisible(!fold);
+    m_folded->setVisible(fold);
+}
+
+void HeaderBar::setNotices(int count)
+{
+    m_notices->setVisible(count >= 0);
+    m_notices->setFlat(count == 0);
+    m_notices->setGlyph(count == 0 ? GlyphState::Done : GlyphState::Warning);
+    m_notices->setEdge(count == 0 ? std::nullopt : std::optional(Tone::Caution));
+    m_notices->setTitle(count == 0 ? tr("no alarms") : tr("%n notice(s)", nullptr, count));
+    m_notices->setAccessibleName(count == 0 ? tr("No alarms") : tr("%n notice(s)", nullptr, count));
+    updateFolding();
+}
+
+void HeaderBar::setRecording(const QString &text)
+{
+    m_recording->setVisible(!text.isEmpty());
+    m_recording->setTitle(text);
+    m_recording->setAccessibleName(tr("Recording %1").arg(text));
+    updateFolding();
+}
+
+void HeaderBar::setLampStatus(const LampStatus &status)
+{
+    m_lamp->setStatus(status);
+    updateFolding();
+    update();
+}
+
+QSize HeaderBar::sizeHint() const
+{
+    return {m_theme.theme().u(1024), m_theme.theme().u(52)};
+}
+
+void HeaderBar::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    updateFolding();
+}
+
+bool HeaderBar::event(QEvent *event)
+{
+    if (event->type() == QEvent::LayoutRequest)
+        updateFolding();
+    return QWidget::event(event);
+}
+
+void HeaderBar::paintEvent(QPaintEvent *)
+{
+    const Theme &theme = m_theme.theme();
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.head);
+    const LampState state = m_lamp->status().state;
+    const bool energy = state == LampState::Armed || state == LampState::Moving;
+    const int edge = energy ? theme.u(3) : 1;
+    painter.fillRect(0, height() - edge, width(), edge, energy ? theme.armed : theme.line);
+}
+
+} // namespace mb

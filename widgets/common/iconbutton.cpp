@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/iconbutton.h"
+
+#include "widgets/common/labels.h"
+
+#include <QPainter>
+#include <QStyleOptionButton>
+
+namespace mb {
+
+IconButton::IconButton(const ThemeSource &theme, Symbol symbol, const QString &name, QWidget *parent)
+    : QToolButton(parent)
+    , m_theme(theme)
+    , m_symbol(symbol)
+{
+    setAccessibleName(name);
+    setToolTip(name);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    connect(&theme, &ThemeSource::changed, this, &IconButton::restyle);
+    restyle();
+}
+
+void IconButton::setSymbol(Symbol symbol)
+{
+    m_symbol = symbol;
+    restyle();
+}
+
+void IconButton::setKeyHint(const QString &key)
+{
+    m_key = key;
+    setToolTip(key.isEmpty() ? accessibleName() : accessibleName() + QStringLiteral("  ") + key);
+}
+
+void IconButton::setTone(Tone tone)
+{
+    m_tone = tone;
+    restyle();
+}
+
+QSize IconButton::sizeHint() const
+{
+    const int side = m_theme.theme().u(32);
+    return {side, side};
+}
+
+void IconButton::restyle()
+{
+    const int side = m_theme.theme().u(16);
+    setIcon(symbolIcon(m_symbol, m_theme.theme(), m_tone));
+    setIconSize({side, side});
+    updateGeometry();
+}
+
+CommandButton::CommandButton(const ThemeSource &theme, const QString &text, QWidget *parent)
+    : QPushButton(text, parent)
+    , m_theme(theme)
+{
+    setAccessibleName(text);
+    setSizePolicy(QSizePolicy::Minimum, QSizePolicy::Fixed);
+    connect(&theme, &ThemeSource::changed, this, [this] { updateGeometry(); });
+}
+
+CommandButton::CommandButton(const ThemeSource &theme, Symbol symbol, const QString &text, QWidget *parent)
+    : CommandButton(theme, text, parent)
+{
+    m_symbol = symbol;
+}
+
+void CommandButton::setPrimary(bool primary)
+{
+    setStyleProperty(*this, "primary", primary);
+    updateGeometry();
+}
+
+bool CommandButton::isPrimary() const
+{
+    return property("primary").toBool();
+}
+
+void CommandButton::setSymbol(std::optional<Symbol> symbol, Tone tone)
+{
+    m_symbol = symbol;
+    m_tone = tone;
+    updateGeometry();
+    update();
+}
+
+void CommandButton::setKeyHint(const QString &key)
+{
+    m_key = key;
+    updateGeometry();
+    update();
+}
+
+void CommandButton::setTextVariants(const QStringList &texts)
+{
+    m_variants = texts;
+    updateGeometry();
+}
+
+QFont CommandButton::hintFont() const
+{
+    return m_theme.theme().font(TextRole::Caption, font());
+}
+
+QColor CommandButton::contentColor() const
+{
+    const Theme &theme = m_theme.theme();
+    if (!isEnabled())
+        return theme.faint;
+    return isPrimary() ? theme.onFill : theme.text;
+}
+
+QSize CommandButton::sizeHint() const
+{
+    ensurePolished();
+    const Theme &theme = m_theme.theme();
+    QFont widest = font();
+    widest.setBold(isPrimary());
+    const QFontMetrics metrics(widest);
+    int width = metrics.horizontalAdvance(text());
+    for (const QString &variant : m_variants)
+        width = std::max(width, metrics.horizontalAdvance(variant));
+    if (m_symbol)
+        width += theme.u(16 + 8);
+    if (!m_key.isEmpty())
+        width += theme.u(8) + QFontMetrics(hintFont()).horizontalAdvance(m_key);
+    return {width + theme.u(28), std::max(theme.u(32), metrics.height() + theme.u(8))};
+}
+
+void CommandButton::paintEvent(QPaintEvent *)
+{
+    const Theme &theme = m_theme.theme();
+    QStyleOptionButton option;
+    initStyleOption(&option);
+    option.text.clear();
+    option.icon = {};
+    QPainter painter(this);
+    style()->drawControl(QStyle::CE_PushButton, &option, &painter, this);
+
+    const QFontMetrics hints(hintFont());
+    const int iconWidth = m_symbol ? theme.u(16 + 8) : 0;
+    const int hintWidth = m_key.isEmpty() ? 0 : theme.u(8) + hints.horizontalAdvance(m_key);
+    const int room = width() - theme.u(16) - iconWidth - hintWidth;
+    const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, room, Qt::TextShowMnemonic);
+    const int textWidth = fontMetrics().size(Qt::TextShowMnemonic, shown).width();
+    int x = (width() - iconWidth - textWidth - hintWidth) / 2;
+    if (m_symbol) {
+        const QColor color = isEnabled() && m_tone != Tone::Text ? theme.tone(m_tone) : contentColor();
+        paintSymbol(painter, QRectF(x, (height() - theme.u(16)) / 2.0, theme.u(16), theme.u(16)), *m_symbol, color);
+        x += iconWidth;
+    }
+    painter.setPen(contentColor());
+    painter.drawText(QRect(x, 0, textWidth + 1, height()), Qt::AlignVCenter | Qt::TextShowMnemonic, shown);
+    if (hintWidth == 0)
+        return;
+    painter.setFont(hintFont());
+    painter.setPen(!isEnabled() ? theme.faint : isPrimary() ? theme.onFill : theme.dim);
+    painter.drawText(QRect(x + textWidth + theme.u(8), 0, hintWidth, height()), Qt::AlignVCenter, m_key);
+}
+
+} // namespace mb

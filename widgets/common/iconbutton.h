@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/icons.h"
+
+#include <QPushButton>
+#include <QToolButton>
+#include <optional>
+
+namespace mb {
+
+/// An icon without words: 28 units in a hit box of 32. The name is the accessible name; the tooltip adds the key.
+class IconButton : public QToolButton {
+    Q_OBJECT
+public:
+    IconButton(const ThemeSource &theme, Symbol symbol, const QString &name, QWidget *parent = nullptr);
+    void setSymbol(Symbol symbol);
+    /// Shown in the tooltip only: "Fit time and value  0". The action or shortcut itself belongs to the page.
+    void setKeyHint(const QString &key);
+    void setTone(Tone tone);
+    QSize sizeHint() const override;
+
+private:
+    void restyle();
+
+    const ThemeSource &m_theme;
+    Symbol m_symbol;
+    Tone m_tone = Tone::Dim;
+    QString m_key;
+};
+
+/// A push button with an icon, a verb with an object, and the dim key behind it: "Write and run F5".
+class CommandButton : public QPushButton {
+    Q_OBJECT
+public:
+    CommandButton(const ThemeSource &theme, const QString &text, QWidget *parent = nullptr);
+    CommandButton(const ThemeSource &theme, Symbol symbol, const QString &text, QWidget *parent = nullptr);
+    /// The one filled button of a region.
+    void setPrimary(bool primary);
+    bool isPrimary() const;
+    void setSymbol(std::optional<Symbol> symbol, Tone tone = Tone::Text);
+    /// "F5" behind the text. The shortcut itself belongs to the page.
+    void setKeyHint(const QString &key);
+    /// Texts this button may change to: it is as wide as the widest, so that the row does not move.
+    void setTextVariants(const QStringList &texts);
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    QFont hintFont() const;
+    QColor contentColor() const;
+
+    const ThemeSource &m_theme;
+    std::optional<Symbol> m_symbol;
+    Tone m_tone = Tone::Text;
+    QString m_key;
+    QStringList m_variants;
+};
+
+} // namespace mb

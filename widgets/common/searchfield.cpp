@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/searchfield.h"
+
+#include <QKeyEvent>
+#include <QPainter>
+
+namespace mb {
+
+SearchField::SearchField(const ThemeSource &theme, const QString &placeholder, QWidget *parent)
+    : QLineEdit(parent)
+    , m_theme(theme)
+{
+    setPlaceholderText(placeholder);
+    setAccessibleName(placeholder);
+    connect(&theme, &ThemeSource::changed, this, &SearchField::restyle);
+    connect(this, &QLineEdit::textChanged, this, &SearchField::updateMargins);
+    restyle();
+}
+
+void SearchField::setKeyHint(const QString &key)
+{
+    m_key = key;
+    updateMargins();
+}
+
+void SearchField::setResult(const QString &result)
+{
+    m_result = result;
+    setAccessibleDescription(result);
+    updateMargins();
+}
+
+void SearchField::setSymbol(Symbol symbol)
+{
+    m_symbol = symbol;
+    update();
+}
+
+void SearchField::restyle()
+{
+    setMinimumWidth(m_theme.theme().u(160));
+    updateMargins();
+}
+
+void SearchField::updateMargins()
+{
+    const Theme &theme = m_theme.theme();
+    const QFontMetrics caption(theme.font(TextRole::Caption, font()));
+    const QString right = text().isEmpty() ? m_key : m_result;
+    const int room = right.isEmpty() ? 0 : caption.horizontalAdvance(right) + theme.u(16);
+    setTextMargins(theme.u(22), 0, room, 0);
+    update();
+}
+
+void SearchField::paintEvent(QPaintEvent *event)
+{
+    QLineEdit::paintEvent(event);
+    const Theme &theme = m_theme.theme();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double side = theme.u(15);
+    paintSymbol(painter, QRectF(theme.u(9), (height() - side) / 2, side, side), m_symbol, theme.dim);
+    const QString right = text().isEmpty() ? m_key : m_result;
+    if (right.isEmpty())
+        return;
+    const QFont caption = theme.font(TextRole::Caption, font());
+    const QFontMetrics metrics(caption);
+    const int size = metrics.horizontalAdvance(right) + theme.u(10);
+    const QRectF box(width() - size - theme.u(7), (height() - metrics.height() - 2) / 2.0, size, metrics.height() + 2);
+    painter.setFont(caption);
+    painter.setPen(theme.dim);
+    painter.drawText(box, Qt::AlignCenter, right);
+    if (!text().isEmpty())
+        return;
+    painter.setPen(QPen(theme.outline, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), theme.u(3), theme.u(3));
+}
+
+void SearchField::keyPressEvent(QKeyEvent *event)
+{
+    // Esc is STOP everywhere; it also empties the filter, and goes on to whoever stops.
+    if (event->key() == Qt::Key_Escape) {
+        clear();
+        event->ignore();
+        return;
+    }
+    QLineEdit::keyPressEvent(event);
+}
+
+} // namespace mb

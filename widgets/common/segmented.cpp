@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/segmented.h"
+
+#include "widgets/common/labels.h"
+
+#include <QButtonGroup>
+#include <QCursor>
+#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolButton>
+
+namespace mb {
+namespace {
+
+/// As wide as its bold text, so that the row does not move when another segment is chosen.
+class SegmentButton : public QToolButton {
+public:
+    using QToolButton::QToolButton;
+    QSize sizeHint() const override
+    {
+        QFont widest = font();
+        widest.setBold(true);
+        const QFontMetrics bold(widest);
+        return {bold.horizontalAdvance(text()) + bold.height() * 3 / 2, QToolButton::sizeHint().height()};
+    }
+    QSize minimumSizeHint() const override { return sizeHint(); }
+};
+
+} // namespace
+
+Segmented::Segmented(const QString &accessibleName, QWidget *parent)
+    : QWidget(parent)
+{
+    setAccessibleName(accessibleName);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    m_group = new QButtonGroup(this);
+    m_row = new QHBoxLayout(this);
+    m_row->setContentsMargins(0, 0, 0, 0);
+    m_row->setSpacing(0);
+    connect(m_group, &QButtonGroup::idToggled, this, [this](int id, bool on) {
+        if (on)
+            Q_EMIT currentChanged(id);
+    });
+}
+
+Segmented::Segmented(const QString &accessibleName, const QStringList &texts, QWidget *parent)
+    : Segmented(accessibleName, parent)
+{
+    for (const QString &text : texts)
+        addSegment(text);
+}
+
+int Segmented::addSegment(const QString &text)
+{
+    auto *button = new SegmentButton(this);
+    const int id = count();
+    button->setText(text);
+    button->setAccessibleName(text);
+    button->setCheckable(true);
+    button->setAutoExclusive(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setSizePolicy(m_even ? QSizePolicy::Expanding : QSizePolicy::Fixed, QSizePolicy::Fixed);
+    m_group->addButton(button, id);
+    m_row->addWidget(button);
+    if (id == 0)
+        button->setChecked(true);
+    updateEnds();
+    return id;
+}
+
+void Segmented::updateEnds()
+{
+    const int last = count() - 1;
+    for (int i = 0; i <= last; ++i) {
+        const char *place = last == 0 ? "only" : i == 0 ? "first" : i == last ? "last" : "middle";
+        setStyleProperty(*m_group->button(i), "segment", QLatin1String(place));
+    }
+}
+
+void Segmented::setText(int index, const QString &text)
+{
+    if (QAbstractButton *button = m_group->button(index)) {
+        button->setText(text);
+        button->setAccessibleName(text);
+        button->updateGeometry();
+    }
+}
+
+void Segmented::setSegmentEnabled(int index, bool enabled, const QString &reason)
+{
+    if (QAbstractButton *button = m_group->button(index)) {
+        button->setEnabled(enabled);
+        button->setToolTip(enabled ? QString() : reason);
+    }
+}
+
+int Segmented::count() const
+{
+    return m_group->buttons().size();
+}
+
+int Segmented::current() const
+{
+    return m_group->checkedId();
+}
+
+void Segmented::setCurrent(int index)
+{
+    if (QAbstractButton *button = m_group->button(index))
+        button->setChecked(true);
+}
+
+void Segmented::setEven(bool even)
+{
+    m_even = even;
+    setSizePolicy(even ? QSizePolicy::Preferred : QSizePolicy::Fixed, QSizePolicy::Fixed);
+    const auto buttons = m_group->buttons();
+    for (QAbstractButton *button : buttons)
+        button->setSizePolicy(even ? QSizePolicy::Expanding : QSizePolicy::Fixed, QSizePolicy::Fixed);
+}
+
+PageTabs::PageTabs(const ThemeSource &theme, QWidget *parent)
+    : QTabBar(parent)
+    , m_theme(theme)
+{
+    setDrawBase(false);
+    setExpanding(false);
+    setUsesScrollButtons(true);
+    setAccessibleName(tr("Pages"));
+    setAttribute(Qt::WA_Hover);
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    connect(&theme, &ThemeSource::changed, this, [this] {
+        updateGeometry();
+        update();
+    });
+}
+
+void PageTabs::setUnavailable(int index, const QString &reason)
+{
+    setTabEnabled(index, reason.isEmpty());
+    setTabToolTip(index, reason);
+}
+
+QFont PageTabs::bold() const
+{
+    return m_theme.theme().font(TextRole::Emphasis, font());
+}
+
+QSize PageTabs::tabSizeHint(int index) const
+{
+    const Theme &theme = m_theme.theme();
+    return {QFontMetrics(bold()).horizontalAdvance(tabText(index)) + theme.u(22), theme.u(36)};
+}
+
+void PageTabs::paintEvent(QPaintEvent *)
+{
+    const Theme &theme = m_theme.theme();
+    QPainter painter(this);
+    const QPoint mouse = mapFromGlobal(QCursor::pos());
+    for (int i = 0; i < count(); ++i) {
+        const QRect box = tabRect(i);
+        const bool current = i == currentIndex();
+        const bool hovered = underMouse() && box.contains(mouse);
+        painter.setFont(current ? bold() : m_theme.theme().font(TextRole::Body, font()));
+        painter.setPen(!isTabEnabled(i) ? theme.faint : current || hovered ? theme.text : theme.dim);
+        painter.drawText(box, Qt::AlignCenter, tabText(i));
+        if (current)
+            painter.fillRect(box.left(), box.bottom() - theme.u(2) + 1, box.width(), theme.u(2), theme.accent);
+        if (current && hasFocus()) {
+            painter.setPen(QPen(theme.accent, 2));
+            painter.drawRoundedRect(box.adjusted(2, 3, -2, -theme.u(4)), theme.u(4), theme.u(4));
+        }
+    }
+}
+
+} // namespace mb
