@@ -13,7 +13,8 @@ Clock::Key Clock::arm(Instant deadline, std::function<void()> work)
 
 void Clock::disarm(Key key)
 {
-    if (m_queue.erase(key) > 0)
+    // The work is destroyed last: what it captured may disarm other work.
+    if (const auto forgotten = m_queue.extract(key))
         rescheduled();
 }
 

@@ -40,8 +40,11 @@ void Mailbox::drain()
         [[maybe_unused]] const auto taken = ::read(m_event, &count, sizeof count);
         work.swap(m_waiting);
     }
-    for (const auto &item : work)
+    for (const auto &item : work) {
+        if (m_closed)
+            break;
         item();
+    }
 }
 
 void Mailbox::close()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <mutex>
 #include <vector>
@@ -20,7 +21,7 @@ public:
     bool post(std::function<void()> work);
     /// The owner's thread: runs what was posted before this call, in order.
     void drain();
-    /// Any thread: nothing is taken any more, and what waits is dropped.
+    /// Any thread: nothing is taken any more, and what waits is dropped, the rest of a drain() under way too.
     void close();
     /// Readable while work waits.
     [[nodiscard]] int descriptor() const { return m_event; }
@@ -29,7 +30,7 @@ private:
     int m_event = -1;
     std::mutex m_mutex;
     std::vector<std::function<void()>> m_waiting;
-    bool m_closed = false;
+    std::atomic<bool> m_closed = false;
 };
 
 } // namespace mb

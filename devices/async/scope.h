@@ -29,15 +29,22 @@ public:
         const auto self = std::prev(m_running.end());
         ref.task.start([this, self, &ref] {
             ref.timer.startIn(Duration::zero(), [this, self, &ref] {
-                const auto keep = std::move(*self);
+                auto ended = std::move(*self);
                 m_running.erase(self);
-                if (ref.finished)
-                    ref.finished(std::move(ref.task.result()));
+                const auto callback = std::move(ref.finished);
+                Result<T> result = std::move(ref.task.result());
+                ended.reset(); // locals of a task that failed die before anybody hears of it
+                if (callback)
+                    callback(std::move(result));
             });
         });
     }
     /// Cancels everything. Not from inside a task of this scope.
-    void clear() { m_running.clear(); }
+    void clear()
+    {
+        std::list<std::unique_ptr<Any>> cancelled;
+        cancelled.swap(m_running);
+    }
     [[nodiscard]] bool isIdle() const { return m_running.empty(); }
 
 private:

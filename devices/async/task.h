@@ -20,18 +20,18 @@ template <class T> class Task;
 
 namespace detail {
 
-class PromiseBase {
+class AnyPromise {
 public:
     struct Final {
-        PromiseBase &self;
+        AnyPromise &self;
         bool await_ready() noexcept { return false; }
         void await_suspend(std::coroutine_handle<>) noexcept { self.finish(); }
         void await_resume() noexcept { }
     };
 
-    PromiseBase() = default;
-    PromiseBase(const PromiseBase &) = delete;
-    PromiseBase &operator=(const PromiseBase &) = delete;
+    AnyPromise() = default;
+    AnyPromise(const AnyPromise &) = delete;
+    AnyPromise &operator=(const AnyPromise &) = delete;
 
     std::suspend_always initial_suspend() noexcept { return {}; }
     Final final_suspend() noexcept { return Final {*this}; }
@@ -56,7 +56,7 @@ public:
             std::coroutine_handle<>(continuation).resume();
     }
 
-    PromiseBase *parent = nullptr;
+    AnyPromise *parent = nullptr;
     std::coroutine_handle<> continuation;
     std::function<void()> onFinished;
     bool propagates = false;
@@ -64,10 +64,10 @@ public:
     bool finished = false;
 
 protected:
-    ~PromiseBase() = default;
+    ~AnyPromise() = default;
 };
 
-template <class T> class Promise final : public PromiseBase {
+template <class T> class Promise final : public AnyPromise {
 public:
     Task<T> get_return_object() noexcept;
     void return_value(Result<T> value) { result.emplace(std::move(value)); }
