@@ -44,6 +44,7 @@ struct DeviceView {
     std::string busy; ///< what it does now, in English
     MotionView motion;
     std::shared_ptr<const Telemetry> telemetry;
+    std::vector<double> rates; ///< samples per second, in table order of the channels
     std::vector<ParameterStore::Entry> parameters; ///< in table order
     std::uint64_t parameterRevision = 0;
     std::string mayNotMove; ///< empty when it may be driven

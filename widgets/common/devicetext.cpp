@@ -8,10 +8,9 @@
 namespace mb {
 namespace {
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("DeviceText", text);
-}
+struct DeviceText {
+    Q_DECLARE_TR_FUNCTIONS(DeviceText)
+};
 
 } // namespace
 
@@ -24,15 +23,15 @@ QString errorText(const Error &error)
 {
     const QString detail = QCoreApplication::translate("error", error.detail.c_str());
     switch (error.fault) {
-    case Fault::Timeout: return QCoreApplication::translate("DeviceText", "No answer: %1").arg(detail);
-    case Fault::Refused: return QCoreApplication::translate("DeviceText", "The device refused: %1").arg(detail);
-    case Fault::BadReply: return QCoreApplication::translate("DeviceText", "Unexpected answer: %1").arg(detail);
-    case Fault::BadCheck: return QCoreApplication::translate("DeviceText", "Differs: %1").arg(detail);
-    case Fault::LinkLost: return QCoreApplication::translate("DeviceText", "Link lost: %1").arg(detail);
+    case Fault::Timeout: return DeviceText::tr("No answer: %1").arg(detail);
+    case Fault::Refused: return DeviceText::tr("The device refused: %1").arg(detail);
+    case Fault::BadReply: return DeviceText::tr("Unexpected answer: %1").arg(detail);
+    case Fault::BadCheck: return DeviceText::tr("Differs: %1").arg(detail);
+    case Fault::LinkLost: return DeviceText::tr("Link lost: %1").arg(detail);
     case Fault::OutOfRange: return detail;
-    case Fault::Unsupported: return QCoreApplication::translate("DeviceText", "Not possible: %1").arg(detail);
-    case Fault::Cancelled: return QCoreApplication::translate("DeviceText", "Cancelled");
-    case Fault::Unsafe: return QCoreApplication::translate("DeviceText", "Not done: %1").arg(detail);
+    case Fault::Unsupported: return DeviceText::tr("Not possible: %1").arg(detail);
+    case Fault::Cancelled: return DeviceText::tr("Cancelled");
+    case Fault::Unsafe: return DeviceText::tr("Not done: %1").arg(detail);
     }
     return detail;
 }
@@ -40,30 +39,30 @@ QString errorText(const Error &error)
 QString faultText(std::string_view key)
 {
     if (key == "over_current")
-        return QCoreApplication::translate("DeviceText", "over-current");
+        return DeviceText::tr("over-current");
     if (key == "over_temperature")
-        return QCoreApplication::translate("DeviceText", "over-temperature");
+        return DeviceText::tr("over-temperature");
     if (key == "under_voltage")
-        return QCoreApplication::translate("DeviceText", "under-voltage");
+        return DeviceText::tr("under-voltage");
     if (key == "gate_driver")
-        return QCoreApplication::translate("DeviceText", "gate driver");
+        return DeviceText::tr("gate driver");
     if (key == "communication")
-        return QCoreApplication::translate("DeviceText", "communication");
+        return DeviceText::tr("communication");
     return qt(key);
 }
 
 QString modeText(Mode mode)
 {
     switch (mode) {
-    case Mode::Off: return QCoreApplication::translate("DeviceText", "off");
-    case Mode::Duty: return QCoreApplication::translate("DeviceText", "duty");
-    case Mode::Velocity: return QCoreApplication::translate("DeviceText", "velocity");
-    case Mode::Position: return QCoreApplication::translate("DeviceText", "position");
-    case Mode::Current: return QCoreApplication::translate("DeviceText", "current");
-    case Mode::Voltage: return QCoreApplication::translate("DeviceText", "voltage");
-    case Mode::Follow: return QCoreApplication::translate("DeviceText", "follow");
-    case Mode::RampPosition: return QCoreApplication::translate("DeviceText", "profiled position");
-    case Mode::RampVelocity: return QCoreApplication::translate("DeviceText", "profiled velocity");
+    case Mode::Off: return DeviceText::tr("off");
+    case Mode::Duty: return DeviceText::tr("duty");
+    case Mode::Velocity: return DeviceText::tr("velocity");
+    case Mode::Position: return DeviceText::tr("position");
+    case Mode::Current: return DeviceText::tr("current");
+    case Mode::Voltage: return DeviceText::tr("voltage");
+    case Mode::Follow: return DeviceText::tr("follow");
+    case Mode::RampPosition: return DeviceText::tr("profiled position");
+    case Mode::RampVelocity: return DeviceText::tr("profiled velocity");
     }
     return {};
 }
@@ -94,15 +93,15 @@ QString lineOf(const DeviceView &device)
 {
     QString word;
     switch (glyphOf(device)) {
-    case GlyphState::Busy: word = QCoreApplication::translate("DeviceText", "busy"); break;
-    case GlyphState::Duplicate: word = QCoreApplication::translate("DeviceText", "two units, one number"); break;
-    case GlyphState::Unassigned: word = QCoreApplication::translate("DeviceText", "no number yet"); break;
-    case GlyphState::Bootloader: word = QCoreApplication::translate("DeviceText", "bootloader, needs firmware"); break;
-    case GlyphState::Gone: word = QCoreApplication::translate("DeviceText", "no answer"); break;
+    case GlyphState::Busy: word = DeviceText::tr("busy"); break;
+    case GlyphState::Duplicate: word = DeviceText::tr("two units, one number"); break;
+    case GlyphState::Unassigned: word = DeviceText::tr("no number yet"); break;
+    case GlyphState::Bootloader: word = DeviceText::tr("bootloader, needs firmware"); break;
+    case GlyphState::Gone: word = DeviceText::tr("no answer"); break;
     case GlyphState::Fault: word = faultText(device.liveness.faults.front()); break;
     default: {
         const auto velocity = liveValue(device, "velocity", device.telemetry->last({}).value_or(Point {}).time);
-        word = velocity ? formatValue(*velocity, 0, QCoreApplication::translate("DeviceText", "counts/s")) : tr("online");
+        word = velocity ? formatValue(*velocity, 0, DeviceText::tr("counts/s")) : DeviceText::tr("online");
         break;
     }
     }
@@ -113,9 +112,9 @@ QString lineOf(const DeviceView &device)
 QString badgeOf(const DeviceView &device)
 {
     if (device.identity.state == DeviceState::Bootloader)
-        return QCoreApplication::translate("DeviceText", "boot");
+        return DeviceText::tr("boot");
     if (device.identity.state == DeviceState::Duplicate)
-        return QCoreApplication::translate("DeviceText", "2 ×");
+        return DeviceText::tr("2 ×");
     return QString::fromStdString(device.identity.dialect);
 }
 
@@ -123,7 +122,7 @@ QString tooltipOf(const DeviceView &device)
 {
     QStringList lines {QString::fromStdString(device.selector)};
     if (!device.identity.serial.empty())
-        lines += QCoreApplication::translate("DeviceText", "Serial number %1").arg(QString::fromStdString(device.identity.serial));
+        lines += DeviceText::tr("Serial number %1").arg(QString::fromStdString(device.identity.serial));
     if (!device.identity.detail.empty())
         lines += QCoreApplication::translate("error", device.identity.detail.c_str());
     if (!device.mayNotMove.empty())

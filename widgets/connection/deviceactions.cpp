@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/connection/deviceactions.h"
+
+#include "widgets/common/devicetext.h"
+
+#include <QApplication>
+#include <QCoreApplication>
+#include <QClipboard>
+#include <QInputDialog>
+#include <QMenu>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+struct DeviceActions {
+    Q_DECLARE_TR_FUNCTIONS(DeviceActions)
+};
+
+Workbench::Finished reportTo(Workbench &workbench, const QString &device, const QString &done)
+{
+    return [&workbench, device, done](const Result<void> &result) {
+        if (result)
+            workbench.report(Severity::Good, device, done);
+    };
+}
+
+/// A dialog that lives until it is closed and does not block.
+QInputDialog *ask(QWidget &parent, const QString &title, const QString &question)
+{
+    auto *dialog = new QInputDialog(&parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(title);
+    dialog->setLabelText(question);
+    return dialog;
+}
+
+constexpr int lastNumber = 63;
+
+bool isTaken(const Snapshot &shot, const std::string &link, int number)
+{
+    return std::any_of(shot.devices.begin(), shot.devices.end(), [&](const DeviceView &d) { return d.link == link && d.identity.address == number; });
+}
+
+int firstFree(const Snapshot &shot, const std::string &link)
+{
+    int free = 1;
+    while (free < lastNumber && isTaken(shot, link, free))
+        ++free;
+    return free;
+}
+
+} // namespace
+
+void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId id, QWidget &parent)
+{
+    const DeviceView *device = workbench.snapshot().device(id);
+    if (!device)
+        return;
+    const Capabilities &can = device->family->capabilities;
+    const QString label = titleOf(*device);
+    const bool running = device->identity.state != DeviceState::Bootloader;
+    QAction *identify = menu.addAction(DeviceActions::tr("Identify (blink)"), &parent, [&workbench, id, label] {
+        workbench.identify(id, reportTo(workbench, label, DeviceActions::tr("blinks for 5 s")));
+    });
+    identify->setEnabled(can.identify && running);
+    QAction *rename = menu.addAction(DeviceActions::tr("Rename…"), &parent, [&workbench, id, &parent] { askRename(workbench, id, parent); });
+    rename->setEnabled(can.rename);
+    QAction *renumber = menu.addAction(DeviceActions::tr("Assign another number…"), &parent, [&workbench, id, &parent] { askRenumber(workbench, id, parent); });
+    renumber->setEnabled(can.renumber);
+    QAction *clear = menu.addAction(DeviceActions::tr("Read and clear faults"), &parent, [&workbench, id, label] {
+        workbench.clearFaults(id, reportTo(workbench, label, DeviceActions::tr("faults read and cleared")));
+    });
+    clear->setEnabled(running);
+    menu.addSeparator();
+    const QString selector = QString::fromStdString(device->selector);
+    menu.addAction(DeviceActions::tr("Copy %1").arg(selector), &parent, [selector] { QApplication::clipboard()->setText(selector); });
+}
+
+void askRename(Workbench &workbench, DeviceId id, QWidget &parent)
+{
+    const DeviceView *device = workbench.snapshot().device(id);
+    if (!device)
+        return;
+    const QString label = titleOf(*device);
+    QInputDialog *dialog = ask(parent, DeviceActions::tr("Rename %1").arg(label), DeviceActions::tr("Name, 1 … 64 characters (some tools show only 28):"));
+    dialog->setTextValue(QString::fromStdString(device->identity.name));
+    QObject::connect(dialog, &QInputDialog::textValueSelected, &workbench, [&workbench, id, label](const QString &text) {
+        const QString name = text.left(64);
+        if (!name.isEmpty())
+            workbench.rename(id, name, reportTo(workbench, label, DeviceActions::tr("renamed to %1").arg(name)));
+    });
+    dialog->open();
+}
+
+void askRenumber(Workbench &workbench, DeviceId id, QWidget &parent)
+{
+    const DeviceView *device = workbench.snapshot().device(id);
+    if (!device)
+        return;
+    const QString label = titleOf(*device);
+    const int free = firstFree(workbench.snapshot(), device->link);
+    QInputDialog *dialog = ask(parent, DeviceActions::tr("Number of %1").arg(label), DeviceActions::tr("New number, 1 … %1. %2 is the next free one on this link:").arg(lastNumber).arg(free));
+    dialog->setInputMode(QInputDialog::IntInput);
+    dialog->setIntRange(1, lastNumber);
+    dialog->setIntValue(free);
+    QObject::connect(dialog, &QInputDialog::intValueSelected, &workbench, [&workbench, id, label, link = device->link](int number) {
+        if (isTaken(workbench.snapshot(), link, number))
+            workbench.report(Severity::Danger, label, DeviceActions::tr("number %1 is taken on this link; nothing was sent").arg(number));
+        else
+            workbench.renumber(id, number, reportTo(workbench, label, DeviceActions::tr("answers as number %1 now").arg(number)));
+    });
+    dialog->open();
+}
+
+void askAddLink(Workbench &workbench, QWidget &parent)
+{
+    QStringList choices;
+    for (const LinkListing &listing : workbench.listings()) {
+        if (listing.openable)
+            choices += QString::fromStdString(listing.link.text());
+    }
+    choices += QStringLiteral("sim:");
+    QInputDialog *dialog = ask(parent, DeviceActions::tr("Add a link"), DeviceActions::tr("Link address, such as socketcan:can0 or sim:can?loss=0.01:"));
+    dialog->setComboBoxItems(choices);
+    dialog->setComboBoxEditable(true);
+    QObject::connect(dialog, &QInputDialog::textValueSelected, &workbench, [&workbench](const QString &text) {
+        const auto address = LinkAddress::parse(text.trimmed().toStdString());
+        if (address)
+            workbench.openLink(*address, {});
+        else
+            workbench.report(Severity::Danger, {}, errorText(address.error()));
+    });
+    dialog->open();
+}
+
+} // namespace mb

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/workbench.h"
+
+class QMenu;
+class QWidget;
+
+namespace mb {
+
+/// What can be done to one device from a menu: identify, rename, give another number, clear faults, copy its selector.
+/// `menu` runs before `parent` goes.
+void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId device, QWidget &parent);
+
+/// Ask for the new value first. Nothing is sent when the user thinks better of it.
+void askRename(Workbench &workbench, DeviceId device, QWidget &parent);
+void askRenumber(Workbench &workbench, DeviceId device, QWidget &parent);
+/// Asks for a link address, with those that can be opened to choose from, and opens it.
+void askAddLink(Workbench &workbench, QWidget &parent);
+
+} // namespace mb

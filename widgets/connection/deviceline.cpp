@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/connection/deviceline.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/valuelabel.h"
+
+#include <QHBoxLayout>
+
+namespace mb {
+
+DeviceLine::DeviceLine(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_selection(selection)
+    , m_theme(theme)
+{
+    setAccessibleName(tr("Selected device"));
+    setMinimumHeight(theme.theme().u(40));
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(theme.theme().u(16), 0, theme.theme().u(16), 0);
+    row->setSpacing(theme.theme().u(8));
+    buildIdentity(*row);
+    row->addStretch();
+    buildValues(*row);
+    connect(&workbench, &Workbench::changed, this, &DeviceLine::follow);
+    connect(&selection, &Selection::changed, this, &DeviceLine::follow);
+    follow();
+}
+
+void DeviceLine::buildIdentity(QHBoxLayout &row)
+{
+    m_glyph = new StateGlyph(m_theme, GlyphState::Gone, this);
+    m_title = textLabel({}, TextRole::Emphasis, Tone::Text, this);
+    m_name = textLabel({}, TextRole::Body, Tone::Dim, this);
+    m_identity = textLabel({}, TextRole::Body, Tone::Dim, this);
+    row.addWidget(m_glyph);
+    row.addWidget(m_title);
+    row.addWidget(m_name);
+    row.addSpacing(m_theme.theme().u(8));
+    row.addWidget(m_identity);
+}
+
+void DeviceLine::buildValues(QHBoxLayout &row)
+{
+    m_values = new QWidget(this);
+    auto *values = new QHBoxLayout(m_values);
+    values->setContentsMargins(0, 0, 0, 0);
+    values->setSpacing(m_theme.theme().u(12));
+    const auto add = [&](const QString &caption, const QString &unit, const QString &widest) {
+        auto *label = new ValueLabel(m_theme, ValueLabel::Look::Line, caption, unit, m_values);
+        label->setWidest(widest);
+        values->addWidget(label);
+        return label;
+    };
+    m_velocity = add(tr("velocity"), tr("counts/s"), QStringLiteral("−888 888"));
+    m_current = add(tr("current"), QStringLiteral("A"), QStringLiteral("−88.8"));
+    m_duty = add(tr("duty"), QStringLiteral("%"), QStringLiteral("−100"));
+    m_bus = add(tr("bus"), QStringLiteral("V"), QStringLiteral("88.88"));
+    m_temperature = add(tr("case"), QStringLiteral("°C"), QStringLiteral("−88.8"));
+    m_faultGlyph = new StateGlyph(m_theme, GlyphState::Done, m_values);
+    m_faults = textLabel({}, TextRole::Body, Tone::Text, m_values);
+    values->addWidget(m_faultGlyph);
+    values->addWidget(m_faults);
+    row.addWidget(m_values);
+}
+
+void DeviceLine::setTrailing(QWidget *widget)
+{
+    m_values->hide();
+    layout()->addWidget(widget);
+}
+
+void DeviceLine::follow()
+{
+    const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    setVisible(device != nullptr);
+    if (!device || !isVisible())
+        return;
+    m_glyph->setState(glyphOf(*device));
+    m_title->setText(titleOf(*device));
+    m_name->setText(QString::fromStdString(device->identity.name));
+    const auto known = [](const std::string &text) { return text.empty() ? QString(UnknownMark) : QString::fromStdString(text); };
+    m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity.serial), known(device->identity.firmware)));
+    const Instant now = m_workbench.now();
+    const auto show = [&](ValueLabel *label, std::string_view channel, double factor, int decimals) {
+        if (const auto value = liveValue(*device, channel, now))
+            label->setValue(formatNumber(*value * factor, decimals));
+        else
+            label->clear();
+    };
+    show(m_velocity, "velocity", 1.0, 0);
+    show(m_current, "current", 1.0, 1);
+    show(m_duty, "duty", 100.0, 0);
+    show(m_bus, "bus_voltage", 1.0, 2);
+    show(m_temperature, "temperature", 1.0, 1);
+    const auto &faults = device->liveness.faults;
+    m_faultGlyph->setState(faults.empty() ? GlyphState::Done : GlyphState::Fault);
+    m_faults->setText(faults.empty() ? tr("no faults") : faultText(faults.front()));
+    setTone(*m_faults, faults.empty() ? Tone::Text : Tone::Danger);
+}
+
+} // namespace mb

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/selection.h"
+#include "widgets/common/theme.h"
+#include "widgets/common/workbench.h"
+
+#include <QWidget>
+
+class QHBoxLayout;
+class QLabel;
+
+namespace mb {
+
+class StateGlyph;
+class ValueLabel;
+
+/// One line above the page of a device: state, name, serial, firmware, and at the right its live values.
+class DeviceLine : public QWidget {
+    Q_OBJECT
+public:
+    DeviceLine(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
+    /// At the right end, instead of the live values: actions of the page. The line takes it.
+    void setTrailing(QWidget *widget);
+
+private:
+    void buildIdentity(QHBoxLayout &row);
+    void buildValues(QHBoxLayout &row);
+    void follow();
+
+    Workbench &m_workbench;
+    Selection &m_selection;
+    const ThemeSource &m_theme;
+    StateGlyph *m_glyph = nullptr;
+    QLabel *m_title = nullptr;
+    QLabel *m_name = nullptr;
+    QLabel *m_identity = nullptr;
+    QWidget *m_values = nullptr;
+    ValueLabel *m_velocity = nullptr;
+    ValueLabel *m_current = nullptr;
+    ValueLabel *m_duty = nullptr;
+    ValueLabel *m_bus = nullptr;
+    ValueLabel *m_temperature = nullptr;
+    StateGlyph *m_faultGlyph = nullptr;
+    QLabel *m_faults = nullptr;
+};
+
+} // namespace mb

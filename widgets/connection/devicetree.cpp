@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/connection/devicetree.h"
+
+#include "widgets/common/emptystate.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/searchfield.h"
+#include "widgets/connection/devicedelegate.h"
+#include "widgets/connection/deviceactions.h"
+
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+namespace mb {
+
+DeviceTree::DeviceTree(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_selection(selection)
+    , m_theme(theme)
+    , m_model(new DeviceModel(workbench, this))
+{
+    setObjectName(QStringLiteral("devices"));
+    setAccessibleName(tr("Devices"));
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    buildHead(*column);
+    buildTree(*column);
+    buildFoot(*column);
+    connect(&workbench, &Workbench::changed, this, &DeviceTree::follow);
+    connect(&selection, &Selection::changed, this, &DeviceTree::showSelection);
+    follow();
+}
+
+QSize DeviceTree::sizeHint() const
+{
+    return {m_theme.theme().u(232), m_theme.theme().u(600)};
+}
+
+void DeviceTree::buildHead(QVBoxLayout &column)
+{
+    const Theme &theme = m_theme.theme();
+    auto *head = new QWidget(this);
+    head->setFixedHeight(theme.u(36));
+    auto *row = new QHBoxLayout(head);
+    row->setContentsMargins(theme.u(12), 0, theme.u(4), 0);
+    row->setSpacing(0);
+    row->addWidget(new SectionLabel(tr("Devices"), head));
+    row->addStretch();
+    m_rescan = new IconButton(m_theme, Symbol::Refresh, tr("Scan again"), head);
+    auto *filter = new IconButton(m_theme, Symbol::Filter, tr("Filter devices"), head);
+    filter->setCheckable(true);
+    auto *fold = new IconButton(m_theme, Symbol::ChevronLeft, tr("Hide devices"), head);
+    fold->setKeyHint(QStringLiteral("F9"));
+    row->addWidget(m_rescan);
+    row->addWidget(filter);
+    row->addWidget(fold);
+    column.addWidget(head);
+    m_filter = new SearchField(m_theme, tr("Filter by name, number, serial"), this);
+    m_filter->hide();
+    column.addWidget(m_filter);
+    connect(m_rescan, &QToolButton::clicked, this, [this] { m_workbench.scan(); });
+    connect(fold, &QToolButton::clicked, this, &DeviceTree::collapseRequested);
+    connect(filter, &QToolButton::toggled, this, [this](bool on) {
+        m_filter->setVisible(on);
+        if (on)
+            m_filter->setFocus();
+        else
+            m_filter->clear();
+    });
+    connect(m_filter, &QLineEdit::textChanged, this, [this](const QString &text) { m_model->setFilter(text); });
+}
+
+void DeviceTree::buildTree(QVBoxLayout &column)
+{
+    m_empty = new EmptyState(m_theme, Symbol::Plug, tr("No device yet"), tr("Devices appear here by themselves as soon as a link answers."), this);
+    column.addWidget(m_empty);
+    m_view = new QTreeView(this);
+    m_view->setObjectName(QStringLiteral("deviceTree"));
+    m_view->setAccessibleName(tr("Links and devices"));
+    m_view->setModel(m_model);
+    m_view->setItemDelegate(new DeviceDelegate(m_theme, m_view));
+    m_view->setHeaderHidden(true);
+    m_view->setFrameShape(QFrame::NoFrame);
+    m_view->setIndentation(m_theme.theme().u(18));
+    m_view->setUniformRowHeights(false);
+    m_view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_view->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    column.addWidget(m_view, 1);
+    connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
+        if (const DeviceId id = m_model->deviceAt(current); id.value != 0)
+            m_selection.select(id);
+    });
+    connect(m_model, &QAbstractItemModel::rowsInserted, m_view, [this](const QModelIndex &parent) {
+        if (parent.isValid())
+            m_view->expand(parent);
+    });
+    connect(m_view, &QWidget::customContextMenuRequested, this, &DeviceTree::showMenu);
+}
+
+void DeviceTree::buildFoot(QVBoxLayout &column)
+{
+    const Theme &theme = m_theme.theme();
+    column.addWidget(separatorLine(Qt::Horizontal, this));
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(theme.u(8), theme.u(8), theme.u(8), theme.u(8));
+    row->setSpacing(theme.u(8));
+    auto *add = new CommandButton(m_theme, Symbol::Add, tr("Add link"), this);
+    auto *simulate = new CommandButton(m_theme, Symbol::Chip, tr("Simulate"), this);
+    add->setToolTip(tr("Open a CAN interface, a serial port or another link"));
+    simulate->setToolTip(tr("Open the simulated bench; no real motor is connected to it"));
+    row->addWidget(add, 1);
+    row->addWidget(simulate, 1);
+    column.addLayout(row);
+    connect(add, &QPushButton::clicked, this, &DeviceTree::addLinkRequested);
+    connect(simulate, &QPushButton::clicked, this, &DeviceTree::simulateRequested);
+}
+
+void DeviceTree::follow()
+{
+    const bool none = m_model->rowCount() == 0;
+    m_empty->setVisible(none);
+    m_view->setVisible(!none);
+    const auto &devices = m_workbench.snapshot().devices;
+    if (m_selection.device().value == 0 && !devices.empty())
+        m_selection.select(devices.front().id);
+    if (!m_view->currentIndex().isValid())
+        showSelection();
+}
+
+void DeviceTree::showSelection()
+{
+    const QModelIndex index = m_model->indexOf(m_selection.device());
+    if (index.isValid() && index != m_view->currentIndex())
+        m_view->setCurrentIndex(index);
+}
+
+void DeviceTree::showMenu(const QPoint &position)
+{
+    const QModelIndex index = m_view->indexAt(position);
+    const DeviceId id = m_model->deviceAt(index);
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (id.value != 0) {
+        addDeviceActions(*menu, m_workbench, id, *this);
+    } else {
+        menu->addAction(tr("Scan again"), this, [this] { m_workbench.scan(); });
+        if (index.isValid()) {
+            const std::string address = m_workbench.snapshot().links[static_cast<std::size_t>(index.row())].address;
+            menu->addAction(tr("Close this link"), this, [this, address] { m_workbench.closeLink(address); });
+        }
+    }
+    menu->popup(m_view->viewport()->mapToGlobal(position));
+}
+
+} // namespace mb

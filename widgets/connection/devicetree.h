@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/selection.h"
+#include "widgets/common/theme.h"
+#include "widgets/connection/devicemodel.h"
+
+#include <QWidget>
+
+class QHBoxLayout;
+class QTreeView;
+class QVBoxLayout;
+
+namespace mb {
+
+class EmptyState;
+class IconButton;
+class SearchField;
+
+/// The left dock: links, their devices with state, name and live word; rescan, filter; add a link or open the simulated bench.
+class DeviceTree : public QWidget {
+    Q_OBJECT
+public:
+    DeviceTree(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
+    [[nodiscard]] DeviceModel &model() { return *m_model; }
+    [[nodiscard]] QSize sizeHint() const override;
+
+Q_SIGNALS:
+    void addLinkRequested();
+    void simulateRequested();
+    void collapseRequested();
+
+private:
+    void buildHead(QVBoxLayout &column);
+    void buildTree(QVBoxLayout &column);
+    void buildFoot(QVBoxLayout &column);
+    void follow();
+    void showSelection();
+    void showMenu(const QPoint &position);
+
+    Workbench &m_workbench;
+    Selection &m_selection;
+    const ThemeSource &m_theme;
+    DeviceModel *m_model = nullptr;
+    QTreeView *m_view = nullptr;
+    SearchField *m_filter = nullptr;
+    EmptyState *m_empty = nullptr;
+    IconButton *m_rescan = nullptr;
+};
+
+} // namespace mb
