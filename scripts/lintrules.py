@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The rules of scripts/lint. Each is a function (path, text, code) that yields (line, level, message); `code` is the
+text with comments and literals blanked, so that a rule finds only what is compiled. tests/build/test_lint.py shows
+what each rejects."""
+import re
+
+from linttext import code_of, functions_of
+
+# Names that a rule forbids and we keep, each with its reason.
+ALLOWED_NAMES = {
+    ("devices/async/task.h", "PromiseBase"),  # the part of a promise that does not depend on its value type
+}
+DEVICE_TESTS = ("tests/async/", "tests/wire/", "tests/transport/", "tests/model/", "tests/tuning/", "tests/families/")
+
+
+def matches(pattern, text):
+    for match in re.finditer(pattern, text):
+        yield text.count("\n", 0, match.start()) + 1, match
+
+
+def is_cpp(path):
+    return path.endswith((".h", ".cpp"))
+
+
+def licence(path, text, _code):
+    if not (is_cpp(path) or path.endswith((".py", ".sh", ".cmake", "CMakeLists.txt")) or path.startswith((".ci/", "scripts/"))):
+        return
+    lines = text.split("\n", 2)
+    at = 1 if lines[0].startswith("#!") else 0
+    mark = "//" if is_cpp(path) else "#"
+    if len(lines) <= at or lines[at] != f"{mark} SPDX-License-Identifier: GPL-3.0-or-later":
+        yield at + 1, "error", "the licence line is missing"
+
+
+FORBIDDEN_WORD = r"(?:Manager|Helper|Handler|Util|Utils|Base|Impl|Info)(?![a-z])"
+TYPE_NAME = re.compile(r"\b(?:class|struct|union|enum(?:\s+class|\s+struct)?|concept|using|namespace)\s+(?:\[\[[^\]]*\]\]\s*)?([A-Za-z_][\w:]*)")
+
+
+def names(path, _text, code):
+    for line, match in matches(TYPE_NAME, code):
+        name = match[1].strip(":").split("::")[-1]
+        if re.search(FORBIDDEN_WORD, name) and not re.match(r"Q[A-Z]", name) and (path, name) not in ALLOWED_NAMES:
+            yield line, "error", f"the name {name} says nothing: name the thing by what it is"
+    stem = path.rsplit("/", 1)[-1].split(".")[0]
+    if is_cpp(path) and re.search(r"(?:manager|helper|handler|util|impl|info)s?$", stem):
+        yield 1, "error", f"the file name {stem} says nothing: name the thing by what it is"
+
+
+# (folders, files that are the exception, pattern, what is wrong)
+FORBIDDEN = [
+    (("devices/",), ("devices/transport/qtclock.",),
+     r"\b(?:QTimer|QBasicTimer|QElapsedTimer|QDeadlineTimer|currentDateTime(?:Utc)?|current(?:M?Secs)SinceEpoch|startTimer)\b"
+     r"|\b(?:steady|system|high_resolution)_clock\s*::\s*now\b|\b(?:gettimeofday|clock_gettime|nanosleep|u?sleep|msleep)\s*\("
+     r"|\bsleep_(?:for|until)\b|\bwaitFor\w*\s*\(",
+     "the time comes from the Clock that is handed in"),
+    (DEVICE_TESTS, (), r"\b(?:nanosleep|u?sleep|msleep|qSleep|qWait)\s*\(|\bsleep_(?:for|until)\b", "tests run in virtual time"),
+    (("devices/", "app/", "widgets/", *DEVICE_TESTS), (), r"\b(?:QEventLoop|processEvents)\b", "no nested event loops"),
+    (("widgets/", "app/"), (),
+     r"\bQMessageBox\s*::\s*(?:question|warning|information|critical|about)\s*\(|\bQFileDialog\s*::\s*get\w+\s*\("
+     r"|\bQInputDialog\s*::\s*get\w+\s*\(|\b\w*(?:[dD]ialog|[bB]ox|[mM]enu)(?:\.|->)exec\s*\(",
+     "this runs a nested event loop: open() it and connect to its result"),
+    (("",), (), r"\b(?:SIGNAL|SLOT)\s*\(", "connect to the member function, not to its spelling"),
+    (("",), (), r"(?m)^[ \t]*#[ \t]*if[ \t]+0\b", "remove what is switched off"),
+    (("devices/",), (), r"\btr\s*\(", "no user text below widgets: return a fault, mark table texts for translation"),
+    (("devices/", "app/", "widgets/"), ("devices/async/",), r"\bthrow\b(?!\s*\()|\bcatch\s*\(", "exceptions are not used"),
+]
+
+
+def forbidden(path, _text, code):
+    if not is_cpp(path):
+        return
+    for folders, exceptions, pattern, why in FORBIDDEN:
+        if path.startswith(folders) and not (exceptions and path.startswith(exceptions)):
+            for line, match in matches(pattern, code):
+                yield line, "error", f"{' '.join(match[0].split())}: {why}"
+
+
+def operand_end(code, start):
+    """Where the operand of a co_await ends: at the end of the statement, or of the parentheses around it."""
+    depth = 0
+    for at in range(start, len(code)):
+        if code[at] == "(":
+            depth += 1
+        elif code[at] == ")":
+            depth -= 1
+        if depth < 0 or code[at] == ";" or (code[at] == "," and depth == 0):
+            return at
+    return len(code)
+
+
+def operands(path, _text, code):
+    if not is_cpp(path):
+        return
+    for line, match in matches(r"\bco_await\b", code):
+        if code[:match.start()].rstrip().endswith("operator"):
+            continue
+        if re.search(r"[\[{?]", code[match.end():operand_end(code, match.end())]):
+            yield line, "error", "name the operand before co_await: GCC 12 destroys some temporaries twice"
+
+
+ROOTS = ("async", "wire", "transport", "model", "tuning", "families", "widgets", "app", "support", "tests")
+SCREEN = re.compile(
+    r"Qt(?:Gui|Widgets|Svg|PrintSupport|OpenGL)(?:/|$)|qcustomplot|Q(?:GuiApplication|Application|Widget|MainWindow|Dialog|Color|"
+    r"Painter|PaintDevice|Pixmap|Image|Icon|Font|Brush|Pen|Action|Window|Palette|Style|Cursor|KeyEvent|MouseEvent|Screen)$",
+    re.IGNORECASE)
+# folder: (our folders it may include, any Qt)
+LAYERS = [
+    ("devices/async/", ("async",), False),
+    ("devices/wire/", ("async", "wire"), False),
+    ("devices/transport/", ("async", "wire", "transport"), True),
+    ("devices/model/", ("async", "wire", "transport", "model"), True),
+    ("devices/tuning/", ("async", "wire", "transport", "model", "tuning"), True),
+    ("devices/families/", ("async", "wire", "transport", "model"), True),
+    ("widgets/", ("async", "wire", "transport", "model", "tuning", "widgets"), True),
+    ("app/console/", ("async", "wire", "transport", "model", "tuning", "app/console", "app/guardian"), True),
+    ("app/guardian/", ("app/guardian",), False),
+    ("app/", ("async", "wire", "transport", "model", "tuning", "widgets", "app"), True),
+]
+
+
+def is_known(include):
+    return include.split("/")[0] in ROOTS and "/" in include
+
+
+def layering(path, text, _code):
+    layer = next((row for row in LAYERS if path.startswith(row[0])), None)
+    if not is_cpp(path) or not layer:
+        return
+    folder, allowed, qt = layer
+    if folder == "devices/families/":
+        allowed = (*allowed, "/".join(path.split("/")[1:3]))
+    for line, match in matches(r'(?m)^[ \t]*#[ \t]*include[ \t]*[<"]([^>"]+)[>"]', text):
+        include = match[1]
+        if include.startswith(".."):
+            yield line, "error", f"{include}: include from the root of the library, not relative to the file"
+        elif is_known(include) and not any(include.startswith(f"{own}/") for own in allowed):
+            yield line, "error", f"{include}: {folder} must not know this layer"
+        elif not qt and re.match(r"Q[A-Z]|Qt[A-Z]|q[a-z]+\.h$", include):
+            yield line, "error", f"{include}: no Qt in {folder}"
+        elif folder.startswith(("devices/", "app/console/")) and SCREEN.match(include):
+            yield line, "error", f"{include}: nothing of the screen in {folder}"
+
+
+FILE_LINES = (300, 500)
+FUNCTION_LINES = (40, 60)
+CONSTRUCTOR_LINES = 25
+
+
+def budgets(path, text, code):
+    if not is_cpp(path):
+        return
+    lines = text.count("\n")
+    if lines > FILE_LINES[0]:
+        level = "error" if lines > FILE_LINES[1] else "warning"
+        yield 1, level, f"{lines} lines; a file has at most {FILE_LINES[0]}, never more than {FILE_LINES[1]}"
+    for line, name, length, constructor in functions_of(code):
+        if length > FUNCTION_LINES[1]:
+            yield line, "error", f"{name} has {length} lines; never more than {FUNCTION_LINES[1]}"
+        elif length > FUNCTION_LINES[0]:
+            yield line, "warning", f"{name} has {length} lines; a function has at most {FUNCTION_LINES[0]}"
+        elif constructor and length > CONSTRUCTOR_LINES:
+            yield line, "warning", f"the constructor {name} has {length} lines; compose it of named steps ({CONSTRUCTOR_LINES})"
+
+
+def absolute_paths(_path, text, _code):
+    for line, match in matches(r"(?<![\w./})>*-])/(?:home|tmp|root|work|Users)/\w*", text):
+        yield line, "error", f"{match[0]}: no path of one machine"
+
+
+RULES = (licence, names, forbidden, operands, layering, budgets, absolute_paths)
+
+
+def check_file(path, text):
+    code = code_of(text) if is_cpp(path) else ""
+    for rule in RULES:
+        yield from rule(path, text, code)

@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""scripts/lint rejects what it says it rejects, where it stands, and leaves its harmless twin alone."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+LINT = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "lint"
+LICENCE = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+
+
+def body(lines):
+    return "{\n" + "    call();\n" * lines + "}\n"
+
+
+# file, its text after the licence line, line of the finding, words of the finding
+BAD = [
+    ("devices/model/manager1.h", "class LinkManager {\n};\n", 2, "LinkManager says nothing"),
+    ("devices/model/a.h", "struct [[nodiscard]] FrameInfo;\n", 2, "FrameInfo says nothing"),
+    ("widgets/common/a.h", "enum class ViewBase { One };\n", 2, "ViewBase says nothing"),
+    ("app/a.h", "using PageHandler = int;\n", 2, "PageHandler says nothing"),
+    ("app/b.h", "namespace mb::Utils {\n}\n", 2, "Utils says nothing"),
+    ("app/pagehelper.h", "int x;\n", 1, "pagehelper says nothing"),
+    ("devices/model/time1.cpp", "void f()\n{\n    QTimer timer;\n}\n", 4, "QTimer"),
+    ("devices/model/time2.cpp", "auto t = std::chrono::steady_clock::now();\n", 2, "steady_clock::now"),
+    ("devices/transport/time3.cpp", "auto t = QDateTime::currentDateTime();\n", 2, "currentDateTime"),
+    ("devices/wire/time4.cpp", "void f() { sleep(1); }\n", 2, "sleep("),
+    ("devices/wire/time5.cpp", "void f() { usleep (1); }\n", 2, "usleep"),
+    ("devices/wire/time6.cpp", "void f() { std::this_thread::sleep_for(t); }\n", 2, "sleep_for"),
+    ("devices/transport/time7.cpp", "void f() { port.waitForReadyRead(10); }\n", 2, "waitForReadyRead"),
+    ("devices/transport/time8.cpp", "QElapsedTimer t;\n", 2, "QElapsedTimer"),
+    ("tests/model/time9.cpp", "void f() { QTest::qWait(10); }\n", 2, "virtual time"),
+    ("devices/transport/loop1.cpp", "QEventLoop loop;\n", 2, "no nested event loops"),
+    ("widgets/common/loop2.cpp", "void f() { QCoreApplication::processEvents(); }\n", 2, "no nested event loops"),
+    ("widgets/common/loop3.cpp", "void f() { dialog.exec(); }\n", 2, "nested event loop"),
+    ("app/loop4.cpp", "auto x = QMessageBox::question(this);\n", 2, "nested event loop"),
+    ("app/loop5.cpp", "auto x = QFileDialog::getOpenFileName(this);\n", 2, "nested event loop"),
+    ("widgets/common/connect.cpp", "void f() { connect(a, SIGNAL(b()), c, SLOT(d())); }\n", 2, "SIGNAL("),
+    ("tests/wire/off.cpp", "int a;\n#if 0\nint b;\n#endif\n", 3, "remove what is switched off"),
+    ("devices/model/await1.cpp", "    co_await Sleep{clock, 1s};\n", 2, "name the operand"),
+    ("devices/model/await2.cpp", "    co_await f([x] {\n        g();\n    });\n", 2, "name the operand"),
+    ("tests/model/await3.cpp", "    auto x = co_await (a ? std::move(b)\n         : std::move(c));\n", 2, "name the operand"),
+    ("devices/model/text.cpp", 'auto x = QObject::tr("text");\n', 2, "no user text"),
+    ("devices/model/throw.cpp", "void f() { throw 1; }\n", 2, "exceptions are not used"),
+    ("devices/async/layer1.h", "#include <QString>\n", 2, "no Qt in devices/async/"),
+    ("devices/wire/layer2.h", '#include "transport/link.h"\n', 2, "must not know this layer"),
+    ("devices/transport/layer3.h", '#include "model/device.h"\n', 2, "must not know this layer"),
+    ("devices/model/layer4.h", '#include "families/one/protocol.h"\n', 2, "must not know this layer"),
+    ("devices/families/one/layer5.h", '#include "families/other/protocol.h"\n', 2, "must not know this layer"),
+    ("devices/families/one/layer6.h", '#include "../other/protocol.h"\n', 2, "from the root of the library"),
+    ("devices/families/one/layer7.h", "#include <QtGui/QColor>\n", 2, "nothing of the screen"),
+    ("devices/model/layer8.h", "#  include <QWidget>\n", 2, "nothing of the screen"),
+    ("widgets/common/layer9.h", '#include "families/one/protocol.h"\n', 2, "must not know this layer"),
+    ("widgets/common/layer10.h", '#include "app/engine.h"\n', 2, "must not know this layer"),
+    ("app/layer11.cpp", '#include "families/one/protocol.h"\n', 2, "must not know this layer"),
+    ("app/console/layer12.cpp", '#include "widgets/common/theme.h"\n', 2, "must not know this layer"),
+    ("app/console/layer13.cpp", "#include <QApplication>\n", 2, "nothing of the screen"),
+    ("app/guardian/layer14.cpp", "#include <QString>\n", 2, "no Qt in app/guardian/"),
+    ("widgets/common/long1.cpp", "void Page::build()\n" + body(61), 3, "Page::build has 61 lines; never more"),
+    ("widgets/common/long2.cpp", "Page::Page(int a)\n    : B(a)\n    , m_x{1}\n    , m_y{a}\n" + body(61), 6, "Page::Page has 61 lines"),
+    ("tests/wire/long3.cpp", "namespace {\nTEST(Area, SaysWhat)\n" + body(61) + "}\n", 4, "TEST(Area, SaysWhat) has 61 lines"),
+    ("devices/model/long4.h", "class A : public B {\npublic:\n    int f() const\n" + body(61) + "};\n", 5, "f has 61 lines"),
+    ("devices/model/long5.cpp", "int x;\n" * 500, 1, "never more than 500"),
+    ("tests/wire/path.cpp", 'auto file = "' + "/" + 'tmp/x";\n', 2, "no path of one machine"),
+]
+
+GOOD = [
+    ("devices/async/task.h", "class PromiseBase {\n};\nclass Information;\nclass Baseline;\nclass Rebase;\n"),
+    ("devices/model/a.cpp", "class QSerialPortInfo;\n// QTimer, sleep(1), #if 0\nauto x = \"QTimer sleep(1) tr(\";\n"),
+    ("devices/model/b.cpp", "void f() { co_await Sleep(m_clock, 20ms); }\nVirtualClock clock;\n"),
+    ("devices/model/c.cpp", "void f()\n{\n    if (co_await std::move(task)) {\n        g(a[1]);\n    }\n}\n"),
+    ("devices/model/d.h", "auto operator co_await() && noexcept { return Awaiter{m_handle}; }\n"),
+    ("devices/model/e.cpp", "const char *x = R\"(co_await {)\";\nint y = 1'000'000;\nchar c = '\"'; // it's\n"),
+    ("devices/transport/qtclock.cpp", "auto t = std::chrono::steady_clock::now();\n"),
+    ("devices/families/one/a.cpp", '#include "families/one/protocol.h"\n#include "model/device.h"\n#include <QString>\n'),
+    ("devices/transport/a.cpp", "#include <QCoreApplication>\n#include <QtCore/QString>\n#include <sys/socket.h>\n"),
+    ("widgets/common/a.cpp", 'auto x = tr("text");\n#include <QWidget>\nvoid f() { thread.exec(); }\n'),
+    ("tests/widgets/a.cpp", "void f() { QCoreApplication::processEvents(); }\n"),
+    ("tests/wire/a.cpp", 'auto file = "a/home/tmp/x";\n'),
+    ("devices/model/f.cpp", "constexpr Row rows[] = {\n" + "    {1, 2},\n" * 100 + "};\n"),
+    ("devices/model/g.cpp", "namespace {\nclass A {\n" + "    int x;\n" * 100 + "};\n}\nvoid f()\n" + body(40)),
+    ("widgets/common/b.cpp", "Page::Page(int a)\n    : m_x{a}\n" + body(25) + "void g()\n" + body(40)),
+]
+
+
+def lint(files):
+    with tempfile.TemporaryDirectory() as root:
+        for name, text in files:
+            path = pathlib.Path(root, name)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        done = subprocess.run([sys.executable, str(LINT), "--rules", "--root", root], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, check=False)
+    return done.returncode, done.stdout
+
+
+class Lint(unittest.TestCase):
+    def test_every_bad_snippet_is_rejected_where_it_stands(self):
+        _, output = lint([(name, LICENCE + text) for name, text, _, _ in BAD])
+        findings = output.splitlines()
+        for name, _, line, words in BAD:
+            with self.subTest(name):
+                found = [finding for finding in findings if finding.startswith(f"{name}:{line}: error: ") and words in finding]
+                self.assertTrue(found, [finding for finding in findings if finding.startswith(f"{name}:")])
+
+    def test_one_bad_snippet_alone_fails_the_run(self):
+        name, text, _, _ = BAD[0]
+        status, output = lint([(name, LICENCE + text)])
+        self.assertEqual(status, 1, output)
+
+    def test_the_harmless_twins_pass_without_a_word(self):
+        status, output = lint([(name, LICENCE + text) for name, text in GOOD])
+        self.assertEqual((status, output), (0, f"lint: {len(GOOD)} files, 0 errors, 0 warnings\n"))
+
+    def test_a_missing_licence_line_is_rejected(self):
+        for name, text in (("app/a.cpp", "int x;\n"), ("scripts/a", "#!/bin/sh\necho\n"), ("app/CMakeLists.txt", "x()\n")):
+            with self.subTest(name):
+                status, output = lint([(name, text)])
+                self.assertEqual(status, 1, output)
+                self.assertIn("the licence line is missing", output)
+
+    def test_half_a_budget_over_warns_and_passes(self):
+        files = [("app/a.cpp", LICENCE + "void f()\n" + body(41)), ("app/b.cpp", LICENCE + "A::A()\n" + body(26)),
+                 ("app/c.cpp", LICENCE + "int x;\n" * 300)]
+        status, output = lint(files)
+        self.assertEqual(status, 0, output)
+        for name in ("app/a.cpp:3", "app/b.cpp:3", "app/c.cpp:1"):
+            self.assertIn(f"{name}: warning: ", output)
+        self.assertIn("3 files, 0 errors, 3 warnings", output)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,196 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The scripts, with stand-ins for what they call: what they say, and how they end."""
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import tempfile
+import unittest
+
+SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
+GOOGLETEST = "[  PASSED  ] 3 tests.\n[  SKIPPED ] 1 test, listed below:\n[  FAILED  ] 2 tests, listed below:\n"
+JUNIT = ('<testsuite><testcase name="a" status="run"><system-out>[  PASSED  ] 5 tests.</system-out></testcase>'
+         '<testcase name="b" status="{status}">{inside}<system-out>{output}</system-out></testcase></testsuite>')
+
+
+class Place(unittest.TestCase):
+    """A folder for each test, with programs that stand in for the real ones."""
+
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.root = pathlib.Path(place.name)
+        self.bin = self.root / "bin"
+        self.bin.mkdir()
+
+    def write(self, name, text):
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        path.chmod(0o755)
+        return path
+
+    def stand_in(self, name, script):
+        self.write(f"bin/{name}", "#!/bin/bash\n" + script)
+
+    def command(self, *arguments):
+        environment = {**os.environ, "PATH": f"{self.bin}:{os.environ['PATH']}"}
+        return {"args": [str(argument) for argument in arguments], "env": environment, "text": True,
+                "stdout": subprocess.PIPE, "stderr": subprocess.STDOUT}
+
+    def run_here(self, *arguments):
+        done = subprocess.run(**self.command(*arguments), check=False)
+        return done.returncode, done.stdout
+
+
+class InstallPackages(Place):
+    def setUp(self):
+        super().setUp()
+        self.called = self.root / "called"
+        self.stand_in("apt-get", f'echo "$*" >>{self.called}\n')
+        self.stand_in("id", "echo 0\n")
+
+    def has(self, condition):
+        self.stand_in("dpkg-query", f'for name; do :; done\nif {condition}; then echo installed; else exit 1; fi\n')
+
+    def calls(self):
+        return self.called.read_text().splitlines() if self.called.exists() else []
+
+    def test_asks_for_nothing_when_nothing_is_missing(self):
+        self.has("true")
+        self.assertEqual(self.run_here(SCRIPTS / "install-packages", "test"), (0, ""))
+        self.assertEqual(self.calls(), [])
+
+    def test_installs_only_what_is_missing_after_a_refresh(self):
+        self.has('[ "$name" != ccache ] && [ "$name" != socat ]')
+        status, _ = self.run_here(SCRIPTS / "install-packages", "test")
+        self.assertEqual(status, 0)
+        self.assertEqual([call.split(" -y ")[1] for call in self.calls()], ["update", "install --no-install-recommends ccache socat"])
+
+    def test_the_demo_needs_no_test_packages(self):
+        self.has('[ "$name" != socat ]')
+        self.assertEqual(self.run_here(SCRIPTS / "install-packages", "demo"), (0, ""))
+
+    def test_without_rights_one_line_gives_the_command(self):
+        self.has('[ "$name" != ccache ]')
+        self.stand_in("id", "echo 1000\n")
+        self.stand_in("sudo", "exit 1\n")
+        status, output = self.run_here(SCRIPTS / "install-packages", "demo")
+        self.assertEqual((status, len(output.splitlines())), (1, 1))
+        self.assertIn("apt-get install -y --no-install-recommends ccache", output)
+        self.assertEqual(self.calls(), [])
+
+    def test_a_failing_installation_is_told(self):
+        self.has("false")
+        self.stand_in("apt-get", "echo no network; exit 100\n")
+        status, output = self.run_here(SCRIPTS / "install-packages", "demo")
+        self.assertEqual(status, 1)
+        self.assertIn("no network", output)
+        self.assertIn("could not install: cmake", output)
+
+
+class Tally(Place):
+    def tally(self, name, text):
+        return self.run_here(SCRIPTS / "tally", self.write(name, text))[1].strip()
+
+    def test_counts_the_cases_of_each_kind_of_program(self):
+        self.assertEqual(self.tally("a.log", GOOGLETEST + "\nexit status 1\n"), "3 2 1")
+        self.assertEqual(self.tally("a.log", "Totals: 7 passed, 1 failed, 2 skipped, 0 blacklisted, 9ms\n\nexit status 1\n"), "7 1 2")
+        self.assertEqual(self.tally("a.log", "Ran 9 tests in 0.1s\n\nFAILED (failures=1, errors=2)\n\nexit status 1\n"), "6 3 0")
+        self.assertEqual(self.tally("a.log", "Ran 9 tests in 0.1s\n\nOK (skipped=1)\n\nexit status 0\n"), "8 0 1")
+
+    def test_a_crash_is_a_failure_though_no_case_is_named(self):
+        self.assertEqual(self.tally("a.log", "[  PASSED  ] 3 tests.\n\nexit status 139\n"), "3 1 0")
+        self.assertEqual(self.tally("a.log", "half a li"), "0 1 0")
+
+    def test_a_program_that_counts_nothing_is_one(self):
+        self.assertEqual(self.tally("a.log", "fine\n\nexit status 0\n"), "1 0 0")
+
+    def test_reads_what_ctest_writes(self):
+        rows = (("run", "", "[  PASSED  ] 2 tests.", "7 0 0"), ("fail", "<failure/>", "", "5 1 0"),
+                ("notrun", '<skipped message="Unable to find executable"/>', "", "5 1 0"),
+                ("notrun", '<skipped message="SKIP_RETURN_CODE=77"/>', "", "5 0 1"))
+        for status, inside, output, expected in rows:
+            with self.subTest(status + inside):
+                self.assertEqual(self.tally("a.xml", JUNIT.format(status=status, inside=inside, output=output)), expected)
+
+
+class Test(Place):
+    def setUp(self):
+        super().setUp()
+        for name in ("test", "steps.sh", "tally"):
+            self.write(f"scripts/{name}", (SCRIPTS / name).read_text())
+            shutil.copymode(SCRIPTS / name, self.root / "scripts" / name)
+        self.write("scripts/install-packages", "#!/bin/bash\n")
+        self.write("scripts/lint", "#!/bin/bash\n")
+        self.stand_in("cmake", "")
+        self.ctest('<testcase status="run"><system-out>[  PASSED  ] 4 tests.</system-out></testcase>')
+
+    def ctest(self, cases, status=0):
+        self.stand_in("ctest", 'while [ "$1" != --output-junit ]; do shift; done\n'
+                      f"echo '<testsuite>{cases}</testsuite>' >\"$2\"\nexit {status}\n")
+
+    def closing(self):
+        status, output = self.run_here(self.root / "scripts" / "test")
+        return status, output.splitlines()[-1]
+
+    def test_ends_with_the_numbers(self):
+        self.assertEqual(self.closing(), (0, "4 passed, 0 failed"))
+
+    def test_counts_the_suite_with_real_can_interfaces(self):
+        self.write("tests/socketcan/run", f"#!/bin/bash\necho '{GOOGLETEST}'\nexit 1\n")
+        self.assertEqual(self.closing(), (1, "7 passed, 2 failed"))
+
+    def test_counts_what_the_sanitizers_say(self):
+        self.write("tests/async/a.cpp", "")
+        self.write("build/asan/bin/test_async", "#!/bin/bash\necho '[  PASSED  ] 6 tests.'\n")
+        self.write("build/tsan/bin/test_async", "#!/bin/bash\necho '[  PASSED  ] 6 tests.'\nexit 66\n")
+        self.assertEqual(self.closing(), (1, "16 passed, 1 failed"))
+
+    def test_a_failing_test_is_counted_and_told(self):
+        self.ctest('<testcase status="fail"><failure/></testcase>', status=8)
+        self.assertEqual(self.closing(), (1, "0 passed, 1 failed"))
+
+    def test_a_failing_stage_does_not_hide_the_others(self):
+        self.write("scripts/lint", "#!/bin/bash\nexit 1\n")
+        self.assertEqual(self.closing(), (1, "4 passed, 1 failed"))
+
+    def test_a_failing_build_ends_with_the_numbers(self):
+        self.stand_in("cmake", "exit 1\n")
+        self.assertEqual(self.closing(), (1, "0 passed, 1 failed"))
+
+    def test_without_the_packages_nothing_is_run(self):
+        self.write("scripts/install-packages", "#!/bin/bash\nexit 1\n")
+        self.assertEqual(self.closing(), (1, "0 passed, 1 failed"))
+
+    def test_tests_that_leave_no_results_are_a_failure(self):
+        self.stand_in("ctest", "exit 0\n")
+        self.assertEqual(self.closing(), (1, "0 passed, 1 failed"))
+
+    def test_being_stopped_is_told(self):
+        started = self.root / "started"
+        os.mkfifo(started)
+        self.stand_in("cmake", f"echo >{started}\nexec sleep 60\n")
+        with subprocess.Popen(**self.command(self.root / "scripts" / "test"), start_new_session=True) as process:
+            with open(started, encoding="utf-8"):
+                os.killpg(process.pid, signal.SIGTERM)
+            output, _ = process.communicate()
+        self.assertNotEqual(process.returncode, 0)
+        self.assertRegex(output, r"ended before everything was run\n0 passed, [12] failed\n$")
+
+
+class Shell(unittest.TestCase):
+    def test_every_shell_script_parses_and_can_be_started(self):
+        shell = [path for path in [*SCRIPTS.iterdir(), SCRIPTS.parent / ".ci" / "run"]
+                 if path.is_file() and path.read_text(encoding="utf-8").startswith("#!/usr/bin/env bash")]
+        self.assertGreater(len(shell), 5)
+        for path in shell:
+            with self.subTest(path.name):
+                self.assertTrue(os.access(path, os.X_OK))
+                subprocess.run(["bash", "-n", str(path)], check=True)
+
+
+if __name__ == "__main__":
+    unittest.main()
