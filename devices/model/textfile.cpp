@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/textfile.h"
+
+#include <array>
+#include <cerrno>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace mb {
+namespace {
+
+class Descriptor {
+public:
+    explicit Descriptor(int descriptor)
+        : m_descriptor(descriptor)
+    {
+    }
+    Descriptor(const Descriptor &) = delete;
+    Descriptor &operator=(const Descriptor &) = delete;
+    ~Descriptor()
+    {
+        if (m_descriptor >= 0)
+            ::close(m_descriptor);
+    }
+    [[nodiscard]] int get() const { return m_descriptor; }
+
+private:
+    int m_descriptor;
+};
+
+tl::unexpected<Error> refused(const std::string &path, const std::string &cause)
+{
+    return fail(Fault::OutOfRange, path + ": " + cause);
+}
+
+/// In English whatever the locale.
+std::string causeOf(int number)
+{
+    switch (number) {
+    case ENOENT:
+    case ENOTDIR:
+        return "no such file";
+    case EACCES:
+    case EPERM:
+        return "no permission to read it";
+    case EISDIR:
+        return "is a directory";
+    default:
+        return "cannot be read (system error " + std::to_string(number) + ")";
+    }
+}
+
+std::string tooLong(std::size_t maxBytes)
+{
+    return "is longer than " + std::to_string(maxBytes) + " bytes";
+}
+
+} // namespace
+
+Result<std::string> readTextFile(const std::string &path, std::size_t maxBytes)
+{
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)); // a pipe must not block
+    struct stat status { };
+    if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
+        return refused(path, causeOf(errno));
+    if (S_ISDIR(status.st_mode))
+        return refused(path, "is a directory");
+    if (!S_ISREG(status.st_mode))
+        return refused(path, "is not a regular file");
+    if (status.st_size > 0 && static_cast<std::uintmax_t>(status.st_size) > maxBytes)
+        return refused(path, tooLong(maxBytes));
+    std::string text;
+    std::array<char, 65536> block{};
+    while (true) {
+        const ssize_t got = ::read(file.get(), block.data(), block.size());
+        if (got < 0 && errno == EINTR)
+            continue;
+        if (got < 0)
+            return refused(path, causeOf(errno));
+        if (got == 0)
+            return text;
+        if (text.size() + static_cast<std::size_t>(got) > maxBytes) // it grows, or has no size, as in /proc
+            return refused(path, tooLong(maxBytes));
+        text.append(block.data(), static_cast<std::size_t>(got));
+    }
+}
+
+} // namespace mb
