@@ -93,7 +93,7 @@ std::string toText(const CanFrame &frame)
     std::snprintf(id.data(), id.size(), wide ? "%08X" : "%03X", shown);
     std::string text = std::string(id.data()) + '#';
     if (frame.remote)
-        return text + 'R';
+        return text + 'R' + (frame.size != 0 ? std::to_string(frame.size) : std::string());
     constexpr std::string_view digits = "0123456789ABCDEF";
     for (const std::uint8_t byte : frame.bytes()) {
         text += digits[byte >> 4U];
@@ -112,7 +112,7 @@ std::optional<CanFrame> canFrameFromText(std::string_view text)
     if (const auto parsed = std::from_chars(text.data(), idEnd, frame.id, 16); parsed.ec != std::errc {} || parsed.ptr != idEnd)
         return std::nullopt;
     frame.extended = hash == 8;
-    if (frame.extended && (frame.id & 0x20000000U) != 0U) {
+    if (frame.extended && (frame.id & 0xE0000000U) == 0x20000000U) {
         frame.error = true;
         frame.extended = false;
         frame.id &= 0x1FFFFFFFU;
@@ -122,7 +122,11 @@ std::optional<CanFrame> canFrameFromText(std::string_view text)
     const std::string_view data = text.substr(hash + 1);
     if (!data.empty() && (data.front() == 'R' || data.front() == 'r')) {
         frame.remote = true;
-        return data.size() <= 2 ? std::optional(frame) : std::nullopt;
+        if (data.size() == 2 && data[1] >= '0' && data[1] <= '8')
+            frame.size = static_cast<std::uint8_t>(data[1] - '0');
+        else if (data.size() != 1)
+            return std::nullopt;
+        return frame;
     }
     if (data.size() % 2 != 0 || data.size() > 16)
         return std::nullopt;

@@ -34,7 +34,8 @@ struct CanFrame {
 /// Identifier, format and data are equal; time is not looked at.
 [[nodiscard]] bool sameContent(const CanFrame &a, const CanFrame &b);
 
-/// `02061405#0040110000000000` (8 digits: 29 bits, 3 digits: 11 bits, `R` after # for remote), the text of candump -L.
+/// `02061405#0040110000000000` (8 digits: 29 bits, 3 digits: 11 bits, `R` and the length after # for remote), the text of
+/// candump -L.
 [[nodiscard]] std::string toText(const CanFrame &frame);
 /// Reads toText(); nothing when it is not such a text.
 [[nodiscard]] std::optional<CanFrame> canFrameFromText(std::string_view text);
