@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/stopkeys.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QTextEdit>
+
+namespace mb {
+namespace {
+
+bool editsText(const QWidget *widget)
+{
+    if (const auto *combo = qobject_cast<const QComboBox *>(widget))
+        return combo->isEditable();
+    return qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget) || qobject_cast<const QTextEdit *>(widget)
+        || qobject_cast<const QPlainTextEdit *>(widget);
+}
+
+} // namespace
+
+bool StopKeys::eventFilter(QObject *, QEvent *event)
+{
+    // A key that a shortcut or an editor would take is announced as ShortcutOverride first.
+    if (event->type() != QEvent::KeyPress && event->type() != QEvent::ShortcutOverride)
+        return false;
+    const auto &key = static_cast<const QKeyEvent &>(*event);
+    if (key.isAutoRepeat())
+        return false;
+    if (key.key() == Qt::Key_Escape || key.key() == Qt::Key_Pause) {
+        Q_EMIT stopPressed(key.key() == Qt::Key_Pause ? QStringLiteral("Pause") : QStringLiteral("Esc"));
+        return false; // it still closes dialogs and clears fields
+    }
+    const bool plainSpace = key.key() == Qt::Key_Space && (key.modifiers() & ~Qt::KeypadModifier) == 0;
+    if (!plainSpace || editsText(QApplication::focusWidget()))
+        return false;
+    Q_EMIT stopPressed(QStringLiteral("Space"));
+    return event->type() == QEvent::KeyPress; // Space never activates a button
+}
+
+} // namespace mb

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+namespace mb {
+
+/// Stops on the press of Esc or Pause, anywhere in the program, and of Space unless a text is being edited. Install on the
+/// application: it sees keys before dialogs, editors and shortcuts do.
+class StopKeys : public QObject {
+    Q_OBJECT
+public:
+    using QObject::QObject;
+
+Q_SIGNALS:
+    void stopPressed(const QString &key);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+};
+
+} // namespace mb

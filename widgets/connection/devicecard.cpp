@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/connection/devicecard.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/sparkline.h"
+#include "widgets/common/stateglyph.h"
+#include "widgets/common/valuelabel.h"
+
+#include <QHBoxLayout>
+
+#include <cmath>
+
+namespace mb {
+namespace {
+
+constexpr int sparklinePoints = 120;
+constexpr Duration sparklineSpan = std::chrono::seconds(10);
+
+} // namespace
+
+DeviceCard::DeviceCard(const ThemeSource &theme, QWidget *parent)
+    : Card(theme, parent)
+    , m_theme(theme)
+{
+    setActivatable(true);
+    setGlyph(GlyphState::Gone);
+    m_badge = badge({}, Tone::Caution, this);
+    addHeadWidget(m_badge);
+    buildLive();
+    buildNote();
+    m_rate = textLabel({}, TextRole::Caption, Tone::Dim, this);
+    m_faultGlyph = new StateGlyph(theme, GlyphState::Done, this);
+    m_faults = textLabel({}, TextRole::Caption, Tone::Text, this);
+    foot().addWidget(m_rate);
+    foot().addStretch();
+    foot().addWidget(m_faultGlyph);
+    foot().addWidget(m_faults);
+}
+
+void DeviceCard::buildLive()
+{
+    const Theme &theme = m_theme.theme();
+    m_live = new QWidget(this);
+    auto *column = new QVBoxLayout(m_live);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(theme.u(6));
+    auto *row = new QHBoxLayout;
+    row->setSpacing(theme.u(16));
+    const auto add = [&](std::size_t place, const QString &caption, const QString &unit, const QString &widest) {
+        m_values[place] = new ValueLabel(m_theme, ValueLabel::Look::Card, caption, unit, m_live);
+        m_values[place]->setWidest(widest);
+        row->addWidget(m_values[place]);
+    };
+    add(0, tr("velocity"), tr("counts/s"), QStringLiteral("−888 888"));
+    add(1, tr("current"), QStringLiteral("A"), QStringLiteral("−88.8"));
+    add(2, tr("duty"), QStringLiteral("%"), QStringLiteral("−100"));
+    row->addStretch();
+    column->addLayout(row);
+    auto *captions = new QHBoxLayout;
+    captions->addWidget(textLabel(tr("last 10 s"), TextRole::Caption, Tone::Dim, m_live));
+    captions->addStretch();
+    m_range = textLabel({}, TextRole::Caption, Tone::Dim, m_live);
+    captions->addWidget(m_range);
+    column->addLayout(captions);
+    m_sparkline = new Sparkline(m_theme, TraceRole::Velocity, m_live);
+    m_sparkline->setCapacity(sparklinePoints);
+    m_sparkline->setMinimumHeight(theme.u(76));
+    column->addWidget(m_sparkline, 1);
+    body().addWidget(m_live, 1);
+}
+
+void DeviceCard::buildNote()
+{
+    m_note = new QWidget(this);
+    auto *column = new QVBoxLayout(m_note);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_noteCause = textLabel({}, TextRole::Body, Tone::Text, m_note);
+    m_noteRemedy = textLabel({}, TextRole::Body, Tone::Dim, m_note);
+    m_noteCause->setWordWrap(true);
+    m_noteRemedy->setWordWrap(true);
+    m_update = new CommandButton(m_theme, tr("Update firmware"), m_note);
+    m_update->setPrimary(true);
+    column->addWidget(m_noteCause);
+    column->addWidget(m_noteRemedy);
+    column->addWidget(m_update, 0, Qt::AlignLeft);
+    column->addStretch();
+    body().addWidget(m_note, 1);
+    connect(m_update, &QPushButton::clicked, this, &DeviceCard::updateRequested);
+}
+
+void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
+{
+    const GlyphState state = glyphOf(device);
+    setTitle(titleOf(device), QString::fromStdString(device.identity.name));
+    setGlyph(state);
+    setAccessibleName(titleOf(device) + QStringLiteral(", ") + lineOf(device));
+    const bool ordinary = device.identity.state == DeviceState::Online;
+    const bool boot = device.identity.state == DeviceState::Bootloader;
+    m_badge->setText(ordinary ? device.liveness.mode ? modeText(*device.liveness.mode) : QString() : glyphWord(state));
+    m_badge->setVisible(!m_badge->text().isEmpty());
+    setTone(*m_badge, ordinary && !device.liveness.moving ? Tone::Dim : Tone::Caution);
+    m_live->setVisible(!boot);
+    m_note->setVisible(boot);
+    m_update->setVisible(boot && device.family->update != nullptr);
+    if (boot) {
+        m_noteCause->setText(tr("No application runs. Settings, number and name are kept."));
+        m_noteRemedy->setText(tr("An update makes it whole again. It is safe to power off."));
+    } else {
+        showValues(device, now);
+        showSparkline(device, now);
+    }
+    showFoot(device);
+    const bool fault = state == GlyphState::Fault;
+    setEdge(selected ? std::optional(Tone::Accent) : fault ? std::optional(Tone::Danger) : ordinary ? std::nullopt : std::optional(Tone::Caution));
+}
+
+void DeviceCard::showValues(const DeviceView &device, Instant now)
+{
+    const auto put = [&](ValueLabel *label, std::string_view channel, double factor, int decimals) {
+        const auto value = liveValue(device, channel, now);
+        label->setStale(!device.liveness.heard);
+        if (value)
+            label->setValue(formatNumber(*value * factor, decimals));
+        else if (device.liveness.heard)
+            label->clear();
+    };
+    put(m_values[0], "velocity", 1.0, 0);
+    put(m_values[1], "current", 1.0, 1);
+    put(m_values[2], "duty", 100.0, 0);
+}
+
+void DeviceCard::showSparkline(const DeviceView &device, Instant now)
+{
+    const auto channel = device.telemetry->find("velocity");
+    if (!channel || !isVisible())
+        return;
+    std::deque<double> values;
+    const Duration step = sparklineSpan / sparklinePoints;
+    for (int i = 0; i < sparklinePoints; ++i) {
+        const Instant time = now - sparklineSpan + step * (i + 1);
+        const auto point = device.telemetry->at(*channel, time);
+        values.push_back(point && time - point->time < std::chrono::seconds(1) ? point->value : std::nan(""));
+    }
+    m_sparkline->setValues(std::move(values));
+    if (const auto range = m_sparkline->range())
+        m_range->setText(QStringLiteral("%1 … %2").arg(formatNumber(range->first), formatNumber(range->second)));
+    else
+        m_range->setText(QString(UnknownMark));
+}
+
+void DeviceCard::showFoot(const DeviceView &device)
+{
+    if (device.identity.state == DeviceState::Bootloader) {
+        m_rate->setText(tr("boot %1 · no telemetry").arg(QString::fromStdString(device.identity.bootloader)));
+        m_faultGlyph->hide();
+        m_faults->setText({});
+        return;
+    }
+    double rate = 0.0;
+    std::uint64_t lost = 0;
+    for (std::uint16_t i = 0; i < device.rates.size(); ++i) {
+        rate = std::max(rate, device.rates[i]);
+        lost += device.telemetry->lost({i});
+    }
+    m_rate->setText(tr("%1 Hz   lost %2").arg(formatNumber(rate), formatCount(static_cast<qint64>(lost))));
+    const auto &faults = device.liveness.faults;
+    m_faultGlyph->show();
+    m_faultGlyph->setState(faults.empty() ? GlyphState::Done : GlyphState::Fault);
+    m_faults->setText(faults.empty() ? tr("no faults") : faultText(faults.front()));
+}
+
+} // namespace mb

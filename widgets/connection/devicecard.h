@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/snapshot.h"
+#include "widgets/common/card.h"
+
+#include <array>
+
+class QLabel;
+
+namespace mb {
+
+class CommandButton;
+class Sparkline;
+class ValueLabel;
+
+/// One device on the Overview: three live values, the last ten seconds, rate, loss and faults. In its bootloader the card says
+/// so and offers the update.
+class DeviceCard : public Card {
+    Q_OBJECT
+public:
+    DeviceCard(const ThemeSource &theme, QWidget *parent);
+    void show(const DeviceView &device, Instant now, bool selected);
+
+Q_SIGNALS:
+    void updateRequested();
+
+private:
+    void buildLive();
+    void buildNote();
+    void showValues(const DeviceView &device, Instant now);
+    void showSparkline(const DeviceView &device, Instant now);
+    void showFoot(const DeviceView &device);
+
+    const ThemeSource &m_theme;
+    QWidget *m_live = nullptr;
+    std::array<ValueLabel *, 3> m_values {};
+    QLabel *m_range = nullptr;
+    Sparkline *m_sparkline = nullptr;
+    QWidget *m_note = nullptr;
+    QLabel *m_noteCause = nullptr;
+    QLabel *m_noteRemedy = nullptr;
+    CommandButton *m_update = nullptr;
+    QLabel *m_badge = nullptr;
+    QLabel *m_rate = nullptr;
+    StateGlyph *m_faultGlyph = nullptr;
+    QLabel *m_faults = nullptr;
+};
+
+} // namespace mb

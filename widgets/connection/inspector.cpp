@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/connection/inspector.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/valuelabel.h"
+#include "wire/fixedpoint.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+namespace mb {
+
+Inspector::Inspector(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_selection(selection)
+    , m_theme(theme)
+{
+    setObjectName(QStringLiteral("inspector"));
+    setAccessibleName(tr("Inspector"));
+    auto *column = new QVBoxLayout(this);
+    const int pad = theme.theme().u(12);
+    column->setContentsMargins(pad, pad, pad, pad);
+    column->setSpacing(theme.theme().u(6));
+    m_title = textLabel({}, TextRole::Title, Tone::Text, this);
+    m_subtitle = textLabel({}, TextRole::Body, Tone::Dim, this);
+    column->addWidget(m_title);
+    column->addWidget(m_subtitle);
+    buildActions(*column);
+    buildLive(*column);
+    buildIdentity(*column);
+    buildParameters(*column);
+    column->addStretch();
+    connect(&workbench, &Workbench::changed, this, &Inspector::follow);
+    connect(&selection, &Selection::changed, this, &Inspector::follow);
+    follow();
+}
+
+QSize Inspector::sizeHint() const
+{
+    return {m_theme.theme().u(248), m_theme.theme().u(600)};
+}
+
+ValueLabel *Inspector::addRow(QVBoxLayout &column, const QString &caption)
+{
+    auto *label = new ValueLabel(m_theme, ValueLabel::Look::Row, caption, {}, this);
+    column.addWidget(label);
+    return label;
+}
+
+void Inspector::buildActions(QVBoxLayout &column)
+{
+    auto *row = new QHBoxLayout;
+    row->setSpacing(m_theme.theme().u(8));
+    m_identify = new CommandButton(m_theme, Symbol::Identify, tr("Identify"), this);
+    m_identify->setToolTip(tr("Blink the lamps of this unit for 5 s"));
+    m_read = new CommandButton(m_theme, Symbol::Refresh, tr("Read all"), this);
+    m_read->setToolTip(tr("Read every parameter of this unit"));
+    row->addWidget(m_identify, 1);
+    row->addWidget(m_read, 1);
+    column.addLayout(row);
+    connect(m_identify, &QPushButton::clicked, this, [this] { m_workbench.identify(m_selection.device(), {}); });
+    connect(m_read, &QPushButton::clicked, this, [this] { m_workbench.readParameters(m_selection.device()); });
+}
+
+void Inspector::buildLive(QVBoxLayout &column)
+{
+    column.addWidget(separatorLine(Qt::Horizontal, this));
+    column.addWidget(new SectionLabel(tr("Live"), this));
+    const auto add = [&](const QString &caption, const QString &unit, std::string_view channel, double factor, int decimals) {
+        ValueLabel *label = addRow(column, caption);
+        label->setUnit(unit);
+        m_live.push_back({channel, factor, decimals, label});
+    };
+    add(tr("position"), tr("counts"), "position", 1.0, 0);
+    add(tr("velocity"), tr("counts/s"), "velocity", 1.0, 0);
+    add(tr("current"), QStringLiteral("A"), "current", 1.0, 2);
+    add(tr("duty"), QStringLiteral("%"), "duty", 100.0, 1);
+    add(tr("bus"), QStringLiteral("V"), "bus_voltage", 1.0, 2);
+    add(tr("case"), QStringLiteral("°C"), "temperature", 1.0, 1);
+}
+
+void Inspector::buildIdentity(QVBoxLayout &column)
+{
+    column.addWidget(separatorLine(Qt::Horizontal, this));
+    column.addWidget(new SectionLabel(tr("Identity"), this));
+    m_serial = addRow(column, tr("serial"));
+    m_firmware = addRow(column, tr("firmware"));
+    m_bootloader = addRow(column, tr("bootloader"));
+    m_session = addRow(column, tr("session"));
+    for (ValueLabel *label : {m_serial, m_firmware, m_bootloader, m_session})
+        label->setWidest(QStringLiteral("2103343A79F2"));
+}
+
+void Inspector::buildParameters(QVBoxLayout &column)
+{
+    column.addWidget(separatorLine(Qt::Horizontal, this));
+    column.addWidget(new SectionLabel(tr("State"), this));
+    m_faults = addRow(column, tr("faults"));
+    m_faults->setWidest(tr("over-temperature"));
+    m_changed = addRow(column, tr("changed from default"));
+    m_changed->setWidest(tr("%1 of %2").arg(88).arg(88));
+    m_ram = addRow(column, tr("in RAM only"));
+    m_ram->setWidest(QStringLiteral("88"));
+}
+
+void Inspector::follow()
+{
+    if (!isVisible())
+        return;
+    const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    m_identify->setEnabled(device && device->family->capabilities.identify && device->identity.state != DeviceState::Bootloader);
+    m_read->setEnabled(device && device->identity.state == DeviceState::Online);
+    if (!device) {
+        m_title->setText(tr("No device selected"));
+        m_subtitle->clear();
+        return;
+    }
+    m_title->setText(titleOf(*device));
+    const LinkView *link = m_workbench.snapshot().link(device->link);
+    const QString linkName = link ? QString::fromStdString(link->name) : QString();
+    m_subtitle->setText(device->identity.name.empty() ? linkName : QString::fromStdString(device->identity.name) + QStringLiteral(" · ") + linkName);
+    for (const LiveRow &row : m_live) {
+        if (const auto value = liveValue(*device, row.channel, m_workbench.now()))
+            row.label->setValue(formatNumber(*value * row.factor, row.decimals));
+        else
+            row.label->clear();
+    }
+    const auto text = [](ValueLabel *label, const std::string &value) {
+        if (value.empty())
+            label->clear();
+        else
+            label->setValue(QString::fromStdString(value));
+    };
+    text(m_serial, device->identity.serial);
+    text(m_firmware, device->identity.firmware);
+    text(m_bootloader, device->identity.bootloader);
+    text(m_session, device->identity.session ? QString::number(*device->identity.session, 16).toUpper().toStdString() : std::string());
+    showParameters(*device);
+}
+
+void Inspector::showParameters(const DeviceView &device)
+{
+    const auto &faults = device.liveness.faults;
+    m_faults->setValue(faults.empty() ? tr("none") : faultText(faults.front()));
+    m_faults->setTone(faults.empty() ? Tone::Ok : Tone::Danger);
+    int known = 0;
+    int changed = 0;
+    int ram = 0;
+    for (std::size_t i = 0; i < device.parameters.size(); ++i) {
+        const Parameter &parameter = device.family->parameters[i];
+        const auto &entry = device.parameters[i];
+        if (!entry.raw || parameter.nature != Nature::Setting || parameter.access == Access::ReadOnly)
+            continue;
+        ++known;
+        changed += *entry.raw != toFixed(parameter.fallback, parameter.one) ? 1 : 0;
+        ram += entry.state == ParameterState::Ram ? 1 : 0;
+    }
+    if (known == 0) {
+        m_changed->clear();
+        m_ram->clear();
+        return;
+    }
+    m_changed->setValue(tr("%1 of %2").arg(changed).arg(known));
+    m_ram->setValue(QString::number(ram));
+    m_ram->setTone(ram > 0 ? Tone::Caution : Tone::Text);
+}
+
+} // namespace mb

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/connection/overviewpage.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/valuelabel.h"
+#include "widgets/connection/devicecard.h"
+
+#include <QGridLayout>
+#include <QScrollArea>
+#include <QStackedWidget>
+
+#include <algorithm>
+
+namespace mb {
+
+OverviewPage::OverviewPage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_selection(selection)
+    , m_theme(theme)
+{
+    setObjectName(QStringLiteral("overviewPage"));
+    setAccessibleName(tr("Overview"));
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_states = new QStackedWidget(this);
+    column->addWidget(m_states);
+    buildCards();
+    buildEmpty();
+    connect(&workbench, &Workbench::changed, this, &OverviewPage::follow);
+    connect(&selection, &Selection::changed, this, &OverviewPage::follow);
+}
+
+void OverviewPage::buildCards()
+{
+    const Theme &theme = m_theme.theme();
+    auto *scroll = new QScrollArea(m_states);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    m_canvas = new QWidget(scroll);
+    auto *column = new QVBoxLayout(m_canvas);
+    column->setContentsMargins(theme.u(12), theme.u(12), theme.u(12), theme.u(12));
+    column->setSpacing(theme.u(8));
+    m_linkGrid = new QGridLayout;
+    m_linkGrid->setSpacing(theme.u(8));
+    m_deviceGrid = new QGridLayout;
+    m_deviceGrid->setSpacing(theme.u(8));
+    column->addLayout(m_linkGrid);
+    column->addLayout(m_deviceGrid);
+    column->addStretch();
+    scroll->setWidget(m_canvas);
+    m_states->addWidget(scroll);
+}
+
+void OverviewPage::buildEmpty()
+{
+    const Theme &theme = m_theme.theme();
+    auto *scroll = new QScrollArea(m_states);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    auto *page = new QWidget(scroll);
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(theme.u(16), theme.u(16), theme.u(16), theme.u(16));
+    column->setSpacing(theme.u(16));
+    column->addWidget(buildDoctor(page));
+    column->addWidget(buildTry(page));
+    column->addStretch();
+    scroll->setWidget(page);
+    m_states->addWidget(scroll);
+}
+
+QWidget *OverviewPage::buildDoctor(QWidget *parent)
+{
+    auto *card = new Card(m_theme, tr("Connection doctor"), parent);
+    card->addHeadWidget(textLabel(tr("looks again every 2 s"), TextRole::Caption, Tone::Dim, card));
+    auto *rows = new QWidget(card);
+    m_doctor = new QVBoxLayout(rows);
+    m_doctor->setContentsMargins(0, 0, 0, 0);
+    m_doctor->setSpacing(m_theme.theme().u(12));
+    card->body().addWidget(rows);
+    return card;
+}
+
+QWidget *OverviewPage::buildTry(QWidget *parent)
+{
+    auto *card = new Card(m_theme, tr("Try with simulated motors"), parent);
+    auto *text = textLabel(tr("A bench of simulated controllers with real bus timing: #5 a CIM that is tuned well, #7 a 775pro that overshoots about 20 %, "
+                              "#9 a unit that waits in its bootloader for firmware. Everything works as on a real bus, and nothing can move."),
+        TextRole::Body, Tone::Dim, card);
+    text->setWordWrap(true);
+    card->body().addWidget(text);
+    auto *row = new QHBoxLayout;
+    auto *simulate = new CommandButton(m_theme, Symbol::Play, tr("Open the simulated bench"), card);
+    simulate->setPrimary(true);
+    auto *add = new CommandButton(m_theme, Symbol::Add, tr("Add link"), card);
+    row->addWidget(simulate);
+    row->addWidget(add);
+    row->addStretch();
+    card->body().addLayout(row);
+    connect(simulate, &QPushButton::clicked, this, &OverviewPage::simulateRequested);
+    connect(add, &QPushButton::clicked, this, &OverviewPage::addLinkRequested);
+    return card;
+}
+
+void OverviewPage::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    follow();
+}
+
+void OverviewPage::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    arrange();
+}
+
+void OverviewPage::follow()
+{
+    if (!isVisible())
+        return;
+    const Snapshot &shot = m_workbench.snapshot();
+    m_states->setCurrentIndex(shot.links.empty() ? 1 : 0);
+    if (shot.links.empty()) {
+        followDoctor();
+        return;
+    }
+    followLinks(shot);
+    followDevices(shot);
+}
+
+void OverviewPage::followDoctor()
+{
+    std::string shows;
+    for (const LinkListing &listing : m_workbench.listings())
+        shows += listing.link.text() + listing.state + listing.detail + '\n';
+    if (shows == m_doctorShows && m_doctor->count() > 0)
+        return;
+    m_doctorShows = shows;
+    while (QLayoutItem *item = m_doctor->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    const auto addRow = [this](GlyphState state, const QString &title, const QString &detail) {
+        auto *row = new QWidget(m_doctor->parentWidget());
+        auto *grid = new QGridLayout(row);
+        grid->setContentsMargins(0, 0, 0, 0);
+        grid->setHorizontalSpacing(m_theme.theme().u(12));
+        grid->addWidget(new StateGlyph(m_theme, state, row), 0, 0);
+        grid->addWidget(textLabel(title, TextRole::Emphasis, Tone::Text, row), 0, 1);
+        auto *text = textLabel(detail, TextRole::Body, Tone::Dim, row);
+        text->setWordWrap(true);
+        grid->addWidget(text, 1, 1);
+        grid->setColumnStretch(1, 1);
+        m_doctor->addWidget(row);
+    };
+    for (const LinkListing &listing : m_workbench.listings())
+        addRow(listing.openable ? GlyphState::Done : GlyphState::Warning, QString::fromStdString(listing.link.text()), tableText(listing.detail));
+    if (m_workbench.listings().empty())
+        addRow(GlyphState::Gone, tr("No interface found"), tr("Plug in a CAN adapter at any time; it appears here and is opened by itself once it is up."));
+}
+
+OverviewPage::LinkCard OverviewPage::makeLinkCard(const LinkView &link)
+{
+    LinkCard made;
+    made.card = new Card(m_theme, QString::fromStdString(link.name), m_canvas);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(m_theme.theme().u(20));
+    const auto add = [&](const QString &caption, const QString &unit) {
+        auto *label = new ValueLabel(m_theme, ValueLabel::Look::Line, caption, unit, made.card);
+        label->setWidest(QStringLiteral("888"));
+        row->addWidget(label);
+        return label;
+    };
+    made.load = add(tr("load"), QStringLiteral("%"));
+    made.errors = add(tr("errors"), {});
+    made.lost = add(tr("lost"), {});
+    row->addStretch();
+    made.card->body().addLayout(row);
+    return made;
+}
+
+void OverviewPage::followLinks(const Snapshot &shot)
+{
+    for (auto entry = m_links.begin(); entry != m_links.end();) {
+        if (shot.link(entry->first)) {
+            ++entry;
+            continue;
+        }
+        delete entry->second.card;
+        entry = m_links.erase(entry);
+        m_columns = 0;
+    }
+    for (const LinkView &link : shot.links) {
+        auto entry = m_links.find(link.address);
+        if (entry == m_links.end()) {
+            entry = m_links.emplace(link.address, makeLinkCard(link)).first;
+            m_columns = 0;
+        }
+        const LinkCard &card = entry->second;
+        const QString rate = link.bitrate > 0 ? tr("%1 kbit/s").arg(link.bitrate / 1000) : QString();
+        card.card->setTitle(QString::fromStdString(link.name), link.state == LinkState::Open ? rate : QString::fromStdString(link.reason));
+        card.card->setEdge(link.state == LinkState::Open ? std::nullopt : std::optional(Tone::Danger));
+        card.load->setValue(formatNumber(link.load * 100, 0));
+        card.errors->setValue(formatCount(static_cast<qint64>(link.counters.errors)));
+        card.errors->setTone(link.counters.errors > 0 ? Tone::Caution : Tone::Text);
+        card.lost->setValue(formatCount(static_cast<qint64>(link.counters.lost)));
+        card.lost->setTone(link.counters.lost > 0 ? Tone::Caution : Tone::Text);
+    }
+}
+
+void OverviewPage::followDevices(const Snapshot &shot)
+{
+    for (auto entry = m_cards.begin(); entry != m_cards.end();) {
+        if (shot.device(entry->first)) {
+            ++entry;
+            continue;
+        }
+        delete entry->second;
+        entry = m_cards.erase(entry);
+        m_columns = 0;
+    }
+    const Instant now = m_workbench.now();
+    for (const DeviceView &device : shot.devices) {
+        auto entry = m_cards.find(device.id);
+        if (entry == m_cards.end()) {
+            auto *card = new DeviceCard(m_theme, m_canvas);
+            const DeviceId id = device.id;
+            connect(card, &Card::activated, this, [this, id] { m_selection.select(id); });
+            connect(card, &DeviceCard::updateRequested, this, [this, id] {
+                m_selection.select(id);
+                Q_EMIT updateRequested();
+            });
+            entry = m_cards.emplace(id, card).first;
+            m_columns = 0;
+        }
+        entry->second->show(device, now, device.id == m_selection.device());
+    }
+    arrange();
+}
+
+void OverviewPage::arrange()
+{
+    const int columns = std::clamp(width() / m_theme.theme().u(300), 1, 6);
+    if (columns == m_columns)
+        return;
+    m_columns = columns;
+    int place = 0;
+    for (const auto &[address, card] : m_links) {
+        m_linkGrid->addWidget(card.card, place / columns, place % columns);
+        ++place;
+    }
+    place = 0;
+    for (const DeviceView &device : m_workbench.snapshot().devices) {
+        if (const auto card = m_cards.find(device.id); card != m_cards.end()) {
+            m_deviceGrid->addWidget(card->second, place / columns, place % columns);
+            ++place;
+        }
+    }
+    for (int i = 0; i < 6; ++i) {
+        m_linkGrid->setColumnStretch(i, i < columns ? 1 : 0);
+        m_deviceGrid->setColumnStretch(i, i < columns ? 1 : 0);
+    }
+}
+
+} // namespace mb

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/selection.h"
+#include "widgets/common/theme.h"
+#include "widgets/common/workbench.h"
+
+#include <QWidget>
+
+#include <map>
+
+class QGridLayout;
+class QScrollArea;
+class QStackedWidget;
+class QVBoxLayout;
+
+namespace mb {
+
+class Card;
+class DeviceCard;
+class ValueLabel;
+
+/// Every link and every device at a glance; with nothing connected, why that is and what can be done.
+class OverviewPage : public QWidget {
+    Q_OBJECT
+public:
+    OverviewPage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
+
+Q_SIGNALS:
+    void simulateRequested();
+    void addLinkRequested();
+    /// The card of a device in its bootloader asks for the Firmware page.
+    void updateRequested();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    struct LinkCard {
+        Card *card = nullptr;
+        ValueLabel *load = nullptr;
+        ValueLabel *errors = nullptr;
+        ValueLabel *lost = nullptr;
+    };
+
+    void buildCards();
+    void buildEmpty();
+    [[nodiscard]] QWidget *buildDoctor(QWidget *parent);
+    [[nodiscard]] QWidget *buildTry(QWidget *parent);
+    void follow();
+    void followLinks(const Snapshot &shot);
+    void followDevices(const Snapshot &shot);
+    void followDoctor();
+    void arrange();
+    [[nodiscard]] LinkCard makeLinkCard(const LinkView &link);
+
+    Workbench &m_workbench;
+    Selection &m_selection;
+    const ThemeSource &m_theme;
+    QStackedWidget *m_states = nullptr;
+    QWidget *m_canvas = nullptr;
+    QGridLayout *m_linkGrid = nullptr;
+    QGridLayout *m_deviceGrid = nullptr;
+    QVBoxLayout *m_doctor = nullptr;
+    std::string m_doctorShows;
+    std::map<std::string, LinkCard> m_links;
+    std::map<DeviceId, DeviceCard *> m_cards;
+    int m_columns = 0;
+};
+
+} // namespace mb

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/arming.h"
+
+#include "widgets/common/devicetext.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+/// tuning.md 5.2: a set-point held by hand lives 500 ms without renewal.
+constexpr std::chrono::milliseconds leaseTime {500};
+constexpr std::chrono::milliseconds renewalTime {100};
+constexpr Duration startTime = std::chrono::seconds(1);
+
+} // namespace
+
+Arming::Arming(Workbench &workbench, QObject *parent)
+    : QObject(parent)
+    , m_workbench(workbench)
+{
+    m_renewal.setInterval(renewalTime);
+    connect(&m_renewal, &QTimer::timeout, this, &Arming::renew);
+    connect(&workbench, &Workbench::changed, this, &Arming::follow);
+}
+
+QString Arming::nameOf(DeviceId device) const
+{
+    const DeviceView *view = m_workbench.snapshot().device(device);
+    return view ? QStringLiteral("#%1").arg(view->identity.address) : QString();
+}
+
+LampStatus Arming::status(DeviceId candidate) const
+{
+    LampStatus status;
+    status.state = m_state;
+    const DeviceView *view = m_workbench.snapshot().device(candidate);
+    status.armable = view && view->mayNotMove.empty() && view->liveness.heard;
+    switch (m_state) {
+    case LampState::Safe:
+        if (!view)
+            status.detail = tr("nothing to arm");
+        else if (!view->busy.empty())
+            status.detail = tr("arming off while busy");
+        else if (!status.armable)
+            status.detail = tr("%1 cannot be armed").arg(nameOf(candidate));
+        break;
+    case LampState::Armed:
+        status.remaining = std::chrono::duration_cast<std::chrono::seconds>(std::max(m_armedUntil - m_workbench.now(), Duration::zero()));
+        status.detail = nameOf(m_device);
+        break;
+    case LampState::Moving: status.detail = nameOf(m_device) + QLatin1Char(' ') + modeText(m_setPoint.mode); break;
+    case LampState::Stopped: status.detail = status.armable ? QString() : tr("nothing to arm"); break;
+    }
+    return status;
+}
+
+void Arming::enter(LampState state, const QString &reason)
+{
+    m_state = state;
+    m_reason = reason;
+    m_started = false;
+    if (state == LampState::Moving)
+        m_renewal.start();
+    else
+        m_renewal.stop();
+    if (state == LampState::Armed)
+        m_armedUntil = m_workbench.now() + m_armedTime;
+    Q_EMIT changed();
+}
+
+void Arming::arm(DeviceId device)
+{
+    const DeviceView *view = m_workbench.snapshot().device(device);
+    if (!view)
+        return;
+    if (!view->mayNotMove.empty() || !view->liveness.heard) {
+        const QString why = view->mayNotMove.empty() ? tr("it is not heard") : tableText(view->mayNotMove);
+        m_workbench.report(Severity::Caution, titleOf(*view), tr("not armed: %1").arg(why));
+        return;
+    }
+    m_device = device;
+    m_workbench.report(Severity::Info, titleOf(*view), tr("armed"));
+    enter(LampState::Armed);
+}
+
+void Arming::disarm()
+{
+    if (m_state == LampState::Moving)
+        m_workbench.stopMotion(m_device);
+    if (m_state != LampState::Safe)
+        enter(LampState::Safe);
+}
+
+void Arming::run(const SetPoint &setPoint)
+{
+    if (m_state != LampState::Armed && m_state != LampState::Moving)
+        return;
+    m_setPoint = setPoint;
+    const auto finished = [this](const Result<void> &result) {
+        if (result)
+            return;
+        m_workbench.report(Severity::Danger, nameOf(m_device), errorText(result.error()));
+        if (!m_started && m_state == LampState::Moving)
+            enter(LampState::Armed);
+    };
+    if (m_state == LampState::Moving) {
+        m_workbench.updateMotion(m_device, setPoint, finished);
+        return;
+    }
+    m_runAt = m_workbench.now();
+    enter(LampState::Moving);
+    m_workbench.startMotion(m_device, setPoint, leaseTime, finished);
+}
+
+void Arming::halt()
+{
+    if (m_state != LampState::Moving)
+        return;
+    m_workbench.stopMotion(m_device);
+    enter(LampState::Armed);
+}
+
+void Arming::stopAll(const QString &reason)
+{
+    m_workbench.stopAll(); // first, before anything that could take time
+    const bool live = m_state == LampState::Armed || m_state == LampState::Moving;
+    m_workbench.report(Severity::Caution, {}, tr("STOP: %1").arg(reason));
+    if (live)
+        enter(LampState::Stopped, reason);
+}
+
+void Arming::renew()
+{
+    m_workbench.renewMotion(m_device);
+}
+
+void Arming::follow()
+{
+    if (m_state == LampState::Armed && m_workbench.now() >= m_armedUntil) {
+        m_workbench.report(Severity::Info, nameOf(m_device), tr("disarmed after %n minute(s) without motion", nullptr, static_cast<int>(m_armedTime.count() / 60)));
+        enter(LampState::Safe);
+        return;
+    }
+    if (m_state != LampState::Armed && m_state != LampState::Moving)
+        return;
+    const DeviceView *view = m_workbench.snapshot().device(m_device);
+    if (!view) {
+        enter(LampState::Stopped, tr("the device is gone"));
+        return;
+    }
+    if (m_state == LampState::Armed) {
+        if (!view->mayNotMove.empty())
+            enter(LampState::Stopped, tableText(view->mayNotMove));
+        return;
+    }
+    m_started = m_started || view->motion.running;
+    const bool ended = !view->motion.running && (m_started || m_workbench.now() - m_runAt > startTime);
+    if (ended)
+        enter(LampState::Stopped, tableText(view->motion.reason));
+}
+
+} // namespace mb

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/lamp.h"
+#include "widgets/common/workbench.h"
+
+#include <QTimer>
+
+namespace mb {
+
+/// Whether energy may flow, and to which device: Safe → Armed (by holding the lamp) → Moving → Stopped, which needs a new
+/// arming. Everything that moves a motor from the window goes through here. Renews the motion lease from the GUI thread, so
+/// that a window that hangs ends in a stop by the engine.
+class Arming : public QObject {
+    Q_OBJECT
+public:
+    explicit Arming(Workbench &workbench, QObject *parent = nullptr);
+
+    [[nodiscard]] LampState state() const { return m_state; }
+    [[nodiscard]] DeviceId device() const { return m_device; }
+    [[nodiscard]] bool isArmed(DeviceId device) const { return device == m_device && (m_state == LampState::Armed || m_state == LampState::Moving); }
+    [[nodiscard]] bool isMoving() const { return m_state == LampState::Moving; }
+    /// For the lamp in the header. `candidate` is the device that holding would arm.
+    [[nodiscard]] LampStatus status(DeviceId candidate) const;
+    /// Why it was stopped, for people; empty while armed.
+    [[nodiscard]] const QString &reason() const { return m_reason; }
+
+    /// The lamp was held. Refused, with a notice, when the device may not move.
+    void arm(DeviceId device);
+    /// Back to safe; stops first when something moves.
+    void disarm();
+    /// Starts the armed device, or changes what it does. Nothing happens when it is not armed.
+    void run(const SetPoint &setPoint);
+    /// Ends the motion and stays armed.
+    void halt();
+    /// STOP: everything, everywhere, latched until armed again.
+    void stopAll(const QString &reason);
+
+    /// How long arming lasts without motion. For tests.
+    void setArmedTime(std::chrono::seconds time) { m_armedTime = time; }
+
+Q_SIGNALS:
+    void changed();
+
+private:
+    void follow();
+    void renew();
+    void enter(LampState state, const QString &reason = {});
+    [[nodiscard]] QString nameOf(DeviceId device) const;
+
+    Workbench &m_workbench;
+    LampState m_state = LampState::Safe;
+    DeviceId m_device;
+    SetPoint m_setPoint;
+    QString m_reason;
+    bool m_started = false; ///< a snapshot has shown the motion running
+    Instant m_runAt {};
+    Instant m_armedUntil {};
+    std::chrono::seconds m_armedTime {300};
+    QTimer m_renewal;
+};
+
+} // namespace mb
