@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/history.h"
+
+#include <algorithm>
+
+namespace mb {
+
+/// Extremes of a stretch of samples and where they are first met. Without initialisers: chunks are allocated unwritten,
+/// so that the pages of a channel that is hardly used are never touched.
+struct History::Node {
+    double low;
+    double high;
+    Position lowAt;
+    Position highAt;
+
+    [[nodiscard]] static Node nothing()
+    {
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        return {infinity, -infinity, 0, 0};
+    }
+    /// `later` follows what is in the node already.
+    void add(const Node &later)
+    {
+        if (later.low < low) {
+            low = later.low;
+            lowAt = later.lowAt;
+        }
+        if (later.high > high) {
+            high = later.high;
+            highAt = later.highAt;
+        }
+    }
+    /// Takes one more sample in, as the only one of a fresh node; whether that changed anything.
+    bool take(bool fresh, Position position, double value)
+    {
+        if (fresh) {
+            *this = {value, value, position, position};
+            return true;
+        }
+        if (value < low) {
+            low = value;
+            lowAt = position;
+            return true;
+        }
+        if (value > high) {
+            high = value;
+            highAt = position;
+            return true;
+        }
+        return false;
+    }
+};
+
+/// The 4096 samples that are allocated at a time, or fewer when they span more than 32 bits of microseconds (71
+/// minutes).
+struct History::Chunk {
+    std::size_t firstIndex; ///< number of the first sample in the whole recording
+    std::uint32_t count;
+    std::array<double, chunkSize> values;
+    std::array<std::uint32_t, chunkSize> offsets; ///< microseconds since the chunk's start
+    std::array<Node, chunkSize / 16> fine;
+    std::array<Node, chunkSize / 256> coarse;
+
+    /// The first place from `least` on whose offset is not below `offset`, or `count`. Guesses as if samples came at
+    /// regular times, and searches outwards from there.
+    [[nodiscard]] std::uint32_t search(Micros offset, std::uint32_t least, std::uint64_t &visited) const
+    {
+        ++visited;
+        const std::uint32_t last = count - 1;
+        if (least >= count || offset > offsets[last])
+            return count;
+        if (offset <= offsets[least])
+            return least;
+        const auto span = static_cast<std::uint64_t>(offsets[last] - offsets[least]);
+        const auto part = static_cast<std::uint64_t>(offset) - offsets[least];
+        std::uint32_t low = least; // its offset is below,
+        std::uint32_t high = last; // and this one's is not
+        const auto guess = least + static_cast<std::uint32_t>(part * (last - least) / span);
+        std::uint32_t step = 1;
+        if (offsets[guess] < offset) {
+            low = guess;
+            while (low + step < high && offsets[low + step] < offset) {
+                low += step;
+                step *= 2;
+                ++visited;
+            }
+            high = std::min(high, low + step);
+        } else {
+            high = guess;
+            while (low + step < high && offsets[high - step] >= offset) {
+                high -= step;
+                step *= 2;
+                ++visited;
+            }
+            low = std::max(low, high < step ? low : high - step);
+        }
+        for (; high - low > 1; ++visited) {
+            const std::uint32_t middle = low + (high - low) / 2;
+            (offsets[middle] < offset ? low : high) = middle;
+        }
+        return high;
+    }
+};
+
+} // namespace mb

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/listeners.h"
+#include "model/channel.h"
+#include "model/history.h"
+
+#include <atomic>
+#include <mutex>
+#include <span>
+
+namespace mb {
+
+/// A decoded measurement, with the time stamp of the frame it came in.
+struct Sample {
+    ChannelIndex channel;
+    Instant time{};
+    double value = 0.0;
+};
+
+/// The recordings of one device, shared by the device (which writes) and its readers on any thread. Samples gather in a
+/// buffer of the engine thread, and commit() moves them into the histories under one lock a batch. Every channel index
+/// must be inside the table.
+class Telemetry {
+public:
+    /// The table must live as long as this does: families have it in static storage.
+    explicit Telemetry(std::span<const Channel> channels);
+    Telemetry(const Telemetry &) = delete;
+    Telemetry &operator=(const Telemetry &) = delete;
+
+    [[nodiscard]] std::span<const Channel> channels() const { return m_channels; }
+    [[nodiscard]] std::optional<ChannelIndex> find(std::string_view key) const { return findChannel(m_channels, key); }
+
+    /// @name Engine thread
+    /// @{
+    /// Listeners hear it now; readers after commit(). A full buffer commits by itself; appending does not allocate.
+    void append(const Sample &sample);
+    /// `count` samples are known missing here; the line is broken.
+    void lost(ChannelIndex channel, std::uint64_t count);
+    /// The next sample does not connect to the last one, and nobody knows whether any is missing.
+    void breakLine(ChannelIndex channel);
+    /// Once a batch of frames, or a tick.
+    void commit();
+    [[nodiscard]] Listeners<const Sample &> &samples() { return m_samples; }
+    /// The newest sample, committed or not.
+    [[nodiscard]] std::optional<Point> latest(ChannelIndex channel) const;
+    /// Samples per second over about the last second of source time; 0 once the channel is silent for 2 s (or three
+    /// periods, if that is longer) while others go on.
+    [[nodiscard]] double rate(ChannelIndex channel) const;
+    /// @}
+
+    /// @name Any thread: what has been committed (see History)
+    /// @{
+    void columns(ChannelIndex channel, Instant from, Instant to, int pixels, std::vector<Point> &out) const;
+    [[nodiscard]] std::optional<Point> first(ChannelIndex channel) const;
+    [[nodiscard]] std::optional<Point> last(ChannelIndex channel) const;
+    [[nodiscard]] std::optional<Point> at(ChannelIndex channel, Instant time) const;
+    [[nodiscard]] std::optional<History::Extremes> extremes(ChannelIndex channel, Instant from, Instant to) const;
+    [[nodiscard]] std::vector<History::Gap> gaps(
+        ChannelIndex channel, Instant from, Instant to, Duration merge = Duration::zero()) const;
+    [[nodiscard]] std::size_t size(ChannelIndex channel) const;
+    [[nodiscard]] std::uint64_t lost(ChannelIndex channel) const; ///< samples known missing
+    [[nodiscard]] std::size_t memoryUse() const;                  ///< bytes, all channels
+    /// Moves with every commit that brought something, and with clear(). No lock.
+    [[nodiscard]] std::uint64_t revision() const { return m_revision.load(std::memory_order_acquire); }
+    /// Calls `visit(const Point &)` for the samples in [from, to] and the gaps between them. The lock is let go between
+    /// blocks, so that a long export never holds up the engine.
+    template <class Visitor> void forEach(ChannelIndex channel, Instant from, Instant to, Visitor visit) const;
+    /// Forgets the recordings. What is latest, and the rates, stay.
+    void clear();
+    /// @}
+
+private:
+    static constexpr std::size_t pendingMost = 4096;
+    static constexpr std::size_t blockSize = 4096;
+
+    enum class Kind : std::uint8_t { Measured, Break };
+    struct Pending {
+        Instant time{};
+        double value = 0.0;
+        std::uint64_t lost = 0;
+        ChannelIndex channel;
+        Kind kind = Kind::Measured;
+    };
+    /// What the engine thread knows of a channel without the lock.
+    struct Live {
+        std::optional<Point> latest;
+        Instant windowStart{};
+        std::uint64_t inWindow = 0; ///< samples after the one at windowStart
+        double rate = 0.0;          ///< of the window before
+    };
+
+    void push(const Pending &pending);
+    static void measure(Live &live, Instant time);
+    [[nodiscard]] std::size_t readBlock(
+        ChannelIndex channel, std::size_t index, Instant to, std::vector<Point> &out) const;
+    [[nodiscard]] std::size_t lowerBound(ChannelIndex channel, Instant from) const;
+    [[nodiscard]] const History &history(ChannelIndex channel) const { return m_histories[channel.value]; }
+
+    std::span<const Channel> m_channels;
+    std::vector<Live> m_live;
+    std::vector<Pending> m_pending;
+    Instant m_newest{}; ///< of all channels
+    Listeners<const Sample &> m_samples;
+
+    mutable std::mutex m_mutex; ///< guards m_histories
+    std::vector<History> m_histories;
+    std::atomic<std::uint64_t> m_revision{0};
+};
+
+template <class Visitor> void Telemetry::forEach(ChannelIndex channel, Instant from, Instant to, Visitor visit) const
+{
+    std::vector<Point> block;
+    std::size_t index = lowerBound(channel, from);
+    for (bool begun = false;; begun = true) {
+        const std::size_t following = readBlock(channel, index, to, block);
+        if (following == index)
+            return;
+        const std::size_t skip = !begun && block.front().isGap() ? 1 : 0;
+        for (std::size_t i = skip; i < block.size(); ++i)
+            visit(static_cast<const Point &>(block[i]));
+        index = following;
+    }
+}
+
+} // namespace mb
