@@ -44,7 +44,7 @@ Result<CanFrame> CanInbox::take()
         return frame;
     }
     if (m_link.state() != LinkState::Open)
-        return fail(Fault::LinkLost, m_link.address().shortName() + ": " + m_link.reason());
+        return fail(m_link.notOpen());
     return fail(Fault::Timeout, "no answer");
 }
 

@@ -19,11 +19,15 @@ std::uint64_t estimatedBits(const CanFrame &frame)
 Result<void> CanLink::send(const CanFrame &frame, Priority priority)
 {
     if (state() != LinkState::Open)
-        return fail(Fault::LinkLost, address().shortName() + (reason().empty() ? " is not open" : ": " + reason()));
-    if (auto sent = doSend(frame, priority); !sent)
+        return fail(notOpen());
+    if (frame.size > frame.data.size() || frame.error || frame.id > (frame.extended ? 0x1FFFFFFFU : 0x7FFU))
+        return fail(Fault::OutOfRange, "no CAN frame: its identifier or size is out of range");
+    CanFrame stamped = frame;
+    stamped.time = m_clock.now();
+    if (auto sent = doSend(stamped, priority); !sent)
         return sent;
-    countBits(frame);
-    passed(Traffic {frame.time, Direction::Sent, &frame, {}});
+    countBits(stamped);
+    passed(Traffic{stamped.time, Direction::Sent, &stamped, {}});
     return {};
 }
 
@@ -42,11 +46,11 @@ void CanLink::deliver(const CanFrame &frame)
     if (frame.error) {
         countError();
         m_errorFrames.notify(frame);
-        passed(Traffic {frame.time, Direction::Received, &frame, {}});
+        passed(Traffic{frame.time, Direction::Received, &frame, {}});
         return;
     }
     countBits(frame);
-    passed(Traffic {frame.time, Direction::Received, &frame, {}});
+    passed(Traffic{frame.time, Direction::Received, &frame, {}});
     m_received.notify(frame);
 }
 

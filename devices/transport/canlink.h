@@ -15,8 +15,8 @@ enum class Priority {
 /// A CAN bus seen through one controller. Frames of others arrive through `received`; our own do not come back.
 class CanLink : public Link {
 public:
-    /// Hands a frame to the backend, which may queue it behind earlier ones; never waits. Fails with LinkLost when the
-    /// link is not open.
+    /// Hands a frame, stamped with the present time, to the backend, which may queue it behind earlier ones; never
+    /// waits. Fails with LinkLost when the link is not open, OutOfRange when it is no frame (identifier or size).
     Result<void> send(const CanFrame &frame, Priority priority = Priority::Normal);
     /// Frames accepted by send() and not yet handed to the bus or the kernel.
     [[nodiscard]] std::size_t backlog() const { return doBacklog(); }
@@ -31,10 +31,12 @@ public:
     [[nodiscard]] Listeners<const CanFrame &> &errorFrames() { return m_errorFrames; }
 
 protected:
-    explicit CanLink(LinkAddress address)
+    CanLink(LinkAddress address, Clock &clock)
         : Link(std::move(address), LinkKind::Can)
+        , m_clock(clock)
     {
     }
+    [[nodiscard]] Clock &clock() const { return m_clock; }
     /// For backends: one frame from the bus, then endBatch() once no more are at hand.
     void deliver(const CanFrame &frame);
     void endBatch() { batchEnded().notify(); }
@@ -45,9 +47,10 @@ private:
     [[nodiscard]] virtual int doBitrate() const = 0;
     void countBits(const CanFrame &frame);
 
+    Clock &m_clock;
     Listeners<const CanFrame &> m_received;
     Listeners<const CanFrame &> m_errorFrames;
-    Instant m_second {};
+    Instant m_second{};
     std::uint64_t m_bits = 0;
     std::uint64_t m_bitsBefore = 0;
 };

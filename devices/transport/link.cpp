@@ -30,7 +30,13 @@ void Link::close()
     if (m_state == LinkState::Closed)
         return;
     doClose();
+    m_reason.clear();
     setState(LinkState::Closed);
+}
+
+Error Link::notOpen() const
+{
+    return Error{Fault::LinkLost, m_reason.empty() ? m_address.shortName() + " is not open" : m_reason};
 }
 
 void Link::lose(std::string reason)

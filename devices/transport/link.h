@@ -18,7 +18,8 @@ enum class LinkState {
     Lost, ///< was open; the interface or adapter went away, or the controller is bus-off
 };
 
-/// Since the link was opened. `lost` counts what is known missing: receive buffer overruns, frames dropped by the interface.
+/// Since the link was opened. `lost` counts what is known missing: receive buffer overruns, frames dropped by the
+/// interface.
 struct LinkCounters {
     std::uint64_t rx = 0;
     std::uint64_t tx = 0;
@@ -30,9 +31,9 @@ enum class Direction { Received, Sent };
 
 /// One thing that passed a link, valid during the notification only.
 struct Traffic {
-    Instant time {};
+    Instant time{};
     Direction direction = Direction::Received;
-    const CanFrame *can = nullptr; ///< on a CAN link
+    const CanFrame *can = nullptr;       ///< on a CAN link
     std::span<const std::uint8_t> bytes; ///< on the others
 };
 
@@ -49,10 +50,14 @@ public:
     [[nodiscard]] LinkState state() const { return m_state; }
     /// Why the link is lost, in one clause.
     [[nodiscard]] const std::string &reason() const { return m_reason; }
+    /// What to fail with when the link is not open: LinkLost and the reason.
+    [[nodiscard]] Error notOpen() const;
     [[nodiscard]] const LinkCounters &counters() const { return m_counters; }
 
-    /// Fails with LinkLost and a cause that names the remedy. Opening an open link does nothing.
+    /// Fails with LinkLost and a cause that names the remedy. Opening an open link does nothing; a lost one starts
+    /// afresh.
     [[nodiscard]] Result<void> open();
+    /// Allowed in notifications of this link; destroying it there is not.
     void close();
 
     [[nodiscard]] Listeners<LinkState> &stateChanged() { return m_stateChanged; }
@@ -64,7 +69,7 @@ public:
 protected:
     Link(LinkAddress address, LinkKind kind);
 
-    /// For backends: the link is gone.
+    /// For backends: the link is gone. The reason reads well after "link lost:".
     void lose(std::string reason);
     void setState(LinkState state);
     void countLost(std::uint64_t frames) { m_counters.lost += frames; }

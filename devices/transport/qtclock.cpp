@@ -10,6 +10,11 @@
 #include <unistd.h>
 
 namespace mb {
+namespace {
+
+constexpr Duration longestPass = std::chrono::milliseconds(2);
+
+} // namespace
 
 QtClock::QtClock()
     : m_descriptor(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC))
@@ -39,12 +44,12 @@ void QtClock::rescheduled()
 {
     if (m_running)
         return; // runDue() programs the timer once, at its end
-    const Instant next = hasWork() ? std::max(nextDeadline(), Instant(Duration(1))) : Instant {};
+    const Instant next = hasWork() ? std::max(nextDeadline(), Instant(Duration(1))) : Instant{};
     if (next == m_programmed)
         return;
     m_programmed = next;
     const auto nanoseconds = next.time_since_epoch().count();
-    itimerspec spec {};
+    itimerspec spec{};
     spec.it_value.tv_sec = static_cast<time_t>(nanoseconds / 1'000'000'000);
     spec.it_value.tv_nsec = static_cast<long>(nanoseconds % 1'000'000'000);
     ::timerfd_settime(m_descriptor, TFD_TIMER_ABSTIME, &spec, nullptr);
@@ -55,9 +60,10 @@ void QtClock::runDue()
     std::uint64_t expirations = 0;
     [[maybe_unused]] const auto got = ::read(m_descriptor, &expirations, sizeof expirations);
     m_running = true;
-    // Work that arms itself again for now must not starve the descriptors: one pass up to the time it began at.
+    // Work that arms itself again for now, or lags behind its deadlines, must not starve the descriptors: one pass up
+    // to the time it began at, for a short while.
     const Instant until = now();
-    while (hasWork() && nextDeadline() <= until)
+    while (hasWork() && nextDeadline() <= until && now() - until < longestPass)
         runNext();
     m_running = false;
     m_programmed = {};

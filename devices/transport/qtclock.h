@@ -25,7 +25,7 @@ private:
 
     int m_descriptor = -1;
     bool m_running = false;
-    Instant m_programmed {};
+    Instant m_programmed{};
     std::unique_ptr<QSocketNotifier> m_notifier;
 };
 

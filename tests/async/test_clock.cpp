@@ -25,7 +25,7 @@ TEST(VirtualClock, RunsWorkInTheOrderOfDeadlinesThenOfArming)
 TEST(VirtualClock, StandsAtTheDeadlineWhileItsWorkRunsAndAtTheEndAfterwards)
 {
     VirtualClock clock;
-    Instant seen {};
+    Instant seen{};
     clock.arm(clock.now() + 3ms, [&] { seen = clock.now(); });
     clock.advance(10ms);
     EXPECT_EQ(seen.time_since_epoch(), 3ms);
@@ -36,7 +36,7 @@ TEST(VirtualClock, RunsPastDeadlinesNowAndNeverGoesBack)
 {
     VirtualClock clock;
     clock.advance(5ms);
-    Instant seen {};
+    Instant seen{};
     clock.arm(Instant(1ms), [&] { seen = clock.now(); });
     EXPECT_TRUE(clock.step());
     EXPECT_EQ(seen.time_since_epoch(), 5ms);
@@ -58,7 +58,7 @@ TEST(VirtualClock, DisarmedWorkDoesNotRunEvenFromTheSameDeadline)
 {
     VirtualClock clock;
     bool ran = false;
-    Clock::Key second {};
+    Clock::Key second{};
     clock.arm(clock.now() + 1ms, [&] { clock.disarm(second); });
     second = clock.arm(clock.now() + 1ms, [&ran] { ran = true; });
     clock.advance(1ms);
@@ -71,8 +71,8 @@ TEST(VirtualClock, DisarmingMayDestroyWhatDisarmsOtherWork)
 {
     VirtualClock clock;
     auto timer = std::make_shared<Timer>(clock);
-    timer->start(clock.now() + 2ms, [] { });
-    const auto key = clock.arm(clock.now() + 1ms, [timer] { });
+    timer->start(clock.now() + 2ms, [] {});
+    const auto key = clock.arm(clock.now() + 1ms, [timer] {});
     timer.reset();
     clock.disarm(key);
     EXPECT_EQ(clock.armed(), 0U);

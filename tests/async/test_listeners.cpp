@@ -113,7 +113,7 @@ TEST(Listeners, SubscriptionsOutliveTheList)
     Subscription left;
     {
         Listeners<> list;
-        left = list.add([] { });
+        left = list.add([] {});
     }
     left.reset();
     EXPECT_FALSE(left.isActive());
@@ -138,7 +138,7 @@ TEST(Listeners, ACallbackMayOwnAnotherSubscriptionOfTheSameList)
     Listeners<> list;
     int calls = 0;
     auto inner = std::make_shared<Subscription>(list.add([&calls] { ++calls; }));
-    auto outer = list.add([inner] { });
+    auto outer = list.add([inner] {});
     inner.reset();
     list.notify();
     outer.reset();

@@ -16,7 +16,7 @@ namespace {
 
 bool isReadable(const Mailbox &mailbox, int milliseconds = 0)
 {
-    pollfd wanted {mailbox.descriptor(), POLLIN, 0};
+    pollfd wanted{mailbox.descriptor(), POLLIN, 0};
     return ::poll(&wanted, 1, milliseconds) == 1;
 }
 
@@ -26,8 +26,8 @@ TEST(Mailbox, IsReadableOnlyWhileWorkWaits)
 {
     Mailbox mailbox;
     EXPECT_FALSE(isReadable(mailbox));
-    EXPECT_TRUE(mailbox.post([] { }));
-    EXPECT_TRUE(mailbox.post([] { }));
+    EXPECT_TRUE(mailbox.post([] {}));
+    EXPECT_TRUE(mailbox.post([] {}));
     EXPECT_TRUE(isReadable(mailbox));
     mailbox.drain();
     EXPECT_FALSE(isReadable(mailbox));
@@ -43,10 +43,10 @@ TEST(Mailbox, RunsWorkInOrderAndWorkPostedMeanwhileNextTime)
     });
     mailbox.post([&log] { log.push_back(2); });
     mailbox.drain();
-    EXPECT_EQ(log, (std::vector {1, 2}));
+    EXPECT_EQ(log, (std::vector{1, 2}));
     EXPECT_TRUE(isReadable(mailbox));
     mailbox.drain();
-    EXPECT_EQ(log, (std::vector {1, 2, 3}));
+    EXPECT_EQ(log, (std::vector{1, 2, 3}));
 }
 
 TEST(Mailbox, ClosedTakesNothingAndDropsWhatWaits)
@@ -76,11 +76,11 @@ TEST(Mailbox, ClosedByItsOwnWorkRunsNothingAfterIt)
 TEST(Mailbox, DroppedWorkMayPostWhileItIsDestroyed)
 {
     Mailbox mailbox;
-    std::shared_ptr<Mailbox> last(&mailbox, [](Mailbox *box) { box->post([] { }); });
-    mailbox.post([last] { });
+    std::shared_ptr<Mailbox> last(&mailbox, [](Mailbox *box) { box->post([] {}); });
+    mailbox.post([last] {});
     last.reset();
     mailbox.close();
-    EXPECT_FALSE(mailbox.post([] { }));
+    EXPECT_FALSE(mailbox.post([] {}));
 }
 
 TEST(Mailbox, TakesWorkFromSeveralThreadsWithoutLossAndInTheOrderOfEach)

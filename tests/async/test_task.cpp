@@ -210,7 +210,7 @@ TEST(Task, HandsAnInlineFailureToItsCallerWithoutRunningTheRest)
     auto task = passesOn(failNow(), alive, reached);
     task.start();
     ASSERT_TRUE(task.isFinished());
-    EXPECT_EQ(task.result().error(), (Error {Fault::Refused, "now"}));
+    EXPECT_EQ(task.result().error(), (Error{Fault::Refused, "now"}));
     EXPECT_FALSE(reached);
     task.cancel();
     EXPECT_EQ(alive, 0);
@@ -227,7 +227,7 @@ TEST(Task, HandsALaterFailureThroughSeveralCallers)
     task.start([&calls] { ++calls; });
     clock.advance(1ms);
     ASSERT_TRUE(task.isFinished());
-    EXPECT_EQ(task.result().error(), (Error {Fault::Timeout, "later"}));
+    EXPECT_EQ(task.result().error(), (Error{Fault::Timeout, "later"}));
     EXPECT_FALSE(reached);
     EXPECT_EQ(calls, 1);
     task.cancel();
@@ -263,7 +263,7 @@ TEST(Task, AttemptYieldsValueOrFaultWithoutEndingTheCaller)
     std::vector<std::string> results;
     for (auto &task : tasks)
         results.push_back(task.result().value());
-    EXPECT_EQ(results, (std::vector<std::string> {"7", "refused", "8", "timeout"}));
+    EXPECT_EQ(results, (std::vector<std::string>{"7", "refused", "8", "timeout"}));
 }
 
 TEST(Task, CancelledAtAnySuspensionPointDestroysItsLocalsAndTimers)
@@ -414,9 +414,8 @@ TEST(Scope, MaySpawnFromItsFinishedCallback)
     VirtualClock clock;
     Scope scope(clock);
     int got = 0;
-    scope.spawn<int>(valueNow(1), [&](Result<int>) {
-        scope.spawn<int>(valueLater(clock, 2), [&got](Result<int> result) { got = *result; });
-    });
+    scope.spawn<int>(valueNow(1),
+        [&](Result<int>) { scope.spawn<int>(valueLater(clock, 2), [&got](Result<int> result) { got = *result; }); });
     clock.advance(1ms);
     EXPECT_EQ(got, 2);
     EXPECT_TRUE(scope.isIdle());

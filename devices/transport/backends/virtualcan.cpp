@@ -8,14 +8,15 @@ namespace {
 
 constexpr int errorFrameBits = 6 + 8 + 3; // error flag, delimiter, intermission
 
-/// Lower is sent first: the identifier bits in the order of the wire; at the same base identifier the 11-bit frame wins.
+/// Lower is sent first: the bits of the arbitration field in the order of the wire, with RTR or SRR and IDE after the
+/// base identifier, so that of one base identifier the 11-bit frame wins.
 std::uint64_t arbitrationKey(const CanFrame &frame)
 {
     const std::uint64_t remote = frame.remote ? 1U : 0U;
     if (!frame.extended)
-        return (static_cast<std::uint64_t>(frame.id) << 20U) | (remote << 19U);
+        return (static_cast<std::uint64_t>(frame.id) << 21U) | (remote << 20U);
     const std::uint64_t base = frame.id >> 18U;
-    return (base << 20U) | (1ULL << 19U) | ((frame.id & 0x3FFFFULL) << 1U) | remote;
+    return (base << 21U) | (3ULL << 19U) | ((frame.id & 0x3FFFFULL) << 1U) | remote;
 }
 
 } // namespace
@@ -90,9 +91,8 @@ void VirtualCanBus::startFrame(const std::vector<VirtualCanLink *> &winners)
     const Instant start = std::max(m_armedFor, m_idleAt);
     m_sending = winners;
     m_onWire = winners.front()->m_queue.front().frame;
-    m_collision = std::any_of(winners.begin(), winners.end(), [this](const VirtualCanLink *link) {
-        return !sameContent(link->m_queue.front().frame, m_onWire);
-    });
+    m_collision = std::any_of(winners.begin(), winners.end(),
+        [this](const VirtualCanLink *link) { return !sameContent(link->m_queue.front().frame, m_onWire); });
     for (VirtualCanLink *link : winners)
         link->m_onWire = true;
     m_idleAt = start + bits(bitsOnWire(m_onWire) + (m_collision ? errorFrameBits : 0));
@@ -130,7 +130,7 @@ void VirtualCanBus::finishFrame()
 }
 
 VirtualCanLink::VirtualCanLink(LinkAddress address, VirtualCanBus &bus)
-    : CanLink(std::move(address))
+    : CanLink(std::move(address), bus.clock())
     , m_bus(bus)
 {
 }
@@ -155,15 +155,14 @@ void VirtualCanLink::doClose()
 
 Result<void> VirtualCanLink::doSend(const CanFrame &frame, Priority priority)
 {
-    const Instant now = m_bus.clock().now();
-    Waiting waiting {frame, now};
-    waiting.frame.time = now;
-    if (priority == Priority::Urgent)
-        m_queue.insert(m_queue.begin() + (m_onWire ? 1 : 0), waiting);
-    else
-        m_queue.push_back(waiting);
+    const bool urgent = priority == Priority::Urgent;
+    auto place = m_queue.end();
+    if (urgent)
+        place = std::find_if(
+            m_queue.begin() + (m_onWire ? 1 : 0), m_queue.end(), [](const Waiting &w) { return !w.urgent; });
+    m_queue.insert(place, Waiting{frame, frame.time, urgent});
     if (m_bus.m_sending.empty())
-        m_bus.arm(std::max(now, m_bus.m_idleAt));
+        m_bus.arm(std::max(frame.time, m_bus.m_idleAt));
     return {};
 }
 

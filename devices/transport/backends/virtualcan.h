@@ -13,8 +13,9 @@ class VirtualCanLink;
 
 /// A CAN bus in memory, on the given clock, with the timing of a real one: frames take their exact number of bits
 /// (stuff bits and intermission included), the lowest identifier wins arbitration, one frame at a time. Two controllers
-/// that start the same identifier with different content destroy both frames: an error is counted at every controller, and
-/// both try again after a short seeded delay. Frames are stamped with the end of the frame, delivered from the clock queue.
+/// that start the same identifier with different content destroy both frames: an error is counted at every controller,
+/// and both try again after a short seeded delay. Frames are stamped with the end of the frame, delivered from the
+/// clock queue.
 class VirtualCanBus {
 public:
     VirtualCanBus(Clock &clock, int bitrate, std::uint64_t seed);
@@ -46,8 +47,8 @@ private:
     std::vector<VirtualCanLink *> m_sending;
     CanFrame m_onWire;
     bool m_collision = false;
-    Instant m_idleAt {};
-    Instant m_armedFor {};
+    Instant m_idleAt{};
+    Instant m_armedFor{};
     Timer m_timer;
 };
 
@@ -61,7 +62,8 @@ private:
     friend class VirtualCanBus;
     struct Waiting {
         CanFrame frame;
-        Instant readyAt {};
+        Instant readyAt{};
+        bool urgent = false;
     };
     Result<void> doOpen() override;
     void doClose() override;

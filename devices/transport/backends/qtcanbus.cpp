@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/backends/qtcanbus.h"
+
+#include "transport/backends/hardwaretime.h"
+
+#include <QCanBus>
+#include <QCanBusDevice>
+#include <QVariant>
+
+#include <algorithm>
+#include <charconv>
+#include <deque>
+
+namespace mb {
+namespace {
+
+constexpr qint64 framesInPlugin = 4; // few, so that an urgent frame does not wait behind many
+
+CanFrame frameOf(const QCanBusFrame &raw, Instant time)
+{
+    CanFrame frame;
+    frame.error = raw.frameType() == QCanBusFrame::ErrorFrame;
+    frame.remote = raw.frameType() == QCanBusFrame::RemoteRequestFrame;
+    frame.extended = !frame.error && raw.hasExtendedFrameFormat();
+    frame.id = frame.error ? static_cast<std::uint32_t>(raw.error()) & 0x1FFFFFFFU : raw.frameId();
+    const QByteArray bytes = raw.payload().left(8);
+    frame.size = static_cast<std::uint8_t>(bytes.size());
+    std::copy(bytes.begin(), bytes.end(), frame.data.begin());
+    frame.time = time;
+    return frame;
+}
+
+QCanBusFrame rawOf(const CanFrame &frame)
+{
+    const QByteArray bytes(reinterpret_cast<const char *>(frame.data.data()), frame.size);
+    QCanBusFrame raw(frame.id, bytes);
+    raw.setExtendedFrameFormat(frame.extended);
+    if (frame.remote)
+        raw.setFrameType(QCanBusFrame::RemoteRequestFrame);
+    return raw;
+}
+
+class QtCanLink final : public CanLink {
+public:
+    QtCanLink(LinkAddress address, Clock &clock, int bitrate)
+        : CanLink(std::move(address), clock)
+        , m_bitrate(bitrate)
+    {
+    }
+    ~QtCanLink() override { QtCanLink::doClose(); }
+
+private:
+    Result<void> doOpen() override;
+    void doClose() override;
+    Result<void> doSend(const CanFrame &frame, Priority priority) override;
+    [[nodiscard]] std::size_t doBacklog() const override { return m_urgent.size() + m_normal.size(); }
+    [[nodiscard]] int doBitrate() const override { return m_bitrate; }
+    void watch();
+    void receive();
+    void pump();
+    void end(const QString &reason);
+
+    int m_bitrate;
+    std::unique_ptr<QCanBusDevice> m_device;
+    HardwareTime m_stamps;
+    Instant m_latest{};
+    std::deque<CanFrame> m_urgent;
+    std::deque<CanFrame> m_normal;
+};
+
+Result<void> QtCanLink::doOpen()
+{
+    const QString path = QString::fromStdString(address().path);
+    const QString plugin = path.section(QLatin1Char(':'), 0, 0);
+    QCanBus &known = *QCanBus::instance();
+    if (!known.plugins().contains(plugin)) {
+        const QString names = known.plugins().join(QStringLiteral(", "));
+        return fail(Fault::LinkLost,
+            "there is no CAN plugin " + plugin.toStdString() + "; installed are: " + names.toStdString());
+    }
+    QString cause;
+    m_device.reset(known.createDevice(plugin, path.section(QLatin1Char(':'), 1), &cause));
+    if (m_device && m_bitrate > 0)
+        m_device->setConfigurationParameter(QCanBusDevice::BitRateKey, m_bitrate);
+    if (!m_device || !m_device->connectDevice()) {
+        const QString why = m_device ? m_device->errorString() : cause;
+        m_device.reset();
+        return fail(Fault::LinkLost, address().path + " cannot be opened: " + why.toStdString());
+    }
+    m_bitrate = m_device->configurationParameter(QCanBusDevice::BitRateKey).toInt();
+    m_stamps.reset();
+    m_latest = {};
+    watch();
+    return {};
+}
+
+void QtCanLink::watch()
+{
+    QCanBusDevice *device = m_device.get();
+    QObject::connect(device, &QCanBusDevice::framesReceived, device, [this] { receive(); });
+    QObject::connect(device, &QCanBusDevice::framesWritten, device, [this](qint64) { pump(); });
+    QObject::connect(device, &QCanBusDevice::stateChanged, device, [this](QCanBusDevice::CanBusDeviceState now) {
+        if (now == QCanBusDevice::ConnectedState)
+            pump();
+        else if (now == QCanBusDevice::UnconnectedState)
+            end(m_device->errorString());
+    });
+    QObject::connect(device, &QCanBusDevice::errorOccurred, device, [this](QCanBusDevice::CanBusError error) {
+        if (error == QCanBusDevice::ConnectionError)
+            end(m_device->errorString());
+        else
+            countError();
+    });
+}
+
+void QtCanLink::doClose()
+{
+    if (auto device = std::exchange(m_device, nullptr)) {
+        device->disconnect();
+        device->disconnectDevice();
+        device.release()->deleteLater(); // this may be one of its own signals
+    }
+    m_urgent.clear();
+    m_normal.clear();
+}
+
+Result<void> QtCanLink::doSend(const CanFrame &frame, Priority priority)
+{
+    (priority == Priority::Urgent ? m_urgent : m_normal).push_back(frame);
+    pump();
+    return {};
+}
+
+void QtCanLink::pump()
+{
+    while (m_device && doBacklog() > 0 && m_device->state() == QCanBusDevice::ConnectedState
+        && m_device->framesToWrite() < framesInPlugin) {
+        auto &queue = m_urgent.empty() ? m_normal : m_urgent;
+        const QCanBusFrame raw = rawOf(queue.front());
+        queue.pop_front(); // first: writing may call back
+        if (!m_device->writeFrame(raw))
+            countError();
+    }
+}
+
+void QtCanLink::receive()
+{
+    const Instant now = clock().now();
+    while (m_device && m_device->framesAvailable() > 0 && state() == LinkState::Open) {
+        const QCanBusFrame raw = m_device->readFrame();
+        const auto stamp = std::chrono::seconds(raw.timeStamp().seconds())
+            + std::chrono::microseconds(raw.timeStamp().microSeconds());
+        if (raw.frameType() == QCanBusFrame::InvalidFrame || raw.payload().size() > 8) {
+            countError();
+            continue;
+        }
+        const Instant time = stamp.count() != 0 ? m_stamps.align(stamp, now) : now;
+        m_latest = std::max(m_latest, time);
+        const CanFrame frame = frameOf(raw, m_latest);
+        deliver(frame);
+        if (frame.error && raw.error().testFlag(QCanBusFrame::BusOffError))
+            end(QStringLiteral(
+                "bus-off: the adapter left the bus after too many errors; check wiring, termination and bit rate"));
+    }
+    endBatch();
+}
+
+void QtCanLink::end(const QString &reason)
+{
+    const std::string why = reason.isEmpty() ? address().path + " was disconnected" : reason.toStdString();
+    lose(why);
+}
+
+} // namespace
+
+Result<std::unique_ptr<Link>> makeQtCanLink(const LinkAddress &address, Clock &clock)
+{
+    const auto colon = address.path.find(':');
+    if (colon == std::string::npos || colon == 0 || colon + 1 == address.path.size())
+        return fail(Fault::OutOfRange, "'" + address.text() + "' is not qtcan:PLUGIN:INTERFACE");
+    int bitrate = 0;
+    for (const auto &[key, value] : address.options) {
+        const auto parsed = std::from_chars(value.data(), value.data() + value.size(), bitrate);
+        if (key != "bitrate" || parsed.ec != std::errc{} || parsed.ptr != value.data() + value.size() || bitrate <= 0)
+            return fail(Fault::OutOfRange,
+                "qtcan links have the option bitrate=BITS_PER_SECOND, not '" + key + "=" + value + "'");
+    }
+    return std::make_unique<QtCanLink>(address, clock, bitrate);
+}
+
+} // namespace mb

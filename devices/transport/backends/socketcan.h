@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "transport/backends/hardwaretime.h"
+#include "transport/canlink.h"
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+
+class QSocketNotifier;
+struct can_frame;
+struct msghdr;
+
+namespace mb {
+
+/// A CAN interface of the kernel, watched by the event loop of the thread that opens it.
+///
+/// Frames are read in batches, without allocation, stamped by the adapter or the kernel; stamps never run backwards and
+/// are never in the future. Frames that do not fit the kernel's queue wait here, in order, urgent ones first; none is
+/// dropped while the link is open. Urgent frames also overtake what waits in the kernel (pfifo_fast, the usual queue of
+/// CAN). `lost` counts what the kernel dropped because it was not read in time, and overruns that the controller
+/// reports.
+class SocketCanLink final : public CanLink {
+public:
+    /// The interface that the path of the address names.
+    SocketCanLink(LinkAddress address, Clock &clock);
+    /// Works on a descriptor that keeps message boundaries (SOCK_SEQPACKET), and owns it; can be opened once. For
+    /// tests.
+    SocketCanLink(LinkAddress address, Clock &clock, int descriptor);
+    ~SocketCanLink() override;
+
+    /// For who must be able to send when this process cannot; -1 while not open.
+    [[nodiscard]] int descriptor() const { return m_descriptor; }
+    /// How many frames the kernel keeps for us while we do not read: what it gave, not what was asked for.
+    [[nodiscard]] int receiveBufferFrames() const { return m_receiveBuffer / frameInKernel; }
+
+private:
+    static constexpr int frameInKernel = 768; ///< bytes that one frame takes of the receive buffer
+    struct Batch;
+
+    Result<void> doOpen() override;
+    void doClose() override;
+    Result<void> doSend(const CanFrame &frame, Priority priority) override;
+    [[nodiscard]] std::size_t doBacklog() const override { return m_urgent.size() + m_normal.size(); }
+    [[nodiscard]] int doBitrate() const override { return m_bitrate; }
+
+    [[nodiscard]] Result<void> openInterface();
+    [[nodiscard]] Result<void> bindTo(unsigned index);
+    void configure();
+    void watch();
+    void unwatch();
+    void receive();
+    void takeBatch(unsigned count);
+    void take(const can_frame &raw, Instant time);
+    [[nodiscard]] Instant stampOf(const msghdr &message, Duration unixOffset, Instant now);
+    void noteDrops(std::uint32_t total);
+    void askForDrops();
+    void flush();
+    [[nodiscard]] int write(const CanFrame &frame, Priority priority);
+    [[nodiscard]] bool waitForRoom(int cause);
+    [[nodiscard]] std::string why(int cause) const;
+    void end(std::string reason);
+
+    int m_given = -1;
+    int m_descriptor = -1;
+    int m_receiveBuffer = 0;
+    int m_bitrate = 0;
+    std::uint32_t m_drops = 0;
+    Instant m_latest{};
+    HardwareTime m_hardware;
+    std::unique_ptr<Batch> m_batch;
+    std::deque<CanFrame> m_urgent;
+    std::deque<CanFrame> m_normal;
+    std::unique_ptr<QSocketNotifier> m_readable;
+    std::unique_ptr<QSocketNotifier> m_writable;
+    Timer m_retry;
+    Timer m_failed;
+};
+
+} // namespace mb
