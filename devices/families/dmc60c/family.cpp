@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/family.h"
+
+#include "families/dmc60c/channels.h"
+#include "families/dmc60c/decode.h"
+#include "families/dmc60c/parameters.h"
+#include "families/dmc60c/protocol.h"
+#include "families/dmc60c/scan.h"
+
+#include <array>
+
+namespace mb::dmc60c {
+namespace {
+
+constexpr std::array links {LinkKind::Can};
+constexpr std::array modes {Mode::Duty, Mode::Velocity, Mode::Position, Mode::Current, Mode::Voltage, Mode::Follow};
+
+/// 5 is a CIM with a heavy load, 7 overshoots with its stored gains, 9 has no application.
+constexpr std::array<std::string_view, 3> bench {
+    "dmc60c:5,motor=cim,load=9",
+    "dmc60c:7,motor=775pro,gains=overshoot",
+    "dmc60c:9,state=bootloader",
+};
+
+constexpr Capabilities capabilities {
+    .readback = true,
+    .watchdog = true,
+    .versionOnWire = true,
+    .identify = true,
+    .rename = true,
+    .renumber = true,
+    .axes = 1,
+    .slots = 2,
+    .commandPeriod = controlPeriod,
+};
+
+} // namespace
+
+extern const Family family;
+const Family family {
+    .key = "dmc60c",
+    .title = "DMC60C",
+    .links = links,
+    .parameters = parameterTable(),
+    .channels = channelTable(),
+    .modes = modes,
+    .capabilities = capabilities,
+    .bench = bench,
+    .scan = scan,
+    .open = nullptr,
+    .decodeCan = decodeCan,
+    .update = nullptr,
+    .inspect = nullptr,
+    .simulate = nullptr,
+};
+
+} // namespace mb::dmc60c

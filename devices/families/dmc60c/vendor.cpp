@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60c/vendor.h"
+
+#include "async/sleep.h"
+
+#include <algorithm>
+
+namespace mb::dmc60c {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t frameSize = 8;
+
+CanInbox::Match replyMatch(const VendorRequest &request)
+{
+    return [device = request.device, also = request.alsoFrom.value_or(request.device)](const CanFrame &frame) {
+        const bool reply = isMessage(frame, id::vendorStatus, 4) || decodeVendorData(frame).has_value();
+        return reply && (deviceOf(frame) == device || deviceOf(frame) == also);
+    };
+}
+
+/// Sends the command and its bytes.
+Task<void> sendAll(CanLink &link, Clock &clock, const VendorRequest &request)
+{
+    if (auto sent = link.send(encodeVendorCommand(request.device, request.session, request.command)); !sent)
+        co_return fail(sent.error());
+    const std::span<const std::uint8_t> bytes(request.data);
+    for (std::size_t at = 0; at < bytes.size(); at += frameSize) {
+        if (request.gap > Duration::zero())
+            co_await Sleep(clock, request.gap);
+        const auto part = bytes.subspan(at, std::min(frameSize, bytes.size() - at));
+        if (auto sent = link.send(encodeVendorData(request.device, part)); !sent)
+            co_return fail(sent.error());
+    }
+    co_return {};
+}
+
+/// One status and the bytes it announces. A newer status begins anew: the one before answered an earlier try.
+Task<VendorReply> collect(CanInbox &inbox, Duration timeout)
+{
+    VendorReply reply;
+    std::optional<std::size_t> expected;
+    while (!expected || reply.data.size() < *expected) {
+        const Result<CanFrame> frame = co_await inbox.next(timeout);
+        if (!frame)
+            co_return fail(frame.error());
+        if (const auto status = decodeVendorStatus(*frame)) {
+            reply = {status->device, status->status, status->test, {}};
+            expected = status->count;
+        } else if (const auto bytes = decodeVendorData(*frame); bytes && expected) {
+            reply.data.insert(reply.data.end(), bytes->begin(), bytes->end());
+        }
+    }
+    if (reply.data.size() > *expected)
+        co_return fail(Fault::BadReply, "more bytes than the device announced");
+    co_return reply;
+}
+
+} // namespace
+
+Attempts attemptsOf(Command command)
+{
+    switch (command) {
+    case Command::SetDevNumber: return {3, 500ms};
+    case Command::SetDevName:
+    case Command::SetManName:
+    case Command::SetProdName:
+    case Command::SetManDate:
+    case Command::SetHardwareVer:
+    case Command::SetSN: return {3, 1s};
+    case Command::FlashLEDs:
+    case Command::GetDescriptors:
+    case Command::GetFwver:
+    case Command::GetFlashSeqnum: return {3, 250ms};
+    case Command::EnterBootloader: return {3, 2s};
+    case Command::SoftReset: return {1, 3s};
+    case Command::EraseWriteFlashPage: return {3, 2s};
+    case Command::J1ShortTest:
+    case Command::J1OpenTest: return {1, 2s};
+    }
+    return {};
+}
+
+Task<VendorReply> vendorExchange(CanLink &link, Clock &clock, VendorRequest request, Attempts attempts)
+{
+    CanInbox inbox(link, clock, replyMatch(request));
+    Error last {Fault::Timeout, "no answer"};
+    for (int i = 0; i < attempts.tries; ++i) {
+        auto sending = sendAll(link, clock, request);
+        co_await std::move(sending);
+        auto collecting = collect(inbox, attempts.timeout);
+        Result<VendorReply> reply = co_await std::move(collecting).attempt();
+        if (reply)
+            co_return std::move(*reply);
+        last = reply.error();
+        if (last.fault == Fault::LinkLost)
+            break;
+    }
+    last.detail = std::string(toString(request.command.command)) + " to number " + std::to_string(request.device) + ": " + last.detail;
+    co_return fail(last);
+}
+
+CommandStatus successOf(Command command)
+{
+    switch (command) {
+    case Command::EnterBootloader: return CommandStatus::InBootloader;
+    case Command::SoftReset: return CommandStatus::AckReset;
+    case Command::J1ShortTest:
+    case Command::J1OpenTest: return CommandStatus::TestPassed;
+    default: return CommandStatus::NoError;
+    }
+}
+
+Result<void> check(Command command, const VendorReply &reply)
+{
+    if (reply.status == successOf(command))
+        return {};
+    const std::string detail = std::string(toString(command)) + ": the device answers '" + std::string(toString(reply.status)) + "'";
+    switch (reply.status) {
+    case CommandStatus::NotSupported: return fail(Fault::Unsupported, detail);
+    case CommandStatus::DataRcvMore:
+    case CommandStatus::CrcMismatch: return fail(Fault::BadCheck, detail);
+    case CommandStatus::BadParameter:
+    case CommandStatus::InBootloader:
+    case CommandStatus::FlashWriteFailed:
+    case CommandStatus::AckReset:
+    case CommandStatus::TestFailed: return fail(Fault::Refused, detail);
+    case CommandStatus::NoError:
+    case CommandStatus::TestPassed: break;
+    }
+    return fail(Fault::BadReply, detail);
+}
+
+std::string_view toString(CommandStatus status)
+{
+    switch (status) {
+    case CommandStatus::NoError: return "no error";
+    case CommandStatus::NotSupported: return "not supported";
+    case CommandStatus::BadParameter: return "bad parameter";
+    case CommandStatus::DataRcvMore: return "more data than announced";
+    case CommandStatus::InBootloader: return "in the bootloader";
+    case CommandStatus::CrcMismatch: return "CRC mismatch";
+    case CommandStatus::FlashWriteFailed: return "flash write failed";
+    case CommandStatus::AckReset: return "restarted";
+    case CommandStatus::TestPassed: return "test passed";
+    case CommandStatus::TestFailed: return "test failed";
+    }
+    return "unknown status";
+}
+
+std::string_view toString(Command command)
+{
+    switch (command) {
+    case Command::SetDevNumber: return "SetDevNumber";
+    case Command::SetDevName: return "SetDevName";
+    case Command::SetManName: return "SetManName";
+    case Command::SetProdName: return "SetProdName";
+    case Command::SetManDate: return "SetManDate";
+    case Command::SetHardwareVer: return "SetHardwareVer";
+    case Command::SetSN: return "SetSN";
+    case Command::FlashLEDs: return "FlashLEDs";
+    case Command::GetDescriptors: return "GetDescriptors";
+    case Command::GetFwver: return "GetFwver";
+    case Command::GetFlashSeqnum: return "GetFlashSeqnum";
+    case Command::EnterBootloader: return "EnterBootloader";
+    case Command::SoftReset: return "SoftReset";
+    case Command::EraseWriteFlashPage: return "EraseWriteFlashPage";
+    case Command::J1ShortTest: return "J1ShortTest";
+    case Command::J1OpenTest: return "J1OpenTest";
+    }
+    return "unknown command";
+}
+
+} // namespace mb::dmc60c
