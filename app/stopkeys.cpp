@@ -31,14 +31,23 @@ bool StopKeys::eventFilter(QObject *, QEvent *event)
     if (key.isAutoRepeat())
         return false;
     if (key.key() == Qt::Key_Escape || key.key() == Qt::Key_Pause) {
-        Q_EMIT stopPressed(key.key() == Qt::Key_Pause ? QStringLiteral("Pause") : QStringLiteral("Esc"));
+        announce(key, key.key() == Qt::Key_Pause ? QStringLiteral("Pause") : QStringLiteral("Esc"));
         return false; // it still closes dialogs and clears fields
     }
     const bool plainSpace = key.key() == Qt::Key_Space && (key.modifiers() & ~Qt::KeypadModifier) == 0;
     if (!plainSpace || editsText(QApplication::focusWidget()))
         return false;
-    Q_EMIT stopPressed(QStringLiteral("Space"));
+    announce(key, QStringLiteral("Space"));
     return event->type() == QEvent::KeyPress; // Space never activates a button
+}
+
+void StopKeys::announce(const QKeyEvent &key, const QString &name)
+{
+    // One press passes here several times: as override, for the window, for the widget.
+    if (key.timestamp() != 0 && key.timestamp() == m_announced)
+        return;
+    m_announced = key.timestamp();
+    Q_EMIT stopPressed(name);
 }
 
 } // namespace mb

@@ -3,6 +3,8 @@
 
 #include <QObject>
 
+class QKeyEvent;
+
 namespace mb {
 
 /// Stops on the press of Esc or Pause, anywhere in the program, and of Space unless a text is being edited. Install on the
@@ -17,6 +19,11 @@ Q_SIGNALS:
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void announce(const QKeyEvent &key, const QString &name);
+
+    unsigned long m_announced = 0; ///< time stamp of the last press told
 };
 
 } // namespace mb

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/application.h"
+
+#include "app/tour.h"
+#include "model/registry.h"
+
+#include <QCommandLineParser>
+#include <QLibraryInfo>
+#include <QLocale>
+
+namespace mb {
+namespace {
+
+void declare(QCommandLineParser &parser)
+{
+    const auto tr = [](const char *text) { return QCoreApplication::translate("Options", text); };
+    parser.setApplicationDescription(tr(QT_TRANSLATE_NOOP("Options", "Tune and service brushed-DC motor controllers.")));
+    parser.addOptions({
+        {QStringLiteral("demo"), tr(QT_TRANSLATE_NOOP("Options", "Open the simulated bench."))},
+        {QStringLiteral("tour"), tr(QT_TRANSLATE_NOOP("Options", "Drive the demo through every page and write a picture of each to DIR.")), QStringLiteral("DIR")},
+        {QStringLiteral("theme"), tr(QT_TRANSLATE_NOOP("Options", "dark or light.")), QStringLiteral("THEME")},
+        {QStringLiteral("language"), tr(QT_TRANSLATE_NOOP("Options", "en or de.")), QStringLiteral("CODE")},
+        {QStringLiteral("size"), tr(QT_TRANSLATE_NOOP("Options", "Size of the window, such as 1280x800.")), QStringLiteral("WxH")},
+        {QStringLiteral("font-scale"), tr(QT_TRANSLATE_NOOP("Options", "Font size relative to the system's, 0.5 to 3.")), QStringLiteral("FACTOR")},
+        {QStringLiteral("link"), tr(QT_TRANSLATE_NOOP("Options", "Open this link; may be repeated.")), QStringLiteral("LINK")},
+        {{QStringLiteral("h"), QStringLiteral("help")}, tr(QT_TRANSLATE_NOOP("Options", "Show this help."))},
+        {{QStringLiteral("v"), QStringLiteral("version")}, tr(QT_TRANSLATE_NOOP("Options", "Show the version."))},
+    });
+}
+
+Result<void> checkOptions(const Options &options)
+{
+    if (!options.theme.isEmpty() && options.theme != QLatin1String("dark") && options.theme != QLatin1String("light"))
+        return fail(Fault::OutOfRange, "--theme takes dark or light");
+    if (options.fontScale < 0.5 || options.fontScale > 3.0)
+        return fail(Fault::OutOfRange, "--font-scale takes 0.5 to 3");
+    const QStringList sides = options.size.split(QLatin1Char('x'));
+    if (!options.size.isEmpty() && (sides.size() != 2 || sides[0].toInt() < 320 || sides[1].toInt() < 200))
+        return fail(Fault::OutOfRange, "--size takes WIDTHxHEIGHT, such as 1280x800");
+    for (const QString &link : options.links) {
+        if (auto parsed = LinkAddress::parse(link.toStdString()); !parsed)
+            return fail(parsed.error());
+    }
+    return {};
+}
+
+} // namespace
+
+Result<Options> Options::parse(const QStringList &arguments)
+{
+    QCommandLineParser parser;
+    declare(parser);
+    if (!parser.parse(arguments))
+        return fail(Fault::OutOfRange, parser.errorText().toStdString());
+    if (!parser.positionalArguments().isEmpty())
+        return fail(Fault::OutOfRange, "unknown argument '" + parser.positionalArguments().constFirst().toStdString() + "'");
+    Options options;
+    options.demo = parser.isSet(QStringLiteral("demo")) || parser.isSet(QStringLiteral("tour"));
+    options.tour = parser.value(QStringLiteral("tour"));
+    options.theme = parser.value(QStringLiteral("theme"));
+    options.language = parser.value(QStringLiteral("language"));
+    options.size = parser.value(QStringLiteral("size"));
+    options.links = parser.values(QStringLiteral("link"));
+    if (parser.isSet(QStringLiteral("font-scale")))
+        options.fontScale = parser.value(QStringLiteral("font-scale")).toDouble();
+    if (auto checked = checkOptions(options); !checked)
+        return fail(checked.error());
+    return options;
+}
+
+QString Options::help()
+{
+    QCommandLineParser parser;
+    declare(parser);
+    return parser.helpText();
+}
+
+Application::Application(QApplication &qt, const Options &options)
+    : m_qt(qt)
+    , m_options(options)
+    , m_settings(!options.demo)
+{
+    translate(options.language);
+    dress(options.theme.isEmpty() ? m_settings.theme() : options.theme, options.fontScale);
+    m_engine = std::make_unique<Engine>(families(), !options.demo);
+    m_window = std::make_unique<MainWindow>(*m_engine, *m_theme, m_settings);
+    if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)
+        m_window->resize(sides[0].toInt(), sides[1].toInt());
+    qt.installEventFilter(&m_stopKeys);
+    QObject::connect(&m_stopKeys, &StopKeys::stopPressed, m_window.get(), [this](const QString &key) { m_window->arming().stopAll(key); });
+}
+
+Application::~Application() = default;
+
+void Application::translate(const QString &language)
+{
+    const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
+    if (m_translator.load(locale, QStringLiteral("motorbench"), QStringLiteral("_"), QStringLiteral(":/translations")))
+        m_qt.installTranslator(&m_translator);
+    if (m_qtTranslator.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), QLibraryInfo::location(QLibraryInfo::TranslationsPath)))
+        m_qt.installTranslator(&m_qtTranslator);
+}
+
+void Application::dress(const QString &theme, double fontScale)
+{
+    QFont font = QApplication::font();
+    font.setPointSizeF(font.pointSizeF() * fontScale);
+    QApplication::setFont(font);
+    const bool dark = theme.isEmpty() || theme == QLatin1String("dark");
+    const double size = font.pointSizeF() > 0.0 ? font.pointSizeF() : 10.0;
+    m_theme = std::make_unique<ThemeSource>(dark ? darkTheme(size) : lightTheme(size));
+    applyTheme(m_qt, m_theme->theme());
+    QObject::connect(m_theme.get(), &ThemeSource::changed, &m_qt, [this] { applyTheme(m_qt, m_theme->theme()); });
+}
+
+void Application::openLinks()
+{
+    QStringList links = m_options.links;
+    if (m_options.demo)
+        links += QStringLiteral("sim:");
+    else
+        links += m_settings.links();
+    for (const QString &link : links) {
+        if (const auto address = LinkAddress::parse(link.toStdString()))
+            m_engine->openLink(*address, {});
+    }
+}
+
+void Application::start()
+{
+    openLinks();
+    m_window->show();
+    if (!m_options.tour.isEmpty()) {
+        m_tour = std::make_unique<Tour>(*m_engine, *m_window, *m_theme, m_options.tour);
+        m_tour->start();
+    }
+}
+
+} // namespace mb

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/engine.h"
+#include "app/mainwindow.h"
+#include "app/stopkeys.h"
+
+#include <QApplication>
+#include <QTranslator>
+
+#include <optional>
+
+namespace mb {
+
+class Tour;
+
+/// What the command line asked for.
+struct Options {
+    bool demo = false;
+    QString tour; ///< folder for pictures; empty: no tour
+    QString theme; ///< "dark", "light" or empty
+    QString language; ///< "de", "en" or empty for the system's
+    QString size; ///< "1280x800" or empty
+    double fontScale = 1.0; ///< of the system's font
+    QStringList links; ///< opened at the start
+
+    /// One line about what is wrong with the arguments.
+    [[nodiscard]] static Result<Options> parse(const QStringList &arguments);
+    [[nodiscard]] static QString help();
+};
+
+/// Composes the program: theme, translation, engine, window. Lives in main().
+class Application {
+public:
+    Application(QApplication &qt, const Options &options);
+    ~Application();
+
+    void start();
+    [[nodiscard]] Engine &engine() { return *m_engine; }
+    [[nodiscard]] MainWindow &window() { return *m_window; }
+
+private:
+    void translate(const QString &language);
+    void dress(const QString &theme, double fontScale);
+    void openLinks();
+
+    QApplication &m_qt;
+    Options m_options;
+    QTranslator m_translator;
+    QTranslator m_qtTranslator;
+    Settings m_settings;
+    std::unique_ptr<ThemeSource> m_theme;
+    std::unique_ptr<Engine> m_engine;
+    std::unique_ptr<MainWindow> m_window;
+    std::unique_ptr<Tour> m_tour;
+    StopKeys m_stopKeys;
+};
+
+} // namespace mb

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/application.h"
+
+#include <cstdio>
+
+int main(int argc, char **argv)
+{
+    QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+    QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+    QStringList arguments;
+    for (int i = 0; i < argc; ++i)
+        arguments += QString::fromLocal8Bit(argv[i]);
+    // Before there is a window: a wrong call needs no display.
+    const auto options = mb::Options::parse(arguments);
+    if (!options) {
+        std::fprintf(stderr, "motorbench: %s\n", options.error().detail.c_str());
+        return 2;
+    }
+    if (arguments.contains(QStringLiteral("--help")) || arguments.contains(QStringLiteral("-h"))) {
+        const QCoreApplication core(argc, argv);
+        std::fputs(qPrintable(mb::Options::help()), stdout);
+        return 0;
+    }
+    if (arguments.contains(QStringLiteral("--version")) || arguments.contains(QStringLiteral("-v"))) {
+        std::puts("motorbench " MOTORBENCH_VERSION);
+        return 0;
+    }
+    QApplication::setStyle(QStringLiteral("Fusion"));
+    QApplication qt(argc, argv);
+    QApplication::setApplicationName(QStringLiteral("MotorBench"));
+    QApplication::setApplicationVersion(QStringLiteral(MOTORBENCH_VERSION));
+    mb::Application application(qt, *options);
+    application.start();
+    return QApplication::exec();
+}

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/mainwindow.h"
+
+#include "app/footprint.h"
+#include "widgets/common/banner.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/common/headerbar.h"
+#include "widgets/common/icons.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/segmented.h"
+#include "widgets/connection/deviceactions.h"
+#include "widgets/connection/deviceline.h"
+#include "widgets/connection/devicetree.h"
+#include "widgets/connection/inspector.h"
+#include "widgets/connection/overviewpage.h"
+#include "widgets/control/tunepage.h"
+#include "widgets/firmware/firmwarepage.h"
+#include "widgets/monitor/buspage.h"
+#include "widgets/monitor/logpage.h"
+#include "widgets/parameters/parameterspage.h"
+#include "widgets/plots/plotspage.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDateTime>
+#include <QDockWidget>
+#include <QMenu>
+#include <QShortcut>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace mb {
+namespace {
+
+constexpr std::chrono::seconds messageTime {8};
+constexpr std::chrono::seconds footprintTime {1};
+
+QDockWidget *makeDock(QMainWindow &window, const QString &name, const QString &title, QWidget *content, Qt::DockWidgetArea area)
+{
+    auto *dock = new QDockWidget(title, &window);
+    dock->setObjectName(name);
+    dock->setTitleBarWidget(new QWidget(dock)); // the content has its own head
+    dock->setWidget(content);
+    dock->setFeatures(QDockWidget::DockWidgetClosable);
+    window.addDockWidget(area, dock);
+    return dock;
+}
+
+} // namespace
+
+MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &settings, QWidget *parent)
+    : QMainWindow(parent)
+    , m_workbench(workbench)
+    , m_theme(theme)
+    , m_settings(settings)
+    , m_arming(new Arming(workbench, this))
+{
+    setWindowTitle(tr("MotorBench"));
+    setWindowIcon(applicationIcon());
+    setMinimumSize(1024, 640);
+    resize(1440, 900);
+    buildHeader();
+    buildDevices();
+    buildPages();
+    buildInspector();
+    buildStatus();
+    buildActions();
+    restoreGeometry(settings.geometry());
+    connect(&workbench, &Workbench::changed, this, &MainWindow::follow);
+    connect(m_arming, &Arming::changed, this, &MainWindow::follow);
+    connect(&m_selection, &Selection::changed, this, &MainWindow::follow);
+    showPage(PageId::Overview);
+    follow();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::buildHeader()
+{
+    auto *top = new QWidget(this);
+    auto *column = new QVBoxLayout(top);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_header = new HeaderBar(m_theme, top);
+    m_stripe = new DemoStripe(m_theme, top);
+    m_stripe->hide();
+    column->addWidget(m_header);
+    column->addWidget(m_stripe);
+    setMenuWidget(top);
+    auto *menu = new QMenu(this);
+    menu->addAction(tr("Add link…"), this, [this] { askAddLink(m_workbench, *this); });
+    menu->addAction(tr("Open the simulated bench"), this, &MainWindow::openSimulation);
+    menu->addSeparator();
+    menu->addAction(tr("Switch between dark and light"), this, &MainWindow::switchTheme, QKeySequence(Qt::CTRL | Qt::Key_T));
+    menu->addSeparator();
+    menu->addAction(tr("Quit"), this, &QWidget::close, QKeySequence::Quit);
+    m_header->setMenu(menu);
+    connect(&m_header->lamp(), &Lamp::armRequested, this, [this] { m_arming->arm(m_selection.device()); });
+    connect(&m_header->lamp(), &Lamp::disarmRequested, m_arming, &Arming::disarm);
+    connect(&m_header->stopButton(), &StopButton::stopPressed, this, [this] { m_arming->stopAll(tr("button")); });
+    connect(m_header, &HeaderBar::linkActivated, this, [this] { showPage(PageId::Bus); });
+    connect(m_header, &HeaderBar::linksActivated, this, [this] { showPage(PageId::Bus); });
+    connect(m_header, &HeaderBar::noticesActivated, this, [this] { showPage(PageId::Log); });
+}
+
+void MainWindow::buildDevices()
+{
+    auto *tree = new DeviceTree(m_workbench, m_selection, m_theme, this);
+    m_devices = makeDock(*this, QStringLiteral("devicesDock"), tr("Devices"), tree, Qt::LeftDockWidgetArea);
+    connect(tree, &DeviceTree::collapseRequested, m_devices, &QWidget::hide);
+    connect(tree, &DeviceTree::addLinkRequested, this, [this] { askAddLink(m_workbench, *this); });
+    connect(tree, &DeviceTree::simulateRequested, this, &MainWindow::openSimulation);
+}
+
+void MainWindow::addPage(QWidget *page, const QString &title)
+{
+    m_tabs->addTab(title);
+    m_pages->addWidget(page);
+}
+
+void MainWindow::buildPages()
+{
+    auto *central = new QWidget(this);
+    auto *column = new QVBoxLayout(central);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_tabs = new PageTabs(m_theme, central);
+    m_tabs->setAccessibleName(tr("Pages"));
+    m_banners = new BannerStack(m_theme, central);
+    m_line = new DeviceLine(m_workbench, m_selection, m_theme, central);
+    m_pages = new QStackedWidget(central);
+    column->addWidget(m_tabs);
+    column->addWidget(separatorLine(Qt::Horizontal, central));
+    column->addWidget(m_banners);
+    column->addWidget(m_line);
+    column->addWidget(m_pages, 1);
+    setCentralWidget(central);
+    auto *overview = new OverviewPage(m_workbench, m_selection, m_theme, m_pages);
+    addPage(overview, tr("Overview"));
+    addPage(new ParametersPage(m_workbench, m_selection, m_theme, m_pages), tr("Parameters"));
+    addPage(new TunePage(m_workbench, m_selection, *m_arming, m_theme, m_pages), tr("Tune"));
+    addPage(new PlotsPage(m_workbench, m_selection, m_theme, m_pages), tr("Plots"));
+    addPage(new FirmwarePage(m_workbench, m_selection, m_theme, m_pages), tr("Firmware"));
+    addPage(new BusPage(m_workbench, m_theme, m_pages), tr("Bus"));
+    addPage(new LogPage(m_workbench, m_theme, m_pages), tr("Log"));
+    connect(m_tabs, &QTabBar::currentChanged, this, &MainWindow::followPages);
+    connect(overview, &OverviewPage::simulateRequested, this, &MainWindow::openSimulation);
+    connect(overview, &OverviewPage::addLinkRequested, this, [this] { askAddLink(m_workbench, *this); });
+    connect(overview, &OverviewPage::updateRequested, this, [this] { showPage(PageId::Firmware); });
+    connect(m_banners, &BannerStack::allRequested, this, [this] { showPage(PageId::Log); });
+}
+
+void MainWindow::buildInspector()
+{
+    m_inspector = makeDock(*this, QStringLiteral("inspectorDock"), tr("Inspector"), new Inspector(m_workbench, m_selection, m_theme, this), Qt::RightDockWidgetArea);
+}
+
+void MainWindow::buildStatus()
+{
+    m_message = new ElidedLabel({}, this);
+    m_footprint = textLabel({}, TextRole::Caption, Tone::Dim, this);
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->addWidget(m_message, 1);
+    statusBar()->addPermanentWidget(m_footprint);
+    m_messageTime.setSingleShot(true);
+    connect(&m_messageTime, &QTimer::timeout, m_message, &QLabel::clear);
+    connect(&m_workbench, &Workbench::noticed, this, &MainWindow::showNotice);
+    m_footprintTime.setInterval(footprintTime);
+    connect(&m_footprintTime, &QTimer::timeout, this, &MainWindow::showFootprint);
+    m_footprintTime.start();
+    showFootprint();
+}
+
+void MainWindow::buildActions()
+{
+    for (int i = 0; i < m_tabs->count(); ++i) {
+        auto *shortcut = new QShortcut(QKeySequence(Qt::CTRL | (Qt::Key_1 + i)), this);
+        connect(shortcut, &QShortcut::activated, this, [this, i] { m_tabs->setCurrentIndex(i); });
+        m_tabs->setTabToolTip(i, tr("%1  Ctrl+%2").arg(m_tabs->tabText(i)).arg(i + 1));
+    }
+    connect(new QShortcut(QKeySequence(Qt::Key_F9), this), &QShortcut::activated, this, [this] { m_devices->setVisible(!m_devices->isVisible()); });
+    connect(new QShortcut(QKeySequence(Qt::Key_F10), this), &QShortcut::activated, this, [this] { m_inspector->setVisible(!m_inspector->isVisible()); });
+    connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
+        if (state == Qt::ApplicationInactive)
+            whenDeactivated();
+    });
+}
+
+QWidget *MainWindow::page(PageId id) const
+{
+    return m_pages->widget(static_cast<int>(id));
+}
+
+void MainWindow::showPage(PageId id)
+{
+    m_tabs->setCurrentIndex(static_cast<int>(id));
+    followPages();
+}
+
+void MainWindow::followPages()
+{
+    const auto id = static_cast<PageId>(m_tabs->currentIndex());
+    const bool ofDevice = id == PageId::Parameters || id == PageId::Tune;
+    m_pages->setCurrentIndex(m_tabs->currentIndex());
+    m_line->setVisible(ofDevice && m_workbench.snapshot().device(m_selection.device()));
+    m_inspector->setVisible(id == PageId::Overview && !m_workbench.snapshot().devices.empty());
+}
+
+void MainWindow::openSimulation()
+{
+    LinkAddress address;
+    address.scheme = "sim";
+    m_workbench.openLink(address, {});
+}
+
+void MainWindow::switchTheme()
+{
+    const bool dark = !m_theme.theme().dark;
+    const double size = m_theme.theme().bodyPointSize;
+    m_theme.setTheme(dark ? darkTheme(size) : lightTheme(size));
+    m_settings.setTheme(dark ? QStringLiteral("dark") : QStringLiteral("light"));
+}
+
+void MainWindow::follow()
+{
+    const Snapshot &shot = m_workbench.snapshot();
+    followLinks(shot);
+    followConditions(shot);
+    m_header->setLampStatus(m_arming->status(m_selection.device()));
+    const bool any = !shot.devices.empty();
+    const QString reason = any ? QString() : tr("needs a device; open a link first");
+    m_tabs->setUnavailable(static_cast<int>(PageId::Parameters), reason);
+    m_tabs->setUnavailable(static_cast<int>(PageId::Tune), reason);
+    const auto current = static_cast<PageId>(m_tabs->currentIndex());
+    if (current == PageId::Overview && m_inspector->isHidden() == any)
+        m_inspector->setVisible(any);
+}
+
+void MainWindow::followLinks(const Snapshot &shot)
+{
+    std::vector<LinkStatus> chips;
+    bool simulated = false;
+    for (const LinkView &link : shot.links) {
+        LinkStatus chip;
+        chip.name = QString::fromStdString(link.name);
+        const bool open = link.state == LinkState::Open;
+        chip.healthy = open && link.counters.lost == 0;
+        chip.state = open ? chip.healthy ? GlyphState::Online : GlyphState::Warning : GlyphState::Fault;
+        if (!open)
+            chip.word = tr("lost");
+        else
+            chip.load = link.load;
+        chip.lost = static_cast<qint64>(link.counters.lost);
+        chip.tooltip = open ? tr("%1: %2 frames received, %3 sent, %4 lost, %5 errors").arg(chip.name).arg(link.counters.rx).arg(link.counters.tx).arg(link.counters.lost).arg(link.counters.errors)
+                            : tableText(link.reason);
+        chips.push_back(chip);
+        simulated = simulated || link.simulated;
+    }
+    m_header->setLinks(chips);
+    m_stripe->setText(tr("simulated bench"));
+    m_stripe->setVisible(simulated);
+}
+
+void MainWindow::followConditions(const Snapshot &shot)
+{
+    for (const LinkView &link : shot.links) {
+        const QString key = QStringLiteral("link ") + QString::fromStdString(link.address);
+        if (link.state == LinkState::Lost)
+            m_banners->post(key, BannerKind::Danger, tr("%1 is lost").arg(QString::fromStdString(link.name)), tableText(link.reason));
+        else
+            m_banners->clear(key);
+    }
+    for (const DeviceView &device : shot.devices) {
+        const QString key = QStringLiteral("device %1").arg(device.id.value);
+        if (device.liveness.foreignMaster)
+            m_banners->post(key, BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)), tr("Arming is off until it stops sending control frames."));
+        else if (device.identity.state == DeviceState::Duplicate)
+            m_banners->post(key, BannerKind::Caution, tr("Several units answer as %1").arg(titleOf(device)), tr("Control is locked. Assign one of them a new number from the menu of its row."));
+        else
+            m_banners->clear(key);
+    }
+    if (m_arming->state() == LampState::Stopped)
+        m_banners->post(QStringLiteral("stopped"), BannerKind::Danger, tr("Stopped: %1").arg(m_arming->reason()), tr("Hold the lamp for 1 s to arm again."));
+    else
+        m_banners->clear(QStringLiteral("stopped"));
+    m_header->setNotices(m_banners->count());
+}
+
+void MainWindow::showNotice(const Notice &notice)
+{
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(notice.time.time_since_epoch() + m_workbench.unixOffset());
+    const QString time = QDateTime::fromSecsSinceEpoch(seconds.count()).toString(QStringLiteral("HH:mm:ss"));
+    m_message->setText(time + QLatin1Char(' ') + (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text);
+    setTone(*m_message, notice.severity == Severity::Danger ? Tone::Danger : notice.severity == Severity::Caution ? Tone::Caution : Tone::Text);
+    if (notice.severity == Severity::Danger)
+        m_messageTime.stop();
+    else
+        m_messageTime.start(messageTime);
+}
+
+void MainWindow::showFootprint()
+{
+    std::uint64_t samples = 0;
+    std::uint64_t lost = 0;
+    for (const DeviceView &device : m_workbench.snapshot().devices) {
+        for (std::uint16_t i = 0; i < device.telemetry->channels().size(); ++i) {
+            samples += device.telemetry->size({i});
+            lost += device.telemetry->lost({i});
+        }
+    }
+    m_footprint->setText(tr("samples %1   lost %2   memory %3").arg(formatCount(static_cast<qint64>(samples)), formatCount(static_cast<qint64>(lost)), formatBytes(residentBytes())));
+}
+
+void MainWindow::whenDeactivated()
+{
+    if (m_arming->isMoving())
+        m_arming->stopAll(tr("the window lost the focus"));
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    m_arming->disarm();
+    m_settings.setGeometry(saveGeometry());
+    event->accept();
+}
+
+} // namespace mb

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/settings.h"
+#include "widgets/common/selection.h"
+#include "widgets/common/theme.h"
+#include "widgets/common/workbench.h"
+#include "widgets/control/arming.h"
+
+#include <QMainWindow>
+
+#include <vector>
+
+class QDockWidget;
+class QLabel;
+class QStackedWidget;
+
+namespace mb {
+
+class BannerStack;
+class DemoStripe;
+class DeviceLine;
+class HeaderBar;
+class PageTabs;
+
+/// The pages, in the order of their tabs.
+enum class PageId { Overview, Parameters, Tune, Plots, Firmware, Bus, Log };
+
+/// The one window: header with links, lamp and STOP; devices at the left; pages; inspector at the right; status bar.
+/// Composes, decides nothing about devices.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+public:
+    MainWindow(Workbench &workbench, ThemeSource &theme, Settings &settings, QWidget *parent = nullptr);
+    ~MainWindow() override;
+
+    [[nodiscard]] Arming &arming() { return *m_arming; }
+    [[nodiscard]] Selection &selection() { return m_selection; }
+    [[nodiscard]] QWidget *page(PageId id) const;
+    void showPage(PageId id);
+
+protected:
+    void closeEvent(QCloseEvent *event) override;
+
+private:
+    void buildHeader();
+    void buildDevices();
+    void buildPages();
+    void buildInspector();
+    void buildStatus();
+    void buildActions();
+    void addPage(QWidget *page, const QString &title);
+    void openSimulation();
+    void switchTheme();
+    void follow();
+    void followLinks(const Snapshot &shot);
+    void followPages();
+    void followConditions(const Snapshot &shot);
+    void showNotice(const Notice &notice);
+    void showFootprint();
+    void whenDeactivated();
+
+    Workbench &m_workbench;
+    ThemeSource &m_theme;
+    Settings &m_settings;
+    Selection m_selection;
+    Arming *m_arming = nullptr;
+    HeaderBar *m_header = nullptr;
+    DemoStripe *m_stripe = nullptr;
+    QDockWidget *m_devices = nullptr;
+    QDockWidget *m_inspector = nullptr;
+    PageTabs *m_tabs = nullptr;
+    BannerStack *m_banners = nullptr;
+    DeviceLine *m_line = nullptr;
+    QStackedWidget *m_pages = nullptr;
+    QLabel *m_message = nullptr;
+    QLabel *m_footprint = nullptr;
+    QTimer m_messageTime;
+    QTimer m_footprintTime;
+};
+
+} // namespace mb

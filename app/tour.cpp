@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tour.h"
+
+#include "widgets/common/headerbar.h"
+#include "widgets/control/tunepage.h"
+#include "widgets/firmware/firmwarepage.h"
+
+#include <QApplication>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace mb {
+namespace {
+
+constexpr std::chrono::milliseconds pollTime {20};
+constexpr int tuned = 5;
+constexpr int overshooting = 7;
+constexpr int inBootloader = 9;
+constexpr double stepTarget = 60000.0; // counts/s
+
+} // namespace
+
+Tour::Tour(Workbench &workbench, MainWindow &window, ThemeSource &theme, const QString &folder)
+    : m_workbench(workbench)
+    , m_window(window)
+    , m_theme(theme)
+    , m_folder(folder)
+{
+    m_poll.setInterval(pollTime);
+    connect(&m_poll, &QTimer::timeout, this, &Tour::look);
+}
+
+void Tour::start()
+{
+    if (!m_folder.mkpath(QStringLiteral("."))) {
+        std::fprintf(stderr, "motorbench: %s cannot be made\n", qPrintable(m_folder.path()));
+        QMetaObject::invokeMethod(qApp, [] { QCoreApplication::exit(2); }, Qt::QueuedConnection);
+        return;
+    }
+    plan();
+    begin(0);
+    m_poll.start();
+}
+
+const DeviceView *Tour::device(int address) const
+{
+    const auto &devices = m_workbench.snapshot().devices;
+    const auto found = std::find_if(devices.begin(), devices.end(), [address](const DeviceView &d) { return d.identity.address == address; });
+    return found == devices.end() ? nullptr : &*found;
+}
+
+void Tour::add(const QString &name, std::function<void()> act, std::function<bool()> done, std::chrono::milliseconds limit)
+{
+    m_steps.push_back({name, std::move(act), std::move(done), limit});
+}
+
+void Tour::pause(std::chrono::milliseconds time)
+{
+    add(QStringLiteral("wait"), [] {}, [this, time] { return m_workbench.now() - m_begunAt >= time; }, time + std::chrono::seconds(10));
+}
+
+void Tour::picture(const QString &name)
+{
+    add(name, [this, name] { save(name); }, [] { return true; });
+}
+
+void Tour::save(const QString &name)
+{
+    ++m_pictures;
+    const QString number = QStringLiteral("%1").arg(m_pictures, 2, 10, QLatin1Char('0'));
+    const Theme before = m_theme.theme();
+    for (const bool dark : {true, false}) {
+        m_theme.setTheme(dark ? darkTheme(before.bodyPointSize) : lightTheme(before.bodyPointSize));
+        const QString file = QStringLiteral("%1-%2-%3.png").arg(number, name, dark ? QStringLiteral("dark") : QStringLiteral("light"));
+        if (!m_window.grab().save(m_folder.filePath(file))) {
+            std::fprintf(stderr, "motorbench: %s cannot be written\n", qPrintable(m_folder.filePath(file)));
+            finish(1);
+        }
+    }
+    m_theme.setTheme(before);
+    std::printf("%s\n", qPrintable(name));
+    std::fflush(stdout);
+}
+
+void Tour::plan()
+{
+    picture(QStringLiteral("start"));
+    planOverview();
+    planParameters();
+    planMotion();
+    planFirmware();
+    planEnd();
+}
+
+void Tour::planOverview()
+{
+    add(QStringLiteral("find the bench"), [] {}, [this] {
+        const DeviceView *first = device(tuned);
+        return first && device(overshooting) && device(inBootloader) && first->liveness.heard && !first->identity.serial.empty();
+    });
+    add(QStringLiteral("select"), [this] { m_window.selection().select(device(tuned)->id); }, [] { return true; });
+    pause(std::chrono::milliseconds(1500));
+    picture(QStringLiteral("overview"));
+}
+
+void Tour::planParameters()
+{
+    add(QStringLiteral("read parameters"), [this] { m_window.showPage(PageId::Parameters); }, [this] {
+        const auto &entries = device(tuned)->parameters;
+        return std::all_of(entries.begin(), entries.end(), [](const ParameterStore::Entry &e) { return e.raw.has_value(); });
+    });
+    pause(std::chrono::milliseconds(300));
+    picture(QStringLiteral("parameters"));
+}
+
+void Tour::planMotion()
+{
+    add(QStringLiteral("arm"),
+        [this] {
+            m_window.showPage(PageId::Tune);
+            m_window.arming().arm(device(tuned)->id);
+        },
+        [this] { return m_window.arming().isArmed(device(tuned)->id); });
+    pause(std::chrono::milliseconds(1000));
+    add(QStringLiteral("velocity step"),
+        [this] {
+            SetPoint setPoint;
+            setPoint.mode = Mode::Velocity;
+            setPoint.target = stepTarget;
+            m_window.arming().run(setPoint);
+        },
+        [this] {
+            const auto channel = device(tuned)->telemetry->find("velocity");
+            const auto last = device(tuned)->telemetry->last(*channel);
+            return last && last->value > 0.95 * stepTarget;
+        });
+    pause(std::chrono::milliseconds(1500));
+    picture(QStringLiteral("tune"));
+    add(QStringLiteral("plots"), [this] { m_window.showPage(PageId::Plots); }, [] { return true; });
+    pause(std::chrono::milliseconds(1500));
+    picture(QStringLiteral("plots"));
+    add(QStringLiteral("bus"), [this] { m_window.showPage(PageId::Bus); }, [] { return true; });
+    pause(std::chrono::milliseconds(1000));
+    picture(QStringLiteral("bus"));
+    add(QStringLiteral("stop"), [this] { m_window.arming().stopAll(tr("tour")); }, [this] { return !device(tuned)->liveness.moving; });
+    picture(QStringLiteral("stopped"));
+}
+
+void Tour::planFirmware()
+{
+    add(QStringLiteral("update"),
+        [this] {
+            m_window.selection().select(device(inBootloader)->id);
+            m_window.showPage(PageId::Firmware);
+            auto *page = qobject_cast<FirmwarePage *>(m_window.page(PageId::Firmware));
+            page->loadImage(QStringLiteral(":/firmware/dmc60c-demo.hex"));
+            page->startUpdate();
+        },
+        [this] {
+            const OperationView *operation = m_workbench.snapshot().operation(device(inBootloader)->id);
+            const auto &parts = operation ? operation->status.parts : std::map<int, PartState> {};
+            return std::count_if(parts.begin(), parts.end(), [](const auto &part) { return part.second == PartState::Done; }) >= 15;
+        },
+        std::chrono::seconds(60));
+    picture(QStringLiteral("firmware-running"));
+    add(QStringLiteral("update to the end"), [] {}, [this] {
+        const OperationView *operation = m_workbench.snapshot().operation(device(inBootloader)->id);
+        return operation && operation->update && operation->update->outcome == UpdateOutcome::Done;
+    }, std::chrono::seconds(60));
+    pause(std::chrono::milliseconds(500));
+    picture(QStringLiteral("firmware"));
+}
+
+void Tour::planEnd()
+{
+    add(QStringLiteral("log"), [this] { m_window.showPage(PageId::Log); }, [] { return true; });
+    pause(std::chrono::milliseconds(200));
+    picture(QStringLiteral("log"));
+}
+
+void Tour::begin(std::size_t step)
+{
+    m_current = step;
+    m_begunAt = m_workbench.now();
+    if (step == m_steps.size())
+        finish(0);
+    else
+        m_steps[step].act();
+}
+
+void Tour::look()
+{
+    if (m_current >= m_steps.size())
+        return;
+    const Step &step = m_steps[m_current];
+    if (step.done()) {
+        begin(m_current + 1);
+    } else if (m_workbench.now() - m_begunAt > step.limit) {
+        std::fprintf(stderr, "motorbench: the tour did not get past '%s'\n", qPrintable(step.name));
+        save(QStringLiteral("failed"));
+        finish(1);
+    }
+}
+
+void Tour::finish(int status)
+{
+    m_poll.stop();
+    m_current = m_steps.size();
+    QCoreApplication::exit(status);
+}
+
+} // namespace mb

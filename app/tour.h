@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/mainwindow.h"
+
+#include <QDir>
+#include <QTimer>
+
+#include <functional>
+#include <vector>
+
+namespace mb {
+
+/// Drives the demo through every page by itself, as a person would, and writes a picture of each. Ends the program:
+/// status 0 when every step was reached, 1 when one was not within its time.
+class Tour : public QObject {
+    Q_OBJECT
+public:
+    Tour(Workbench &workbench, MainWindow &window, ThemeSource &theme, const QString &folder);
+    void start();
+
+private:
+    struct Step {
+        QString name;
+        std::function<void()> act;
+        std::function<bool()> done; ///< polled; the next step follows
+        std::chrono::milliseconds limit;
+    };
+
+    void plan();
+    void planOverview();
+    void planParameters();
+    void planMotion();
+    void planFirmware();
+    void planEnd();
+    /// Waits until `done`.
+    void add(const QString &name, std::function<void()> act, std::function<bool()> done, std::chrono::milliseconds limit = std::chrono::seconds(20));
+    /// Lets `time` pass, so that live pages have something to show.
+    void pause(std::chrono::milliseconds time);
+    /// A picture of the window in the present theme, and one in the other.
+    void picture(const QString &name);
+    void look();
+    void begin(std::size_t step);
+    void finish(int status);
+    void save(const QString &name);
+    [[nodiscard]] const DeviceView *device(int address) const;
+
+    Workbench &m_workbench;
+    MainWindow &m_window;
+    ThemeSource &m_theme;
+    QDir m_folder;
+    std::vector<Step> m_steps;
+    std::size_t m_current = 0;
+    Instant m_begunAt {};
+    QTimer m_poll;
+    int m_pictures = 0;
+};
+
+} // namespace mb
