@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/columnpath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+/// The points of one pixel column, in pixels.
+struct Column {
+    double index = 0.0;
+    QPolygonF points;
+    double top = 0.0;
+    double bottom = 0.0;
+
+    bool dense() const { return points.size() > 2 && bottom - top >= 1.0; }
+};
+
+class PathBuilder {
+public:
+    PathBuilder(const PixelMap &map, ColumnPath &path)
+        : m_map(map)
+        , m_path(path)
+    {
+    }
+
+    void add(const PlotPoint &point)
+    {
+        const QPointF at(m_map.x(point.key), m_map.y(point.value));
+        const double index = std::floor(at.x() / m_map.columnWidth);
+        if (!m_column.points.isEmpty() && index != m_column.index)
+            finishColumn();
+        if (m_column.points.isEmpty())
+            m_column = Column{index, {}, at.y(), at.y()};
+        m_column.points << at;
+        m_column.top = std::min(m_column.top, at.y());
+        m_column.bottom = std::max(m_column.bottom, at.y());
+    }
+
+    void breakLine()
+    {
+        finishColumn();
+        finishLine();
+        m_haveLast = false;
+    }
+
+private:
+    void finishColumn()
+    {
+        if (m_column.points.isEmpty())
+            return;
+        if (m_column.dense())
+            addSpan();
+        else
+            addLine();
+        m_last = m_column.points.last();
+        m_haveLast = true;
+        m_column.points.clear();
+    }
+
+    void addLine()
+    {
+        if (m_line.isEmpty() && m_haveLast)
+            m_line << m_last;
+        m_line << m_column.points;
+    }
+
+    void addSpan()
+    {
+        double top = m_column.top;
+        double bottom = m_column.bottom;
+        const double x = (m_column.index + 0.5) * m_map.columnWidth;
+        const bool touching
+            = m_haveLast && m_line.isEmpty() && m_column.points.first().x() - m_last.x() < 2 * m_map.columnWidth;
+        if (touching) {
+            top = std::min(top, m_last.y());
+            bottom = std::max(bottom, m_last.y());
+        } else if (m_haveLast) {
+            if (m_line.isEmpty())
+                m_line << m_last;
+            m_line << m_column.points.first();
+            finishLine();
+        }
+        m_path.spans << QLineF(x, top, x, bottom);
+    }
+
+    void finishLine()
+    {
+        if (!m_line.isEmpty())
+            m_path.lines << m_line;
+        m_line.clear();
+    }
+
+    const PixelMap &m_map;
+    ColumnPath &m_path;
+    Column m_column;
+    QPolygonF m_line;
+    QPointF m_last;
+    bool m_haveLast = false;
+};
+
+} // namespace
+
+double PixelMap::y(double value) const
+{
+    return std::clamp(value * valueScale + valueOffset, -16000.0, 16000.0);
+}
+
+ColumnPath columnPath(const std::vector<PlotPoint> &points, const PixelMap &map)
+{
+    ColumnPath path;
+    PathBuilder builder(map, path);
+    for (const PlotPoint &point : points) {
+        if (std::isfinite(point.value))
+            builder.add(point);
+        else
+            builder.breakLine();
+    }
+    builder.breakLine();
+    return path;
+}
+
+std::vector<std::pair<double, double>> gapsOf(const std::vector<PlotPoint> &points, double to)
+{
+    std::vector<std::pair<double, double>> gaps;
+    const auto finite = [](const PlotPoint &point) { return std::isfinite(point.value); };
+    auto it = points.begin();
+    while ((it = std::find_if_not(it, points.end(), finite)) != points.end()) {
+        const double begin = it->key;
+        it = std::find_if(it, points.end(), finite);
+        const double end = it == points.end() ? to : it->key;
+        if (begin < end)
+            gaps.emplace_back(begin, end);
+    }
+    return gaps;
+}
+
+double valueAt(const std::vector<PlotPoint> &points, double key)
+{
+    constexpr double Nothing = std::numeric_limits<double>::quiet_NaN();
+    const auto after = std::lower_bound(
+        points.begin(), points.end(), key, [](const PlotPoint &point, double wanted) { return point.key < wanted; });
+    if (after == points.end())
+        return Nothing;
+    if (after->key <= key)
+        return after->value;
+    if (after == points.begin())
+        return Nothing;
+    const PlotPoint &left = *(after - 1);
+    const double span = after->key - left.key;
+    return span > 0 ? left.value + (after->value - left.value) * (key - left.key) / span : left.value;
+}
+
+std::optional<std::pair<double, double>> valueRange(const std::vector<PlotPoint> &points, double from, double to)
+{
+    std::optional<std::pair<double, double>> range;
+    for (const PlotPoint &point : points) {
+        if (point.key < from || point.key > to || !std::isfinite(point.value))
+            continue;
+        if (!range)
+            range = {point.value, point.value};
+        range->first = std::min(range->first, point.value);
+        range->second = std::max(range->second, point.value);
+    }
+    return range;
+}
+
+} // namespace mb

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/theme.h"
+
+#include "widgets/plots/qcustomplotkeywords.h"
+#include <optional>
+#include <vector>
+
+namespace mb {
+
+/// Two vertical lines A and B through all strips, their flags, and a box with the differences beside B.
+class PlotCursors : public QCPAbstractItem {
+    Q_OBJECT
+public:
+    struct Row {
+        QString name;
+        QString value;
+        bool strong = false;
+    };
+    PlotCursors(QCustomPlot &plot, const ThemeSource &theme);
+
+    void setRects(std::vector<QCPAxisRect *> rects) { m_rects = std::move(rects); }
+    void setRows(std::vector<Row> rows) { m_rows = std::move(rows); }
+    double key(bool second) const { return second ? m_b : m_a; }
+    void setKey(bool second, double key) { (second ? m_b : m_a) = key; }
+    /// Which cursor lies within a few pixels of x: false A, true B.
+    std::optional<bool> hit(double x) const;
+    double selectTest(const QPointF &, bool, QVariant * = nullptr) const override { return -1; }
+
+protected:
+    void draw(QCPPainter *painter) override;
+
+private:
+    double pixel(double key) const;
+    void drawLine(QCPPainter &painter, double key, const QString &flag) const;
+    void drawBox(QCPPainter &painter) const;
+
+    const ThemeSource &m_theme;
+    std::vector<QCPAxisRect *> m_rects;
+    std::vector<Row> m_rows;
+    double m_a = 0.0;
+    double m_b = 0.0;
+};
+
+} // namespace mb

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/plots/traceplottable.h"
+
+namespace mb {
+
+/// A horizontal line with words at its right end: "peak limit 60 A".
+struct PlotLimit {
+    double value = 0.0;
+    QString text;
+    TraceRole role = TraceRole::Neutral;
+};
+
+/// A horizontal band behind the traces: "±2 % band".
+struct PlotBand {
+    double lower = 0.0;
+    double upper = 0.0;
+    QString text;
+    Tone tone = Tone::Ok;
+};
+
+/// A stretch of time behind the traces: "duty at limit, 107 ms".
+struct PlotSpan {
+    double from = 0.0;
+    double to = 0.0;
+    QString text;
+    TraceRole role = TraceRole::Current;
+};
+
+/// Words at a point of a trace, with a thin leader: "B settles 286 ms". Offset in units of the theme.
+struct PlotNote {
+    double key = 0.0;
+    double value = 0.0;
+    QString text;
+    QPointF offset{12, -12};
+    bool strong = false;
+};
+
+/// The newest value of a trace at the right edge.
+struct ValueTag {
+    QString text;
+    double value = 0.0;
+    TraceLook look;
+};
+
+/// One entry of the line above a strip.
+struct HeadEntry {
+    QString name;
+    TraceLook look;
+};
+
+/// Everything of one strip that is not a trace. Filled by PlotStack, drawn by the two items below.
+struct StripDecor {
+    QString title;
+    QString unit;
+    QString keyUnit; ///< "s" at the right end of a relative time axis, last strip only
+    QString watermark;
+    std::vector<HeadEntry> entries;
+    std::vector<PlotLimit> limits;
+    std::vector<PlotBand> bands;
+    std::vector<PlotSpan> spans;
+    std::vector<PlotNote> notes;
+    std::vector<ValueTag> tags;
+    std::vector<std::pair<double, double>> gaps;
+};
+
+/// Behind the traces: watermark, bands, spans, gaps.
+class StripBackdrop : public QCPAbstractItem {
+    Q_OBJECT
+public:
+    StripBackdrop(QCPAxisRect &rect, const ThemeSource &theme, const StripDecor &decor);
+    double selectTest(const QPointF &, bool, QVariant * = nullptr) const override { return -1; }
+
+protected:
+    void draw(QCPPainter *painter) override;
+
+private:
+    void drawWatermark(QCPPainter &painter, const QRectF &box) const;
+    void drawBands(QCPPainter &painter, const QRectF &box) const;
+    void drawSpans(QCPPainter &painter, const QRectF &box) const;
+    void drawGaps(QCPPainter &painter, const QRectF &box) const;
+
+    QCPAxisRect &m_rect;
+    const ThemeSource &m_theme;
+    const StripDecor &m_decor;
+};
+
+/// In front of the traces and around the strip: unit, title, legend, limits, notes, value tags.
+class StripFace : public QCPAbstractItem {
+    Q_OBJECT
+public:
+    StripFace(QCPAxisRect &rect, const ThemeSource &theme, const StripDecor &decor);
+    double selectTest(const QPointF &, bool, QVariant * = nullptr) const override { return -1; }
+    /// Room that the tags need at the right, from their widest text.
+    static int tagWidth(const Theme &theme, const QFont &body, const QString &widest);
+
+protected:
+    void draw(QCPPainter *painter) override;
+
+private:
+    void drawHead(QCPPainter &painter, const QRectF &box) const;
+    void drawLimits(QCPPainter &painter, const QRectF &box) const;
+    void drawNotes(QCPPainter &painter, const QRectF &box) const;
+    void drawTags(QCPPainter &painter, const QRectF &box) const;
+    QFont caption() const;
+
+    QCPAxisRect &m_rect;
+    const ThemeSource &m_theme;
+    const StripDecor &m_decor;
+};
+
+/// The line under all strips: what time means at the left, rate and loss at the right.
+class PlotFoot : public QCPLayoutElement {
+    Q_OBJECT
+public:
+    PlotFoot(QCustomPlot &plot, const ThemeSource &theme);
+    void setTexts(const QString &left, const QString &right, bool loss);
+    QString left() const { return m_left; }
+    QString right() const { return m_right; }
+    QSize minimumOuterSizeHint() const override;
+    QSize maximumOuterSizeHint() const override;
+
+protected:
+    void draw(QCPPainter *painter) override;
+
+private:
+    const ThemeSource &m_theme;
+    QString m_left;
+    QString m_right;
+    bool m_loss = false;
+};
+
+/// Tick labels with a true minus and grouped thousands.
+class NumberTicker : public QCPAxisTicker {
+public:
+    NumberTicker() { setTickCount(4); }
+
+protected:
+    QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
+};
+
+/// Time as seconds from an origin, or as the time of day when the Unix time of key 0 is known.
+class TimeTicker : public QCPAxisTicker {
+public:
+    TimeTicker() { setTickCount(8); }
+    void setClock(std::optional<double> unixAtZero) { m_unixAtZero = unixAtZero; }
+    QString text(double key, double step) const;
+
+protected:
+    double getTickStep(const QCPRange &range) override;
+    QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
+
+private:
+    std::optional<double> m_unixAtZero;
+    double m_step = 1.0;
+};
+
+} // namespace mb

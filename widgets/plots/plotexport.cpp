@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plotcursors.h"
+#include "widgets/plots/plotstack.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QFileDialog>
+#include <QMenu>
+#include <QPdfWriter>
+#include <QSaveFile>
+#include <QSvgGenerator>
+#include <QTextStream>
+#include <cmath>
+#include <set>
+
+namespace mb {
+namespace {
+
+constexpr int TableColumns = 1 << 20; ///< so many that a source hands out every sample
+
+QString csvField(const QString &text)
+{
+    static const QRegularExpression special(QStringLiteral("[,\"\r\n]"));
+    if (!text.contains(special))
+        return text;
+    return QLatin1Char('"') + QString(text).replace(QLatin1Char('"'), QStringLiteral("\"\"")) + QLatin1Char('"');
+}
+
+QString csvNumber(double value)
+{
+    return std::isfinite(value) ? QString::number(value, 'g', 12) : QString();
+}
+
+} // namespace
+
+bool PlotStack::exportTo(const QString &path)
+{
+    const QString kind = QFileInfo(path).suffix().toLower();
+    const bool written = kind == QLatin1String("csv") ? exportTable(path) : exportPicture(path, kind);
+    if (written)
+        Q_EMIT exported(path);
+    else
+        Q_EMIT exportFailed(path);
+    return written;
+}
+
+bool PlotStack::exportPicture(const QString &path, const QString &kind)
+{
+    const QSize size = m_plot->size();
+    if (kind == QLatin1String("png"))
+        return m_plot->savePng(path, size.width(), size.height(), 2.0);
+    const auto paint = [&](QPaintDevice &device) {
+        QCPPainter painter(&device);
+        if (!painter.isActive())
+            return false;
+        painter.setMode(QCPPainter::pmVectorized);
+        m_plot->toPainter(&painter, size.width(), size.height());
+        return painter.end();
+    };
+    if (kind == QLatin1String("svg")) {
+        QSvgGenerator svg;
+        svg.setFileName(path);
+        svg.setSize(size);
+        svg.setViewBox(QRect(QPoint(), size));
+        svg.setTitle(windowTitle().isEmpty() ? accessibleName() : windowTitle());
+        svg.setDescription(summary());
+        return paint(svg);
+    }
+    if (kind != QLatin1String("pdf"))
+        return false;
+    QPdfWriter pdf(path);
+    pdf.setCreator(QApplication::applicationName());
+    pdf.setResolution(72); // one unit of the plot is one point of the page
+    pdf.setPageSize(QPageSize(QSizeF(size), QPageSize::Point));
+    pdf.setPageMargins({});
+    return paint(pdf);
+}
+
+bool PlotStack::exportTable(const QString &path)
+{
+    struct Column {
+        std::vector<PlotPoint> points;
+        std::size_t next = 0;
+    };
+    QStringList head{QStringLiteral("time_s")};
+    std::vector<Column> columns;
+    std::set<double> keys;
+    for (const auto &[id, trace] : m_traces) {
+        if (!trace.visible || !trace.source)
+            continue;
+        head << csvField(trace.style.unit.isEmpty()
+                ? trace.style.name
+                : QStringLiteral("%1 (%2)").arg(trace.style.name, trace.style.unit));
+        Column &column = columns.emplace_back();
+        trace.source->columns(m_from, m_to, TableColumns, column.points);
+        for (const PlotPoint &point : column.points) {
+            if (point.key >= m_from && point.key <= m_to)
+                keys.insert(point.key);
+        }
+    }
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly))
+        return false;
+    QTextStream out(&file);
+    out.setCodec("UTF-8");
+    out << head.join(QLatin1Char(',')) << '\n';
+    for (const double key : keys) {
+        out << QString::number(key, 'f', 6);
+        for (Column &column : columns) {
+            while (column.next < column.points.size() && column.points[column.next].key < key)
+                ++column.next;
+            const bool here = column.next < column.points.size() && column.points[column.next].key == key;
+            out << ',' << (here ? csvNumber(column.points[column.next].value) : QString());
+        }
+        out << '\n';
+    }
+    out.flush();
+    return file.commit();
+}
+
+void PlotStack::chooseExport(const QString &suffix, const QString &filter)
+{
+    auto *dialog = new QFileDialog(this, tr("Export plot"), QString(), filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(suffix);
+    connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) { exportTo(path); });
+    dialog->open();
+}
+
+void PlotStack::fillMenu(QMenu &menu)
+{
+    const auto add = [&](const QString &text, auto &&act) { return menu.addAction(text, this, act); };
+    add(m_live ? tr("Pause view\tP") : tr("Back to live\tP"), [this] { m_live ? setLive(false) : backToLive(); });
+    add(tr("Fit time and value\t0"), [this] { fit(); });
+    QAction *cursors = add(tr("Cursors A and B\tL"), [this] { setCursorsShown(!cursorsShown()); });
+    cursors->setCheckable(true);
+    cursors->setChecked(cursorsShown());
+    menu.addSeparator();
+    add(tr("Copy picture"), [this] { QApplication::clipboard()->setPixmap(m_plot->toPixmap(0, 0, 2.0)); });
+    add(tr("Copy summary"), [this] { QApplication::clipboard()->setText(summary()); });
+    menu.addSeparator();
+    add(tr("Export PNG…"), [this] { chooseExport(QStringLiteral("png"), tr("PNG picture (*.png)")); });
+    add(tr("Export SVG…"), [this] { chooseExport(QStringLiteral("svg"), tr("SVG drawing (*.svg)")); });
+    add(tr("Export PDF…"), [this] { chooseExport(QStringLiteral("pdf"), tr("PDF document (*.pdf)")); });
+    add(tr("Export CSV…"), [this] { chooseExport(QStringLiteral("csv"), tr("Table (*.csv)")); });
+}
+
+void PlotStack::contextMenuEvent(QContextMenuEvent *event)
+{
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    fillMenu(*menu);
+    menu->popup(event->globalPos());
+}
+
+} // namespace mb

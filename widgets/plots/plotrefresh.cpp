@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/numberformat.h"
+#include "widgets/plots/plotcursors.h"
+#include "widgets/plots/plotstack.h"
+
+#include <cmath>
+
+namespace mb {
+namespace {
+
+constexpr double WordsEvery = 0.1; ///< seconds between two changes of numbers that somebody reads
+
+/// Decimals that tell a five-hundredth of the axis apart.
+int decimalsFor(double span)
+{
+    return span > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(span / 500))), 0, 6) : 0;
+}
+
+} // namespace
+
+void PlotStack::refresh(double now)
+{
+    m_now = now;
+    if (!isVisible() || m_plot->visibleRegion().isEmpty())
+        return;
+    const bool moved = m_live && followPresent(now);
+    if (!moved && !m_dirty)
+        return;
+    fetch();
+    if (m_dirty || std::abs(now - m_wordsAt) >= WordsEvery) {
+        m_wordsAt = now;
+        for (std::size_t i = 0; i < m_strips.size(); ++i)
+            updateTags(*m_strips[i], static_cast<int>(i));
+        updateFoot();
+        updateCursorRows();
+    }
+    m_dirty = false;
+    m_plot->replot();
+}
+
+bool PlotStack::followPresent(double now)
+{
+    // Whole pixel columns on absolute time: the trace scrolls without shimmering, and a long window is drawn only
+    // as often as it moves by a pixel.
+    const int width = m_strips.empty() ? m_plot->width() : std::max(1, m_strips.front()->rect->width());
+    const double column = m_window / std::max(width, 1);
+    const double to = std::ceil(now / column) * column;
+    if (to == m_to && m_to - m_from == m_window)
+        return false;
+    m_to = to;
+    m_from = to - m_window;
+    return true;
+}
+
+void PlotStack::fetch()
+{
+    for (const auto &strip : m_strips)
+        strip->rect->axis(QCPAxis::atBottom)->setRange(m_from, m_to);
+    for (auto &[id, trace] : m_traces) {
+        if (!trace.visible || !trace.source)
+            continue;
+        const int width = trace.plottable->keyAxis()->axisRect()->width();
+        const double ratio = m_plot->devicePixelRatioF();
+        fetchTrace(trace, m_from, m_to, std::max(1, static_cast<int>(std::lround(width * ratio))));
+    }
+    for (std::size_t i = 0; i < m_strips.size(); ++i)
+        updateStrip(static_cast<int>(i), m_to);
+}
+
+void PlotStack::fetchTrace(Trace &trace, double from, double to, int pixels)
+{
+    m_scratch.clear();
+    trace.source->columns(from, to, pixels, m_scratch);
+    trace.plottable->swapPoints(m_scratch);
+}
+
+void PlotStack::updateStrip(int index, double to)
+{
+    Strip &strip = *m_strips.at(static_cast<std::size_t>(index));
+    strip.decor.gaps.clear();
+    std::optional<std::pair<double, double>> seen;
+    for (const auto &[id, trace] : m_traces) {
+        if (trace.style.strip != index || !trace.visible)
+            continue;
+        const auto &points = trace.plottable->points();
+        const auto values = valueRange(points, m_from, m_to);
+        if (values)
+            seen = seen ? std::pair(std::min(seen->first, values->first), std::max(seen->second, values->second))
+                        : values;
+        for (const auto &gap : gapsOf(points, std::min(to, m_live ? m_now : to))) {
+            const auto same = std::find(strip.decor.gaps.begin(), strip.decor.gaps.end(), gap);
+            if (same == strip.decor.gaps.end())
+                strip.decor.gaps.push_back(gap);
+        }
+    }
+    QCPAxis &values = *strip.rect->axis(QCPAxis::atLeft);
+    if (strip.fixed) {
+        values.setRange(strip.fixed->first, strip.fixed->second);
+    } else if (seen) {
+        const AutoRange::Range range = strip.range.update(seen->first, seen->second, m_now);
+        values.setRange(range.lower, range.upper);
+    }
+}
+
+QString PlotStack::valueText(const TraceStyle &style, double value) const
+{
+    const QCPAxisRect &rect = *m_strips.at(static_cast<std::size_t>(style.strip))->rect;
+    const int decimals = style.decimals >= 0 ? style.decimals : decimalsFor(rect.axis(QCPAxis::atLeft)->range().size());
+    return formatValue(value, decimals, style.unit);
+}
+
+void PlotStack::updateTags(Strip &strip, int index)
+{
+    strip.decor.tags.clear();
+    for (const auto &[id, trace] : m_traces) {
+        const TraceLook &look = trace.plottable->look();
+        const bool wished = look.role == TraceRole::Setpoint || look.dash == TraceDash::Dots;
+        if (trace.style.strip != index || !trace.visible || !trace.style.valueTag || wished || !trace.source)
+            continue;
+        const auto value = m_live ? trace.source->latest() : std::optional(valueAt(id, m_to));
+        if (value && std::isfinite(*value))
+            strip.decor.tags.push_back({valueText(trace.style, *value), *value, look});
+    }
+}
+
+int PlotStack::tagMargin() const
+{
+    int width = m_theme.theme().u(14);
+    for (const auto &[id, trace] : m_traces) {
+        if (trace.visible && trace.style.valueTag && trace.style.role != TraceRole::Setpoint) {
+            const QString widest = formatValue(-8888.8, 1, trace.style.unit);
+            width = std::max(width, StripFace::tagWidth(m_theme.theme(), font(), widest));
+        }
+    }
+    return width;
+}
+
+void PlotStack::updateFoot()
+{
+    QStringList feet;
+    QStringList named;
+    bool loss = false;
+    for (const auto &[id, trace] : m_traces) {
+        const QString foot = trace.visible && trace.source ? trace.source->foot() : QString();
+        if (foot.isEmpty())
+            continue;
+        loss = loss || trace.source->lossy();
+        named << tr("%1: %2").arg(trace.style.name, foot);
+        if (!feet.contains(foot))
+            feet << foot;
+    }
+    const QString right = feet.size() == 1 ? feet.first() : named.join(QStringLiteral("  ·  "));
+    const QString length = formatDuration(m_to - m_from);
+    const QString state = m_live ? tr("live, %1").arg(length) : tr("paused, %1").arg(length);
+    m_foot->setTexts(m_footNote.isEmpty() ? state : m_footNote, right, loss);
+}
+
+void PlotStack::updateCursorRows()
+{
+    if (!m_cursors->visible())
+        return;
+    const double a = m_cursors->key(false);
+    const double b = m_cursors->key(true);
+    std::vector<PlotCursors::Row> rows;
+    rows.push_back({tr("Δt"), formatDuration(b - a), true});
+    if (std::abs(b - a) > 1e-9)
+        rows.push_back({tr("1/Δt"), formatSignificant(1 / std::abs(b - a), 4) + QChar(QChar::Nbsp) + tr("Hz")});
+    for (const auto &[id, trace] : m_traces) {
+        const double difference = valueAt(id, b) - valueAt(id, a);
+        if (trace.visible && std::isfinite(difference) && rows.size() < 9)
+            rows.push_back({tr("Δ %1").arg(trace.style.name), valueText(trace.style, difference)});
+    }
+    m_cursors->setRows(std::move(rows));
+}
+
+double PlotStack::valueAt(int trace, double key) const
+{
+    const auto found = m_traces.find(trace);
+    if (found == m_traces.end())
+        return std::numeric_limits<double>::quiet_NaN();
+    const auto &points = found->second.plottable->points();
+    // Beyond the last point the trace holds its value for a moment: half a percent of the window.
+    if (!points.empty() && key > points.back().key && key - points.back().key < (m_to - m_from) * 0.005)
+        return points.back().value;
+    return mb::valueAt(points, key);
+}
+
+QString PlotStack::summary() const
+{
+    QStringList parts;
+    for (const auto &[id, trace] : m_traces) {
+        if (!trace.visible)
+            continue;
+        const auto values = valueRange(trace.plottable->points(), m_from, m_to);
+        const std::size_t gaps = gapsOf(trace.plottable->points(), m_to).size();
+        QString part = values
+            ? tr("%1 %2 to %3")
+                  .arg(trace.style.name, valueText(trace.style, values->first), valueText(trace.style, values->second))
+            : tr("%1 no data").arg(trace.style.name);
+        const auto latest = m_live && trace.source ? trace.source->latest() : std::nullopt;
+        if (latest)
+            part += tr(", now %1").arg(valueText(trace.style, *latest));
+        if (gaps > 0)
+            part += tr(", %n gap(s)", nullptr, static_cast<int>(gaps));
+        parts << part;
+    }
+    const QString length = formatDuration(m_to - m_from);
+    return parts.isEmpty() ? tr("No traces") : tr("Last %1: %2").arg(length, parts.join(QStringLiteral("; ")));
+}
+
+} // namespace mb

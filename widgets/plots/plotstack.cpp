@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plotstack.h"
+
+#include "widgets/common/numberformat.h"
+#include "widgets/plots/plotcursors.h"
+
+#include <QPainter>
+#include <QTimer>
+#include <QVBoxLayout>
+
+namespace mb {
+
+PlotStack::PlotStack(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setAccessibleName(tr("Plot"));
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(2, 2, 2, 2);
+    buildPlot();
+    column->addWidget(m_plot);
+    connectMouse();
+    connect(&theme, &ThemeSource::changed, this, &PlotStack::restyle);
+    rebuildLayout();
+}
+
+PlotStack::~PlotStack() = default;
+
+void PlotStack::buildPlot()
+{
+    m_plot = new QCustomPlot(this);
+    m_plot->setFocusPolicy(Qt::NoFocus);
+    m_plot->setContextMenuPolicy(Qt::NoContextMenu);
+    m_plot->setNoAntialiasingOnDrag(true);
+    m_plot->plotLayout()->clear();
+    m_plot->plotLayout()->setRowSpacing(0);
+    m_margins = new QCPMarginGroup(m_plot);
+    m_timeTicker = QSharedPointer<TimeTicker>::create();
+    m_foot = new PlotFoot(*m_plot, m_theme);
+    m_cursors = new PlotCursors(*m_plot, m_theme);
+}
+
+std::unique_ptr<PlotStack::Strip> PlotStack::makeStrip()
+{
+    auto strip = std::make_unique<Strip>();
+    strip->rect = new QCPAxisRect(m_plot);
+    strip->rect->setMarginGroup(QCP::msLeft, m_margins);
+    const auto axes = strip->rect->axes();
+    for (QCPAxis *axis : axes) {
+        axis->setLayer(QStringLiteral("axes"));
+        axis->grid()->setLayer(QStringLiteral("grid"));
+    }
+    strip->rect->axis(QCPAxis::atLeft)->setTicker(QSharedPointer<NumberTicker>::create());
+    strip->rect->axis(QCPAxis::atBottom)->setTicker(m_timeTicker);
+    new StripBackdrop(*strip->rect, m_theme, strip->decor); // both belong to the plot
+    new StripFace(*strip->rect, m_theme, strip->decor);
+    return strip;
+}
+
+void PlotStack::ensureStrip(int strip)
+{
+    const auto wanted = static_cast<std::size_t>(std::max(strip, 0)) + 1;
+    if (m_strips.size() >= wanted)
+        return;
+    while (m_strips.size() < wanted)
+        m_strips.push_back(makeStrip());
+    rebuildLayout();
+}
+
+void PlotStack::rebuildLayout()
+{
+    QCPLayoutGrid &layout = *m_plot->plotLayout();
+    for (const auto &strip : m_strips)
+        layout.take(strip->rect);
+    layout.take(m_foot);
+    layout.simplify();
+    int row = 0;
+    std::vector<QCPAxisRect *> rects;
+    for (const auto &strip : m_strips) {
+        layout.addElement(row, 0, strip->rect);
+        layout.setRowStretchFactor(row++, strip->style.stretch);
+        rects.push_back(strip->rect);
+    }
+    layout.addElement(row, 0, m_foot);
+    layout.setRowStretchFactor(row, 0.001);
+    m_cursors->setRects(std::move(rects));
+    restyle();
+}
+
+void PlotStack::restyle()
+{
+    m_plot->setBackground(m_theme.theme().canvas);
+    for (const auto &strip : m_strips)
+        styleStrip(*strip, strip == m_strips.back());
+    for (auto &[id, trace] : m_traces)
+        trace.plottable->setLook(trace.plottable->look(), m_theme.theme());
+    updateHeads();
+    touch();
+}
+
+void PlotStack::styleStrip(Strip &strip, bool last) const
+{
+    const Theme &theme = m_theme.theme();
+    const QFont caption = theme.font(TextRole::Caption, font());
+    for (const auto type : {QCPAxis::atLeft, QCPAxis::atBottom}) {
+        QCPAxis &axis = *strip.rect->axis(type);
+        axis.setBasePen(QPen(theme.outline, 1));
+        axis.setTickPen(Qt::NoPen);
+        axis.setSubTickPen(Qt::NoPen);
+        axis.setTickLength(0);
+        axis.setTickLabelPadding(theme.u(type == QCPAxis::atLeft ? 7 : 6));
+        axis.setTickLabelFont(caption);
+        axis.setTickLabelColor(theme.dim);
+        axis.grid()->setPen(QPen(theme.grid, 1));
+        axis.grid()->setZeroLinePen(QPen(type == QCPAxis::atLeft ? theme.line : theme.grid, 1));
+    }
+    strip.rect->axis(QCPAxis::atBottom)->setTickLabels(last);
+    const int below = theme.u(last ? 26 : 6);
+    strip.rect->setAutoMargins(QCP::msLeft);
+    strip.rect->setMargins(QMargins(0, theme.u(30), tagMargin(), below));
+    strip.rect->setMinimumMargins(QMargins(theme.u(52), 0, 0, 0));
+    strip.decor.keyUnit = last && !m_unixAtZero ? tr("s") : QString();
+}
+
+void PlotStack::updateHeads()
+{
+    for (std::size_t i = 0; i < m_strips.size(); ++i) {
+        StripDecor &decor = m_strips[i]->decor;
+        decor.title = m_strips[i]->style.title;
+        decor.watermark = m_watermark;
+        decor.entries.clear();
+        QStringList units;
+        for (const auto &[id, trace] : m_traces) {
+            if (trace.style.strip != static_cast<int>(i) || !trace.visible)
+                continue;
+            if (!units.contains(trace.style.unit))
+                units << trace.style.unit;
+            if (m_strips[i]->style.legend)
+                decor.entries.push_back({trace.style.name, trace.plottable->look()});
+        }
+        decor.unit = units.join(QStringLiteral(", "));
+    }
+    const int right = tagMargin();
+    for (const auto &strip : m_strips) {
+        QMargins margins = strip->rect->margins();
+        margins.setRight(right);
+        strip->rect->setMargins(margins);
+    }
+}
+
+void PlotStack::touch()
+{
+    m_dirty = true;
+    if (m_pending)
+        return;
+    m_pending = true;
+    QTimer::singleShot(0, this, [this] {
+        m_pending = false;
+        refresh(m_now);
+    });
+}
+
+void PlotStack::setStrip(int strip, const StripStyle &style)
+{
+    ensureStrip(strip);
+    m_strips.at(static_cast<std::size_t>(strip))->style = style;
+    rebuildLayout();
+}
+
+int PlotStack::addTrace(const TraceStyle &style, std::shared_ptr<const TraceSource> source)
+{
+    ensureStrip(style.strip);
+    QCPAxisRect &rect = *m_strips.at(static_cast<std::size_t>(style.strip))->rect;
+    Trace trace{style, std::move(source), new TracePlottable(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft))};
+    trace.plottable->setLook({style.role, style.dash, style.marker, style.emphasis}, m_theme.theme());
+    trace.plottable->setName(style.name);
+    const int id = m_nextTrace++;
+    m_traces.emplace(id, std::move(trace));
+    updateHeads();
+    touch();
+    return id;
+}
+
+void PlotStack::setSource(int trace, std::shared_ptr<const TraceSource> source)
+{
+    const auto found = m_traces.find(trace);
+    if (found == m_traces.end())
+        return;
+    found->second.source = std::move(source);
+    touch();
+}
+
+void PlotStack::setTraceVisible(int trace, bool visible)
+{
+    const auto found = m_traces.find(trace);
+    if (found == m_traces.end())
+        return;
+    found->second.visible = visible;
+    found->second.plottable->setVisible(visible);
+    updateHeads();
+    touch();
+}
+
+void PlotStack::removeTrace(int trace)
+{
+    const auto found = m_traces.find(trace);
+    if (found == m_traces.end())
+        return;
+    m_plot->removePlottable(found->second.plottable);
+    m_traces.erase(found);
+    updateHeads();
+    touch();
+}
+
+void PlotStack::clear()
+{
+    m_plot->clearPlottables();
+    m_traces.clear();
+    for (int i = m_plot->itemCount() - 1; i >= 0; --i) {
+        if (m_plot->item(i) != m_cursors)
+            m_plot->removeItem(i);
+    }
+    for (const auto &strip : m_strips)
+        m_plot->plotLayout()->remove(strip->rect);
+    m_strips.clear();
+    rebuildLayout();
+}
+
+void PlotStack::setClock(std::optional<double> unixAtZero)
+{
+    m_unixAtZero = unixAtZero;
+    m_timeTicker->setClock(unixAtZero);
+    restyle();
+}
+
+void PlotStack::setFootNote(const QString &text)
+{
+    m_footNote = text;
+    touch();
+}
+
+void PlotStack::setWatermark(const QString &text)
+{
+    m_watermark = text;
+    updateHeads();
+    touch();
+}
+
+void PlotStack::setLimits(int strip, std::vector<PlotLimit> limits)
+{
+    ensureStrip(strip);
+    m_strips.at(static_cast<std::size_t>(strip))->decor.limits = std::move(limits);
+    touch();
+}
+
+void PlotStack::setBands(int strip, std::vector<PlotBand> bands)
+{
+    ensureStrip(strip);
+    m_strips.at(static_cast<std::size_t>(strip))->decor.bands = std::move(bands);
+    touch();
+}
+
+void PlotStack::setSpans(int strip, std::vector<PlotSpan> spans)
+{
+    ensureStrip(strip);
+    m_strips.at(static_cast<std::size_t>(strip))->decor.spans = std::move(spans);
+    touch();
+}
+
+void PlotStack::setNotes(int strip, std::vector<PlotNote> notes)
+{
+    ensureStrip(strip);
+    m_strips.at(static_cast<std::size_t>(strip))->decor.notes = std::move(notes);
+    touch();
+}
+
+void PlotStack::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), m_theme.theme().canvas);
+    if (!hasFocus())
+        return;
+    painter.setPen(QPen(m_theme.theme().accent, 2));
+    painter.drawRect(rect().adjusted(1, 1, -1, -1));
+}
+
+QSize PlotStack::sizeHint() const
+{
+    return {m_theme.theme().u(640), m_theme.theme().u(400)};
+}
+
+} // namespace mb

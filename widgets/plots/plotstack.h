@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/plots/autorange.h"
+#include "widgets/plots/plotdecor.h"
+#include "widgets/plots/tracesource.h"
+
+#include <QPointer>
+#include <QWidget>
+#include <map>
+#include <memory>
+
+class QMenu;
+
+namespace mb {
+
+class PlotCursors;
+
+/// A trace of a stack. Strips count from 0 at the top and appear with their first trace.
+struct TraceStyle {
+    QString name;
+    QString unit;
+    TraceRole role = TraceRole::Neutral;
+    int strip = 0;
+    TraceDash dash = TraceDash::Automatic;
+    TraceMarker marker = TraceMarker::Automatic;
+    bool emphasis = false; ///< heavier; only for traces that stand still
+    bool valueTag = true;  ///< newest value at the right edge (never for set-points)
+    int decimals = -1;     ///< of the tag; -1: four significant digits
+};
+
+struct StripStyle {
+    QString title;
+    double stretch = 1.0;
+    bool legend = true; ///< names and swatches above the strip
+};
+
+/// Strips of traces above one time axis, in one QCustomPlot. Live, it follows the present; paused, it can be zoomed and
+/// moved. Nothing is fetched or drawn while it cannot be seen. GUI thread. Keys are seconds on any one time line.
+class PlotStack : public QWidget {
+    Q_OBJECT
+public:
+    explicit PlotStack(const ThemeSource &theme, QWidget *parent = nullptr);
+    ~PlotStack() override;
+
+    void setStrip(int strip, const StripStyle &style);
+    /// The number that the other functions take; never used twice.
+    int addTrace(const TraceStyle &style, std::shared_ptr<const TraceSource> source);
+    void setSource(int trace, std::shared_ptr<const TraceSource> source);
+    void setTraceVisible(int trace, bool visible);
+    void removeTrace(int trace);
+    /// All traces and strips.
+    void clear();
+    int traceCount() const { return static_cast<int>(m_traces.size()); }
+
+    /// Length of the time axis in seconds (1 ms … 1 h).
+    void setWindow(double seconds);
+    double window() const { return m_window; }
+    void setLive(bool live);
+    bool isLive() const { return m_live; }
+    /// Shows this stretch of time and stops following.
+    void setRange(double from, double to);
+    std::pair<double, double> range() const;
+    /// All data of all traces, when they are finite, and every value axis fitted anew. Key 0.
+    void fit();
+    /// A fixed value axis; empty returns to following the data.
+    void setValueRange(int strip, std::optional<std::pair<double, double>> range);
+
+    /// Time of day on the axis, given the Unix time of key 0; empty: seconds.
+    void setClock(std::optional<double> unixAtZero);
+    /// Left end of the foot line, for example "t = 0 at measured duty edge". Empty shows live or paused and the window.
+    void setFootNote(const QString &text);
+    /// "DEMO" behind every strip and in every export.
+    void setWatermark(const QString &text);
+    void setLimits(int strip, std::vector<PlotLimit> limits);
+    void setBands(int strip, std::vector<PlotBand> bands);
+    void setSpans(int strip, std::vector<PlotSpan> spans);
+    void setNotes(int strip, std::vector<PlotNote> notes);
+
+    /// Two lines A and B with the differences between them. Key L.
+    void setCursorsShown(bool shown);
+    bool cursorsShown() const;
+    std::pair<double, double> cursorKeys() const;
+    /// Value of a trace at a key, from what is drawn; NaN outside and in a gap.
+    double valueAt(int trace, double key) const;
+
+    /// Call it on a 60 Hz tick. `now` is the present on the time line of the keys.
+    void refresh(double now);
+
+    /// Writes the picture, or the visible data as a table. The kind follows from the suffix: png, svg, pdf, csv.
+    /// False when the file cannot be written or the suffix is another.
+    bool exportTo(const QString &path);
+    /// Adds the entries of the context menu.
+    void fillMenu(QMenu &menu);
+    /// Everything that is seen, in words: for a screen reader, for copying.
+    QString summary() const;
+
+    QCustomPlot &plot() { return *m_plot; }
+
+Q_SIGNALS:
+    void liveChanged(bool live);
+    void windowChanged(double seconds);
+    void cursorsChanged();
+    /// Every chosen export ends in one of these.
+    void exported(const QString &path);
+    void exportFailed(const QString &path);
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    QSize sizeHint() const override;
+
+private:
+    struct Trace {
+        TraceStyle style;
+        std::shared_ptr<const TraceSource> source;
+        TracePlottable *plottable = nullptr;
+        bool visible = true;
+    };
+    struct Strip {
+        StripStyle style;
+        QCPAxisRect *rect = nullptr;
+        AutoRange range;
+        std::optional<std::pair<double, double>> fixed;
+        StripDecor decor;
+    };
+
+    // plotstack.cpp
+    void buildPlot();
+    void ensureStrip(int strip);
+    std::unique_ptr<Strip> makeStrip();
+    void rebuildLayout();
+    void restyle();
+    void styleStrip(Strip &strip, bool last) const;
+    void updateHeads();
+    /// Something changed: draws soon, also when nobody ticks.
+    void touch();
+    // plotrefresh.cpp
+    bool followPresent(double now);
+    void fetch();
+    void fetchTrace(Trace &trace, double from, double to, int pixels);
+    void updateStrip(int index, double to);
+    void updateTags(Strip &strip, int index);
+    void updateFoot();
+    void updateCursorRows();
+    QString valueText(const TraceStyle &style, double value) const;
+    int tagMargin() const;
+    // plotinteraction.cpp
+    void connectMouse();
+    void wheel(QWheelEvent *event);
+    void mousePress(QMouseEvent *event);
+    void mouseMove(QMouseEvent *event);
+    void mouseRelease(QMouseEvent *event);
+    void zoomTime(double factor, std::optional<double> around);
+    void zoomValue(int strip, double factor, double around);
+    void pan(double seconds);
+    bool timeKey(int key);
+    void backToLive();
+    int stripAt(const QPoint &position) const;
+    double keyAt(int x) const;
+    // plotexport.cpp
+    bool exportPicture(const QString &path, const QString &kind);
+    bool exportTable(const QString &path);
+    void chooseExport(const QString &suffix, const QString &filter);
+    void announce();
+
+    const ThemeSource &m_theme;
+    QCustomPlot *m_plot = nullptr;
+    QCPMarginGroup *m_margins = nullptr;
+    QPointer<PlotFoot> m_foot;
+    QSharedPointer<TimeTicker> m_timeTicker;
+    std::optional<double> m_unixAtZero;
+    PlotCursors *m_cursors = nullptr;
+    std::vector<std::unique_ptr<Strip>> m_strips;
+    std::map<int, Trace> m_traces;
+    int m_nextTrace = 0;
+    double m_window = 12.0;
+    double m_from = 0.0;
+    double m_to = 12.0;
+    double m_now = 0.0;
+    bool m_live = true;
+    bool m_dirty = true;
+    bool m_pending = false;
+    double m_wordsAt = 0.0;
+    std::vector<PlotPoint> m_scratch;
+    QString m_footNote;
+    QString m_watermark;
+    std::optional<QPoint> m_drag;
+    std::optional<bool> m_draggedCursor; ///< true: B
+};
+
+} // namespace mb

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace mb {
+
+/// One point of a trace. `key` is in seconds on the time line of the plot; a `value` that is NaN ends the line: a gap
+/// begins at its key and lasts until the key of the next finite point.
+struct PlotPoint {
+    double key = 0.0;
+    double value = std::numeric_limits<double>::quiet_NaN();
+
+    static PlotPoint gap(double key) { return {key, std::numeric_limits<double>::quiet_NaN()}; }
+};
+
+/// Where a trace comes from. Called on the GUI thread only, while the plot is visible.
+class TraceSource {
+public:
+    virtual ~TraceSource() = default;
+    /// Replaces `points` with what lies in from … to, in order of time, at most four points (first, smallest, largest,
+    /// last, in their order) for each of the `pixels` columns, plus the nearest point on either side where there is
+    /// one. The columns start at `from`, which the plot anchors to absolute time.
+    virtual void columns(double from, double to, int pixels, std::vector<PlotPoint> &points) const = 0;
+    /// The newest value, for the label at the right edge; empty when it is not known any more.
+    virtual std::optional<double> latest() const = 0;
+    /// Rate and loss, translated: "100 Hz, 0 of 6400 lost". Empty shows nothing.
+    virtual QString foot() const = 0;
+    /// Samples are missing: the foot line turns to caution.
+    virtual bool lossy() const { return false; }
+};
+
+/// A finished trace in memory: a trial, a prediction, a file.
+class FixedTrace : public TraceSource {
+public:
+    explicit FixedTrace(std::vector<PlotPoint> points, QString foot = {});
+    void columns(double from, double to, int pixels, std::vector<PlotPoint> &points) const override;
+    std::optional<double> latest() const override;
+    QString foot() const override { return m_foot; }
+    const std::vector<PlotPoint> &points() const { return m_points; }
+
+private:
+    std::vector<PlotPoint> m_points;
+    QString m_foot;
+};
+
+} // namespace mb
