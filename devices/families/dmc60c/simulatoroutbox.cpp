@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60c/simulatoroutbox.h"
+
+#include <algorithm>
+
+namespace mb::dmc60c::simulation {
+
+Outbox::Outbox(CanLink &link, Clock &clock, std::vector<SimulatedFault> faults)
+    : m_link(link)
+    , m_clock(clock)
+    , m_faults(std::move(faults))
+    , m_timer(clock)
+{
+}
+
+void Outbox::post(const CanFrame &frame, Duration delay)
+{
+    m_lastDue = std::max(m_clock.now() + delay, m_lastDue);
+    m_waiting.emplace(m_lastDue, frame);
+    rearm();
+}
+
+void Outbox::clear()
+{
+    m_waiting.clear();
+    m_delayed.clear();
+    m_timer.stop();
+}
+
+const SimulatedFault *Outbox::strikes(std::string_view kind) const
+{
+    const auto fault = std::find_if(m_faults.begin(), m_faults.end(), [&](const SimulatedFault &f) {
+        return f.kind == kind && static_cast<double>(m_sent) == f.at;
+    });
+    return fault == m_faults.end() ? nullptr : &*fault;
+}
+
+void Outbox::send(const CanFrame &frame)
+{
+    ++m_sent;
+    const bool silent = std::any_of(m_faults.begin(), m_faults.end(), [this](const SimulatedFault &f) {
+        return f.kind == "silent" && static_cast<double>(m_sent) >= f.at;
+    });
+    if (silent || strikes("drop") != nullptr)
+        return;
+    CanFrame sent = frame;
+    if (strikes("corrupt") != nullptr && sent.size > 0)
+        sent.data[m_sent % sent.size] ^= 0x55U;
+    if (const SimulatedFault *delay = strikes("delay")) {
+        const auto time = std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(delay->argument));
+        m_delayed.emplace(m_clock.now() + time, sent);
+        rearm();
+        return;
+    }
+    (void)m_link.send(sent); // a lost link is noticed by its state
+}
+
+void Outbox::rearm()
+{
+    if (m_waiting.empty() && m_delayed.empty()) {
+        m_timer.stop();
+        return;
+    }
+    const Instant first = m_waiting.empty() ? Instant::max() : m_waiting.begin()->first;
+    const Instant second = m_delayed.empty() ? Instant::max() : m_delayed.begin()->first;
+    m_timer.start(std::min(first, second), [this] { flush(); });
+}
+
+void Outbox::flush()
+{
+    const Instant now = m_clock.now();
+    while (!m_delayed.empty() && m_delayed.begin()->first <= now)
+        (void)m_link.send(m_delayed.extract(m_delayed.begin()).mapped());
+    while (!m_waiting.empty() && m_waiting.begin()->first <= now)
+        send(m_waiting.extract(m_waiting.begin()).mapped());
+    rearm();
+}
+
+} // namespace mb::dmc60c::simulation

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/clock.h"
+#include "families/dmc60c/simulatorflash.h"
+
+#include <functional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace mb::dmc60c::simulation {
+
+/// What vendor commands act on.
+class Board {
+public:
+    Board() = default;
+    Board(const Board &) = delete;
+    Board &operator=(const Board &) = delete;
+    virtual ~Board() = default;
+
+    [[nodiscard]] virtual bool isInBootloader() const = 0;
+    virtual void sendStatus(CommandStatus status, std::uint8_t terminal, std::size_t bytes) = 0;
+    virtual void sendData(std::span<const std::uint8_t> bytes) = 0;
+    /// The processor does nothing for `time`, then `then`; what arrives meanwhile waits in the receive FIFO.
+    virtual void stall(Duration time, std::function<void()> then) = 0;
+    /// A reset on command; `stay` in the bootloader.
+    virtual void restart(bool stay) = 0;
+    [[nodiscard]] virtual ConfigImage &config() = 0;
+    /// The configuration in RAM is now in flash.
+    virtual void commitConfig() = 0;
+    [[nodiscard]] virtual ApplicationFlash &application() = 0;
+    [[nodiscard]] virtual CrcVariant crcVariant() const = 0;
+    /// Half of `page` is written; true when the supply was lost at this very moment.
+    [[nodiscard]] virtual bool failsDuring(int page) = 0;
+    virtual void note(std::string_view what, double value) = 0;
+};
+
+/// Section 3: the vendor commands and their transfers.
+class VendorPort {
+public:
+    explicit VendorPort(Board &board)
+        : m_board(board)
+    {
+    }
+    /// A VENDORCMD of 8 bytes with the right session and number.
+    void command(std::span<const std::uint8_t> bytes);
+    void data(std::span<const std::uint8_t> bytes);
+    /// Forgets the transfer in progress.
+    void reset() { m_open = false; }
+
+private:
+    void reply(CommandStatus status) { m_board.sendStatus(status, 0, 0); }
+    void sendBlock(std::span<const std::uint8_t> bytes);
+    void openTransfer(Command command, std::size_t bytes, int page);
+    void setNumber(int number);
+    void beginText(Command command, std::size_t count);
+    void beginPage(int imageType, int page);
+    void endText();
+    void endPage();
+    void erasePage();
+    void writePage();
+    void finishPage();
+    void applicationCommand(Command code);
+
+    Board &m_board;
+    bool m_open = false;
+    Command m_command {};
+    std::size_t m_expected = 0;
+    int m_page = 0;
+    std::vector<std::uint8_t> m_bytes;
+};
+
+/// Flash of the microcontroller, 7.5: the processor waits for it.
+constexpr auto eraseTime = std::chrono::microseconds(23100);
+constexpr auto writeTime = std::chrono::milliseconds(54);
+constexpr auto versionWriteTime = std::chrono::microseconds(100);
+
+constexpr std::uint16_t bootloaderVersion = 0x0109;
+
+} // namespace mb::dmc60c::simulation
