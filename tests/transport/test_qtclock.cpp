@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/eventloop.h"
+
+#include <gtest/gtest.h>
+
+#include <QSocketNotifier>
+
+#include <string>
+
+#include <unistd.h>
+
+using namespace mb;
+using namespace std::chrono_literals;
+
+TEST(QtClock, RunsWorkInTheOrderOfDeadlinesAndNeverEarly)
+{
+    test::EventLoop loop;
+    std::string order;
+    int early = 0;
+    const Instant start = loop.clock().now();
+    const auto arm = [&](Duration delay, char name) {
+        loop.clock().arm(start + delay, [&, delay, name] {
+            order += name;
+            early += loop.clock().now() < start + delay ? 1 : 0;
+        });
+    };
+    arm(3ms, 'd');
+    arm(100us, 'a');
+    arm(1ms, 'b');
+    arm(1ms, 'c');
+    ASSERT_TRUE(loop.runUntil([&order] { return order.size() == 4; }));
+    EXPECT_EQ(order, "abcd");
+    EXPECT_EQ(early, 0);
+}
+
+TEST(QtClock, AnEarlierDeadlineArmedLaterIsServedFirst)
+{
+    test::EventLoop loop;
+    std::string order;
+    const Instant start = loop.clock().now();
+    loop.clock().arm(start + 20ms, [&order] { order += 'b'; });
+    loop.clock().arm(start + 1ms, [&order] { order += 'a'; });
+    ASSERT_TRUE(loop.runUntil([&order] { return order.size() == 2; }));
+    EXPECT_EQ(order, "ab");
+}
+
+TEST(QtClock, DisarmedWorkDoesNotRunAndTheRestDoes)
+{
+    test::EventLoop loop;
+    std::string order;
+    const Instant start = loop.clock().now();
+    const auto key = loop.clock().arm(start + 1ms, [&order] { order += 'x'; });
+    loop.clock().arm(start + 2ms, [&order] { order += 'a'; });
+    loop.clock().disarm(key);
+    ASSERT_TRUE(loop.runUntil([&order] { return !order.empty(); }));
+    EXPECT_EQ(order, "a");
+    EXPECT_EQ(loop.clock().armed(), 0U);
+}
+
+TEST(QtClock, WorkThatArmsItselfAgainRunsAgain)
+{
+    test::EventLoop loop;
+    int runs = 0;
+    Timer timer(loop.clock());
+    std::function<void()> again = [&] {
+        if (++runs < 50)
+            timer.startIn(131us, again);
+    };
+    timer.startIn(0us, again);
+    EXPECT_TRUE(loop.runUntil([&runs] { return runs == 50; }));
+}
+
+TEST(QtClock, ADeadlineLongPastRunsSoon)
+{
+    test::EventLoop loop;
+    bool ran = false;
+    loop.clock().arm(Instant{}, [&ran] { ran = true; });
+    EXPECT_TRUE(loop.runUntil([&ran] { return ran; }));
+}
+
+TEST(QtClock, BusyWorkStarvesNoDescriptor)
+{
+    for (const bool always : {false, true}) {
+        test::EventLoop loop;
+        int ends[2] = {-1, -1};
+        ASSERT_EQ(::pipe(ends), 0);
+        bool readable = false;
+        QSocketNotifier notifier(ends[0], QSocketNotifier::Read);
+        QObject::connect(&notifier, &QSocketNotifier::activated, &notifier, [&] {
+            readable = true;
+            notifier.setEnabled(false);
+        });
+        ASSERT_EQ(::write(ends[1], "x", 1), 1);
+        Timer timer(loop.clock());
+        std::function<void()> again = [&] {
+            if (!readable)
+                timer.start(always ? Instant{} : loop.clock().now(), again);
+        };
+        again();
+        EXPECT_TRUE(loop.runUntil([&readable] { return readable; })) << always;
+        ::close(ends[0]);
+        ::close(ends[1]);
+    }
+}
+
+TEST(QtClock, KnowsUnixTime)
+{
+    test::EventLoop loop;
+    const auto unixTime = loop.clock().now().time_since_epoch() + loop.clock().unixOffset();
+    EXPECT_GT(unixTime, std::chrono::hours(24 * 365 * 50));
+}
