@@ -59,6 +59,7 @@ void History::clear()
     m_lost = 0;
     m_clamped = 0;
     m_broken = false;
+    ++m_generation;
     ++m_revision;
 }
 

@@ -22,6 +22,25 @@ struct Point {
     [[nodiscard]] bool isGap() const { return std::isnan(value); }
 };
 
+class History;
+
+/// What History::columns() answered last, kept by a reader who asks again and again for a window that moves: only
+/// columns that are new since, or not full yet, are computed. One for each trace of a picture.
+class ColumnWindow {
+public:
+    [[nodiscard]] const std::vector<Point> &points() const { return m_points; }
+
+private:
+    friend class History;
+    std::vector<Point> m_points;
+    std::vector<Point> m_before; ///< the answer before, while the new one is made
+    const History *m_history = nullptr;
+    std::uint64_t m_generation = 0;
+    std::int64_t m_width = 0; ///< these three in microseconds
+    std::int64_t m_from = 0;  ///< columns from here
+    std::int64_t m_to = 0;    ///< to here are there and will not change
+};
+
 /// The whole recording of one channel: chunks of values with 32-bit time offsets, and a pyramid of extremes (factor 16)
 /// that is kept on append, so that a picture of any stretch costs what its width costs, not what its length costs.
 /// Values are doubles (counts exact to 2^53) and extremes are exact; times are kept in whole microseconds, rounded
@@ -72,6 +91,8 @@ public:
     /// A point that is not a number, with the time of the sample before it, stands at each gap, except inside columns
     /// of more than four samples, where a gap is narrower than a pixel: gaps() has those.
     void columns(Instant from, Instant to, int pixels, std::vector<Point> &out) const;
+    /// The same points, at a fraction of the cost when `window` has most of them already.
+    void columns(Instant from, Instant to, int pixels, ColumnWindow &window) const;
     /// The last sample at or before `time`.
     [[nodiscard]] std::optional<Point> at(Instant time) const;
     /// Of the samples in [from, to]; nothing when there are none.
@@ -135,6 +156,8 @@ private:
     [[nodiscard]] Node range(Position from, Position to) const;
     void addPlaces(std::size_t chunk, std::uint32_t from, std::uint32_t to, Node &sum) const;
     void addChunks(std::size_t from, std::size_t to, Node &sum) const;
+    /// Keeps of `window` what is still right, and yields from where on it has to be completed.
+    [[nodiscard]] Micros reuse(ColumnWindow &window, Columns &columns, Micros start, Micros stop) const;
     /// The first break at or after `position`.
     [[nodiscard]] BreakIterator breakFrom(Position position) const;
 
@@ -147,6 +170,7 @@ private:
     std::uint64_t m_lost = 0;
     std::uint64_t m_clamped = 0;
     std::uint64_t m_revision = 0;
+    std::uint64_t m_generation = 0; ///< cleared so many times
     bool m_broken = false;
     mutable std::uint64_t m_visited = 0;
 };

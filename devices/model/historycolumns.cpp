@@ -17,34 +17,40 @@ public:
     {
     }
 
-    void run(Micros from, Micros to)
+    /// The columns of [start, stop), and the one sample before them when nothing has been written yet.
+    void cover(Micros start, Micros stop)
     {
-        const Position end = m_history.end();
-        const Micros stop = startOf(to) + m_width;
-        Position position = m_history.search(startOf(from));
-        if (position != 0)
+        Position position = m_history.search(start);
+        if (position != 0 && m_out.empty())
             add(m_history.previous(position), joined);
+        const Position end = m_history.end();
         while (position != end) {
-            const Micros start = startOf(m_history.timeAt(position));
-            if (start >= stop)
+            const Micros begin = startOf(m_history.timeAt(position), m_width);
+            if (begin >= stop)
                 break;
-            const Position next = m_history.search(start + m_width, position);
+            const Position next = m_history.search(begin + m_width, position);
             column(position, next);
             position = next;
         }
-        if (position != end)
-            add(position, mayBreak);
+        m_after = position;
+    }
+
+    /// The one sample after what cover() covered last.
+    void close()
+    {
+        if (m_after != m_history.end())
+            add(m_after, mayBreak);
+    }
+
+    [[nodiscard]] static Micros startOf(Micros time, Micros width)
+    {
+        const Micros rest = time % width;
+        return time - (rest < 0 ? rest + width : rest);
     }
 
 private:
     static constexpr bool mayBreak = false;
     static constexpr bool joined = true;
-
-    [[nodiscard]] Micros startOf(Micros time) const
-    {
-        const Micros rest = time % m_width;
-        return time - (rest < 0 ? rest + m_width : rest);
-    }
 
     void column(Position from, Position to)
     {
@@ -88,6 +94,7 @@ private:
     Micros m_width;
     std::vector<Point> &m_out;
     BreakIterator m_break;
+    Position m_after = 0;
 };
 
 Duration History::columnWidth(Instant from, Instant to, int pixels)
@@ -104,8 +111,57 @@ void History::columns(Instant from, Instant to, int pixels, std::vector<Point> &
     out.clear();
     if (isEmpty() || to < from || pixels <= 0)
         return;
-    const auto width = std::chrono::duration_cast<std::chrono::microseconds>(columnWidth(from, to, pixels));
-    Columns(*this, width.count(), out).run(toMicros(from), toMicros(to));
+    const Micros width = columnWidth(from, to, pixels) / std::chrono::microseconds(1);
+    Columns columns(*this, width, out);
+    columns.cover(Columns::startOf(toMicros(from), width), Columns::startOf(toMicros(to), width) + width);
+    columns.close();
+}
+
+void History::columns(Instant from, Instant to, int pixels, ColumnWindow &window) const
+{
+    const Micros width = columnWidth(from, to, pixels) / std::chrono::microseconds(1);
+    if (window.m_history != this || window.m_generation != m_generation || window.m_width != width)
+        window.m_to = window.m_from; // nothing of it is right any more
+    std::swap(window.m_points, window.m_before);
+    window.m_points.clear();
+    if (isEmpty() || to < from || pixels <= 0) {
+        window.m_history = nullptr;
+        return;
+    }
+    const Micros start = Columns::startOf(toMicros(from), width);
+    const Micros stop = Columns::startOf(toMicros(to), width) + width;
+    Columns columns(*this, width, window.m_points);
+    columns.cover(reuse(window, columns, start, stop), stop);
+    columns.close();
+    window.m_history = this;
+    window.m_generation = m_generation;
+    window.m_width = width;
+    window.m_from = start;
+    window.m_to = std::min(stop, Columns::startOf(m_lastTime, width)); // the last column may still grow
+}
+
+History::Micros History::reuse(ColumnWindow &window, Columns &columns, Micros start, Micros stop) const
+{
+    const Micros from = std::max(start, window.m_from);
+    const Micros to = std::min(stop, window.m_to);
+    if (from >= to)
+        return start;
+    const auto &before = window.m_before;
+    // Gap points have the time of the sample before them, but go with the one after them.
+    const auto firstAt = [&before](Micros time) {
+        auto found = std::lower_bound(before.begin(), before.end(), toInstant(time),
+            [](const Point &point, Instant instant) { return point.time < instant; });
+        if (found != before.begin() && std::prev(found)->isGap())
+            --found;
+        return found;
+    };
+    const auto first = firstAt(from);
+    if (start < from)
+        columns.cover(start, from);
+    else if (first != before.begin())
+        window.m_points.push_back(*std::prev(first));
+    window.m_points.insert(window.m_points.end(), first, firstAt(to));
+    return to;
 }
 
 } // namespace mb

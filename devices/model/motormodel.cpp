@@ -9,11 +9,11 @@ namespace mb {
 
 namespace {
 
-constexpr double longestStep = 100e-6; // s
-constexpr double restSpeed = 0.05; // rad/s, below which friction may hold the rotor
-constexpr double airTemperature = 25.0; // °C
-constexpr double copperCoefficient = 0.00393; // 1/K
-constexpr double magnetCoefficient = -0.002; // 1/K
+constexpr double longestStep = 100e-6;           // s
+constexpr double restSpeed = 0.05;               // rad/s, below which friction may hold the rotor
+constexpr double airTemperature = 25.0;          // °C
+constexpr double copperCoefficient = 0.00393;    // 1/K
+constexpr double magnetCoefficient = -0.002;     // 1/K
 constexpr double kilogramCentimetre = 0.0980665; // N·m
 
 /// The rows of tuning.md 4.2 hold what vendors print; the rest follows from it as derived there.
@@ -51,12 +51,12 @@ constexpr MotorParameters row(std::string_view name, std::string_view title, dou
 }
 
 constexpr double kgcm = kilogramCentimetre;
-constexpr std::array<MotorParameters, 6> table {
-    row("cim", "CIM", 2.42, 133, 2.7, 5310, 1.0, 60e-6, 7.75e-5, 4096, MotorThermal {55, 0.9, 420, 2.2}),
-    row("775pro", "775pro", 0.71, 134, 0.7, 18730, 1.0, 25e-6, 1.2e-5, 4096, MotorThermal {20, 1.6, 140, 4}),
+constexpr std::array<MotorParameters, 6> table{
+    row("cim", "CIM", 2.42, 133, 2.7, 5310, 1.0, 60e-6, 7.75e-5, 4096, MotorThermal{55, 0.9, 420, 2.2}),
+    row("775pro", "775pro", 0.71, 134, 0.7, 18730, 1.0, 25e-6, 1.2e-5, 4096, MotorThermal{20, 1.6, 140, 4}),
     row("rs775", "RS775-125", 0.28, 18, 1.6, 5800, 1.0, 900e-6, 2.0e-5, 4096),
     row("25d", "Pololu 25D HP12 46.85:1", 15 * kgcm, 5.0, 0.30, 220, 46.85, 1.1e-3, 5.5e-7, 48,
-        MotorThermal {4, 8, 30, 14}),
+        MotorThermal{4, 8, 30, 14}),
     row("25dlp", "Pololu 25D LP12 74.83:1", 7.1 * kgcm, 0.9, 0.06, 75, 74.83, 6.0e-3, 5.5e-7, 48),
     row("n20", "Pololu N20 HPCB12 75.81:1", 1.0 * kgcm, 0.75, 0.08, 450, 75.81, 5.0e-3, 1.4e-8, 12),
 };
@@ -111,15 +111,14 @@ void MotorModel::stepOnce(double duty, Bridge bridge, double seconds)
 void MotorModel::drive(double duty, double seconds)
 {
     m_duty = duty;
-    const Circuit circuit {duty * m_supply.voltage,
+    const Circuit circuit{duty * m_supply.voltage,
         resistanceNow() + m_supply.bridgeResistance + duty * duty * m_supply.resistance, constantNow()};
     const double torque = circuit.constant * m_current;
     m_stuck = isHeld(torque);
     if (m_stuck) {
         const double steady = circuit.voltage / circuit.resistance;
         m_speed = 0.0;
-        m_current
-            = steady + (m_current - steady) * std::exp(-circuit.resistance * seconds / m_parameters.inductance);
+        m_current = steady + (m_current - steady) * std::exp(-circuit.resistance * seconds / m_parameters.inductance);
         return;
     }
     const double friction = m_parameters.friction + m_parameters.torqueLoss * std::abs(torque);
@@ -140,7 +139,7 @@ void MotorModel::slip(const Circuit &circuit, double friction, double seconds)
     const double mean = 0.5 * (a11 + a22);
     const double square = mean * mean - determinant;
     const double q = std::sqrt(std::abs(square));
-    double even = 1.0; // cosh or cos
+    double even = 1.0;    // cosh or cos
     double odd = seconds; // sinh/q or sin/q
     if (q * seconds > 1e-9) {
         even = square > 0.0 ? std::cosh(q * seconds) : std::cos(q * seconds);

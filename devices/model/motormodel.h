@@ -21,25 +21,25 @@ struct MotorThermal {
 struct MotorParameters {
     std::string_view name; ///< of `motor=`
     std::string_view title;
-    double nominalVoltage = 12.0; ///< V
-    double stallTorque = 0.0; ///< N·m, at the output
-    double stallCurrent = 0.0; ///< A
-    double freeCurrent = 0.0; ///< A
-    double freeSpeed = 0.0; ///< rpm, at the output
-    double gearRatio = 1.0; ///< rotor turns per output turn
-    double inductance = 0.0; ///< H
-    double inertia = 0.0; ///< kg·m², the rotor's
-    int countsPerTurn = 4096; ///< encoder, per rotor turn
+    double nominalVoltage = 12.0;        ///< V
+    double stallTorque = 0.0;            ///< N·m, at the output
+    double stallCurrent = 0.0;           ///< A
+    double freeCurrent = 0.0;            ///< A
+    double freeSpeed = 0.0;              ///< rpm, at the output
+    double gearRatio = 1.0;              ///< rotor turns per output turn
+    double inductance = 0.0;             ///< H
+    double inertia = 0.0;                ///< kg·m², the rotor's
+    int countsPerTurn = 4096;            ///< encoder, per rotor turn
     std::optional<MotorThermal> thermal; ///< stays at air temperature without
 
     // Derived: one constant for torque and voltage, so that no energy comes from nowhere; what is missing of the
     // vendor's stall torque is a loss that grows with torque.
     double resistance = 0.0; ///< Ohm at 25 °C
-    double constant = 0.0; ///< V·s/rad and N·m/A at 25 °C
-    double friction = 0.0; ///< N·m while moving
-    double viscosity = 0.0; ///< N·m·s/rad
+    double constant = 0.0;   ///< V·s/rad and N·m/A at 25 °C
+    double friction = 0.0;   ///< N·m while moving
+    double viscosity = 0.0;  ///< N·m·s/rad
     double torqueLoss = 0.0; ///< fraction of the torque
-    double breakaway = 0.0; ///< N·m at rest
+    double breakaway = 0.0;  ///< N·m at rest
 
     [[nodiscard]] constexpr double rotorFreeSpeed() const ///< rad/s
     {
@@ -54,8 +54,8 @@ struct MotorParameters {
 
 /// Battery and bridge between the duty and the motor.
 struct MotorSupply {
-    double voltage = 12.0; ///< V, open circuit
-    double resistance = 0.02; ///< Ohm, of battery and cables
+    double voltage = 12.0;           ///< V, open circuit
+    double resistance = 0.02;        ///< Ohm, of battery and cables
     double bridgeResistance = 0.005; ///< Ohm
 };
 
@@ -75,13 +75,16 @@ public:
 
     [[nodiscard]] const MotorParameters &parameters() const { return m_parameters; }
     [[nodiscard]] double current() const { return m_current; } ///< A, through the motor
-    [[nodiscard]] double supplyCurrent() const { return m_duty * m_current; } ///< A, negative while it charges the battery
+    [[nodiscard]] double supplyCurrent() const
+    {
+        return m_duty * m_current;
+    }                                                      ///< A, negative while it charges the battery
     [[nodiscard]] double speed() const { return m_speed; } ///< rad/s, rotor
     [[nodiscard]] double angle() const { return m_angle; } ///< rad, rotor
     [[nodiscard]] double busVoltage() const { return m_supply.voltage - m_supply.resistance * supplyCurrent(); } ///< V
-    [[nodiscard]] double temperature() const { return m_winding; } ///< °C, winding
+    [[nodiscard]] double temperature() const { return m_winding; }        ///< °C, winding
     [[nodiscard]] double housingTemperature() const { return m_housing; } ///< °C
-    [[nodiscard]] bool isStuck() const { return m_stuck; } ///< held by friction or locked
+    [[nodiscard]] bool isStuck() const { return m_stuck; }                ///< held by friction or locked
 
     /// What the encoder counts: whole counts, as it is mounted, or as it stood when it died.
     [[nodiscard]] std::int64_t counts() const;

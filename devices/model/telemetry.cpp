@@ -113,6 +113,12 @@ void Telemetry::columns(ChannelIndex channel, Instant from, Instant to, int pixe
     history(channel).columns(from, to, pixels, out);
 }
 
+void Telemetry::columns(ChannelIndex channel, Instant from, Instant to, int pixels, ColumnWindow &window) const
+{
+    const std::lock_guard lock(m_mutex);
+    history(channel).columns(from, to, pixels, window);
+}
+
 std::optional<Point> Telemetry::first(ChannelIndex channel) const
 {
     const std::lock_guard lock(m_mutex);

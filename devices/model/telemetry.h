@@ -52,6 +52,7 @@ public:
     /// @name Any thread: what has been committed (see History)
     /// @{
     void columns(ChannelIndex channel, Instant from, Instant to, int pixels, std::vector<Point> &out) const;
+    void columns(ChannelIndex channel, Instant from, Instant to, int pixels, ColumnWindow &window) const;
     [[nodiscard]] std::optional<Point> first(ChannelIndex channel) const;
     [[nodiscard]] std::optional<Point> last(ChannelIndex channel) const;
     [[nodiscard]] std::optional<Point> at(ChannelIndex channel, Instant time) const;

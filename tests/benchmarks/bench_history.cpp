@@ -96,6 +96,23 @@ BENCHMARK(columnsOfSixteenTraces)
     ->Args({3'600'000, 1})
     ->Unit(benchmark::kMillisecond);
 
+/// The same as a live plot asks for it: the window moves by a frame, what is drawn already is kept.
+void scrollOfSixteenTraces(benchmark::State &state)
+{
+    std::vector<History> traces(16);
+    for (History &trace : traces)
+        fill(trace, 3'700'000, false);
+    std::vector<ColumnWindow> windows(16);
+    Instant from{};
+    for (auto _ : state) {
+        for (std::size_t i = 0; i < traces.size(); ++i)
+            traces[i].columns(from, from + 3600s, width, windows[i]);
+        from = from < Instant(90s) ? from + 16667us : Instant();
+    }
+    state.counters["points"] = static_cast<double>(windows.front().points().size());
+}
+BENCHMARK(scrollOfSixteenTraces)->Unit(benchmark::kMillisecond);
+
 /// One trace: the whole of it, a middle hour, a second.
 void columns(benchmark::State &state)
 {

@@ -288,6 +288,81 @@ TEST(History, DoesNotShimmerWhileScrolling)
     EXPECT_EQ(History::columnWidth(from, to + 1ns, 300), width);
 }
 
+TEST(History, AWindowThatIsKeptHasTheSameColumns)
+{
+    std::mt19937 random(14);
+    std::uniform_int_distribution<int> dice(0, 99);
+    std::normal_distribution<double> noise;
+    History history;
+    ColumnWindow window;
+    std::vector<Point> expected;
+    std::int64_t time = 0;
+    Duration span = 2s;
+    int pixels = 200;
+    Duration back{};
+    std::size_t longest = 0;
+    for (int frame = 0; frame < 4000; ++frame) {
+        for (int i = dice(random) / 5; i > 0; --i) {
+            if (dice(random) == 0)
+                time += 300'000;
+            if (dice(random) < 3)
+                history.breakLine(1);
+            history.append(at(time += 1000), noise(random));
+        }
+        const int event = dice(random);
+        if (event == 0)
+            span = std::chrono::milliseconds(10 + 100 * dice(random));
+        if (event == 1)
+            pixels = 1 + 7 * dice(random);
+        if (event == 2 && dice(random) < 5)
+            history.clear();
+        if (event > 90) // the user drags
+            back = std::max(Duration::zero(), back + (dice(random) - 50) * 20ms);
+        if (event == 3)
+            back = Duration::zero();
+        const Instant to = at(time) - back;
+        history.columns(to - span, to, pixels, window);
+        history.columns(to - span, to, pixels, expected);
+        expectSame(expected, window.points());
+        if (HasFatalFailure())
+            FAIL() << "frame " << frame;
+        longest = std::max(longest, history.size());
+    }
+    EXPECT_GT(longest, 5000U);
+}
+
+TEST(History, AWindowThatIsKeptCostsOnlyWhatIsNew)
+{
+    History history;
+    for (int i = 0; i < 1'000'000; ++i)
+        history.append(at(std::int64_t{1000} * i), i % 11);
+    ColumnWindow window;
+    const Instant to = at(900'000'000);
+    history.columns(to - 800s, to, 1600, window);
+    const std::uint64_t before = history.visited();
+    history.columns(to - 800s + 17ms, to + 17ms, 1600, window);
+    history.columns(to - 800s + 2s, to + 2s, 1600, window);
+    history.columns(to - 800s, to, 1600, window);
+    EXPECT_LE(history.visited() - before, 20U * 100U);
+}
+
+TEST(History, AWindowMaySwitchToAnotherHistory)
+{
+    History first;
+    History second;
+    for (int i = 0; i < 100; ++i) {
+        first.append(at(1000 * i), 1.0);
+        second.append(at(1000 * i), 2.0);
+    }
+    ColumnWindow window;
+    first.columns(at(0), at(100'000), 50, window);
+    second.columns(at(0), at(100'000), 50, window);
+    ASSERT_EQ(window.points().size(), 100U);
+    EXPECT_EQ(window.points().front().value, 2.0);
+    History().columns(at(0), at(100'000), 50, window);
+    EXPECT_TRUE(window.points().empty());
+}
+
 TEST(History, ColumnsAreAtMostAPixelWide)
 {
     std::mt19937_64 random(10);

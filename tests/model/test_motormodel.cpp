@@ -46,10 +46,10 @@ TEST(MotorParameters, FollowFromWhatVendorsPrint)
         const char *name;
         double resistance, constant, friction, viscosity, frictionVolts;
     };
-    for (const Row &row : {Row {"cim", 0.0902, 0.02114, 4.57e-2, 2.05e-5, 0.195},
-             Row {"775pro", 0.0896, 0.00609, 3.41e-3, 4.3e-7, 0.050}, Row {"25d", 2.4, 0.01045, 2.51e-3, 5.8e-7, 0.576},
-             Row {"n20", 16.0, 0.00300, 1.92e-4, 1.3e-8, 1.024}, Row {"rs775", 0.667, 0.018, 2.30e-2, 9.5e-6, 0.853},
-             Row {"25dlp", 13.33, 0.01906, 9.1e-4, 3.9e-7, 0.640}}) {
+    for (const Row &row :
+        {Row{"cim", 0.0902, 0.02114, 4.57e-2, 2.05e-5, 0.195}, Row{"775pro", 0.0896, 0.00609, 3.41e-3, 4.3e-7, 0.050},
+            Row{"25d", 2.4, 0.01045, 2.51e-3, 5.8e-7, 0.576}, Row{"n20", 16.0, 0.00300, 1.92e-4, 1.3e-8, 1.024},
+            Row{"rs775", 0.667, 0.018, 2.30e-2, 9.5e-6, 0.853}, Row{"25dlp", 13.33, 0.01906, 9.1e-4, 3.9e-7, 0.640}}) {
         const MotorParameters &p = *motorByName(row.name);
         EXPECT_NEAR(p.resistance / row.resistance, 1.0, 1e-3) << row.name;
         EXPECT_NEAR(p.constant / row.constant, 1.0, 2e-3) << row.name;
@@ -78,8 +78,8 @@ TEST(MotorModel, MatchesTheGoldenStepOfTheCim)
     MotorModel model(plain("cim"), 1.0, {12.0, 0.02, 0.005});
     run(model, 0.5, Bridge::Drive, 0.06);
     EXPECT_NEAR(model.current(), 4.1227, 1e-4); // RK4: 4.1222
-    EXPECT_NEAR(model.speed(), 264.537, 1e-3); // RK4: 264.540
-    EXPECT_NEAR(model.angle(), 11.7492, 1e-4); // RK4: 11.7505
+    EXPECT_NEAR(model.speed(), 264.537, 1e-3);  // RK4: 264.540
+    EXPECT_NEAR(model.angle(), 11.7492, 1e-4);  // RK4: 11.7505
     EXPECT_NEAR(model.busVoltage(), 12.0 - 0.02 * 0.5 * model.current(), 1e-12);
     EXPECT_EQ(model.counts(), static_cast<std::int64_t>(std::floor(model.angle() * 4096 / (2 * std::numbers::pi))));
 }
@@ -125,8 +125,8 @@ TEST(MotorModel, AccountsForEveryJoule)
             const double current = model.current();
             const double w = std::abs(model.speed());
             in += supply.voltage * duty * current * part;
-            heat += current * current
-                * (p.resistance + supply.bridgeResistance + duty * duty * supply.resistance) * part;
+            heat += current * current * (p.resistance + supply.bridgeResistance + duty * duty * supply.resistance)
+                * part;
             rubbed += (p.friction + p.torqueLoss * std::abs(p.constant * current) + p.viscosity * w) * w * part;
         }
         const double stored = 0.5 * p.inertia * load * model.speed() * model.speed()
@@ -241,8 +241,8 @@ TEST(MotorModel, ReachesTheWindingLimitAtStallWhenItsHeatModelSays)
         const char *name;
         double duty, seconds;
     };
-    for (const Row &row : {Row {"cim", 1.0, 6.0}, Row {"cim", 0.5, 31.0}, Row {"775pro", 1.0, 2.1},
-             Row {"775pro", 0.5, 9.6}, Row {"25d", 1.0, 13.7}}) {
+    for (const Row &row : {Row{"cim", 1.0, 6.0}, Row{"cim", 0.5, 31.0}, Row{"775pro", 1.0, 2.1},
+             Row{"775pro", 0.5, 9.6}, Row{"25d", 1.0, 13.7}}) {
         MotorModel model(*motorByName(row.name), 1.0, {12.0, 0.0, 0.0});
         model.setLocked(true);
         double seconds = 0.0;
@@ -278,7 +278,7 @@ TEST(MotorModel, CountsBeyond32Bits)
     p.countsPerTurn = 1 << 30;
     MotorModel model(p);
     run(model, 1.0, Bridge::Drive, 0.5);
-    EXPECT_GT(model.counts(), std::int64_t {1} << 33);
+    EXPECT_GT(model.counts(), std::int64_t{1} << 33);
     EXPECT_EQ(model.counts(), static_cast<std::int64_t>(std::floor(model.countPosition())));
 }
 
