@@ -28,6 +28,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
 endif()
 
 if(MOTORBENCH_SANITIZE)
+  target_compile_options(motorbench_warnings INTERFACE -Wno-error) # GCC warns of code that its sanitizers insert
   add_compile_options(-fsanitize=${MOTORBENCH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${MOTORBENCH_SANITIZE})
 endif()

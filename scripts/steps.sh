@@ -14,8 +14,8 @@ quietly() {
         printf '%-58s ok (%d s)\n' "$title" $((SECONDS - start))
     else
         printf '%-58s FAILED (exit status %d), the end of its output:\n' "$title" "$status"
-        { grep -E -A12 '^FAILED: |CMake Error' "$log" || true; } | head -n 60
-        tail -n 40 "$log"
+        # not the progress, and not the command lines of the compiler
+        { grep -vE '^\[[0-9]+/[0-9]+\] |^(/usr/bin/|: && ).*(c\+\+|g\+\+|cmake) ' "$log" || true; } | tail -n 80
     fi
     rm -f "$log"
     return "$status"
