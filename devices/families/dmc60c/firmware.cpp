@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60c/firmware.h"
+
+#include "families/dmc60c/updater.h"
+
+namespace mb::dmc60c {
+
+Result<ImageSummary> inspect(const FirmwareImage &image)
+{
+    const auto application = applicationFrom(image);
+    if (!application)
+        return fail(application.error());
+    ImageSummary summary;
+    summary.version = versionText(application->version);
+    for (const Page &page : application->pages)
+        summary.parts.push_back(page.number);
+    summary.criticalPart = firstPage;
+    summary.notes = application->notes;
+    return summary;
+}
+
+Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress)
+{
+    const auto application = applicationFrom(image);
+    if (!application) {
+        UpdateReport report;
+        report.outcome = UpdateOutcome::Refused;
+        report.evidence = application.error().detail;
+        report.fault = application.error().fault;
+        co_return report;
+    }
+    Updater updater(device, *application, progress);
+    auto task = updater.run(std::move(options));
+    UpdateReport report = co_await std::move(task);
+    co_return report;
+}
+
+} // namespace mb::dmc60c

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60c/updater.h"
+
+#include "async/sleep.h"
+#include "wire/bytes.h"
+
+#include <algorithm>
+
+namespace mb::dmc60c {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int pageTries = 4; ///< 7.6: the page, and three times again
+constexpr int failedWriteTries = 3;
+constexpr int mostRestarts = 3;
+constexpr Duration slowGap = 225us; ///< 7.5: after a time-out, between the frames of a page
+constexpr Duration pageTimeout = 2s;
+constexpr Duration findLimit = 5s;
+
+bool isInBootloader(const FirmwareVersions &versions)
+{
+    return versions.image != ImageType::Application;
+}
+
+} // namespace
+
+Updater::Updater(Device &device, const Application &application, Progress &progress)
+    : m_device(device)
+    , m_link(static_cast<CanLink &>(device.link()))
+    , m_clock(device.clock())
+    , m_application(application)
+    , m_progress(progress)
+    , m_session(static_cast<std::uint16_t>(device.identity().session.value_or(0)))
+{
+}
+
+void Updater::takeSession(std::uint16_t session)
+{
+    if (session == m_session)
+        return;
+    m_session = session;
+    Identity identity = m_device.identity();
+    identity.session = session;
+    m_device.setIdentity(std::move(identity));
+}
+
+UpdateReport Updater::failed(const Error &error) const
+{
+    UpdateReport report = m_report;
+    report.fault = error.fault;
+    report.outcome = m_touched ? UpdateOutcome::Failed : error.fault == Fault::Unsafe ? UpdateOutcome::Refused : UpdateOutcome::Failed;
+    report.evidence = error.detail;
+    if (m_touched)
+        report.evidence += "; the unit waits in its bootloader, run the update again";
+    return report;
+}
+
+Task<UpdateReport> Updater::run(UpdateOptions options)
+{
+    auto checking = preflight(options.force);
+    const Result<void> checked = co_await std::move(checking).attempt();
+    if (!checked)
+        co_return failed(checked.error());
+    if (m_upToDate) {
+        m_report.outcome = UpdateOutcome::UpToDate;
+        m_report.to = m_report.from;
+        m_report.verified = true;
+        m_report.evidence = "the device already runs " + m_report.to;
+        co_return m_report;
+    }
+    if (options.dryRun) {
+        m_report.outcome = UpdateOutcome::Done;
+        m_report.evidence = "dry run: " + std::to_string(m_application.pages.size()) + " pages would be written, version " + versionText(m_application.version);
+        co_return m_report;
+    }
+    auto writing = writeAll();
+    const Result<void> written = co_await std::move(writing).attempt();
+    if (!written)
+        co_return failed(written.error());
+    auto leaving = leaveBootloader();
+    const Result<void> left = co_await std::move(leaving).attempt();
+    if (!left)
+        co_return failed(left.error());
+    auto verifying = verify();
+    const Result<void> verified = co_await std::move(verifying).attempt();
+    if (!verified)
+        co_return failed(verified.error());
+    m_report.outcome = UpdateOutcome::Done;
+    m_report.verified = true;
+    m_report.evidence = "the device answers with version " + m_report.to;
+    m_progress.log(Severity::Good, m_report.evidence);
+    co_return m_report;
+}
+
+Task<VendorReply> Updater::send(VendorCommand command, std::vector<std::uint8_t> data, Attempts attempts, Duration gap)
+{
+    VendorRequest request;
+    request.device = m_device.identity().address;
+    request.session = m_session;
+    request.command = command;
+    request.data = std::move(data);
+    request.gap = gap;
+    auto exchange = vendorExchange(m_link, m_clock, std::move(request), attempts);
+    const VendorReply reply = co_await std::move(exchange);
+    co_return reply;
+}
+
+Task<FirmwareVersions> Updater::versions()
+{
+    auto asking = send({Command::GetFwver}, {}, attemptsOf(Command::GetFwver), {});
+    const VendorReply reply = co_await std::move(asking);
+    if (const auto good = check(Command::GetFwver, reply); !good)
+        co_return fail(good.error());
+    const auto decoded = decodeFirmwareVersions(reply.data);
+    if (!decoded)
+        co_return fail(Fault::BadReply, "GetFwver answered with " + std::to_string(reply.data.size()) + " bytes");
+    co_return *decoded;
+}
+
+Task<std::vector<Updater::Unit>> Updater::enumerate(Duration window)
+{
+    const int number = m_device.identity().address;
+    CanInbox inbox(m_link, m_clock, [number](const CanFrame &frame) { return (frame.id & id::messageMask) == id::enumResponse && deviceOf(frame) == number; });
+    if (const auto sent = m_link.send(encodeEnumerate()); !sent)
+        co_return fail(sent.error());
+    std::vector<Unit> units;
+    const auto unitOf = [&units](std::uint16_t session) -> Unit & {
+        const auto known = std::find_if(units.begin(), units.end(), [session](const Unit &u) { return u.session == session; });
+        return known != units.end() ? *known : units.emplace_back(Unit {session, {}, {}});
+    };
+    const Instant end = m_clock.now() + window;
+    while (m_clock.now() < end) {
+        const Result<CanFrame> frame = co_await inbox.next(end - m_clock.now());
+        if (!frame && frame.error().fault == Fault::LinkLost)
+            co_return fail(frame.error());
+        if (!frame)
+            break;
+        if (const auto first = decodeEnumResponse0(*frame))
+            unitOf(first->session).productId = first->productId;
+        else if (const auto second = decodeEnumResponse1(*frame))
+            unitOf(second->session).versions = FirmwareVersions {second->image, second->application, second->bootloader};
+    }
+    std::erase_if(units, [](const Unit &u) { return !u.versions; });
+    co_return units;
+}
+
+Task<Updater::Unit> Updater::findAgain(Duration limit)
+{
+    const Instant end = m_clock.now() + limit;
+    while (m_clock.now() < end) {
+        auto round = enumerate(enumWindow);
+        const std::vector<Unit> units = co_await std::move(round);
+        if (units.size() > 1)
+            co_return fail(Fault::Unsafe, "several units answer as number " + std::to_string(m_device.identity().address));
+        if (units.size() == 1) {
+            takeSession(units.front().session);
+            co_return units.front();
+        }
+    }
+    co_return fail(Fault::Timeout, "the unit does not answer an enumeration");
+}
+
+Task<void> Updater::preflight(bool force)
+{
+    for (const std::string &note : m_application.notes)
+        m_progress.log(Severity::Info, note);
+    m_progress.step("Preflight", 0, 0);
+    m_device.stop();
+    auto finding = findAgain(1s);
+    const Unit unit = co_await std::move(finding);
+    if (unit.productId && (*unit.productId >> 20U) != productDmc60c)
+        co_return fail(Fault::Unsafe, "the image is for product 602, this unit is product " + std::to_string(*unit.productId >> 28U) + std::to_string((*unit.productId >> 24U) & 0xFU)
+                + std::to_string((*unit.productId >> 20U) & 0xFU) + "; nothing was written");
+    auto asking = versions();
+    const FirmwareVersions now = co_await std::move(asking);
+    m_report.from = versionText(now.application);
+    m_progress.log(Severity::Good, "image " + versionText(m_application.version) + " of " + std::to_string(m_application.pages.size()) + " pages, unit "
+            + (m_report.from.empty() ? std::string("without application") : "runs " + m_report.from) + ", bootloader " + versionText(now.bootloader));
+    m_upToDate = !force && !isInBootloader(now) && now.application == m_application.version;
+    for (int number = lastPage; number >= firstPage; --number)
+        m_progress.part(number, PartState::Absent);
+    for (const Page &page : m_application.pages)
+        m_progress.part(page.number, PartState::Waiting);
+    co_return {};
+}
+
+Task<void> Updater::enterBootloader()
+{
+    m_progress.step("Enter bootloader", 0, static_cast<int>(m_application.pages.size()));
+    auto entering = send({Command::EnterBootloader}, {}, attemptsOf(Command::EnterBootloader), {});
+    const VendorReply reply = co_await std::move(entering);
+    if (const auto good = check(Command::EnterBootloader, reply); !good)
+        co_return fail(good.error());
+    auto asking = versions();
+    const FirmwareVersions now = co_await std::move(asking);
+    if (!isInBootloader(now))
+        co_return fail(Fault::BadReply, "the unit said it is in its bootloader, but its application answers");
+    m_progress.log(Severity::Good, "in bootloader " + versionText(now.bootloader) + ", session kept");
+    co_return {};
+}
+
+Task<void> Updater::writeAll()
+{
+    for (;;) {
+        auto entering = enterBootloader();
+        co_await std::move(entering);
+        auto writing = writePages();
+        const PageEnd end = co_await std::move(writing);
+        if (end == PageEnd::Written)
+            co_return {};
+        if (++m_restarts > mostRestarts)
+            co_return fail(Fault::Refused, "the device restarted " + std::to_string(m_restarts) + " times during the update");
+        m_progress.log(Severity::Caution, "the device may have restarted: once more from page " + std::to_string(lastPage));
+        auto finding = findAgain(findLimit);
+        co_await std::move(finding);
+    }
+}
+
+Task<Updater::PageEnd> Updater::writePages()
+{
+    m_report.pages = 0;
+    const int total = static_cast<int>(m_application.pages.size());
+    for (const Page &page : m_application.pages) {
+        m_progress.step("Page " + std::to_string(page.number), m_report.pages, total);
+        m_progress.part(page.number, PartState::Active);
+        m_progress.mayInterrupt(page.number != firstPage);
+        auto writing = writePage(page);
+        const Result<PageEnd> end = co_await std::move(writing).attempt();
+        m_progress.mayInterrupt(true);
+        if (!end || *end == PageEnd::Restart)
+            co_return end;
+        m_progress.part(page.number, PartState::Done);
+        ++m_report.pages;
+    }
+    m_progress.step("All pages written", total, total);
+    co_return PageEnd::Written;
+}
+
+std::vector<std::uint8_t> Updater::transferOf(const Page &page) const
+{
+    std::vector<std::uint8_t> bytes(pageTransferSize);
+    std::copy(page.bytes.begin(), page.bytes.end(), bytes.begin());
+    writeU32le(bytes, pageSize, pageCrc(m_variant, page.bytes));
+    return bytes;
+}
+
+void Updater::repeat(const Page &page, const std::string &why)
+{
+    ++m_report.retries;
+    m_progress.part(page.number, PartState::Repeated);
+    m_progress.log(Severity::Caution, "page " + std::to_string(page.number) + ": " + why + ", sent again");
+}
+
+bool Updater::nextVariant(const Page &page)
+{
+    if (m_variantKnown || m_variant == CrcVariant::C)
+        return false;
+    m_variant = m_variant == CrcVariant::A ? CrcVariant::B : CrcVariant::C;
+    repeat(page, std::string("CRC refused, nothing was erased; trying variant ") + (m_variant == CrcVariant::B ? "B" : "C"));
+    return true;
+}
+
+Task<Updater::PageEnd> Updater::writePage(const Page &page)
+{
+    const VendorCommand command {Command::EraseWriteFlashPage, static_cast<std::uint16_t>(ImageType::Application), static_cast<std::uint16_t>(page.number)};
+    int failedWrites = 0;
+    m_gap = {};
+    for (int tries = 0; tries < pageTries;) {
+        auto writing = send(command, transferOf(page), Attempts {1, pageTimeout}, m_gap);
+        const Result<VendorReply> reply = co_await std::move(writing).attempt();
+        m_touched = m_touched || !reply || reply->status == CommandStatus::NoError || reply->status == CommandStatus::FlashWriteFailed;
+        if (!reply && reply.error().fault != Fault::Timeout)
+            co_return fail(reply.error());
+        if (!reply) {
+            ++tries;
+            bool again = false;
+            auto asking = afterSilence(page, again);
+            const PageEnd end = co_await std::move(asking);
+            if (!again)
+                co_return end;
+            m_gap = slowGap;
+            continue;
+        }
+        switch (reply->status) {
+        case CommandStatus::NoError:
+            if (!m_variantKnown)
+                m_progress.log(Severity::Good, std::string("page ") + std::to_string(page.number) + " accepted with CRC variant " + (m_variant == CrcVariant::A ? "A" : m_variant == CrcVariant::B ? "B" : "C"));
+            m_variantKnown = true;
+            co_return PageEnd::Written;
+        case CommandStatus::CrcMismatch:
+            if (nextVariant(page))
+                continue;
+            if (!m_variantKnown)
+                m_variant = CrcVariant::A; // all were refused: a damaged transfer is likelier than a fourth variant
+            ++tries;
+            repeat(page, "arrived damaged, nothing was erased");
+            continue;
+        case CommandStatus::FlashWriteFailed:
+            if (++failedWrites >= failedWriteTries)
+                co_return fail(Fault::Refused, "page " + std::to_string(page.number) + " cannot be written: its flash failed the device's own check " + std::to_string(failedWrites) + " times");
+            repeat(page, "the device could not verify its flash");
+            continue;
+        case CommandStatus::DataRcvMore:
+            ++tries;
+            m_gap = slowGap;
+            repeat(page, "the byte count was out of step");
+            continue;
+        case CommandStatus::BadParameter: co_return fail(Fault::Refused, "the bootloader refuses page " + std::to_string(page.number));
+        default: co_return PageEnd::Restart; // NotSupported: the application runs; InBootloader, AckReset: it was reset
+        }
+    }
+    co_return fail(Fault::Timeout, "page " + std::to_string(page.number) + " was not accepted in " + std::to_string(pageTries) + " tries");
+}
+
+Task<Updater::PageEnd> Updater::afterSilence(const Page &page, bool &again)
+{
+    auto asking = versions();
+    const Result<FirmwareVersions> now = co_await std::move(asking).attempt();
+    if (!now && now.error().fault == Fault::LinkLost)
+        co_return fail(now.error());
+    if (!now || !isInBootloader(*now))
+        co_return PageEnd::Restart;
+    if (page.number == firstPage && now->application == m_application.version) {
+        m_progress.log(Severity::Info, "page 0: its status was lost, but the version is there; it is not written again");
+        co_return PageEnd::Written;
+    }
+    repeat(page, "no status within 2 s");
+    again = true;
+    co_return PageEnd::Restart;
+}
+
+Task<void> Updater::leaveBootloader()
+{
+    const int total = static_cast<int>(m_application.pages.size());
+    m_progress.step("Restart", total, total);
+    auto resetting = send({Command::SoftReset}, {}, Attempts {1, 3s}, {});
+    const Result<VendorReply> reply = co_await std::move(resetting).attempt();
+    if (reply) {
+        if (const auto good = check(Command::SoftReset, *reply); !good)
+            co_return fail(good.error());
+        m_progress.log(Severity::Good, "restarted, the application answers");
+        co_return {};
+    }
+    if (reply.error().fault != Fault::Timeout)
+        co_return fail(reply.error());
+    auto finding = findAgain(findLimit);
+    co_await std::move(finding);
+    m_progress.log(Severity::Caution, "the answer to the reset was lost; found again by enumeration");
+    co_return {};
+}
+
+Task<void> Updater::verify()
+{
+    auto asking = versions();
+    FirmwareVersions now = co_await std::move(asking);
+    if (isInBootloader(now) && now.application == m_application.version) {
+        auto leaving = leaveBootloader(); // the reset itself was lost
+        co_await std::move(leaving);
+        auto again = versions();
+        now = co_await std::move(again);
+    }
+    if (isInBootloader(now) || now.application != m_application.version)
+        co_return fail(Fault::BadCheck, "the device answers with " + (now.application == noApplication ? std::string("no application") : "version " + versionText(now.application))
+                + (isInBootloader(now) ? " in its bootloader" : "") + " instead of " + versionText(m_application.version));
+    m_report.to = versionText(now.application);
+    Identity identity = m_device.identity();
+    identity.state = identity.address == 0 ? DeviceState::Unassigned : DeviceState::Online;
+    identity.firmware = m_report.to;
+    identity.bootloader = versionText(now.bootloader);
+    identity.detail.clear();
+    m_device.setIdentity(std::move(identity));
+    co_return {};
+}
+
+} // namespace mb::dmc60c

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/dmc60c/pages.h"
+#include "families/dmc60c/vendor.h"
+#include "model/family.h"
+
+#include <vector>
+
+namespace mb::dmc60c {
+
+/// One firmware update of one device: the state of section 7.5, and a method per paragraph.
+class Updater {
+public:
+    Updater(Device &device, const Application &application, Progress &progress);
+    Updater(const Updater &) = delete;
+    Updater &operator=(const Updater &) = delete;
+
+    /// The whole story. Ends with a report whatever the device does; an error only when the link is lost.
+    [[nodiscard]] Task<UpdateReport> run(UpdateOptions options);
+
+private:
+    struct Unit {
+        std::uint16_t session = 0;
+        std::optional<std::uint32_t> productId;
+        std::optional<FirmwareVersions> versions;
+    };
+    enum class PageEnd {
+        Written,
+        Restart, ///< the device may have restarted: begin again at page 30
+    };
+
+    [[nodiscard]] Task<std::vector<Unit>> enumerate(Duration window);
+    /// Waits for the unit to answer an enumeration, up to `limit`; takes over its session.
+    [[nodiscard]] Task<Unit> findAgain(Duration limit);
+    [[nodiscard]] Task<FirmwareVersions> versions();
+    [[nodiscard]] Task<VendorReply> send(VendorCommand command, std::vector<std::uint8_t> data, Attempts attempts, Duration gap);
+    [[nodiscard]] Task<void> preflight(bool force);
+    [[nodiscard]] Task<void> enterBootloader();
+    [[nodiscard]] Task<void> writeAll();
+    [[nodiscard]] Task<PageEnd> writePages();
+    [[nodiscard]] Task<PageEnd> writePage(const Page &page);
+    /// What to do after `tries` attempts at a page when no status came.
+    [[nodiscard]] Task<PageEnd> afterSilence(const Page &page, bool &again);
+    [[nodiscard]] Task<void> leaveBootloader();
+    [[nodiscard]] Task<void> verify();
+    [[nodiscard]] bool nextVariant(const Page &page);
+    [[nodiscard]] std::vector<std::uint8_t> transferOf(const Page &page) const;
+    void repeat(const Page &page, const std::string &why);
+    [[nodiscard]] UpdateReport failed(const Error &error) const;
+    void takeSession(std::uint16_t session);
+
+    Device &m_device;
+    CanLink &m_link;
+    Clock &m_clock;
+    const Application &m_application;
+    Progress &m_progress;
+    std::uint16_t m_session;
+    CrcVariant m_variant = CrcVariant::A;
+    bool m_variantKnown = false;
+    bool m_touched = false; ///< page 30 was sent: the old application may be gone
+    bool m_upToDate = false;
+    Duration m_gap {};
+    int m_restarts = 0;
+    UpdateReport m_report;
+};
+
+} // namespace mb::dmc60c
