@@ -15,8 +15,8 @@
 
 namespace mb::test {
 
-/// A host, a bus and one simulated DMC60C in virtual time; everything the host hears and every event is kept. Frames are
-/// written as in the protocol reference: `0206FC05#3412610000000000`.
+/// A host, a bus and one simulated DMC60C in virtual time; everything the host hears and every event is kept. Frames
+/// are written as in the protocol reference: `0206FC05#3412610000000000`.
 class Dmc60cBench {
 public:
     explicit Dmc60cBench(const std::string &unit = "dmc60c:5,session=0x1234", std::uint64_t seed = 1)
@@ -68,15 +68,13 @@ public:
     }
     std::size_t count(std::uint32_t message) const
     {
-        return static_cast<std::size_t>(std::count_if(m_heard.begin(), m_heard.end(), [message](const CanFrame &frame) {
-            return (frame.id & dmc60c::id::messageMask) == message;
-        }));
+        return static_cast<std::size_t>(std::count_if(m_heard.begin(), m_heard.end(),
+            [message](const CanFrame &frame) { return (frame.id & dmc60c::id::messageMask) == message; }));
     }
     const CanFrame *last(std::uint32_t message) const
     {
-        const auto found = std::find_if(m_heard.rbegin(), m_heard.rend(), [message](const CanFrame &frame) {
-            return (frame.id & dmc60c::id::messageMask) == message;
-        });
+        const auto found = std::find_if(m_heard.rbegin(), m_heard.rend(),
+            [message](const CanFrame &frame) { return (frame.id & dmc60c::id::messageMask) == message; });
         return found == m_heard.rend() ? nullptr : &*found;
     }
     void forget()
@@ -103,7 +101,8 @@ public:
     }
     const SimulatorEvent *event(std::string_view what) const
     {
-        const auto found = std::find_if(m_log.begin(), m_log.end(), [what](const SimulatorEvent &e) { return e.what == what; });
+        const auto found
+            = std::find_if(m_log.begin(), m_log.end(), [what](const SimulatorEvent &e) { return e.what == what; });
         return found == m_log.end() ? nullptr : &*found;
     }
     std::string eventNames() const
@@ -163,9 +162,10 @@ private:
 };
 
 /// `0206FC05#3412…` from parts: session 0x1234, device 5.
-inline CanFrame vendorCommand(std::uint16_t command, std::uint16_t first = 0, std::uint16_t second = 0, std::uint16_t session = 0x1234)
+inline CanFrame vendorCommand(
+    std::uint16_t command, std::uint16_t first = 0, std::uint16_t second = 0, std::uint16_t session = 0x1234)
 {
-    std::array<std::uint8_t, 8> bytes {};
+    std::array<std::uint8_t, 8> bytes{};
     writeU16le(bytes, 0, session);
     writeU16le(bytes, 2, command);
     writeU16le(bytes, 4, first);
@@ -175,7 +175,7 @@ inline CanFrame vendorCommand(std::uint16_t command, std::uint16_t first = 0, st
 
 inline CanFrame parameterSet(std::uint8_t id, std::int64_t raw, std::uint16_t session = 0x1234)
 {
-    std::array<std::uint8_t, 7> bytes {};
+    std::array<std::uint8_t, 7> bytes{};
     writeU16le(bytes, 0, session);
     bytes[2] = id;
     writeU32le(bytes, 3, static_cast<std::uint32_t>(raw & 0xFFFFFFFF));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Discovery, descriptors, parameters and options of the simulated DMC60C, in the bytes of the protocol reference.
-#include "families/dmc60csimulatorbench.h"
 #include "families/dmc60c/simulatorparameters.h"
 #include "families/dmc60c/simulatorstatus.h"
+#include "families/dmc60csimulatorbench.h"
 
 namespace mb::test {
 namespace {
@@ -25,7 +25,7 @@ TEST(Dmc60cSimulator, AnswersEnumerationWithBothHalvesAfterItsNumberInMillisecon
     Dmc60cBench bench;
     bench.send("00000240#");
     ASSERT_TRUE(bench.hears("0206F005#341203012060")); // E2
-    const Instant request = Instant {} + 67us; // a frame without data takes 67 bits and its stuff bits
+    const Instant request = Instant{} + 67us;          // a frame without data takes 67 bits and its stuff bits
     const Duration delay = bench.heard().back().time - request;
     EXPECT_GE(delay, 5ms);
     EXPECT_LE(delay, 5ms + 300us);
@@ -65,8 +65,9 @@ TEST(Dmc60cSimulator, SendsTheDescriptorsOfTheReference)
     bench.wake();
     bench.send("0206FC05#3412600000000000"); // V5
     bench.advance(10ms);
-    const std::vector<std::string> expected {"0206FCC5#00002700", "0206FC85#0106444D43363043", "0206FC85#030F446967696C65",
-                                             "0206FC85#6E7420444D433630", "0206FC85#43060C3231303333", "0206FC85#34334137394632"};
+    const std::vector<std::string> expected{"0206FCC5#00002700", "0206FC85#0106444D43363043",
+        "0206FC85#030F446967696C65", "0206FC85#6E7420444D433630", "0206FC85#43060C3231303333",
+        "0206FC85#34334137394632"};
     EXPECT_EQ(bench.answers(), expected);
 }
 
@@ -100,8 +101,8 @@ TEST(Dmc60cSimulator, AnswersParametersAsInTheReference)
 {
     Dmc60cBench bench("dmc60c:5,session=0x1234,gains=default");
     bench.wake();
-    const std::vector<std::pair<CanFrame, const char *>> rows {
-        {parameterRequest(61), "02061845#3D0000280000"}, // P2
+    const std::vector<std::pair<CanFrame, const char *>> rows{
+        {parameterRequest(61), "02061845#3D0000280000"},                         // P2
         {*canFrameFromText("02061885#34123D00002800"), "02061845#3D0000280000"}, // P3
         {*canFrameFromText("02061885#34123FF4010000"), "02061845#3FF401000000"}, // P5
         {*canFrameFromText("02061885#34124001000000"), "02061845#400100000000"}, // P6
@@ -109,10 +110,10 @@ TEST(Dmc60cSimulator, AnswersParametersAsInTheReference)
         {*canFrameFromText("02061885#34120A0080FDFF"), "02061845#0A0080FDFF00"}, // P9
         {*canFrameFromText("02061885#341211FF7F0000"), "02061845#11FF7F000000"}, // P11
         {*canFrameFromText("02061885#34120518FCFFFF"), "02061845#0518FCFFFF00"}, // P12
-        {parameterSet(93, 51), "02061845#5D0000000002"}, // P14
-        {parameterRequest(200), "02061845#C80000000001"}, // P15
+        {parameterSet(93, 51), "02061845#5D0000000002"},                         // P14
+        {parameterRequest(200), "02061845#C80000000001"},                        // P15
         {parameterSet(200, 1), "02061845#C80000000001"},
-        {parameterRequest(9), "02061845#091608000000"}, // P20
+        {parameterRequest(9), "02061845#091608000000"},  // P20
         {parameterRequest(32), "02061845#200000640000"}, // P21
         {parameterSet(20, -1), "02061845#14FFFFFFFF00"}, // P23
         {parameterRequest(18), "02061845#120080FFFF00"},
@@ -132,21 +133,22 @@ TEST(Dmc60cSimulator, ServesAll55ParametersWithTheirDefaultsAndRanges)
     for (const simulation::Row &row : simulation::rows()) {
         bench.send(parameterRequest(row.id));
         const CanFrame *answer = bench.next(id::paramResponse);
-        ASSERT_NE(answer, nullptr) << int {row.id};
+        ASSERT_NE(answer, nullptr) << int{row.id};
         EXPECT_EQ(answer->data[0], row.id);
-        EXPECT_EQ(readU32le(answer->bytes(), 1), row.fallback) << int {row.id};
+        EXPECT_EQ(readU32le(answer->bytes(), 1), row.fallback) << int{row.id};
         EXPECT_EQ(answer->data[5], 0);
         if (row.rule == simulation::Rule::Counter || row.rule == simulation::Rule::ReadOnly)
             continue;
         for (const std::int64_t value : {row.low, row.high, row.low - 1, row.high + 1}) {
-            const bool wraps = row.high == 2147483647 && (value == row.high + 1 ? row.low < 0 : value == row.low - 1 && row.low < 0);
+            const bool wraps
+                = row.high == 2147483647 && (value == row.high + 1 ? row.low < 0 : value == row.low - 1 && row.low < 0);
             if (wraps || value > 0xFFFFFFFFLL)
                 continue;
             const bool legal = value >= row.low && value <= row.high;
             bench.send(parameterSet(row.id, value));
             answer = bench.next(id::paramResponse);
-            ASSERT_NE(answer, nullptr) << int {row.id};
-            EXPECT_EQ(answer->data[5], legal ? 0 : 2) << int {row.id} << " = " << value;
+            ASSERT_NE(answer, nullptr) << int{row.id};
+            EXPECT_EQ(answer->data[5], legal ? 0 : 2) << int{row.id} << " = " << value;
             EXPECT_EQ(readU32le(answer->bytes(), 1), legal ? static_cast<std::uint32_t>(value & 0xFFFFFFFF) : 0U);
         }
     }
@@ -214,7 +216,7 @@ TEST(Dmc60cSimulator, ACommandEndsATransferAndLooseDataIsIgnored)
     bench.send(vendorCommand(0x61));
     bench.send("0206FC45#4172614D00");
     bench.advance(1s);
-    const std::vector<std::string> expected {"0206FCC5#00000600", "0206FC85#000017010901"};
+    const std::vector<std::string> expected{"0206FCC5#00000600", "0206FC85#000017010901"};
     EXPECT_EQ(bench.answers(), expected);
 }
 
@@ -266,10 +268,10 @@ TEST(Dmc60cSimulator, SameSeedSameFrames)
 TEST(Dmc60cSimulator, RefusesUnknownOptionsAndValues)
 {
     Dmc60cBench bench;
-    for (const char *text : {"dmc60c:64", "dmc60c:5,colour=red", "dmc60c:5,motor=steam", "dmc60c:5,load=0", "dmc60c:5,load=9x",
-                             "dmc60c:5,session=0", "dmc60c:5,session=65536", "dmc60c:5,session=0x", "dmc60c:5,firmware=1",
-                             "dmc60c:5,firmware=1.300", "dmc60c:5,firmware=255.255", "dmc60c:5,state=asleep", "dmc60c:5,crc=D",
-                             "dmc60c:5,velocity=fast", "dmc60c:5,gains=best", "dmc60c:5,serial=1234567890123"}) {
+    for (const char *text : {"dmc60c:64", "dmc60c:5,colour=red", "dmc60c:5,motor=steam", "dmc60c:5,load=0",
+             "dmc60c:5,load=9x", "dmc60c:5,session=0", "dmc60c:5,session=65536", "dmc60c:5,session=0x",
+             "dmc60c:5,firmware=1", "dmc60c:5,firmware=1.300", "dmc60c:5,firmware=255.255", "dmc60c:5,state=asleep",
+             "dmc60c:5,crc=D", "dmc60c:5,velocity=fast", "dmc60c:5,gains=best", "dmc60c:5,serial=1234567890123"}) {
         const auto unit = SimulatedUnit::parse(text);
         ASSERT_TRUE(unit) << text;
         const auto made = simulate(bench.port(), bench.clock(), *unit);
@@ -299,7 +301,7 @@ TEST(Dmc60cStatusFrames, EncodeTheVectorsOfTheReference)
     EXPECT_EQ(toText(generalFrame(5, general)), "02061405#0040110000000000"); // S1
     general = {};
     general.mode = 2;
-    general.error = -512 - 8388608 * 2; // too long for 24 bits
+    general.error = -512 - 8388608 * 2;                              // too long for 24 bits
     EXPECT_EQ(toText(generalFrame(5, general)).substr(17, 2), "90"); // divided, as in S3
     general = {};
     general.duty = 8192;
@@ -317,10 +319,10 @@ TEST(Dmc60cStatusFrames, EncodeTheVectorsOfTheReference)
     general.underVoltage = false;
     general.gateDriver = true;
     general.mode = 5;
-    EXPECT_EQ(toText(generalFrame(5, general)), "02061405#00804BE32C000000"); // S7
-    EXPECT_EQ(toText(encoderFrame(5, {123456, -300, true, false, true})), "02061485#01E240FED4000014"); // S8
-    EXPECT_EQ(toText(encoderFrame(5, {-67108864, -131072, false, false, false})), "02061485#8000008000000003"); // S10
-    EXPECT_EQ(toText(encoderFrame(5, {67108856, 131068, false, false, false})), "02061485#7FFFFF7FFF000003"); // S11
+    EXPECT_EQ(toText(generalFrame(5, general)), "02061405#00804BE32C000000");                                    // S7
+    EXPECT_EQ(toText(encoderFrame(5, {123456, -300, true, false, true})), "02061485#01E240FED4000014");          // S8
+    EXPECT_EQ(toText(encoderFrame(5, {-67108864, -131072, false, false, false})), "02061485#8000008000000003");  // S10
+    EXPECT_EQ(toText(encoderFrame(5, {67108856, 131068, false, false, false})), "02061485#7FFFFF7FFF000003");    // S11
     EXPECT_EQ(toText(analogFrame(5, {3.296875, 59.99609375, -10.0, 27.99609375})), "020614C5#4C03FF3B00F6FF1B"); // S13
 }
 

@@ -45,7 +45,8 @@ public:
 private:
     void addUnit(CanLink &link, Clock &clock, const UnitOptions &options)
     {
-        auto notify = [this](Instant time, std::string_view what, double value) { emitEvent(time, std::string(what), value); };
+        auto notify
+            = [this](Instant time, std::string_view what, double value) { emitEvent(time, std::string(what), value); };
         m_units.push_back(std::make_unique<Unit>(link, clock, options, std::move(notify)));
     }
 

@@ -25,7 +25,8 @@ std::int32_t clampDuty(std::int64_t duty)
 
 ControlMode modeOf(std::uint8_t code)
 {
-    return code <= static_cast<std::uint8_t>(ControlMode::Follower) ? static_cast<ControlMode>(code) : ControlMode::NoDrive;
+    return code <= static_cast<std::uint8_t>(ControlMode::Follower) ? static_cast<ControlMode>(code)
+                                                                    : ControlMode::NoDrive;
 }
 
 } // namespace
@@ -144,7 +145,8 @@ int Drive::master() const
 
 bool Drive::isClosedLoop() const
 {
-    return m_command.mode == ControlMode::Velocity || m_command.mode == ControlMode::Position || m_command.mode == ControlMode::Current;
+    return m_command.mode == ControlMode::Velocity || m_command.mode == ControlMode::Position
+        || m_command.mode == ControlMode::Current;
 }
 
 void Drive::advance(Instant now)
@@ -166,7 +168,8 @@ void Drive::advance(Instant now)
 
 void Drive::physics(Instant until)
 {
-    const Rig::Neutral neutral = m_running && !m_faulted && (m_command.overrideNeutral ? m_command.brake : m_brakeButton)
+    const Rig::Neutral neutral
+        = m_running && !m_faulted && (m_command.overrideNeutral ? m_command.brake : m_brakeButton)
         ? Rig::Neutral::Brake
         : Rig::Neutral::Coast;
     while (m_physicsAt < until) {
@@ -205,12 +208,12 @@ void Drive::pass(Instant at)
         duty = m_limiter.step(m_bank, duty, present(), m_current);
     }
     m_quietPasses = duty == 0 && m_rig.isAtRest() ? m_quietPasses + 1 : 0;
-    apply(m_command.reverseMotor ? clampDuty(-std::int64_t {duty}) : duty, at);
+    apply(m_command.reverseMotor ? clampDuty(-std::int64_t{duty}) : duty, at);
 }
 
 std::int32_t Drive::present() const
 {
-    return m_command.reverseMotor ? clampDuty(-std::int64_t {m_duty}) : m_duty;
+    return m_command.reverseMotor ? clampDuty(-std::int64_t{m_duty}) : m_duty;
 }
 
 std::int32_t Drive::demand(Instant at)
@@ -221,12 +224,17 @@ std::int32_t Drive::demand(Instant at)
         m_error = m_command.target - duty;
         return duty;
     }
-    case ControlMode::VoltageCompensated: return compensated();
-    case ControlMode::Follower: m_error = 0; return at - m_masterAt < heartbeat ? m_masterDuty : 0;
+    case ControlMode::VoltageCompensated:
+        return compensated();
+    case ControlMode::Follower:
+        m_error = 0;
+        return at - m_masterAt < heartbeat ? m_masterDuty : 0;
     case ControlMode::Velocity:
     case ControlMode::Position:
-    case ControlMode::Current: return closedLoop();
-    case ControlMode::NoDrive: break;
+    case ControlMode::Current:
+        return closedLoop();
+    case ControlMode::NoDrive:
+        break;
     }
     return 0;
 }
@@ -251,7 +259,8 @@ std::int32_t Drive::closedLoop()
     else if (current)
         feedback = m_command.reverseMotor ? -m_current : m_current;
     m_error = m_command.target - feedback;
-    const std::int64_t throttle = m_pid.step(slot.gains, m_command.target, feedback, slot.allowableError, current ? 16 : 0);
+    const std::int64_t throttle
+        = m_pid.step(slot.gains, m_command.target, feedback, slot.allowableError, current ? 16 : 0);
     const bool outside = slot.allowableError == 0 || std::abs(m_error) >= slot.allowableError;
     return shaped(slot, throttle, present(), outside);
 }

@@ -32,8 +32,8 @@ struct ControlWord {
 
 enum class VelocityWindow { Rolling, Block };
 
-/// The application's motor side: measures, decides and drives every 500 µs (6.1, 6.2). It computes nothing until somebody
-/// asks: advance() catches up, and skips the time in which nothing could happen.
+/// The application's motor side: measures, decides and drives every 500 µs (6.1, 6.2). It computes nothing until
+/// somebody asks: advance() catches up, and skips the time in which nothing could happen.
 class Drive {
 public:
     using Notify = std::function<void(Instant, std::string_view, double)>;
@@ -90,8 +90,8 @@ private:
     VelocityWindow m_window;
     Notify m_notify;
 
-    Instant m_nextPass {};
-    Instant m_physicsAt {};
+    Instant m_nextPass{};
+    Instant m_physicsAt{};
     bool m_advancing = false;
     bool m_running = false;
     bool m_halted = true;
@@ -108,17 +108,17 @@ private:
 
     std::int64_t m_lastCounts = 0;
     std::uint32_t m_position = 0;
-    std::int64_t m_counter = 0; ///< like the position, but never written
+    std::int64_t m_counter = 0;          ///< like the position, but never written
     std::vector<std::int64_t> m_history; ///< of m_counter, 100 ms
     std::size_t m_historyAt = 0;
     std::int32_t m_velocity = 0;
     std::int64_t m_current = 0; ///< 16.16 A
     std::int32_t m_masterDuty = 0;
-    Instant m_masterAt {};
+    Instant m_masterAt{};
 
     std::uint32_t m_faults = 0;
     std::uint32_t m_outsideFaults = 0;
-    Instant m_faultUntil {};
+    Instant m_faultUntil{};
     int m_lowPasses = 0;
     int m_overCurrentPasses = 0;
     int m_quietPasses = 0;

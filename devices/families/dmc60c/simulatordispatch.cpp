@@ -38,9 +38,8 @@ void Unit::receive(const CanFrame &frame)
         return;
     if (isAddressed(frame)) {
         ++m_addressed;
-        const bool fatal = std::any_of(m_options.faults.begin(), m_options.faults.end(), [this](const SimulatedFault &f) {
-            return f.kind == "power" && f.at == static_cast<double>(m_addressed);
-        });
+        const bool fatal = std::any_of(m_options.faults.begin(), m_options.faults.end(),
+            [this](const SimulatedFault &f) { return f.kind == "power" && f.at == static_cast<double>(m_addressed); });
         if (fatal)
             return losePower(true);
     }
@@ -57,7 +56,8 @@ bool Unit::isAddressed(const CanFrame &frame) const
 
 void Unit::hear()
 {
-    m_session = std::exchange(m_nextSession, std::nullopt).value_or(static_cast<std::uint16_t>(m_random() % 0xFFFFU + 1U));
+    m_session
+        = std::exchange(m_nextSession, std::nullopt).value_or(static_cast<std::uint16_t>(m_random() % 0xFFFFU + 1U));
     if (m_stage != Stage::Application)
         return;
     m_drive.setOutsideFault(faultbit::communication, false, m_clock.now());
@@ -76,7 +76,8 @@ void Unit::drain()
 void Unit::overhear(const CanFrame &frame)
 {
     const int device = static_cast<int>(frame.id & id::deviceMask);
-    if (m_stage != Stage::Application || messageOf(frame) != id::statusGeneral || frame.size != 8 || device == m_ram.number)
+    if (m_stage != Stage::Application || messageOf(frame) != id::statusGeneral || frame.size != 8
+        || device == m_ram.number)
         return;
     const Instant now = m_clock.now();
     m_drive.advance(now);
@@ -133,12 +134,13 @@ void Unit::sendEnumeration()
         m_enumTimer.startIn(halfMillisecond, [this] { sendEnumeration(); });
         return;
     }
-    std::array<std::uint8_t, 6> first {};
+    std::array<std::uint8_t, 6> first{};
     writeU16le(first, 0, m_session);
     writeU32le(first, 2, pdid);
-    std::array<std::uint8_t, 8> second {};
+    std::array<std::uint8_t, 8> second{};
     writeU16le(second, 0, m_session);
-    writeU16le(second, 2, static_cast<std::uint16_t>(isInBootloader() ? ImageType::Bootloader : ImageType::Application));
+    writeU16le(
+        second, 2, static_cast<std::uint16_t>(isInBootloader() ? ImageType::Bootloader : ImageType::Application));
     writeU16le(second, 4, m_application.version());
     writeU16le(second, 6, bootloaderVersion);
     const auto identifier = id::enumResponse | static_cast<std::uint32_t>(m_ram.number);
@@ -165,7 +167,8 @@ void Unit::readParameter(std::uint8_t id)
     if (findRow(id) == nullptr)
         return answer(id, 0, ParameterStatus::BadParameter);
     const bool live = id == param::encoderPosition;
-    answer(id, live ? static_cast<std::uint32_t>(m_drive.position()) : m_ram.parameters.raw(id), ParameterStatus::NoError);
+    answer(
+        id, live ? static_cast<std::uint32_t>(m_drive.position()) : m_ram.parameters.raw(id), ParameterStatus::NoError);
 }
 
 bool Unit::isAcceptable(const Row &row, std::uint32_t raw) const
@@ -174,7 +177,8 @@ bool Unit::isAcceptable(const Row &row, std::uint32_t raw) const
         return false;
     if (row.rule == Rule::Counter)
         return true;
-    const std::int64_t value = row.rule == Rule::Unsigned ? std::int64_t {raw} : std::int64_t {static_cast<std::int32_t>(raw)};
+    const std::int64_t value
+        = row.rule == Rule::Unsigned ? std::int64_t{raw} : std::int64_t{static_cast<std::int32_t>(raw)};
     return value >= row.low && value <= row.high;
 }
 
@@ -207,7 +211,7 @@ void Unit::writeParameter(std::uint8_t id, std::uint32_t raw)
 
 void Unit::answer(std::uint8_t id, std::uint32_t raw, ParameterStatus status)
 {
-    std::array<std::uint8_t, 6> bytes {};
+    std::array<std::uint8_t, 6> bytes{};
     bytes[0] = id;
     writeU32le(bytes, 1, raw);
     bytes[5] = static_cast<std::uint8_t>(status);

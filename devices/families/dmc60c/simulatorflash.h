@@ -18,7 +18,7 @@ struct ConfigImage {
     std::uint32_t sequence = 0;
     int number = 0;
     ParameterBank parameters;
-    bool brake = true; ///< setting of the button
+    bool brake = true;                ///< setting of the button
     std::array<std::string, 6> texts; ///< by Descriptor − 1
 
     [[nodiscard]] std::string &text(Descriptor which) { return texts[static_cast<std::size_t>(which) - 1]; }
@@ -57,7 +57,7 @@ public:
 private:
     std::uint16_t m_version;
     bool m_resetVector = true;
-    std::array<bool, lastPage + 1> m_broken {};
+    std::array<bool, lastPage + 1> m_broken{};
     std::optional<std::uint16_t> m_savedVersion;
     bool m_versionFromNowhere = false;
     int m_spoiled = -1;

@@ -15,8 +15,8 @@ constexpr double one = 65536.0;
 
 /// Speed over duty K e^(−θs)/(τs + 1), and the duty that friction eats.
 struct Plant {
-    double gain = 0.0; ///< rad/s at full duty
-    double lag = 0.0; ///< s
+    double gain = 0.0;     ///< rad/s at full duty
+    double lag = 0.0;      ///< s
     double deadTime = 0.0; ///< s, of the velocity loop
     double friction = 0.0; ///< duty
 };
@@ -30,7 +30,8 @@ Plant plantOf(const MotorParameters &motor, double load, VelocityWindow window)
     Plant plant;
     plant.gain = supplyVolts / perSpeed;
     plant.lag = perAcceleration / perSpeed;
-    plant.deadTime = (window == VelocityWindow::Rolling ? 0.050 : 0.096) + 1.5 * passSeconds + motor.inductance / resistance;
+    plant.deadTime
+        = (window == VelocityWindow::Rolling ? 0.050 : 0.096) + 1.5 * passSeconds + motor.inductance / resistance;
     plant.friction = resistance * motor.friction / drive / supplyVolts;
     return plant;
 }

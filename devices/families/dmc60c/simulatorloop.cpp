@@ -17,11 +17,12 @@ std::int64_t limited(std::int64_t value, std::int64_t bound)
     return std::clamp(value, -bound, bound);
 }
 
-/// Product of a gain and a quantity in throttle units × 65536 × 2^fraction, held within what four of them may add up to.
+/// Product of a gain and a quantity in throttle units × 65536 × 2^fraction, held within what four of them may add up
+/// to.
 std::int64_t term(std::int32_t gain, std::int64_t quantity)
 {
-    constexpr std::int64_t quantityBound = std::int64_t {1} << 32;
-    constexpr std::int64_t termBound = std::int64_t {1} << 60;
+    constexpr std::int64_t quantityBound = std::int64_t{1} << 32;
+    constexpr std::int64_t termBound = std::int64_t{1} << 60;
     const std::int64_t kept = limited(quantity, quantityBound);
     if (gain != 0 && std::abs(kept) > termBound / std::abs(static_cast<std::int64_t>(gain)))
         return (kept > 0) == (gain > 0) ? termBound : -termBound;
@@ -46,10 +47,11 @@ Slot Slot::of(const ParameterBank &bank, int slot)
 void Pid::preload(const Gains &gains, std::int32_t throttle, int fraction)
 {
     if (gains.i != 0)
-        m_sum = ((static_cast<std::int64_t>(throttle) << 16) / gains.i) * (std::int64_t {1} << fraction);
+        m_sum = ((static_cast<std::int64_t>(throttle) << 16) / gains.i) * (std::int64_t{1} << fraction);
 }
 
-std::int64_t Pid::step(const Gains &gains, std::int64_t setPoint, std::int64_t feedback, std::int32_t allowableError, int fraction)
+std::int64_t Pid::step(
+    const Gains &gains, std::int64_t setPoint, std::int64_t feedback, std::int32_t allowableError, int fraction)
 {
     const std::int64_t error = setPoint - feedback;
     const std::int64_t change = m_primed ? error - m_lastError : 0;
@@ -70,8 +72,8 @@ std::int32_t ramped(std::int32_t present, std::int32_t duty, std::int32_t step)
 {
     if (step == 0)
         return duty;
-    const std::int64_t low = std::int64_t {present} - step;
-    const std::int64_t high = std::int64_t {present} + step;
+    const std::int64_t low = std::int64_t{present} - step;
+    const std::int64_t high = std::int64_t{present} + step;
     return static_cast<std::int32_t>(std::clamp<std::int64_t>(duty, low, high));
 }
 
@@ -101,7 +103,8 @@ bool CurrentLimiter::isExceeded(const ParameterBank &bank, std::int64_t magnitud
     return m_loopsAbovePeak > duration;
 }
 
-std::int32_t CurrentLimiter::step(const ParameterBank &bank, std::int32_t demand, std::int32_t present, std::int64_t current)
+std::int32_t CurrentLimiter::step(
+    const ParameterBank &bank, std::int32_t demand, std::int32_t present, std::int64_t current)
 {
     if (!bank.flag(number::limiterEnable)) {
         reset();

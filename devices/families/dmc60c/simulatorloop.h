@@ -5,8 +5,8 @@
 
 #include <cstdint>
 
-/// The arithmetic of one pass of the 500 µs loop, in integers as in the device: gains are 16.16 throttle units per unit of
-/// the error, the accumulator is the bare sum of errors.
+/// The arithmetic of one pass of the 500 µs loop, in integers as in the device: gains are 16.16 throttle units per unit
+/// of the error, the accumulator is the bare sum of errors.
 namespace mb::dmc60c::simulation {
 
 struct Gains {
@@ -40,8 +40,8 @@ public:
     /// Makes the integral term equal `throttle`.
     void preload(const Gains &gains, std::int32_t throttle, int fraction);
     /// Throttle units, before any limit.
-    [[nodiscard]] std::int64_t step(const Gains &gains, std::int64_t setPoint, std::int64_t feedback, std::int32_t allowableError,
-                                    int fraction);
+    [[nodiscard]] std::int64_t step(
+        const Gains &gains, std::int64_t setPoint, std::int64_t feedback, std::int32_t allowableError, int fraction);
 
 private:
     std::int64_t m_sum = 0;
@@ -60,7 +60,8 @@ class CurrentLimiter {
 public:
     void reset();
     /// The duty allowed. `current` is 16.16 A.
-    [[nodiscard]] std::int32_t step(const ParameterBank &bank, std::int32_t demand, std::int32_t present, std::int64_t current);
+    [[nodiscard]] std::int32_t step(
+        const ParameterBank &bank, std::int32_t demand, std::int32_t present, std::int64_t current);
     [[nodiscard]] bool isActive() const { return m_active; }
 
 private:

@@ -11,9 +11,9 @@ namespace {
 
 template <class T> std::optional<T> parseNumber(std::string_view text, int base)
 {
-    T value {};
+    T value{};
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value, base);
-    if (parsed.ec != std::errc {} || parsed.ptr != text.data() + text.size())
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size())
         return std::nullopt;
     return value;
 }
@@ -43,7 +43,7 @@ bool setLoad(UnitOptions &options, std::string_view text)
     double value = 0.0;
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
     options.load = value;
-    return parsed.ec == std::errc {} && parsed.ptr == text.data() + text.size() && value >= 1.0 && value <= 1000.0;
+    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size() && value >= 1.0 && value <= 1000.0;
 }
 
 bool setText(std::string &out, std::string_view text, std::size_t longest)
@@ -55,7 +55,8 @@ bool setText(std::string &out, std::string_view text, std::size_t longest)
 template <class T, std::size_t N>
 bool choose(T &out, std::string_view text, const std::array<std::pair<std::string_view, T>, N> &choices)
 {
-    const auto found = std::find_if(choices.begin(), choices.end(), [&](const auto &choice) { return choice.first == text; });
+    const auto found
+        = std::find_if(choices.begin(), choices.end(), [&](const auto &choice) { return choice.first == text; });
     if (found == choices.end())
         return false;
     out = found->second;
@@ -68,35 +69,35 @@ struct Option {
     Setter set;
 };
 
-constexpr std::array<std::pair<std::string_view, CrcVariant>, 3> crcs {
+constexpr std::array<std::pair<std::string_view, CrcVariant>, 3> crcs{
     {{"A", CrcVariant::A}, {"B", CrcVariant::B}, {"C", CrcVariant::C}}};
-constexpr std::array<std::pair<std::string_view, bool>, 2> states {{{"application", false}, {"bootloader", true}}};
-constexpr std::array<std::pair<std::string_view, VelocityWindow>, 2> windows {
+constexpr std::array<std::pair<std::string_view, bool>, 2> states{{{"application", false}, {"bootloader", true}}};
+constexpr std::array<std::pair<std::string_view, VelocityWindow>, 2> windows{
     {{"rolling", VelocityWindow::Rolling}, {"block", VelocityWindow::Block}}};
-constexpr std::array<std::pair<std::string_view, StoredGains>, 3> gains {
+constexpr std::array<std::pair<std::string_view, StoredGains>, 3> gains{
     {{"default", StoredGains::Default}, {"tuned", StoredGains::Tuned}, {"overshoot", StoredGains::Overshoot}}};
 
-constexpr std::array optionTable {
-    Option {"motor",
-            [](UnitOptions &o, std::string_view text) {
-                o.motor = text;
-                return motorByName(text) != nullptr;
-            }},
-    Option {"load", setLoad},
-    Option {"serial", [](UnitOptions &o, std::string_view text) { return setText(o.serial, text, 12); }},
-    Option {"session", setSession},
-    Option {"name", [](UnitOptions &o, std::string_view text) { return setText(o.name, text, maxNameLength); }},
-    Option {"firmware", setFirmware},
-    Option {"state", [](UnitOptions &o, std::string_view text) { return choose(o.inBootloader, text, states); }},
-    Option {"crc", [](UnitOptions &o, std::string_view text) { return choose(o.crc, text, crcs); }},
-    Option {"velocity", [](UnitOptions &o, std::string_view text) { return choose(o.velocity, text, windows); }},
-    Option {"gains", [](UnitOptions &o, std::string_view text) { return choose(o.gains, text, gains); }},
+constexpr std::array optionTable{
+    Option{"motor",
+        [](UnitOptions &o, std::string_view text) {
+            o.motor = text;
+            return motorByName(text) != nullptr;
+        }},
+    Option{"load", setLoad},
+    Option{"serial", [](UnitOptions &o, std::string_view text) { return setText(o.serial, text, 12); }},
+    Option{"session", setSession},
+    Option{"name", [](UnitOptions &o, std::string_view text) { return setText(o.name, text, maxNameLength); }},
+    Option{"firmware", setFirmware},
+    Option{"state", [](UnitOptions &o, std::string_view text) { return choose(o.inBootloader, text, states); }},
+    Option{"crc", [](UnitOptions &o, std::string_view text) { return choose(o.crc, text, crcs); }},
+    Option{"velocity", [](UnitOptions &o, std::string_view text) { return choose(o.velocity, text, windows); }},
+    Option{"gains", [](UnitOptions &o, std::string_view text) { return choose(o.gains, text, gains); }},
 };
 
 std::string defaultSerial(std::uint64_t seed, int number)
 {
     constexpr std::string_view digits = "0123456789ABCDEF";
-    std::uint64_t mixed = (seed * 64U + static_cast<std::uint64_t>(number)) * std::uint64_t {0x9E3779B97F4A7C15};
+    std::uint64_t mixed = (seed * 64U + static_cast<std::uint64_t>(number)) * std::uint64_t{0x9E3779B97F4A7C15};
     std::string text = "210334";
     for (int i = 0; i < 6; ++i, mixed >>= 5U)
         text += digits[(mixed >> 32U) & 15U];
@@ -123,11 +124,13 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     options.serial = defaultSerial(unit.seed, unit.address);
     options.load = usualLoad(unit.option("motor").value_or("cim"));
     for (const auto &[key, value] : unit.options) {
-        const auto option = std::find_if(optionTable.begin(), optionTable.end(), [&](const Option &o) { return o.key == key; });
+        const auto option
+            = std::find_if(optionTable.begin(), optionTable.end(), [&](const Option &o) { return o.key == key; });
         if (option == optionTable.end())
             return fail(Fault::OutOfRange, "a simulated DMC60C has no option '" + key + "'");
         if (!option->set(options, value))
-            return fail(Fault::OutOfRange, "'" + value + "' is no value for the option '" + key + "' of a simulated DMC60C");
+            return fail(
+                Fault::OutOfRange, "'" + value + "' is no value for the option '" + key + "' of a simulated DMC60C");
     }
     return options;
 }

@@ -29,25 +29,24 @@ void Outbox::clear()
 
 const SimulatedFault *Outbox::strikes(std::string_view kind) const
 {
-    const auto fault = std::find_if(m_faults.begin(), m_faults.end(), [&](const SimulatedFault &f) {
-        return f.kind == kind && static_cast<double>(m_sent) == f.at;
-    });
+    const auto fault = std::find_if(m_faults.begin(), m_faults.end(),
+        [&](const SimulatedFault &f) { return f.kind == kind && static_cast<double>(m_sent) == f.at; });
     return fault == m_faults.end() ? nullptr : &*fault;
 }
 
 void Outbox::send(const CanFrame &frame)
 {
     ++m_sent;
-    const bool silent = std::any_of(m_faults.begin(), m_faults.end(), [this](const SimulatedFault &f) {
-        return f.kind == "silent" && static_cast<double>(m_sent) >= f.at;
-    });
+    const bool silent = std::any_of(m_faults.begin(), m_faults.end(),
+        [this](const SimulatedFault &f) { return f.kind == "silent" && static_cast<double>(m_sent) >= f.at; });
     if (silent || strikes("drop") != nullptr)
         return;
     CanFrame sent = frame;
     if (strikes("corrupt") != nullptr && sent.size > 0)
         sent.data[m_sent % sent.size] ^= 0x55U;
     if (const SimulatedFault *delay = strikes("delay")) {
-        const auto time = std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(delay->argument));
+        const auto time
+            = std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(delay->argument));
         m_delayed.emplace(m_clock.now() + time, sent);
         rearm();
         return;

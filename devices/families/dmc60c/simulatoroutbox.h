@@ -9,8 +9,8 @@
 
 namespace mb::dmc60c::simulation {
 
-/// The device's transmit side: replies after a delay and in order, status frames at once, and the faults that strike the
-/// N-th frame sent.
+/// The device's transmit side: replies after a delay and in order, status frames at once, and the faults that strike
+/// the N-th frame sent.
 class Outbox {
 public:
     Outbox(CanLink &link, Clock &clock, std::vector<SimulatedFault> faults);
@@ -31,7 +31,7 @@ private:
     std::vector<SimulatedFault> m_faults;
     std::multimap<Instant, CanFrame> m_waiting;
     std::multimap<Instant, CanFrame> m_delayed; ///< by a fault: others overtake
-    Instant m_lastDue {};
+    Instant m_lastDue{};
     std::uint64_t m_sent = 0;
     Timer m_timer;
 };

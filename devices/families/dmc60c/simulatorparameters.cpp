@@ -31,7 +31,7 @@ constexpr Row period(std::uint8_t id, std::int64_t high, std::uint32_t fallback)
     return {id, Rule::Unsigned, false, 1, high, fallback};
 }
 
-constexpr std::array table {
+constexpr std::array table{
     flag(1),
     flag(2),
     flag(3),
@@ -73,7 +73,7 @@ constexpr std::array table {
     flag(43, false),
     flag(44, false),
     flag(45, false),
-    Row {51, Rule::ReadOnly, false, 0, 0, 0},
+    Row{51, Rule::ReadOnly, false, 0, 0, 0},
     counter(52, true),
     counter(53, true),
     counter(54, true),
@@ -82,7 +82,7 @@ constexpr std::array table {
     counter(57, false),
     any(61, 0x280000),
     any(62, 0x3C0000),
-    Row {63, Rule::Unsigned, true, 0, 65535, 500},
+    Row{63, Rule::Unsigned, true, 0, 65535, 500},
     flag(64),
     period(91, 30000, 100),
     period(92, 30000, 100),

@@ -11,9 +11,9 @@ namespace mb::dmc60c::simulation {
 
 /// What the device does with a PARAMSET of a parameter.
 enum class Rule : std::uint8_t {
-    Signed, ///< range is that of a signed 32-bit value
+    Signed,   ///< range is that of a signed 32-bit value
     Unsigned, ///< … of an unsigned one
-    Counter, ///< answers the old value; any value but 0 clears
+    Counter,  ///< answers the old value; any value but 0 clears
     ReadOnly,
 };
 
@@ -42,7 +42,7 @@ public:
     void forgetVolatile();
 
 private:
-    std::array<std::uint32_t, 256> m_raw {};
+    std::array<std::uint32_t, 256> m_raw{};
 };
 
 /// Wire numbers the control loop needs and protocol.h does not name.

@@ -9,7 +9,7 @@
 namespace mb::dmc60c::simulation {
 namespace {
 
-constexpr std::array statusPeriods {param::generalPeriod, param::encoderPeriod, param::analogPeriod};
+constexpr std::array statusPeriods{param::generalPeriod, param::encoderPeriod, param::analogPeriod};
 
 } // namespace
 
@@ -68,7 +68,7 @@ void Unit::sendReply(std::uint32_t message, std::span<const std::uint8_t> bytes)
 
 void Unit::sendStatus(CommandStatus status, std::uint8_t terminal, std::size_t bytes)
 {
-    std::array<std::uint8_t, 4> payload {};
+    std::array<std::uint8_t, 4> payload{};
     payload[0] = static_cast<std::uint8_t>(status);
     payload[1] = terminal;
     writeU16le(payload, 2, static_cast<std::uint16_t>(bytes));
@@ -79,7 +79,8 @@ void Unit::sendData(std::span<const std::uint8_t> bytes)
 {
     const auto identifier = id::vendorDin | static_cast<std::uint32_t>(m_ram.number);
     for (std::size_t at = 0; at < bytes.size(); at += 8)
-        m_outbox.post(extendedFrame(identifier, bytes.subspan(at, std::min<std::size_t>(8, bytes.size() - at))), Duration::zero());
+        m_outbox.post(extendedFrame(identifier, bytes.subspan(at, std::min<std::size_t>(8, bytes.size() - at))),
+            Duration::zero());
 }
 
 void Unit::stall(Duration time, std::function<void()> then)

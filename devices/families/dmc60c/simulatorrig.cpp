@@ -10,12 +10,12 @@ namespace {
 constexpr double amperesPerLsb = 2070.0 / 65536.0; ///< as calibrated at the factory
 constexpr int adcLow = -2048;
 constexpr int adcHigh = 2047;
-constexpr double adcNoise = 2.0; ///< LSB
+constexpr double adcNoise = 2.0;  ///< LSB
 constexpr double busNoise = 0.02; ///< V
 constexpr double temperatureStep = 0.5;
 constexpr double ambient = 25.0;
 constexpr double bridgeResistance = 0.005; ///< Ω, what heats the case
-constexpr double caseResistance = 1.5; ///< K/W
+constexpr double caseResistance = 1.5;     ///< K/W
 constexpr double caseSeconds = 60.0;
 constexpr double leastCurrent = 1e-3; ///< A; below it a standing motor is left alone
 

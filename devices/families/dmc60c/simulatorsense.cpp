@@ -15,7 +15,8 @@ constexpr double overCurrentAmperes = 100.0; ///< the rating: 2 s
 constexpr int overCurrentPasses = 2 * passesPerSecond;
 constexpr double hotCelsius = 100.0; ///< not documented
 constexpr double coolCelsius = 90.0;
-constexpr std::uint32_t drivingFaults = faultbit::overCurrent | faultbit::overTemperature | faultbit::underVoltage | faultbit::gateDriver;
+constexpr std::uint32_t drivingFaults
+    = faultbit::overCurrent | faultbit::overTemperature | faultbit::underVoltage | faultbit::gateDriver;
 
 std::int64_t floorDivide(std::int64_t value, std::int64_t by)
 {
@@ -62,7 +63,8 @@ void Drive::clearPosition(std::int64_t before, std::int64_t after)
         const std::int64_t turns = floorDivide(after - edge, turn);
         if (turns != floorDivide(before - edge, turn)) {
             const std::int64_t at = (forward ? turns : turns + 1) * turn + edge;
-            m_position = static_cast<std::uint32_t>(m_command.reverseSensor && !isFollowing() ? at - after : after - at);
+            m_position
+                = static_cast<std::uint32_t>(m_command.reverseSensor && !isFollowing() ? at - after : after - at);
         }
     }
     if (m_bank.flag(number::clearOnForwardLimit) && m_forward.hit)

@@ -30,7 +30,7 @@ std::uint8_t octet(std::int64_t value, int shift)
 
 bool fits(std::int64_t value, int width)
 {
-    const std::int64_t half = std::int64_t {1} << (width - 1);
+    const std::int64_t half = std::int64_t{1} << (width - 1);
     return value >= -half && value < half;
 }
 
@@ -53,18 +53,19 @@ CanFrame generalFrame(int device, const GeneralState &state)
     const LimitPin &rev = state.reverse;
     const int width = state.mode == static_cast<int>(ControlMode::Voltage) ? 16 : 24;
     const bool divided = !fits(state.error, width);
-    const std::int64_t half = std::int64_t {1} << (width - 1);
+    const std::int64_t half = std::int64_t{1} << (width - 1);
     const std::int64_t error = std::clamp(divided ? state.error >> 8 : state.error, -half, half - 1);
-    Payload data {};
+    Payload data{};
     writeU16le(data, 0, static_cast<std::uint16_t>(state.duty & 0xFFFF));
-    data[2] = bits({fwd.level, fwd.hit, fwd.disabled, fwd.normallyClosed, rev.level, rev.hit, rev.disabled, rev.normallyClosed});
-    data[3] = bits({state.limitOverride, fwd.disabledByFrame, rev.disabledByFrame, fwd.softHit, fwd.softEnabled, rev.softHit,
-                    rev.softEnabled, state.currentLimitActive});
+    data[2] = bits(
+        {fwd.level, fwd.hit, fwd.disabled, fwd.normallyClosed, rev.level, rev.hit, rev.disabled, rev.normallyClosed});
+    data[3] = bits({state.limitOverride, fwd.disabledByFrame, rev.disabledByFrame, fwd.softHit, fwd.softEnabled,
+        rev.softHit, rev.softEnabled, state.currentLimitActive});
     data[4] = bits({state.overTemperature, state.underVoltage, state.gateDriver, false, false, false, false, divided});
     data[4] = static_cast<std::uint8_t>(data[4] | (state.mode << 3));
     data[5] = octet(error, 0);
     data[6] = octet(error, 8);
-    data[7] = width == 24 ? octet(error, 16) : std::uint8_t {0};
+    data[7] = width == 24 ? octet(error, 16) : std::uint8_t{0};
     return frame(id::statusGeneral, device, data);
 }
 
@@ -74,7 +75,7 @@ CanFrame encoderFrame(int device, const EncoderState &state)
     const bool fast = !fits(state.velocity, 16);
     const std::int32_t position = farAway ? state.position >> 3 : state.position;
     const std::int32_t velocity = fast ? std::clamp(state.velocity >> 2, -32768, 32767) : state.velocity;
-    Payload data {};
+    Payload data{};
     data[0] = octet(position, 16);
     data[1] = octet(position, 8);
     data[2] = octet(position, 0);
@@ -85,7 +86,7 @@ CanFrame encoderFrame(int device, const EncoderState &state)
 
 CanFrame analogFrame(int device, const AnalogState &state)
 {
-    Payload data {};
+    Payload data{};
     writeFixed8x8(data, 0, state.input);
     writeFixed8x8(data, 2, state.current);
     writeFixed8x8(data, 4, state.temperature);

@@ -40,10 +40,10 @@ struct EncoderState {
 };
 
 struct AnalogState {
-    double input = 0.0; ///< V
-    double current = 0.0; ///< A, positive from M+ to M−
+    double input = 0.0;        ///< V
+    double current = 0.0;      ///< A, positive from M+ to M−
     double temperature = 25.0; ///< °C
-    double bus = 12.0; ///< V
+    double bus = 12.0;         ///< V
 };
 
 [[nodiscard]] CanFrame generalFrame(int device, const GeneralState &state);

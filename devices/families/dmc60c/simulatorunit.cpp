@@ -9,7 +9,7 @@
 namespace mb::dmc60c::simulation {
 namespace {
 
-constexpr auto bootTime = std::chrono::milliseconds(15); ///< from reset to the bootloader's decision
+constexpr auto bootTime = std::chrono::milliseconds(15);        ///< from reset to the bootloader's decision
 constexpr auto applicationTime = std::chrono::milliseconds(25); ///< from there to the application's first action
 constexpr auto supplyGap = std::chrono::milliseconds(200);
 constexpr auto busOffTime = std::chrono::milliseconds(100);
@@ -19,7 +19,7 @@ constexpr double nominalVolts = 12.0;
 
 std::uint64_t mix(const UnitOptions &options)
 {
-    return options.seed * std::uint64_t {0x9E3779B97F4A7C15} + static_cast<std::uint64_t>(options.number);
+    return options.seed * std::uint64_t{0x9E3779B97F4A7C15} + static_cast<std::uint64_t>(options.number);
 }
 
 ConfigImage factoryConfig(const UnitOptions &options)
@@ -47,7 +47,7 @@ Unit::Unit(CanLink &link, Clock &clock, const UnitOptions &options, Notify notif
     , m_ram(m_flash)
     , m_rig(*motorByName(options.motor), options.load, mix(options))
     , m_drive(m_rig, m_ram.parameters, options.velocity,
-              [this](Instant time, std::string_view what, double value) { this->notify(time, what, value); })
+          [this](Instant time, std::string_view what, double value) { this->notify(time, what, value); })
     , m_vendor(*this)
     , m_outbox(link, clock, options.faults)
     , m_nextSession(options.session)
@@ -279,9 +279,8 @@ bool Unit::disturb(std::string_view what, double value)
 bool Unit::failsDuring(int page)
 {
     const auto &faults = m_options.faults;
-    const auto fault = std::find_if(faults.begin(), faults.end(), [page](const SimulatedFault &f) {
-        return f.kind == "power-page" && static_cast<int>(f.at) == page;
-    });
+    const auto fault = std::find_if(faults.begin(), faults.end(),
+        [page](const SimulatedFault &f) { return f.kind == "power-page" && static_cast<int>(f.at) == page; });
     if (fault == faults.end())
         return false;
     m_options.faults.erase(fault); // once

@@ -65,7 +65,7 @@ private:
 
     Board &m_board;
     bool m_open = false;
-    Command m_command {};
+    Command m_command{};
     std::size_t m_expected = 0;
     int m_page = 0;
     std::vector<std::uint8_t> m_bytes;
