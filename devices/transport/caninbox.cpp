@@ -5,7 +5,6 @@ namespace mb {
 
 CanInbox::CanInbox(CanLink &link, Clock &clock, Match match)
     : m_link(link)
-    , m_clock(clock)
     , m_timer(clock)
     , m_received(link.received().add([this, match = std::move(match)](const CanFrame &frame) {
         if (!match(frame))

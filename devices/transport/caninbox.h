@@ -50,7 +50,6 @@ private:
     void wake();
 
     CanLink &m_link;
-    Clock &m_clock;
     std::deque<CanFrame> m_frames;
     std::coroutine_handle<> m_waiting;
     Timer m_timer;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/backends/socketcan.h"
 
-#include "transport/backends/caninterface.h"
+#include "transport/backends/cansocket.h"
 
 #include <QSocketNotifier>
 
@@ -12,11 +12,7 @@
 
 #include <linux/can.h>
 #include <linux/can/error.h>
-#include <linux/can/raw.h>
 #include <linux/errqueue.h>
-#include <linux/net_tstamp.h>
-#include <linux/sock_diag.h>
-#include <net/if.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -25,24 +21,8 @@ namespace {
 
 constexpr unsigned batchSize = 64;
 constexpr int batchesAtOnce = 16; // then other descriptors get their turn
-constexpr int wantedReceiveBuffer = 16 << 20;
-constexpr int urgentBand = 6; // TC_PRIO_INTERACTIVE: the first band of pfifo_fast
-// A full transmit queue does not become readable: ask again. Ten frames wait in the kernel (txqueuelen), one takes 131
-// µs.
+// A full transmit queue does not tell when it has room again. Ten frames wait in it (txqueuelen), one takes 131 µs.
 constexpr Duration retryDelay = std::chrono::microseconds(500);
-
-template <class T> bool setOption(int descriptor, int level, int name, const T &value)
-{
-    return ::setsockopt(descriptor, level, name, &value, sizeof value) == 0;
-}
-
-template <class T> T optionOf(int descriptor, int level, int name)
-{
-    T value{};
-    socklen_t size = sizeof value;
-    ::getsockopt(descriptor, level, name, &value, &size);
-    return value;
-}
 
 template <class T> T contentOf(const cmsghdr &control)
 {
@@ -54,29 +34,6 @@ template <class T> T contentOf(const cmsghdr &control)
 Duration durationOf(const timespec &time)
 {
     return std::chrono::seconds(time.tv_sec) + std::chrono::nanoseconds(time.tv_nsec);
-}
-
-can_frame rawOf(const CanFrame &frame)
-{
-    can_frame raw{};
-    raw.can_id = frame.id | (frame.extended ? CAN_EFF_FLAG : 0U) | (frame.remote ? CAN_RTR_FLAG : 0U);
-    raw.can_dlc = frame.size;
-    std::memcpy(raw.data, frame.data.data(), frame.size);
-    return raw;
-}
-
-CanFrame frameOf(const can_frame &raw, Instant time)
-{
-    CanFrame frame;
-    frame.error = (raw.can_id & CAN_ERR_FLAG) != 0U;
-    frame.extended = !frame.error && (raw.can_id & CAN_EFF_FLAG) != 0U;
-    frame.remote = !frame.error && (raw.can_id & CAN_RTR_FLAG) != 0U;
-    frame.id = raw.can_id & (frame.error || frame.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
-    frame.size = raw.can_dlc;
-    if (!frame.remote)
-        std::memcpy(frame.data.data(), raw.data, frame.size);
-    frame.time = time;
-    return frame;
 }
 
 } // namespace
@@ -134,68 +91,20 @@ Result<void> SocketCanLink::doOpen()
 {
     if (m_given >= 0) {
         m_descriptor = std::exchange(m_given, -1);
-        configure();
-    } else if (auto opened = openInterface(); !opened) {
-        return opened;
+        m_receiveBuffer = prepareCanSocket(m_descriptor);
+    } else {
+        const auto opened = openCanSocket(address().path);
+        if (!opened)
+            return fail(opened.error());
+        m_descriptor = opened->descriptor;
+        m_bitrate = opened->bitrate;
+        m_receiveBuffer = opened->receiveBuffer;
     }
-    watch();
-    return {};
-}
-
-Result<void> SocketCanLink::openInterface()
-{
-    if (const auto cause = whyNoCan())
-        return fail(Fault::LinkLost, *cause);
-    const std::string &name = address().path;
-    const unsigned index = name.size() < IFNAMSIZ ? ::if_nametoindex(name.c_str()) : 0;
-    if (index == 0)
-        return fail(Fault::LinkLost, "there is no CAN interface " + name);
-    if (const auto interfaces = canInterfaces()) {
-        const auto found = std::find_if(
-            interfaces->begin(), interfaces->end(), [&name](const CanInterface &i) { return i.name == name; });
-        if (found == interfaces->end())
-            return fail(Fault::LinkLost, name + " is a network interface, but not one for CAN");
-        if (const auto cause = whyUnusable(*found))
-            return fail(Fault::LinkLost, *cause);
-        m_bitrate = found->bitrate;
-    }
-    return bindTo(index);
-}
-
-Result<void> SocketCanLink::bindTo(unsigned index)
-{
-    m_descriptor = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
-    if (m_descriptor < 0)
-        return fail(Fault::LinkLost, why(errno));
-    configure(); // before bind: no frame comes unstamped
-    sockaddr_can where{};
-    where.can_family = AF_CAN;
-    where.can_ifindex = static_cast<int>(index);
-    if (::bind(m_descriptor, reinterpret_cast<const sockaddr *>(&where), sizeof where) == 0)
-        return {};
-    const int cause = errno;
-    ::close(std::exchange(m_descriptor, -1));
-    return fail(Fault::LinkLost, why(cause));
-}
-
-void SocketCanLink::configure()
-{
     m_drops = 0;
     m_latest = {};
     m_hardware.reset();
-    // Hardware stamps come with the software ones they are aligned by. Other sockets know only the older option.
-    constexpr int stamps = SOF_TIMESTAMPING_RX_SOFTWARE | SOF_TIMESTAMPING_SOFTWARE | SOF_TIMESTAMPING_RX_HARDWARE
-        | SOF_TIMESTAMPING_RAW_HARDWARE;
-    const bool isCan = optionOf<int>(m_descriptor, SOL_SOCKET, SO_DOMAIN) == PF_CAN;
-    if (!isCan || !setOption(m_descriptor, SOL_SOCKET, SO_TIMESTAMPING, stamps))
-        setOption(m_descriptor, SOL_SOCKET, SO_TIMESTAMPNS, 1);
-    setOption(m_descriptor, SOL_SOCKET, SO_RXQ_OVFL, 1);
-    if (!setOption(m_descriptor, SOL_SOCKET, SO_RCVBUFFORCE, wantedReceiveBuffer))
-        setOption(m_descriptor, SOL_SOCKET, SO_RCVBUF, wantedReceiveBuffer);
-    m_receiveBuffer = optionOf<int>(m_descriptor, SOL_SOCKET, SO_RCVBUF);
-    const can_err_mask_t everyError = CAN_ERR_MASK;
-    if (isCan)
-        setOption(m_descriptor, SOL_CAN_RAW, CAN_RAW_ERR_FILTER, everyError);
+    watch();
+    return {};
 }
 
 void SocketCanLink::watch()
@@ -235,7 +144,7 @@ void SocketCanLink::receive()
         const int got = ::recvmmsg(m_descriptor, m_batch->messages.data(), batchSize, MSG_DONTWAIT, nullptr);
         if (got < 0) {
             if (errno != EAGAIN && errno != EINTR)
-                end(why(errno));
+                end(socketFailure(address().path, errno));
             break;
         }
         takeBatch(static_cast<unsigned>(got));
@@ -246,8 +155,9 @@ void SocketCanLink::receive()
             break;
         behind = true;
     }
-    if (behind && state() == LinkState::Open)
-        askForDrops();
+    // A frame carries the drops before it; those after the last one are known only this way.
+    if (const auto drops = behind ? droppedFrames(m_descriptor) : std::nullopt)
+        noteDrops(*drops);
 }
 
 void SocketCanLink::takeBatch(unsigned count)
@@ -258,7 +168,7 @@ void SocketCanLink::takeBatch(unsigned count)
         const mmsghdr &message = m_batch->messages[i];
         const can_frame &raw = m_batch->frames[i];
         if (message.msg_len == 0)
-            end(why(EPIPE));
+            end(socketFailure(address().path, EPIPE));
         else if (message.msg_len != CAN_MTU || (message.msg_hdr.msg_flags & MSG_TRUNC) != 0
             || raw.can_dlc > CAN_MAX_DLEN)
             countError();
@@ -313,27 +223,18 @@ void SocketCanLink::noteDrops(std::uint32_t total)
     countLost(static_cast<std::uint64_t>(more));
 }
 
-void SocketCanLink::askForDrops()
-{
-    // A frame carries the drops before it; those after the last one are known only this way.
-    std::array<std::uint32_t, SK_MEMINFO_VARS> memory{};
-    socklen_t size = sizeof memory;
-    if (::getsockopt(m_descriptor, SOL_SOCKET, SO_MEMINFO, memory.data(), &size) == 0 && size == sizeof memory)
-        noteDrops(memory[SK_MEMINFO_DROPS]);
-}
-
 Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
 {
     auto &queue = priority == Priority::Urgent ? m_urgent : m_normal;
     const bool first = m_urgent.empty() && (priority == Priority::Urgent || m_normal.empty());
     if (first) {
-        const int cause = write(frame, priority);
+        const int cause = writeFrame(m_descriptor, frame, priority);
         if (cause == 0)
             return {};
-        if (!waitForRoom(cause)) {
+        if (!tryLater(cause)) {
             // Told from the clock: whoever sends does not expect to be called back.
-            m_failed.startIn(Duration::zero(), [this, reason = why(cause)] { end(reason); });
-            return fail(Fault::LinkLost, why(cause));
+            m_failed.startIn(Duration::zero(), [this, reason = socketFailure(address().path, cause)] { end(reason); });
+            return fail(Fault::LinkLost, socketFailure(address().path, cause));
         }
     }
     queue.push_back(frame);
@@ -347,60 +248,24 @@ void SocketCanLink::flush()
     while (doBacklog() > 0) {
         const bool urgent = !m_urgent.empty();
         auto &queue = urgent ? m_urgent : m_normal;
-        const int cause = write(queue.front(), urgent ? Priority::Urgent : Priority::Normal);
+        const int cause = writeFrame(m_descriptor, queue.front(), urgent ? Priority::Urgent : Priority::Normal);
         if (cause != 0) {
-            if (!waitForRoom(cause))
-                m_failed.startIn(Duration::zero(), [this, reason = why(cause)] { end(reason); });
+            if (!tryLater(cause))
+                m_failed.startIn(
+                    Duration::zero(), [this, reason = socketFailure(address().path, cause)] { end(reason); });
             return;
         }
         queue.pop_front();
     }
 }
 
-int SocketCanLink::write(const CanFrame &frame, Priority priority)
-{
-    const can_frame raw = rawOf(frame);
-    const bool urgent = priority == Priority::Urgent;
-    if (urgent)
-        setOption(m_descriptor, SOL_SOCKET, SO_PRIORITY, urgentBand);
-    ssize_t sent = 0;
-    do
-        sent = ::send(m_descriptor, &raw, sizeof raw, MSG_DONTWAIT | MSG_NOSIGNAL);
-    while (sent < 0 && errno == EINTR);
-    const int cause = sent < 0 ? errno : 0;
-    if (urgent)
-        setOption(m_descriptor, SOL_SOCKET, SO_PRIORITY, 0);
-    return cause;
-}
-
-bool SocketCanLink::waitForRoom(int cause)
+bool SocketCanLink::tryLater(int cause)
 {
     if (cause == EAGAIN)
         m_writable->setEnabled(true);
     else if (cause == ENOBUFS && !m_retry.isActive())
         m_retry.startIn(retryDelay, [this] { flush(); });
     return cause == EAGAIN || cause == ENOBUFS;
-}
-
-std::string SocketCanLink::why(int cause) const
-{
-    const std::string &name = address().path;
-    switch (cause) {
-    case ENETDOWN:
-        return ::if_nametoindex(name.c_str()) != 0 ? name + " was switched off" : name + " is gone";
-    case ENODEV:
-    case ENXIO:
-        return name + " is gone";
-    case EPIPE:
-    case ECONNRESET:
-    case ENOTCONN:
-        return "the other end of " + name + " closed it";
-    case EPERM:
-    case EACCES:
-        return "no permission to use " + name + "; allow CAN sockets in the container or sandbox";
-    default:
-        return name + " failed: " + std::strerror(cause);
-    }
 }
 
 void SocketCanLink::end(std::string reason)

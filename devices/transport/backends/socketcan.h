@@ -45,9 +45,6 @@ private:
     [[nodiscard]] std::size_t doBacklog() const override { return m_urgent.size() + m_normal.size(); }
     [[nodiscard]] int doBitrate() const override { return m_bitrate; }
 
-    [[nodiscard]] Result<void> openInterface();
-    [[nodiscard]] Result<void> bindTo(unsigned index);
-    void configure();
     void watch();
     void unwatch();
     void receive();
@@ -55,11 +52,8 @@ private:
     void take(const can_frame &raw, Instant time);
     [[nodiscard]] Instant stampOf(const msghdr &message, Duration unixOffset, Instant now);
     void noteDrops(std::uint32_t total);
-    void askForDrops();
     void flush();
-    [[nodiscard]] int write(const CanFrame &frame, Priority priority);
-    [[nodiscard]] bool waitForRoom(int cause);
-    [[nodiscard]] std::string why(int cause) const;
+    [[nodiscard]] bool tryLater(int cause);
     void end(std::string reason);
 
     int m_given = -1;
