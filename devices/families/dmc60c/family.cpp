@@ -2,10 +2,13 @@
 #include "model/family.h"
 
 #include "families/dmc60c/channels.h"
+#include "families/dmc60c/controller.h"
 #include "families/dmc60c/decode.h"
+#include "families/dmc60c/firmware.h"
 #include "families/dmc60c/parameters.h"
 #include "families/dmc60c/protocol.h"
 #include "families/dmc60c/scan.h"
+#include "families/dmc60c/simulator.h"
 
 #include <array>
 
@@ -47,11 +50,11 @@ const Family family {
     .capabilities = capabilities,
     .bench = bench,
     .scan = scan,
-    .open = nullptr,
+    .open = open,
     .decodeCan = decodeCan,
-    .update = nullptr,
-    .inspect = nullptr,
-    .simulate = nullptr,
+    .update = update,
+    .inspect = inspect,
+    .simulate = simulate,
 };
 
 } // namespace mb::dmc60c

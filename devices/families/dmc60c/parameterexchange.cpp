@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60c/parameterexchange.h"
+
+#include <algorithm>
+
+namespace mb::dmc60c {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration longest = 250ms; ///< section 4
+constexpr Duration shortest = 5ms;
+
+} // namespace
+
+Task<ParamResponse> ParameterExchange::get(Target target, std::uint8_t parameter)
+{
+    return run(encodeParamRequest(target.device, target.session, parameter), target.device, parameter, tries);
+}
+
+Task<ParamResponse> ParameterExchange::set(Target target, std::uint8_t parameter, std::uint32_t field)
+{
+    return run(encodeParamSet(target.device, target.session, parameter, field), target.device, parameter, tries);
+}
+
+Task<ParamResponse> ParameterExchange::setOnce(Target target, std::uint8_t parameter, std::uint32_t field)
+{
+    return run(encodeParamSet(target.device, target.session, parameter, field), target.device, parameter, 1);
+}
+
+Task<ParamResponse> ParameterExchange::run(CanFrame request, int device, std::uint8_t parameter, int most)
+{
+    CanInbox inbox(m_link, m_clock, [device, parameter](const CanFrame &frame) {
+        const auto response = decodeParamResponse(frame);
+        return response && response->device == device && response->parameter == parameter;
+    });
+    Error last {Fault::Timeout, "no answer"};
+    for (int attempt = 0; attempt < most; ++attempt) {
+        const Instant sentAt = m_clock.now();
+        if (auto sent = m_link.send(request); !sent)
+            co_return fail(sent.error());
+        const Result<CanFrame> frame = co_await inbox.next(patienceAt(attempt));
+        if (frame) {
+            if (attempt == 0) // a later answer may belong to an earlier try
+                measured(m_clock.now() - sentAt);
+            co_return *decodeParamResponse(*frame);
+        }
+        last = frame.error();
+        if (last.fault == Fault::LinkLost)
+            break;
+    }
+    co_return fail(last);
+}
+
+Duration ParameterExchange::patienceAt(int attempt) const
+{
+    if (!m_roundTrip)
+        return longest;
+    return std::clamp<Duration>(4 * *m_roundTrip * (1 << attempt), shortest * (1 << attempt), std::max(longest, 4 * *m_roundTrip));
+}
+
+void ParameterExchange::measured(Duration roundTrip)
+{
+    m_roundTrip = m_roundTrip ? std::max(roundTrip, (7 * *m_roundTrip + roundTrip) / 8) : roundTrip;
+}
+
+Result<void> check(const ParamResponse &response, std::string_view key)
+{
+    const std::string name(key);
+    switch (response.status) {
+    case ParameterStatus::NoError: return {};
+    case ParameterStatus::BadParameter: return fail(Fault::Refused, name + ": this firmware does not know the parameter");
+    case ParameterStatus::BadValue: return fail(Fault::Refused, name + ": the device refused the value");
+    }
+    return fail(Fault::BadReply, name + ": status " + std::to_string(static_cast<int>(response.status)) + " has no meaning");
+}
+
+} // namespace mb::dmc60c

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60c/statusstream.h"
+
+#include <algorithm>
+
+namespace mb::dmc60c {
+namespace {
+
+constexpr int shortGapsNeeded = 4;
+/// Longer gaps are silence, not loss: the device may have stood in its bootloader.
+constexpr int silencePeriods = 32;
+constexpr Duration silenceAtLeast = std::chrono::milliseconds(250);
+
+} // namespace
+
+StatusStream::StatusStream(std::shared_ptr<Telemetry> telemetry, std::vector<ChannelIndex> channels, Duration period)
+    : m_telemetry(std::move(telemetry))
+    , m_channels(std::move(channels))
+    , m_initial(period)
+    , m_period(period)
+{
+    m_held.reserve(relearn);
+}
+
+void StatusStream::add(Instant time, const Values &values)
+{
+    if (!m_last || m_unsure) {
+        startAt(time);
+        emit({time, values});
+        return;
+    }
+    const Duration gap = time - *m_last;
+    const std::int64_t periods = periodsSince(time);
+    const Frame frame {time, values, periods};
+    adjustPhase(time, periods);
+    m_last = time;
+    if (periods > 1 || gap > m_period + m_period / 4) {
+        hold(frame);
+        return;
+    }
+    releaseAsLoss(periods);
+    emit(frame);
+    learnShorter(gap);
+}
+
+std::int64_t StatusStream::periodsSince(Instant time) const
+{
+    return std::max<std::int64_t>(0, (time - m_phase + m_period / 2) / m_period);
+}
+
+void StatusStream::adjustPhase(Instant time, std::int64_t periods)
+{
+    m_phase += periods * m_period;
+    m_phase += (time - m_phase) / 2;
+}
+
+void StatusStream::learnShorter(Duration gap)
+{
+    if (gap * 4 >= m_period * 3) {
+        m_shortGaps = 0;
+        m_shortSum = Duration::zero();
+        return;
+    }
+    m_shortSum += gap;
+    if (++m_shortGaps < shortGapsNeeded)
+        return;
+    m_period = std::max<Duration>(m_shortSum / shortGapsNeeded, std::chrono::microseconds(100));
+    startAt(*m_last);
+}
+
+bool StatusStream::gapsAreAlike() const
+{
+    // The first is a mixture of both periods.
+    Duration least = Duration::max();
+    Duration most = Duration::zero();
+    for (std::size_t i = 1; i < m_held.size(); ++i) {
+        const Duration gap = m_held[i].time - m_held[i - 1].time;
+        least = std::min(least, gap);
+        most = std::max(most, gap);
+    }
+    return most - least < m_period / 3;
+}
+
+void StatusStream::hold(const Frame &frame)
+{
+    m_held.push_back(frame);
+    if (m_held.size() < relearn)
+        return;
+    if (!gapsAreAlike()) {
+        releaseAsLoss(1);
+        return;
+    }
+    m_period = (m_held.back().time - m_held.front().time) / static_cast<std::int64_t>(m_held.size() - 1);
+    const Instant last = m_held.back().time;
+    release();
+    startAt(last);
+}
+
+/// `found` = 0: the frame that ends the gap is one that looked lost because another was late.
+void StatusStream::releaseAsLoss(std::int64_t found)
+{
+    const Duration silence = std::max<Duration>(silencePeriods * m_period, silenceAtLeast);
+    for (std::size_t i = 0; i < m_held.size(); ++i) {
+        Frame &frame = m_held[i];
+        std::int64_t missing = frame.periods - 1;
+        if (i + 1 == m_held.size() && found == 0)
+            missing = std::max<std::int64_t>(0, missing - 1);
+        for (const ChannelIndex channel : m_channels) {
+            if (missing > 0 && missing * m_period > silence)
+                m_telemetry->breakLine(channel);
+            else if (missing > 0)
+                m_telemetry->lost(channel, static_cast<std::uint64_t>(missing));
+        }
+        emit(frame);
+    }
+    m_held.clear();
+}
+
+void StatusStream::release()
+{
+    for (const Frame &frame : m_held)
+        emit(frame);
+    m_held.clear();
+}
+
+void StatusStream::emit(const Frame &frame)
+{
+    for (std::size_t i = 0; i < m_channels.size(); ++i)
+        m_telemetry->append({m_channels[i], frame.time, frame.values[i]});
+}
+
+void StatusStream::startAt(Instant time)
+{
+    m_last = time;
+    m_phase = time;
+    m_unsure = false;
+    m_shortGaps = 0;
+    m_shortSum = Duration::zero();
+}
+
+void StatusStream::setPeriod(Duration period)
+{
+    if (period <= Duration::zero())
+        return;
+    const bool known = period * 9 < m_period * 10 && m_period * 9 < period * 10; // perhaps learned, and now made exact
+    if (known) {
+        releaseAsLoss(1);
+        m_period = period;
+    } else {
+        release();
+        m_period = period;
+        m_unsure = true;
+    }
+}
+
+void StatusStream::interrupt()
+{
+    releaseAsLoss(1);
+    if (!m_last)
+        return;
+    for (const ChannelIndex channel : m_channels)
+        m_telemetry->breakLine(channel);
+    m_last.reset();
+}
+
+void StatusStream::restart()
+{
+    m_period = m_initial;
+    release();
+    interrupt();
+}
+
+} // namespace mb::dmc60c
