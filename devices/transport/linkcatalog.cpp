@@ -3,10 +3,10 @@
 
 #include "transport/backends/caninterface.h"
 #include "transport/backends/qtcanbus.h"
+#include "transport/backends/serialports.h"
 #include "transport/backends/socketcan.h"
 
 #include <QDir>
-#include <QSerialPortInfo>
 
 #include <unistd.h>
 
@@ -70,9 +70,8 @@ LinkListing listedFile(
 
 void listSerial(std::vector<LinkListing> &rows)
 {
-    for (const QSerialPortInfo &port : QSerialPortInfo::availablePorts())
-        rows.push_back(listedFile("serial", LinkKind::Serial, port.systemLocation().toStdString(),
-            port.description().toStdString(), "dialout"));
+    for (const SerialPort &port : serialPorts())
+        rows.push_back(listedFile("serial", LinkKind::Serial, port.path, port.description, "dialout"));
 }
 
 void listSpi(std::vector<LinkListing> &rows)

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/virtualclock.h"
+#include "transport/backends/serialports.h"
 #include "transport/linkcatalog.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
 
 using namespace mb;
 
@@ -57,4 +62,32 @@ TEST(LinkCatalog, AnInterfaceThatIsNotThereFailsToOpenWithItsCause)
     EXPECT_TRUE(detail == "there is no CAN interface nosuchcan7" || detail.find("CAN s") != std::string::npos)
         << detail;
     EXPECT_EQ((*link)->state(), LinkState::Closed);
+}
+
+TEST(SerialPorts, AreThoseWithHardwareBehindThemAndDescribedByTheirUsbDevice)
+{
+    namespace fs = std::filesystem;
+    const fs::path root = fs::path(testing::TempDir()) / ("motorbench-tty-" + std::to_string(::getpid()));
+    const fs::path usb = root / "devices" / "usb1" / "1-1";
+    const fs::path tty = root / "tty";
+    const auto write = [](const fs::path &file, const char *text) { std::ofstream(file) << text << '\n'; };
+    fs::create_directories(usb / "1-1:1.0" / "ttyUSB0");
+    write(usb / "product", "FT232R USB UART");
+    write(usb / "manufacturer", "FTDI");
+    fs::create_directories(root / "devices" / "uart");
+    for (const char *name : {"ttyUSB0", "ttyS0", "ttyS1", "tty0"})
+        fs::create_directories(tty / name);
+    fs::create_directory_symlink(usb / "1-1:1.0" / "ttyUSB0", tty / "ttyUSB0" / "device");
+    fs::create_directory_symlink(root / "devices" / "uart", tty / "ttyS0" / "device");
+    fs::create_directory_symlink(root / "devices" / "uart", tty / "ttyS1" / "device");
+    write(tty / "ttyS0" / "type", "4");
+    write(tty / "ttyS1" / "type", "0");
+    const auto ports = serialPorts(tty);
+    fs::remove_all(root);
+    ASSERT_EQ(ports.size(), 2U);
+    EXPECT_EQ(ports[0].path, "/dev/ttyS0");
+    EXPECT_EQ(ports[0].description, "");
+    EXPECT_EQ(ports[1].path, "/dev/ttyUSB0");
+    EXPECT_EQ(ports[1].description, "FTDI FT232R USB UART");
+    EXPECT_TRUE(serialPorts(root / "nothing").empty());
 }
