@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-namespace mb::test {
+namespace mb::test::dmc60csim {
 
 /// A host, a bus and one simulated DMC60C in virtual time; everything the host hears and every event is kept. Frames
 /// are written as in the protocol reference: `0206FC05#3412610000000000`.
@@ -187,4 +187,59 @@ inline CanFrame parameterRequest(std::uint8_t id)
     return extendedFrame(dmc60c::id::paramRequest | 5U, {0x34, 0x12, id});
 }
 
-} // namespace mb::test
+/// A control frame of device 5, target in bytes 3, 4, 5 as H, L, M.
+inline CanFrame control(int mode, std::int32_t target, int flags0 = 0, int flags1 = 0, int ramp = 0, int device = 5)
+{
+    const auto raw = static_cast<std::uint32_t>(target);
+    const auto octet = [](std::uint32_t value) { return static_cast<std::uint8_t>(value & 0xFFU); };
+    return extendedFrame(dmc60c::id::control | static_cast<std::uint32_t>(device),
+        {octet(static_cast<std::uint32_t>(mode | flags0)), octet(static_cast<std::uint32_t>(flags1)), 0,
+            octet(raw >> 16U), octet(raw), octet(raw >> 8U), octet(static_cast<std::uint32_t>(ramp)),
+            octet(static_cast<std::uint32_t>(ramp >> 8))});
+}
+
+inline void drive(Dmc60cBench &bench, const CanFrame &frame, Duration time)
+{
+    bench.drive(toText(frame), time);
+}
+
+inline void set(Dmc60cBench &bench, std::uint8_t id, std::int64_t raw)
+{
+    bench.send(parameterSet(id, raw));
+    const CanFrame *answer = bench.next(dmc60c::id::paramResponse);
+    ASSERT_NE(answer, nullptr);
+    ASSERT_EQ(answer->data[5], 0) << int{id};
+}
+
+inline std::int64_t get(Dmc60cBench &bench, std::uint8_t id)
+{
+    bench.send(parameterRequest(id));
+    const CanFrame *answer = bench.next(dmc60c::id::paramResponse);
+    return answer == nullptr ? -1 : signExtend(readU32le(answer->bytes(), 1), 32);
+}
+
+/// State of a device after its supply came back, and what it says it runs.
+struct Enumerated {
+    int images = -1; ///< 0 application, 1 bootloader, −1 silent
+    int version = -1;
+    int session = 0;
+};
+
+inline Enumerated enumerate(Dmc60cBench &bench)
+{
+    bench.advance(std::chrono::milliseconds(500));
+    bench.forget();
+    bench.send("00000240#");
+    bench.advance(std::chrono::milliseconds(100));
+    Enumerated found;
+    for (const CanFrame &frame : bench.heard()) {
+        if ((frame.id & dmc60c::id::messageMask) != dmc60c::id::enumResponse || frame.size != 8)
+            continue;
+        found.session = readU16le(frame.bytes(), 0);
+        found.images = frame.data[2] & 3;
+        found.version = readU16le(frame.bytes(), 4);
+    }
+    return found;
+}
+
+} // namespace mb::test::dmc60csim

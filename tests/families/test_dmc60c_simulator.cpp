@@ -9,6 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using namespace dmc60c;
+using namespace dmc60csim;
 
 TEST(Dmc60cSimulator, IsSilentUntilItHasHeardAFrame)
 {

@@ -124,8 +124,8 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     options.serial = defaultSerial(unit.seed, unit.address);
     options.load = usualLoad(unit.option("motor").value_or("cim"));
     for (const auto &[key, value] : unit.options) {
-        const auto option
-            = std::find_if(optionTable.begin(), optionTable.end(), [&](const Option &o) { return o.key == key; });
+        const auto option = std::find_if(
+            optionTable.begin(), optionTable.end(), [&wanted = key](const Option &o) { return o.key == wanted; });
         if (option == optionTable.end())
             return fail(Fault::OutOfRange, "a simulated DMC60C has no option '" + key + "'");
         if (!option->set(options, value))

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What keeps the simulated DMC60C from driving: switches, soft limits, current limiter, faults of the motor side.
+#include "families/dmc60csimulatorbench.h"
+
+#include <cmath>
+
+namespace mb::test {
+namespace {
+
+using namespace std::chrono_literals;
+using namespace dmc60c;
+using namespace dmc60csim;
+
+constexpr auto half = "02060005#0000000000400000"; // voltage mode, duty 16384
+
+TEST(Dmc60cSimulatorLimits, LimitSwitchesBlockTheirDirection)
+{
+    Dmc60cBench bench;
+    bench.wake();
+    bench.drive(half, 100ms);
+    ASSERT_TRUE(bench.device().disturb("forward-limit", 1.0));
+    bench.drive(half, 60ms);
+    EXPECT_EQ(bench.duty(), 0);
+    EXPECT_EQ(bench.last(id::statusGeneral)->data[2], 0x12); // low and hit; the other one high
+    bench.drive("02060005#000000FF00C00000", 60ms);
+    EXPECT_EQ(bench.duty(), -16384);
+    drive(bench, control(0, 16384, 0, 0x0A), 60ms); // override: forward off
+    EXPECT_EQ(bench.duty(), 16384);
+    set(bench, 2, 1);
+    bench.drive(half, 60ms);
+    EXPECT_EQ(bench.duty(), 16384);
+    ASSERT_TRUE(bench.device().disturb("forward-limit", 0.0));
+    set(bench, 2, 0);
+    set(bench, 1, 1); // normally closed: open means hit
+    bench.drive(half, 60ms);
+    EXPECT_EQ(bench.duty(), 0);
+}
+
+TEST(Dmc60cSimulatorLimits, SoftLimitsBlockByPosition)
+{
+    Dmc60cBench bench;
+    bench.wake();
+    set(bench, 5, 20000);
+    set(bench, 6, 1);
+    bench.drive(half, 1s);
+    EXPECT_EQ(bench.duty(), 0);
+    EXPECT_GE(bench.position(), 20000);
+    EXPECT_LT(bench.device().speed(), 1.0);
+    EXPECT_EQ(bench.last(id::statusGeneral)->data[3], 0x18);
+    bench.drive("02060005#000000FF00C00000", 60ms);
+    EXPECT_EQ(bench.duty(), -16384);
+}
+
+TEST(Dmc60cSimulatorLimits, PositionIsWrittenOnlyWhileTheOutputIsOff)
+{
+    Dmc60cBench bench;
+    bench.wake();
+    set(bench, 41, -1000);
+    EXPECT_EQ(get(bench, 41), -1000);
+    bench.send(half);
+    bench.advance(5ms);
+    bench.send(parameterSet(41, 0));
+    const CanFrame *answer = bench.next(id::paramResponse);
+    ASSERT_NE(answer, nullptr);
+    EXPECT_EQ(answer->data[5], 2);
+}
+
+TEST(Dmc60cSimulatorLimits, ClearsItsPositionOnLimitAndIndex)
+{
+    Dmc60cBench bench;
+    bench.wake();
+    set(bench, 43, 1);
+    set(bench, 2, 1); // clears even with the switch disabled
+    bench.drive(half, 300ms);
+    ASSERT_TRUE(bench.device().disturb("forward-limit", 1.0));
+    bench.drive(half, 100ms);
+    EXPECT_EQ(bench.position(), 0);
+    EXPECT_GT(bench.device().speed(), 0.0);
+    ASSERT_TRUE(bench.device().disturb("forward-limit", 0.0));
+    set(bench, 42, 1);
+    set(bench, 45, 1);
+    bench.drive(half, 500ms);
+    set(bench, 92, 1);
+    for (int i = 0; i < 50; ++i) {
+        bench.drive(half, 20ms);
+        const double turns = bench.device().position() / 4096.0;
+        EXPECT_GE(bench.position(), 0);
+        EXPECT_LT(bench.position(), 4096 + 200);
+        EXPECT_NEAR(std::remainder(turns - bench.position() / 4096.0, 1.0), 0.0, 0.1);
+    }
+}
+
+TEST(Dmc60cSimulatorLimits, CurrentLimiterWaitsItsTimeThenHoldsTheContinuousLimit)
+{
+    Dmc60cBench bench;
+    bench.wake();
+    ASSERT_TRUE(bench.device().disturb("stall", 1.0));
+    set(bench, 61, 20 << 16);
+    set(bench, 62, 40 << 16);
+    set(bench, 63, 300);
+    set(bench, 64, 1);
+    set(bench, 91, 10);
+    const CanFrame frame = control(0, 16384); // about 60 A
+    drive(bench, frame, 280ms);
+    EXPECT_EQ(bench.duty(), 16384);
+    EXPECT_EQ(bench.last(id::statusGeneral)->data[3] & 0x80, 0);
+    drive(bench, frame, 200ms);
+    EXPECT_NE(bench.last(id::statusGeneral)->data[3] & 0x80, 0);
+    const auto amperes = [&] { return signExtend(readU16le(bench.last(id::statusAnalog)->bytes(), 2), 16) / 256.0; };
+    EXPECT_NEAR(amperes(), 20.0, 1.0);
+    EXPECT_LT(bench.duty(), 8000);
+    drive(bench, control(0, 2000), 200ms);
+    EXPECT_EQ(bench.duty(), 2000);
+    EXPECT_EQ(bench.last(id::statusGeneral)->data[3] & 0x80, 0);
+}
+
+TEST(Dmc60cSimulatorLimits, UnderVoltageStopsAfterFiveSecondsAndForThreeMore)
+{
+    Dmc60cBench bench("dmc60c:5,session=0x1234,fault=brownout@1"); // 5 V from 1 s to 7 s
+    bench.wake();
+    bench.drive(half, 11s);
+    const SimulatorEvent *fault = bench.event("fault");
+    ASSERT_NE(fault, nullptr);
+    EXPECT_EQ(fault->value, 4.0);
+    EXPECT_NEAR(std::chrono::duration<double>(fault->time.time_since_epoch()).count(), 6.0, 0.01);
+    EXPECT_EQ(bench.eventNames(), "output-on fault output-off config-flash output-on");
+    EXPECT_EQ(get(bench, 51), 0);
+    EXPECT_EQ(get(bench, 52), 4);
+    EXPECT_EQ(get(bench, 55), 1);
+    bench.send(parameterSet(52, 0));
+    EXPECT_TRUE(bench.hears("02061845#340400000000"));
+    bench.send("02061885#34123401000000"); // P17: read, then clear
+    EXPECT_TRUE(bench.hears("02061845#340400000000"));
+    bench.send("02061885#34123401000000");
+    EXPECT_TRUE(bench.hears("02061845#340000000000"));
+}
+
+TEST(Dmc60cSimulatorLimits, FaultsOpenTheBridgeUntilThreeSecondsAfterTheyAreGone)
+{
+    Dmc60cBench bench;
+    bench.wake();
+    bench.drive(half, 500ms);
+    ASSERT_TRUE(bench.device().disturb("gate-fault", 1.0));
+    EXPECT_FALSE(bench.device().isOutputOn());
+    bench.drive(half, 5s);
+    EXPECT_EQ(bench.duty(), 0);
+    EXPECT_EQ(bench.last(id::statusGeneral)->data[4] & 4, 4);
+    ASSERT_TRUE(bench.device().disturb("gate-fault", 0.0));
+    bench.drive(half, 2900ms);
+    EXPECT_EQ(bench.duty(), 0);
+    bench.drive(half, 200ms);
+    EXPECT_EQ(bench.duty(), 16384);
+    EXPECT_EQ(get(bench, 56), 1);
+    ASSERT_TRUE(bench.device().disturb("temperature", 120.0));
+    bench.drive(half, 100ms);
+    EXPECT_EQ(get(bench, 51), 2);
+    EXPECT_FALSE(bench.device().disturb("weather", 1.0));
+}
+
+TEST(Dmc60cSimulatorLimits, EncoderAndShaftFaultsShow)
+{
+    Dmc60cBench dead("dmc60c:5,session=0x1234,fault=encoder-dead@0.5");
+    dead.wake();
+    dead.drive(half, 1500ms);
+    EXPECT_EQ(dead.velocity(), 0);
+    EXPECT_GT(dead.device().speed(), 1000.0);
+    Dmc60cBench reversed("dmc60c:5,session=0x1234,fault=encoder-reversed");
+    reversed.wake();
+    reversed.drive(half, 1s);
+    EXPECT_LT(reversed.velocity(), -1000);
+    EXPECT_GT(reversed.device().speed(), 1000.0);
+    Dmc60cBench stalled("dmc60c:5,session=0x1234,fault=stall@0.5");
+    stalled.wake();
+    stalled.drive(half, 1s);
+    EXPECT_EQ(stalled.velocity(), 0);
+    EXPECT_EQ(stalled.device().speed(), 0.0);
+}
+
+} // namespace
+} // namespace mb::test
