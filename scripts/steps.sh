@@ -9,11 +9,12 @@ quietly() {
     local title=$1 log status=0 start=$SECONDS
     shift
     log=$(mktemp)
+    printf '%-72s ' "$title"
     "$@" >"$log" 2>&1 </dev/null || status=$?
     if [ "$status" = 0 ]; then
-        printf '%-58s ok (%d s)\n' "$title" $((SECONDS - start))
+        printf 'ok (%d s)\n' $((SECONDS - start))
     else
-        printf '%-58s FAILED (exit status %d), the end of its output:\n' "$title" "$status"
+        printf 'FAILED (exit status %d), the end of its output:\n' "$status"
         # not the progress, and not the command lines of the compiler
         { grep -vE '^\[[0-9]+/[0-9]+\] |^(/usr/bin/|: && ).*(c\+\+|g\+\+|cmake) ' "$log" || true; } | tail -n 80
     fi
