@@ -7,7 +7,7 @@ namespace mb {
 
 namespace {
 
-constexpr Duration window = std::chrono::seconds(1);
+constexpr Duration rateWindow = std::chrono::seconds(1);
 constexpr Duration silence = std::chrono::seconds(2);
 
 double seconds(Duration duration)
@@ -87,7 +87,7 @@ void Telemetry::measure(Live &live, Instant time)
     }
     ++live.inWindow;
     const Duration elapsed = time - live.windowStart;
-    if (elapsed < window)
+    if (elapsed < rateWindow)
         return;
     live.rate = static_cast<double>(live.inWindow) / seconds(elapsed);
     live.windowStart = time;
