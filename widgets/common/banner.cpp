@@ -197,7 +197,7 @@ void BannerStack::arrange()
         standing += entry.dismissed ? 0 : 1;
     }
     m_more->setVisible(standing > Shown);
-    m_more->setText(tr("%n more notice(s)", nullptr, standing - Shown));
+    m_more->setText(standing == Shown + 1 ? tr("1 more notice") : tr("%n more notices", nullptr, standing - Shown));
     m_more->setAccessibleName(m_more->text());
     setVisible(standing > 0);
     Q_EMIT countChanged(standing);

@@ -80,9 +80,9 @@ int Chip::partWidth(const Part &part) const
 QSize Chip::sizeHint() const
 {
     const Theme &theme = m_theme.theme();
-    int width = theme.u(12 + 12) + QFontMetrics(titleFont()).horizontalAdvance(m_title);
+    int width = theme.u(10 + 10) + QFontMetrics(titleFont()).horizontalAdvance(m_title);
     if (m_glyph)
-        width += theme.u(12 + 8);
+        width += theme.u(12 + 6);
     for (const Part &part : m_parts)
         width += theme.u(6) + partWidth(part);
     return {width, theme.u(32)};
@@ -94,7 +94,7 @@ void Chip::paintFrame(QPainter &painter) const
     QPainterPath frame;
     frame.addRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), theme.u(4), theme.u(4));
     if (!m_flat || underMouse())
-        painter.fillPath(frame, underMouse() ? theme.hover : theme.dark ? theme.window : theme.window);
+        painter.fillPath(frame, underMouse() ? theme.hover : theme.window);
     if (m_edge == Tone::Caution)
         painter.fillPath(frame, theme.bannerCaution);
     if (hasFocus())
@@ -127,11 +127,11 @@ void Chip::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     paintFrame(painter);
-    int x = theme.u(12);
+    int x = theme.u(10);
     if (m_glyph) {
         const double side = theme.u(12);
         paintGlyph(painter, QRectF(x, (height() - side) / 2, side, side), *m_glyph, glyphColor(*m_glyph, theme));
-        x += theme.u(12 + 8);
+        x += theme.u(12 + 6);
     }
     const int titleWidth = QFontMetrics(titleFont()).horizontalAdvance(m_title);
     painter.setFont(titleFont());

@@ -7,9 +7,52 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QPainter>
+#include <QStyleOptionToolButton>
 #include <QToolButton>
 
 namespace mb {
+namespace {
+
+/// Icon, name and a chevron when there is a menu. Plain QToolButton leaves no room between them.
+class NameButton : public QToolButton {
+public:
+    NameButton(const ThemeSource &theme, QWidget *parent)
+        : QToolButton(parent)
+        , m_theme(theme)
+    {
+    }
+    QSize sizeHint() const override
+    {
+        const Theme &theme = m_theme.theme();
+        const int chevron = menu() ? theme.u(8 + 12) : 0;
+        return {theme.u(6 + 20 + 8 + 6) + fontMetrics().horizontalAdvance(text()) + chevron, theme.u(36)};
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        const Theme &theme = m_theme.theme();
+        QStyleOptionToolButton option;
+        initStyleOption(&option);
+        option.text.clear();
+        option.icon = {};
+        QPainter painter(this);
+        style()->drawComplexControl(QStyle::CC_ToolButton, &option, &painter, this);
+        const int side = theme.u(20);
+        applicationIcon().paint(&painter, QRect(theme.u(6), (height() - side) / 2, side, side));
+        painter.setPen(theme.text);
+        painter.drawText(rect().adjusted(theme.u(6 + 20 + 8), 0, 0, 0), Qt::AlignVCenter, text());
+        const double small = theme.u(12);
+        if (menu())
+            paintSymbol(painter, QRectF(width() - theme.u(6) - small, (height() - small) / 2, small, small),
+                Symbol::ChevronDown, theme.dim);
+    }
+
+private:
+    const ThemeSource &m_theme;
+};
+
+} // namespace
 
 HeaderBar::HeaderBar(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
@@ -30,12 +73,11 @@ HeaderBar::HeaderBar(const ThemeSource &theme, QWidget *parent)
 
 void HeaderBar::buildName(QHBoxLayout &row)
 {
-    m_name = new QToolButton(this);
+    m_name = new NameButton(m_theme, this);
     m_name->setText(tr("MotorBench"));
     m_name->setAccessibleName(tr("Program menu"));
-    m_name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_name->setPopupMode(QToolButton::InstantPopup);
-    m_name->setIcon(applicationIcon());
+    m_name->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     row.addWidget(m_name);
 }
 
@@ -76,7 +118,6 @@ void HeaderBar::restyle()
     bold.setPointSizeF(theme.bodyPointSize * 1.08);
     bold.setBold(true);
     m_name->setFont(bold);
-    m_name->setIconSize({theme.u(20), theme.u(20)});
     setFixedHeight(theme.u(52));
     updateFolding();
     update();
@@ -85,6 +126,7 @@ void HeaderBar::restyle()
 void HeaderBar::setMenu(QMenu *menu)
 {
     m_name->setMenu(menu);
+    m_name->updateGeometry();
 }
 
 void HeaderBar::setLinks(const std::vector<LinkStatus> &links)
@@ -110,7 +152,7 @@ void HeaderBar::updateFolded()
 {
     const auto sick
         = std::find_if(m_links.begin(), m_links.end(), [](const LinkChip *chip) { return !chip->status().healthy; });
-    m_folded->setTitle(tr("%n link(s)", nullptr, static_cast<int>(m_links.size())));
+    m_folded->setTitle(tr("%n links", nullptr, static_cast<int>(m_links.size())));
     m_folded->setGlyph(sick == m_links.end() ? GlyphState::Online : (*sick)->status().state);
     m_folded->setEdge(sick == m_links.end() ? std::nullopt : std::optional(Tone::Caution));
     m_folded->setAccessibleName(tr("Links"));
@@ -120,10 +162,13 @@ void HeaderBar::updateFolding()
 {
     const int gap = m_theme.theme().u(8);
     int needed = m_name->sizeHint().width() + m_lamp->sizeHint().width() + m_stop->sizeHint().width() + 5 * gap;
-    for (const QWidget *chip : {m_notices, m_recording})
-        needed += chip->isHidden() ? 0 : chip->sizeHint().width() + gap;
     for (const LinkChip *chip : m_links)
         needed += chip->sizeHint().width() + gap;
+    needed += m_recording->isHidden() ? 0 : m_recording->sizeHint().width() + gap;
+    // "no alarms" gives way first, then the links; a notice stays.
+    const int notices = m_noticeCount >= 0 ? m_notices->sizeHint().width() + gap : 0;
+    m_notices->setVisible(m_noticeCount > 0 || (m_noticeCount == 0 && needed + notices <= width()));
+    needed += m_noticeCount > 0 ? notices : 0;
     const bool fold = needed > width() && m_links.size() > 1;
     for (LinkChip *chip : m_links)
         chip->setVisible(!fold);
@@ -132,12 +177,13 @@ void HeaderBar::updateFolding()
 
 void HeaderBar::setNotices(int count)
 {
-    m_notices->setVisible(count >= 0);
+    m_noticeCount = count;
     m_notices->setFlat(count == 0);
     m_notices->setGlyph(count == 0 ? GlyphState::Done : GlyphState::Warning);
     m_notices->setEdge(count == 0 ? std::nullopt : std::optional(Tone::Caution));
-    m_notices->setTitle(count == 0 ? tr("no alarms") : tr("%n notice(s)", nullptr, count));
-    m_notices->setAccessibleName(count == 0 ? tr("No alarms") : tr("%n notice(s)", nullptr, count));
+    const QString text = count == 0 ? tr("no alarms") : count == 1 ? tr("1 notice") : tr("%n notices", nullptr, count);
+    m_notices->setTitle(text);
+    m_notices->setAccessibleName(text);
     updateFolding();
 }
 

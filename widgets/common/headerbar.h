@@ -55,6 +55,7 @@ private:
     std::vector<LinkChip *> m_links;
     Chip *m_folded = nullptr;
     Chip *m_notices = nullptr;
+    int m_noticeCount = -1;
     Chip *m_recording = nullptr;
     Lamp *m_lamp = nullptr;
     StopButton *m_stop = nullptr;

@@ -173,7 +173,7 @@ int Lamp::contentWidth() const
     const QFontMetrics bold(theme.font(TextRole::Emphasis, font()));
     const QFontMetrics caption(theme.font(TextRole::Caption, font()));
     const QString time = clock();
-    int width = theme.u(16 + 16 + 8 + 16) + bold.horizontalAdvance(word());
+    int width = theme.u(12 + 16 + 8 + 12) + bold.horizontalAdvance(word());
     if (!time.isEmpty())
         width += theme.u(8) + bold.horizontalAdvance(time);
     if (!detail().isEmpty())
@@ -184,7 +184,7 @@ int Lamp::contentWidth() const
 QSize Lamp::sizeHint() const
 {
     // Wide enough for the usual texts of every state, so that the lamp keeps its place when the state changes.
-    return {std::max(m_theme.theme().u(204), contentWidth()), m_theme.theme().u(40)};
+    return {std::max(m_theme.theme().u(208), contentWidth()), m_theme.theme().u(40)};
 }
 
 void Lamp::paintFace(QPainter &painter) const
@@ -210,7 +210,7 @@ void Lamp::paintContent(QPainter &painter, const QColor &color, const QColor &de
     const Theme &theme = m_theme.theme();
     const QFont bold = theme.font(TextRole::Emphasis, font());
     const QFont caption = theme.font(TextRole::Caption, font());
-    int x = (width() - contentWidth()) / 2 + theme.u(16);
+    int x = (width() - contentWidth()) / 2 + theme.u(12);
     const QRectF mark(x, (height() - theme.u(16)) / 2.0, theme.u(16), theme.u(16));
     if (m_status.state == LampState::Moving)
         paintGlyph(painter, mark, GlyphState::Moving, color);

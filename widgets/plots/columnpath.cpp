@@ -10,7 +10,7 @@ namespace {
 /// The points of one pixel column, in pixels.
 struct Column {
     double index = 0.0;
-    QPolygonF points;
+    std::vector<QPointF> points; // reused for all columns
     double top = 0.0;
     double bottom = 0.0;
 
@@ -29,11 +29,13 @@ public:
     {
         const QPointF at(m_map.x(point.key), m_map.y(point.value));
         const double index = std::floor(at.x() / m_map.columnWidth);
-        if (!m_column.points.isEmpty() && index != m_column.index)
+        if (!m_column.points.empty() && index != m_column.index)
             finishColumn();
-        if (m_column.points.isEmpty())
-            m_column = Column{index, {}, at.y(), at.y()};
-        m_column.points << at;
+        if (m_column.points.empty()) {
+            m_column.index = index;
+            m_column.top = m_column.bottom = at.y();
+        }
+        m_column.points.push_back(at);
         m_column.top = std::min(m_column.top, at.y());
         m_column.bottom = std::max(m_column.bottom, at.y());
     }
@@ -48,13 +50,13 @@ public:
 private:
     void finishColumn()
     {
-        if (m_column.points.isEmpty())
+        if (m_column.points.empty())
             return;
         if (m_column.dense())
             addSpan();
         else
             addLine();
-        m_last = m_column.points.last();
+        m_last = m_column.points.back();
         m_haveLast = true;
         m_column.points.clear();
     }
@@ -63,7 +65,8 @@ private:
     {
         if (m_line.isEmpty() && m_haveLast)
             m_line << m_last;
-        m_line << m_column.points;
+        for (const QPointF &point : m_column.points)
+            m_line << point;
     }
 
     void addSpan()
@@ -72,14 +75,14 @@ private:
         double bottom = m_column.bottom;
         const double x = (m_column.index + 0.5) * m_map.columnWidth;
         const bool touching
-            = m_haveLast && m_line.isEmpty() && m_column.points.first().x() - m_last.x() < 2 * m_map.columnWidth;
+            = m_haveLast && m_line.isEmpty() && m_column.points.front().x() - m_last.x() < 2 * m_map.columnWidth;
         if (touching) {
             top = std::min(top, m_last.y());
             bottom = std::max(bottom, m_last.y());
         } else if (m_haveLast) {
             if (m_line.isEmpty())
                 m_line << m_last;
-            m_line << m_column.points.first();
+            m_line << m_column.points.front();
             finishLine();
         }
         m_path.spans << QLineF(x, top, x, bottom);

@@ -55,7 +55,7 @@ void PlotCursors::drawLine(QCPPainter &painter, double key, const QString &flag)
     for (const QCPAxisRect *rect : m_rects)
         painter.drawLine(QLineF(x, rect->top(), x, rect->bottom()));
     painter.setAntialiasing(true);
-    const QRectF box(x - theme.u(9), top.top() - theme.u(20), theme.u(18), theme.u(16));
+    const QRectF box(x - theme.u(9), top.top() + 1, theme.u(18), theme.u(16));
     painter.setPen(Qt::NoPen);
     painter.setBrush(theme.fill);
     painter.drawRoundedRect(box, theme.u(3), theme.u(3));

@@ -63,6 +63,7 @@ struct StripDecor {
     std::vector<PlotNote> notes;
     std::vector<ValueTag> tags;
     std::vector<std::pair<double, double>> gaps;
+    bool first = false; ///< of the stack: gaps are labelled here, beside them when they are too narrow
 };
 
 /// Behind the traces: watermark, bands, spans, gaps.

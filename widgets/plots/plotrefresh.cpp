@@ -94,6 +94,7 @@ void PlotStack::updateStrip(int index, double to)
         }
     }
     QCPAxis &values = *strip.rect->axis(QCPAxis::atLeft);
+    values.ticker()->setTickCount(std::clamp(strip.rect->height() / m_theme.theme().u(54), 1, 5));
     if (strip.fixed) {
         values.setRange(strip.fixed->first, strip.fixed->second);
     } else if (seen) {
@@ -201,7 +202,7 @@ QString PlotStack::summary() const
         if (latest)
             part += tr(", now %1").arg(valueText(trace.style, *latest));
         if (gaps > 0)
-            part += tr(", %n gap(s)", nullptr, static_cast<int>(gaps));
+            part += gaps == 1 ? tr(", 1 gap") : tr(", %n gaps", nullptr, static_cast<int>(gaps));
         parts << part;
     }
     const QString length = formatDuration(m_to - m_from);

@@ -71,9 +71,13 @@ void PlotStack::ensureStrip(int strip)
 void PlotStack::rebuildLayout()
 {
     QCPLayoutGrid &layout = *m_plot->plotLayout();
+    const auto takeOut = [&layout](QCPLayoutElement *element) {
+        if (element->layout() == &layout)
+            layout.take(element);
+    };
     for (const auto &strip : m_strips)
-        layout.take(strip->rect);
-    layout.take(m_foot);
+        takeOut(strip->rect);
+    takeOut(m_foot);
     layout.simplify();
     int row = 0;
     std::vector<QCPAxisRect *> rects;
@@ -118,7 +122,7 @@ void PlotStack::styleStrip(Strip &strip, bool last) const
     strip.rect->axis(QCPAxis::atBottom)->setTickLabels(last);
     const int below = theme.u(last ? 26 : 6);
     strip.rect->setAutoMargins(QCP::msLeft);
-    strip.rect->setMargins(QMargins(0, theme.u(30), tagMargin(), below));
+    strip.rect->setMargins(QMargins(0, theme.u(36), tagMargin(), below));
     strip.rect->setMinimumMargins(QMargins(theme.u(52), 0, 0, 0));
     strip.decor.keyUnit = last && !m_unixAtZero ? tr("s") : QString();
 }
@@ -128,6 +132,7 @@ void PlotStack::updateHeads()
     for (std::size_t i = 0; i < m_strips.size(); ++i) {
         StripDecor &decor = m_strips[i]->decor;
         decor.title = m_strips[i]->style.title;
+        decor.first = i == 0;
         decor.watermark = m_watermark;
         decor.entries.clear();
         QStringList units;

@@ -91,10 +91,12 @@ void StripBackdrop::drawGaps(QCPPainter &painter, const QRectF &box) const
         painter.fillRect(area, QBrush(faded(theme.caution, 0.45), Qt::BDiagPattern));
         const QString text = QCoreApplication::translate("mb::PlotStack", "gap %1").arg(formatDuration(to - from));
         const int wide = metrics.horizontalAdvance(text) + theme.u(10);
-        if (area.width() < wide || area.height() < metrics.height() * 2)
+        const bool inside = area.width() >= wide;
+        const bool beside = m_decor.first && right + wide + theme.u(6) < box.right();
+        if (area.height() < metrics.height() * 2 || !(inside || beside))
             continue;
-        const QRectF label(
-            area.center().x() - wide / 2.0, area.top() + theme.u(6), wide, metrics.height() + theme.u(4));
+        const double x = inside ? area.center().x() - wide / 2.0 : right + theme.u(6);
+        const QRectF label(x, area.bottom() - metrics.height() - theme.u(12), wide, metrics.height() + theme.u(4));
         painter.fillRect(label, theme.bannerCaution);
         painter.setPen(theme.caution);
         painter.drawText(label, Qt::AlignCenter, text);

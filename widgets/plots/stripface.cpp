@@ -45,7 +45,7 @@ void StripFace::drawHead(QCPPainter &painter, const QRectF &box) const
     const QFont small = caption();
     const QFont bold = theme.font(TextRole::Emphasis, small);
     const double height = theme.u(20);
-    const double top = box.top() - height - theme.u(3);
+    const double top = box.top() - height - theme.u(8);
     painter.setFont(small);
     painter.setPen(theme.dim);
     const double left = m_rect.outerRect().left();

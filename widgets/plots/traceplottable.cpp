@@ -87,7 +87,12 @@ void paintMarker(QPainter &painter, const QPointF &at, TraceMarker marker, const
 void paintSwatch(QPainter &painter, const QRectF &box, const TraceLook &look, const Theme &theme)
 {
     QPen pen = tracePen(look, theme);
+    QVector<qreal> pattern = pen.dashPattern();
+    for (qreal &length : pattern)
+        length /= 2; // counted in pen widths
     pen.setWidthF(2);
+    if (!pattern.isEmpty())
+        pen.setDashPattern(pattern);
     const double y = std::floor(box.center().y()) + 0.5;
     painter.setPen(pen);
     painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
@@ -155,13 +160,19 @@ void TracePlottable::draw(QCPPainter *painter)
     painter->setPen(pen());
     painter->setBrush(Qt::NoBrush);
     drawLines(*painter, path);
-    if (m_look.emphasis) {
-        painter->save();
-        painter->translate(0.6, 0.6);
-        drawLines(*painter, path);
-        painter->restore();
-    }
+    // Strokes of 1 px beside each other: a wider pen costs 20 times as much.
+    const bool measured = pen().style() == Qt::SolidLine;
+    if (m_look.emphasis || measured)
+        drawShifted(*painter, path, {0.5, 0.5});
+    if (m_look.emphasis)
+        drawShifted(*painter, path, {0.5, -0.5});
     drawMarkers(*painter, map);
+}
+
+void TracePlottable::drawShifted(QCPPainter &painter, const ColumnPath &path, const QPointF &shift) const
+{
+    for (const QPolygonF &line : path.lines)
+        painter.drawPolyline(line.translated(shift));
 }
 
 void TracePlottable::drawLines(QCPPainter &painter, const ColumnPath &path) const

@@ -17,7 +17,7 @@ struct TraceLook {
     TraceRole role = TraceRole::Neutral;
     TraceDash dash = TraceDash::Automatic;       ///< Automatic: set-point short dashes, everything else solid
     TraceMarker marker = TraceMarker::Automatic; ///< Automatic: by quantity
-    bool emphasis = false;                       ///< two strokes side by side; for what stands still
+    bool emphasis = false;                       ///< heavier, for the one that matters
 };
 
 /// Pen of a trace: 1 px cosmetic, because a wider one costs 20 to 150 times as much.
@@ -52,6 +52,7 @@ protected:
 private:
     PixelMap pixelMap(double columnWidth) const;
     void drawLines(QCPPainter &painter, const ColumnPath &path) const;
+    void drawShifted(QCPPainter &painter, const ColumnPath &path, const QPointF &shift) const;
     void drawMarkers(QCPPainter &painter, const PixelMap &map) const;
 
     TraceLook m_look;

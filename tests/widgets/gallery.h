@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/theme.h"
+
+#include <QWidget>
+
+// One page of the gallery each. Not part of the product.
+QWidget *chromePage(const mb::ThemeSource &theme);
+QWidget *controlsPage(const mb::ThemeSource &theme);
+QWidget *statesPage(const mb::ThemeSource &theme);
+QWidget *livePlotPage(const mb::ThemeSource &theme);
+QWidget *trialPlotPage(const mb::ThemeSource &theme);
