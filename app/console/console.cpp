@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/console.h"
+
+namespace mb::console {
+
+Console::Console(Clock &clock, std::span<const Family *const> families, Options options)
+    : m_options(options)
+    , m_output(clock)
+    , m_session(clock, families)
+{
+}
+
+void Console::note(std::string_view text) const
+{
+    if (!m_options.quiet)
+        complain(text);
+}
+
+void Console::interrupt()
+{
+    m_isInterrupted = true;
+    m_interruptions.notify();
+}
+
+TimeBase::TimeBase(const Clock &clock, const LinkAddress &link)
+    : m_offset(link.isSimulated() ? -clock.now().time_since_epoch() : clock.unixOffset())
+{
+}
+
+} // namespace mb::console

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/failure.h"
+#include "app/console/output.h"
+#include "model/session.h"
+
+#include <functional>
+
+namespace mb::console {
+
+struct Options {
+    bool json = false;
+    bool quiet = false; ///< no progress and no notes
+};
+
+/// What a verb works with. One thread, one event loop.
+class Console {
+public:
+    Console(Clock &clock, std::span<const Family *const> families, Options options);
+
+    [[nodiscard]] Clock &clock() { return m_session.clock(); }
+    [[nodiscard]] Session &session() { return m_session; }
+    [[nodiscard]] std::span<const Family *const> families() const { return m_session.families(); }
+    [[nodiscard]] const Options &options() const { return m_options; }
+    [[nodiscard]] bool json() const { return m_options.json; }
+    [[nodiscard]] Output &out() { return m_output; }
+    /// A line for people on standard error; not with --quiet.
+    void note(std::string_view text) const;
+
+    /// A signal, or the reader of standard output has gone. A verb that listens ends by itself; the others are cut.
+    [[nodiscard]] Listeners<> &interrupted() { return m_interruptions; }
+    [[nodiscard]] bool isInterrupted() const { return m_isInterrupted; }
+    void interrupt();
+
+private:
+    Options m_options;
+    Output m_output;
+    Session m_session;
+    Listeners<> m_interruptions;
+    bool m_isInterrupted = false;
+};
+
+/// A verb with its arguments, ready to run. Checks everything before it sends anything; yields the exit status.
+using Job = std::function<Task<int>(Console &)>;
+
+/// Seconds since 1970, or since `start` on a simulated link, whose time is its own.
+class TimeBase {
+public:
+    TimeBase(const Clock &clock, const LinkAddress &link);
+    [[nodiscard]] Duration of(Instant time) const { return time.time_since_epoch() + m_offset; }
+    [[nodiscard]] double seconds(Instant time) const { return std::chrono::duration<double>(of(time)).count(); }
+
+private:
+    Duration m_offset;
+};
+
+} // namespace mb::console

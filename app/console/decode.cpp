@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/framelines.h"
+#include "app/console/target.h"
+#include "app/console/verb.h"
+#include "async/event.h"
+
+#include <QFile>
+#include <QFileInfo>
+#include <QSocketNotifier>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+
+#include <unistd.h>
+
+namespace mb::console {
+namespace {
+
+constexpr std::array<std::string_view, 4> dialects {"F", "L", "LL", "D"};
+constexpr std::size_t chunkSize = 65536;
+constexpr std::size_t longestLine = 4096;
+
+struct Arguments {
+    std::string file;
+    std::string dialect;
+};
+
+/// Takes text in pieces. What one piece brings is printed only when every line of it is good.
+class LogReader {
+public:
+    LogReader(Console &console, std::string name, std::string dialect)
+        : m_name(std::move(name))
+        , m_lines(console, std::move(dialect))
+    {
+    }
+    Result<void> take(std::string_view text, bool prints = true)
+    {
+        m_rest += text;
+        std::size_t begin = 0;
+        for (auto end = m_rest.find('\n'); end != std::string::npos; end = m_rest.find('\n', begin)) {
+            if (auto parsed = parse(std::string_view(m_rest).substr(begin, end - begin)); !parsed)
+                return parsed;
+            begin = end + 1;
+        }
+        m_rest.erase(0, begin);
+        if (m_rest.size() > longestLine)
+            return malformed(m_number + 1);
+        print(prints);
+        return {};
+    }
+    Result<void> finish(bool prints = true)
+    {
+        const std::string last = std::exchange(m_rest, {});
+        if (auto parsed = parse(last); !parsed)
+            return parsed;
+        print(prints);
+        return {};
+    }
+
+private:
+    Result<void> parse(std::string_view text)
+    {
+        ++m_number;
+        if (text.find_first_not_of(" \t\r") == std::string_view::npos)
+            return {};
+        auto line = parseCandumpLine(text);
+        if (!line)
+            return malformed(m_number);
+        m_parsed.push_back(std::move(*line));
+        return {};
+    }
+    [[nodiscard]] tl::unexpected<Error> malformed(std::uint64_t number) const
+    {
+        return fail(Fault::OutOfRange, m_name + ": line " + std::to_string(number) + " is not a line of candump -L; such a line reads (1436509052.249713) can0 044#2A366C2B");
+    }
+    void print(bool prints)
+    {
+        if (prints) {
+            for (const CandumpLine &line : m_parsed)
+                m_lines.print(line.time, line.link, line.frame);
+        }
+        m_parsed.clear();
+    }
+
+    std::string m_name;
+    std::string m_rest;
+    std::uint64_t m_number = 0;
+    std::vector<CandumpLine> m_parsed;
+    FrameLines m_lines;
+};
+
+Result<void> readAll(QFile &file, LogReader reader, bool prints)
+{
+    file.seek(0);
+    while (!file.atEnd()) {
+        const QByteArray chunk = file.read(static_cast<qint64>(chunkSize));
+        if (chunk.isEmpty())
+            return fail(Fault::OutOfRange, file.fileName().toStdString() + " cannot be read: " + file.errorString().toStdString());
+        if (auto taken = reader.take(std::string_view(chunk.constData(), static_cast<std::size_t>(chunk.size())), prints); !taken)
+            return taken;
+    }
+    return reader.finish(prints);
+}
+
+/// A file is read twice, so that a bad line at its end leaves standard output empty.
+Result<void> decodeFile(Console &console, const Arguments &arguments)
+{
+    QFile file(qt(arguments.file));
+    if (QFileInfo(file).isDir())
+        return fail(Fault::OutOfRange, arguments.file + " is a directory; name a file");
+    if (!file.open(QIODevice::ReadOnly))
+        return fail(Fault::OutOfRange, arguments.file + " cannot be read: " + file.errorString().toStdString());
+    if (auto good = readAll(file, LogReader(console, arguments.file, arguments.dialect), false); !good)
+        return good;
+    return readAll(file, LogReader(console, arguments.file, arguments.dialect), true);
+}
+
+/// Standard input, as it comes.
+class InputReader {
+public:
+    InputReader(Console &console, const std::string &dialect)
+        : m_reader(console, "standard input", dialect)
+        , m_notifier(STDIN_FILENO, QSocketNotifier::Read)
+    {
+        QObject::connect(&m_notifier, &QSocketNotifier::activated, &m_notifier, [this] { read(); });
+    }
+
+    Event done;
+    Result<void> result;
+
+private:
+    void read()
+    {
+        std::array<char, chunkSize> buffer {};
+        const auto got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
+        if (got < 0 && (errno == EINTR || errno == EAGAIN))
+            return;
+        if (got < 0)
+            result = fail(Fault::OutOfRange, std::string("standard input cannot be read: ") + std::strerror(errno));
+        else if (got == 0)
+            result = m_reader.finish();
+        else
+            result = m_reader.take(std::string_view(buffer.data(), static_cast<std::size_t>(got)));
+        if (got > 0 && result)
+            return;
+        m_notifier.setEnabled(false);
+        done.set();
+    }
+
+    LogReader m_reader;
+    QSocketNotifier m_notifier;
+};
+
+Task<int> decode(Console &console, Arguments arguments)
+{
+    if (!arguments.dialect.empty() && std::find(dialects.begin(), dialects.end(), arguments.dialect) == dialects.end())
+        co_return fail(Fault::OutOfRange, "--dialect: '" + arguments.dialect + "' is unknown; F, L, LL and D are known");
+    if (!arguments.file.empty() && arguments.file != "-") {
+        if (auto decoded = decodeFile(console, arguments); !decoded)
+            co_return fail(decoded.error());
+        co_return exitDone;
+    }
+    const auto input = std::make_unique<InputReader>(console, arguments.dialect);
+    co_await input->done.wait();
+    if (!input->result)
+        co_return fail(input->result.error());
+    co_return exitDone;
+}
+
+} // namespace
+
+Job declareDecode(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("file", a->file, "Text of candump -L; standard input otherwise");
+    arguments.add_option("--dialect", a->dialect, "Of Abstract DC frames: F (the usual one), L, LL or D");
+    return [a](Console &console) { return decode(console, *a); };
+}
+
+} // namespace mb::console

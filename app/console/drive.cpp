@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/samplestream.h"
+#include "app/console/target.h"
+#include "app/console/verb.h"
+#include "async/sleep.h"
+#include "transport/linkcatalog.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration leaseTerm = 500ms;
+constexpr Duration renewEvery = 100ms;
+constexpr Duration listen = 150ms; // another master sends at least this often
+constexpr Duration stopLimit = 1s;
+constexpr Duration stopAgain = 100ms;
+constexpr Duration lookEvery = 5ms;
+constexpr double huge = 1e12;
+
+struct Arguments {
+    std::string device;
+    std::string mode;
+    std::string target;
+    std::string seconds;
+    std::string axis;
+    std::string slot;
+    std::string velocity;
+    std::string acceleration;
+    std::string ramp;
+    bool brake = false;
+    bool coast = false;
+    bool reverseMotor = false;
+    bool reverseSensor = false;
+};
+
+struct Plan {
+    Target target;
+    SetPoint setPoint;
+    Duration time {};
+};
+
+Result<Mode> parseMode(const Family &family, const std::string &text)
+{
+    std::vector<std::string_view> known {toString(Mode::Off)};
+    std::string list(known.front());
+    for (const Mode mode : family.modes) {
+        known.push_back(toString(mode));
+        list += ", " + std::string(toString(mode));
+    }
+    const auto mode = modeFromString(text);
+    if (mode && std::find(known.begin(), known.end(), text) != known.end())
+        return *mode;
+    return fail(Fault::OutOfRange, std::string(family.key) + " has no mode '" + text + "'; it has " + list + (mode ? "" : suggestion(text, known)));
+}
+
+Result<double> optionalNumber(std::string_view name, const std::string &text, double low, double high)
+{
+    return text.empty() ? Result<double>(0.0) : parseNumber(name, text, low, high);
+}
+
+Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
+{
+    const auto mode = parseMode(family, a.mode);
+    if (!mode)
+        return fail(mode.error());
+    if (a.target.empty() && *mode != Mode::Off)
+        return fail(Fault::OutOfRange, "--target is missing; give it in " + std::string(unitOf(*mode).empty() ? "the unit of the mode" : unitOf(*mode)));
+    const auto target = optionalNumber("--target", a.target, -huge, huge);
+    const auto velocity = optionalNumber("--velocity", a.velocity, 0.0, huge);
+    const auto acceleration = optionalNumber("--acceleration", a.acceleration, 0.0, huge);
+    const auto ramp = optionalNumber("--ramp", a.ramp, 0.0, 1e6);
+    for (const Result<double> *number : {&target, &velocity, &acceleration, &ramp}) {
+        if (!*number)
+            return fail(number->error());
+    }
+    const auto axis = a.axis.empty() ? Result<int>(1) : parseInteger("--axis", a.axis, 1, family.capabilities.axes);
+    const auto slot = a.slot.empty() ? Result<int>(0) : parseInteger("--slot", a.slot, 0, family.capabilities.slots - 1);
+    if (!axis || !slot)
+        return fail(axis ? slot.error() : axis.error());
+    if (a.brake && a.coast)
+        return fail(Fault::OutOfRange, "--brake and --coast exclude each other; give one");
+    SetPoint setPoint;
+    setPoint.mode = *mode;
+    setPoint.target = *target;
+    setPoint.axis = *axis;
+    setPoint.slot = *slot;
+    setPoint.velocity = *velocity;
+    setPoint.acceleration = *acceleration;
+    setPoint.ramp = *ramp;
+    setPoint.reverseMotor = a.reverseMotor;
+    setPoint.reverseSensor = a.reverseSensor;
+    if (a.brake || a.coast)
+        setPoint.brake = a.brake;
+    return setPoint;
+}
+
+/// Asks the family's own check before anything is opened: a device object on a link that stays closed.
+Result<void> checkSetPoint(Console &console, const Plan &plan)
+{
+    std::unique_ptr<Bench> bench;
+    std::unique_ptr<Link> link;
+    if (plan.target.selector.link.isSimulated()) {
+        auto made = Bench::create(plan.target.selector.link, console.clock(), console.families());
+        if (!made)
+            return fail(made.error());
+        bench = std::move(*made);
+        link = bench->hostLink();
+    } else {
+        auto made = createLink(plan.target.selector.link, console.clock());
+        if (!made)
+            return fail(made.error());
+        link = std::move(*made);
+    }
+    Identity identity;
+    identity.family = plan.target.selector.family;
+    identity.address = plan.target.selector.address;
+    const auto device = plan.target.family->open(*link, console.clock(), identity);
+    return plan.setPoint.mode == Mode::Off ? Result<void>() : device->check(plan.setPoint);
+}
+
+Result<Plan> check(Console &console, const Arguments &arguments)
+{
+    auto target = parseTarget(console, arguments.device);
+    if (!target)
+        return fail(target.error());
+    const auto setPoint = parseSetPoint(*target->family, arguments);
+    if (!setPoint)
+        return fail(setPoint.error());
+    const auto time = parseSpan(arguments.seconds);
+    if (!time)
+        return fail(time.error());
+    Plan plan {std::move(*target), *setPoint, time->value_or(Duration::zero())};
+    if (auto legal = checkSetPoint(console, plan); !legal)
+        return fail(legal.error());
+    return plan;
+}
+
+/// What ended the motion, and whether the device was seen to have stopped.
+struct Outcome {
+    SetPointStream::End end = SetPointStream::End::None;
+    std::string why;
+    bool interrupted = false;
+    bool stopped = false;
+
+    [[nodiscard]] bool isGuarded() const { return end != SetPointStream::End::Stopped && end != SetPointStream::End::None; }
+    [[nodiscard]] bool isSafety() const { return isGuarded() || !stopped; }
+};
+
+Task<bool> confirmStop(Console &console, Device &device)
+{
+    const Instant limit = console.clock().now() + stopLimit;
+    Instant again = console.clock().now() + stopAgain;
+    while (!device.isSeenStopped()) {
+        const Instant now = console.clock().now();
+        if (now >= limit || device.link().state() != LinkState::Open)
+            co_return false;
+        if (now >= again) { // a frame may have been lost
+            device.stop();
+            again = limit;
+        }
+        Sleep nap(console.clock(), lookEvery);
+        co_await nap;
+    }
+    co_return true;
+}
+
+/// Renews the lease from this program's own loop: if that hangs, the stream stops the motor.
+Task<Outcome> move(Console &console, Device &device, SetPoint setPoint, Duration time)
+{
+    SetPointStream &stream = console.session().stream(device);
+    const Subscription signal = console.interrupted().add([&stream] { stream.stop(); });
+    if (!console.isInterrupted()) {
+        if (auto started = stream.start(setPoint, leaseTerm); !started)
+            co_return fail(started.error());
+    }
+    const Instant end = console.clock().now() + time;
+    while (stream.isRunning() && !console.isInterrupted()) {
+        const Duration left = end - console.clock().now();
+        if (left <= Duration::zero())
+            break;
+        Sleep nap(console.clock(), std::min(left, renewEvery));
+        co_await nap;
+        stream.renew();
+    }
+    Outcome outcome;
+    outcome.interrupted = console.isInterrupted();
+    if (stream.isRunning() || stream.end() == SetPointStream::End::None)
+        stream.stop();
+    outcome.end = stream.end();
+    outcome.why = stream.reason();
+    auto confirming = confirmStop(console, device);
+    outcome.stopped = co_await std::move(confirming);
+    co_return outcome;
+}
+
+void report(Console &console, const Outcome &outcome, std::uint64_t samples)
+{
+    const char *const reason = outcome.isSafety() ? "safety" : outcome.interrupted ? "interrupted" : "done";
+    if (console.json()) {
+        console.out().json({
+            {QStringLiteral("samples"), static_cast<qint64>(samples)},
+            {QStringLiteral("stopped"), outcome.stopped},
+            {QStringLiteral("reason"), QLatin1String(reason)},
+        });
+    } else {
+        console.note(std::to_string(samples) + " samples, " + (outcome.stopped ? "stopped" : "stop not confirmed") + ", " + reason);
+    }
+}
+
+Result<int> verdictOf(const Device &device, const Outcome &outcome)
+{
+    if (outcome.end == SetPointStream::End::LinkLost || device.link().state() == LinkState::Lost)
+        return fail(Fault::LinkLost, "the link was lost while the motor was driven: " + device.link().reason() + "; see that the motor stands before anything else");
+    if (!outcome.stopped)
+        return fail(Fault::Unsafe, "the stop was not confirmed by " + device.selector() + " within a second" + (outcome.isGuarded() ? " (" + outcome.why + ')' : "") + "; cut its power if the motor still turns");
+    if (outcome.isGuarded())
+        return fail(Fault::Unsafe, "stopped for safety: " + outcome.why + "; remove the cause before it is driven again");
+    return exitDone;
+}
+
+Task<int> drive(Console &console, Arguments arguments)
+{
+    const auto plan = check(console, arguments);
+    if (!plan)
+        co_return fail(plan.error());
+    const Subscription patient = console.interrupted().add([] { }); // a signal ends this verb through its own stop
+    auto connecting = connect(console, plan->target);
+    Device *const device = co_await std::move(connecting);
+    Sleep listening(console.clock(), listen);
+    co_await listening;
+    if (auto allowed = device->mayMove(); !allowed)
+        co_return fail(allowed.error());
+    Outcome outcome;
+    {
+        SampleStream samples(console, *device, {});
+        auto moving = move(console, *device, plan->setPoint, plan->time);
+        outcome = co_await std::move(moving);
+        report(console, outcome, samples.count());
+    }
+    co_return verdictOf(*device, outcome);
+}
+
+} // namespace
+
+Job declareDrive(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
+    arguments.add_option("--mode", a->mode, "duty, velocity, position, current, voltage, follow, ramp-position, ramp-velocity, off")->required();
+    arguments.add_option("--target", a->target, "-1…1, counts/s, counts, A, V, a device number, by mode");
+    arguments.add_option("--for", a->seconds, "Seconds, then it is stopped")->required();
+    arguments.add_option("--axis", a->axis, "1…, on boards with several");
+    arguments.add_option("--slot", a->slot, "Gain set, 0…");
+    arguments.add_option("--velocity", a->velocity, "Of profiled modes, counts/s");
+    arguments.add_option("--acceleration", a->acceleration, "Of profiled modes, counts/s²");
+    arguments.add_option("--ramp", a->ramp, "Greatest change of the output, duty per second");
+    arguments.add_flag("--brake", a->brake, "Brake at zero output; the stored setting otherwise");
+    arguments.add_flag("--coast", a->coast, "Coast at zero output");
+    arguments.add_flag("--reverse-motor", a->reverseMotor, "Exchange the directions of the output");
+    arguments.add_flag("--reverse-sensor", a->reverseSensor, "Exchange the directions of the encoder");
+    return [a](Console &console) { return drive(console, *a); };
+}
+
+} // namespace mb::console

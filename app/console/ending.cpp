@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/ending.h"
+
+namespace mb::console {
+
+Ending::Ending(Console &console)
+    : m_time(console.clock())
+    , m_posted(console.clock())
+    , m_interrupted(console.interrupted().add([this] { end(Cause::Interrupted); }))
+{
+    if (console.isInterrupted())
+        end(Cause::Interrupted);
+}
+
+void Ending::watch(Link &link)
+{
+    const auto look = [this, &link] {
+        if (link.state() != LinkState::Lost)
+            return;
+        m_reason = link.address().text() + " was lost: " + link.reason();
+        end(Cause::LinkLost);
+    };
+    m_links.push_back(link.stateChanged().add([look](LinkState) { look(); }));
+    look();
+}
+
+void Ending::after(std::optional<Duration> time)
+{
+    if (time)
+        m_time.startIn(*time, [this] { end(Cause::Time); });
+}
+
+void Ending::end(Cause cause)
+{
+    if (m_cause != Cause::None)
+        return;
+    m_cause = cause;
+    m_posted.startIn(Duration::zero(), [this] { m_event.set(); });
+}
+
+} // namespace mb::console

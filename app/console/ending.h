@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/console.h"
+#include "async/event.h"
+
+namespace mb::console {
+
+/// What a verb that streams waits for: its time is up, a signal came, or the link was lost, whichever is first.
+class Ending {
+public:
+    enum class Cause { None, Time, Interrupted, LinkLost };
+
+    explicit Ending(Console &console);
+    void watch(Link &link);
+    void after(std::optional<Duration> time);
+
+    [[nodiscard]] Event::Wait wait() { return m_event.wait(); }
+    [[nodiscard]] Cause cause() const { return m_cause; }
+    /// Of a lost link.
+    [[nodiscard]] const std::string &reason() const { return m_reason; }
+
+private:
+    void end(Cause cause);
+
+    Timer m_time;
+    Timer m_posted; ///< the waiting task goes on from the clock, never from inside a link's notification
+    Event m_event;
+    Cause m_cause = Cause::None;
+    std::string m_reason;
+    Subscription m_interrupted;
+    std::vector<Subscription> m_links;
+};
+
+} // namespace mb::console

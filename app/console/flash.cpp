@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/progressline.h"
+#include "app/console/target.h"
+#include "app/console/verb.h"
+#include "async/event.h"
+#include "model/operation.h"
+#include "model/parameterfile.h"
+
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+constexpr Duration lookEvery = std::chrono::milliseconds(50);
+
+struct Arguments {
+    std::string device;
+    std::string file;
+    UpdateOptions options;
+};
+
+struct Plan {
+    Target target;
+    FirmwareImage image;
+};
+
+Result<Plan> check(const Console &console, const Arguments &arguments)
+{
+    auto target = parseTarget(console, arguments.device);
+    if (!target)
+        return fail(target.error());
+    const Family &family = *target->family;
+    const std::string name(family.key);
+    if (!family.update)
+        return fail(Fault::Unsupported, name + " has no firmware update here; use the maker's tool");
+    const std::string &image = arguments.options.target;
+    if (!image.empty() && image != "f1" && image != "f4")
+        return fail(Fault::OutOfRange, "--target: '" + image + "' is unknown; f1 and f4 are known");
+    const auto bytes = loadFile(arguments.file, static_cast<std::int64_t>(FirmwareImage::maxTextSize));
+    if (!bytes)
+        return fail(bytes.error());
+    auto parsed = FirmwareImage::fromIntelHex(std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));
+    if (!parsed)
+        return fail(Fault::OutOfRange, arguments.file + ": " + parsed.error().detail + "; an undamaged Intel HEX file is needed");
+    if (family.inspect) {
+        if (auto summary = family.inspect(*parsed); !summary)
+            return fail(Fault::OutOfRange, arguments.file + ": " + summary.error().detail);
+    }
+    return Plan {std::move(*target), std::move(*parsed)};
+}
+
+/// Runs the update as an operation: shows its progress, and cancels it on a signal as soon as that does no harm.
+class Update {
+public:
+    explicit Update(Console &console)
+        : m_console(console)
+        , m_operation(console.clock(), "firmware update")
+        , m_progress(console)
+        , m_tick(console.clock())
+        , m_interrupted(console.interrupted().add([this] { cancel(); }))
+    {
+    }
+    void start(const Family &family, Device &device, const FirmwareImage &image, const UpdateOptions &options)
+    {
+        m_operation.run<UpdateReport>(family.update(device, image, options, m_operation), [this](Result<UpdateReport> result) {
+            report = std::move(result);
+            done.set();
+        });
+        tick();
+    }
+
+    Event done;
+    Result<UpdateReport> report {UpdateReport {}};
+
+private:
+    void tick()
+    {
+        if (!m_operation.isRunning())
+            return;
+        const OperationStatus &status = m_operation.status();
+        for (; m_shown < status.log.size(); ++m_shown)
+            m_progress.log(status.log[m_shown].severity, status.log[m_shown].text);
+        m_progress.step(status.step, status.done, status.total);
+        if (m_cancelling)
+            (void)m_operation.cancel();
+        m_tick.startIn(lookEvery, [this] { tick(); });
+    }
+    void cancel()
+    {
+        m_cancelling = true;
+        if (!m_operation.cancel())
+            m_console.note("the part that is being written now must not be cut; the update ends after it");
+    }
+
+    Console &m_console;
+    Operation m_operation;
+    ProgressLine m_progress;
+    Timer m_tick;
+    std::size_t m_shown = 0;
+    bool m_cancelling = false;
+    Subscription m_interrupted;
+};
+
+/// A fault that ended the update is a report too: the caller always learns what became of the device.
+UpdateReport reportOf(Result<UpdateReport> result)
+{
+    if (result)
+        return std::move(*result);
+    UpdateReport report;
+    report.outcome = result.error().fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed;
+    report.fault = result.error().fault;
+    report.evidence = result.error().detail;
+    if (report.outcome == UpdateOutcome::Cancelled)
+        report.evidence = "cancelled before it was complete; run it again to finish";
+    return report;
+}
+
+void show(Console &console, const UpdateReport &report, double seconds)
+{
+    if (console.json()) {
+        console.out().json({
+            {QStringLiteral("result"), qt(toString(report.outcome))},
+            {QStringLiteral("from"), textOrNull(report.from)},
+            {QStringLiteral("to"), textOrNull(report.to)},
+            {QStringLiteral("pages"), report.pages},
+            {QStringLiteral("retries"), report.retries},
+            {QStringLiteral("seconds"), seconds},
+            {QStringLiteral("verified"), report.verified},
+            {QStringLiteral("evidence"), textOrNull(report.evidence)},
+        });
+    } else if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate) {
+        const auto version = [](const std::string &text) { return text.empty() ? std::string("no application") : text; };
+        console.out().line(std::string(toString(report.outcome)) + ": " + version(report.from) + " → " + version(report.to) + ", " + std::to_string(report.pages) + " pages, " + std::to_string(report.retries) + " retries, "
+            + numberText(seconds) + " s, " + (report.verified ? "verified" : "not verified") + (report.evidence.empty() ? "" : ": " + report.evidence));
+    }
+}
+
+Result<int> verdictOf(const UpdateReport &report)
+{
+    if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate)
+        return exitDone;
+    const Fault fallback = report.outcome == UpdateOutcome::Cancelled ? Fault::Cancelled : Fault::Refused;
+    return fail(report.fault.value_or(fallback), std::string(toString(report.outcome)) + ": " + report.evidence);
+}
+
+Task<int> flash(Console &console, Arguments arguments)
+{
+    const auto plan = check(console, arguments);
+    if (!plan)
+        co_return fail(plan.error());
+    auto connecting = connect(console, plan->target);
+    Device *const device = co_await std::move(connecting);
+    const Instant start = console.clock().now();
+    UpdateReport report;
+    {
+        Update update(console);
+        update.start(*plan->target.family, *device, plan->image, arguments.options);
+        co_await update.done.wait();
+        report = reportOf(std::move(update.report));
+    }
+    const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(console.clock().now() - start);
+    show(console, report, static_cast<double>(took.count()) / 1000.0);
+    co_return verdictOf(report);
+}
+
+} // namespace
+
+Job declareFlash(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
+    arguments.add_option("file", a->file, "Intel HEX")->required();
+    arguments.add_flag("--dry-run", a->options.dryRun, "Preflight only, nothing is written");
+    arguments.add_flag("--force", a->options.force, "Write even if the device has this version");
+    arguments.add_option("--via", a->options.via, "The other way in: a serial link, avrdude:PROGRAMMER:PORT, openocd:INTERFACE");
+    arguments.add_option("--target", a->options.target, "f1 or f4");
+    return [a](Console &console) { return flash(console, *a); };
+}
+
+} // namespace mb::console

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/parameterrows.h"
+#include "app/console/progressline.h"
+#include "app/console/target.h"
+#include "app/console/verb.h"
+
+#include <QJsonDocument>
+
+#include <algorithm>
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+struct Arguments {
+    std::string device;
+    std::vector<std::string> keys;
+    std::string file;
+};
+
+Result<std::vector<ParameterIndex>> parseKeys(const Family &family, const std::vector<std::string> &keys)
+{
+    std::vector<ParameterIndex> indices;
+    for (const std::string &key : keys) {
+        const auto index = parseKey(family, key);
+        if (!index)
+            return fail(index.error());
+        if (family.parameters[index->value].access == Access::WriteOnly)
+            return fail(Fault::OutOfRange, key + " can only be written; leave it out");
+        if (std::find(indices.begin(), indices.end(), *index) == indices.end())
+            indices.push_back(*index);
+    }
+    return indices;
+}
+
+/// What was read is printed with its failures in it; a file is written only when it is complete.
+Task<int> show(Console &console, Device &device, std::vector<ParameterIndex> indices, std::string file, std::optional<Error> error)
+{
+    const QJsonObject object = parametersToJson(device, indices);
+    if (!file.empty() && !error) {
+        const auto saved = saveFile(file, QJsonDocument(object).toJson(QJsonDocument::Indented));
+        if (!saved)
+            co_return fail(saved.error());
+        console.note(std::to_string(indices.size()) + " parameters of " + device.selector() + " saved to " + file);
+    }
+    if (console.json())
+        console.out().json(object);
+    else if (file.empty())
+        printParameters(console, device, indices);
+    if (!error)
+        co_return exitDone;
+    complain(lineOf(*error));
+    co_return exitStatusOf(error->fault);
+}
+
+Task<int> get(Console &console, Arguments arguments)
+{
+    const auto target = parseTarget(console, arguments.device);
+    if (!target)
+        co_return fail(target.error());
+    auto indices = parseKeys(*target->family, arguments.keys);
+    if (!indices)
+        co_return fail(indices.error());
+    auto connecting = connect(console, *target);
+    Device *const device = co_await std::move(connecting);
+    if (auto ready = needsApplication(*device); !ready)
+        co_return fail(ready.error());
+    if (arguments.keys.empty())
+        *indices = readable(*device);
+    std::vector<TransferOutcome> outcomes;
+    {
+        ProgressLine progress(console);
+        auto reading = readParameters(*device, *indices, progress);
+        outcomes = co_await std::move(reading);
+    }
+    const auto error = firstError(*device, outcomes);
+    const bool any = std::any_of(outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });
+    if (error && (!any || outcomes.size() < indices->size()))
+        co_return fail(*error);
+    auto showing = show(console, *device, *indices, arguments.file, error);
+    co_return co_await std::move(showing);
+}
+
+} // namespace
+
+Job declareGet(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
+    arguments.add_option("key", a->keys, "What to read; all that can be read by default");
+    arguments.add_option("--file", a->file, "Save to this file instead of printing");
+    return [a](Console &console) { return get(console, *a); };
+}
+
+} // namespace mb::console

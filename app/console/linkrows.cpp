@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/linkrows.h"
+
+#include "app/console/table.h"
+#include "app/console/target.h"
+
+namespace mb::console {
+
+std::vector<LinkListing> allLinks(const Console &console)
+{
+    std::vector<LinkListing> links = listLinks();
+    for (const LinkAddress &address : expandLink(LinkAddress {"sim", "", {}}, console.families()))
+        links.push_back({address, kindOf(address), "available", "simulated devices inside this program", true});
+    return links;
+}
+
+LinkListing listingOf(const Link &link)
+{
+    const bool open = link.state() == LinkState::Open;
+    return {link.address(), link.kind(), open ? "open" : "lost", link.reason(), open};
+}
+
+QJsonArray toJson(const std::vector<LinkListing> &links)
+{
+    QJsonArray rows;
+    for (const LinkListing &link : links) {
+        rows.append(QJsonObject {
+            {QStringLiteral("link"), qt(link.link.text())},
+            {QStringLiteral("kind"), qt(toString(link.kind))},
+            {QStringLiteral("state"), qt(link.state)},
+            {QStringLiteral("detail"), textOrNull(link.detail)},
+        });
+    }
+    return rows;
+}
+
+void print(Output &out, const std::vector<LinkListing> &links)
+{
+    Table table({"LINK", "KIND", "STATE", "DETAIL"});
+    for (const LinkListing &link : links)
+        table.add({link.link.text(), std::string(toString(link.kind)), link.state, link.detail});
+    table.print(out);
+}
+
+} // namespace mb::console

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/target.h"
+#include "app/console/verb.h"
+
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+constexpr int highest = 65535; // of any family; the device's own range is checked by its family
+
+struct Arguments {
+    std::string device;
+    std::string number;
+};
+
+/// Two units of one number could not be told apart, and could not be driven.
+Result<void> checkFree(Console &console, const Device &device, int number)
+{
+    for (const Device *other : console.session().devices()) {
+        if (other != &device && &other->family() == &device.family() && other->identity().address == number)
+            return fail(Fault::OutOfRange, "number " + std::to_string(number) + " is taken by another " + std::string(device.family().title) + " on this link; choose a free one");
+    }
+    return {};
+}
+
+Task<int> renumber(Console &console, Arguments arguments)
+{
+    const auto target = parseTarget(console, arguments.device);
+    if (!target)
+        co_return fail(target.error());
+    const auto number = parseInteger("NEW", arguments.number, 0, highest);
+    if (!number)
+        co_return fail(number.error());
+    if (!target->family->capabilities.renumber)
+        co_return fail(Fault::Unsupported, std::string(target->family->key) + " has no number that can be changed; see its README");
+    auto connecting = connect(console, *target);
+    Device *const device = co_await std::move(connecting);
+    if (auto free = checkFree(console, *device, *number); !free)
+        co_return fail(free.error());
+    const int old = device->identity().address;
+    auto renumbering = device->renumber(*number);
+    co_await std::move(renumbering);
+    const bool verified = device->identity().address == *number;
+    if (console.json()) {
+        console.out().json({
+            {QStringLiteral("device"), qt(device->selector())},
+            {QStringLiteral("old"), old},
+            {QStringLiteral("new"), *number},
+            {QStringLiteral("verified"), verified},
+        });
+    } else {
+        console.out().line("number " + std::to_string(old) + " → " + std::to_string(*number) + (verified ? ", it answers as " + device->selector() : ", not verified"));
+    }
+    if (!verified)
+        complain(lineOf({Fault::BadCheck, "the device did not answer under its new number; 'motorbenchctl scan' shows where it is"}));
+    co_return verified ? exitDone : exitDevice;
+}
+
+} // namespace
+
+Job declareNumber(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
+    arguments.add_option("new", a->number, "Its new device number or node id")->required();
+    return [a](Console &console) { return renumber(console, *a); };
+}
+
+} // namespace mb::console

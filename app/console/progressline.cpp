@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/progressline.h"
+
+#include <algorithm>
+
+#include <unistd.h>
+
+namespace mb::console {
+namespace {
+
+constexpr int barWidth = 30;
+constexpr Duration redraw = std::chrono::milliseconds(50);
+constexpr Duration lineEvery = std::chrono::seconds(1);
+
+void write(const std::string &text)
+{
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+} // namespace
+
+ProgressLine::ProgressLine(Console &console)
+    : m_console(console)
+    , m_terminal(::isatty(STDERR_FILENO) == 1)
+    , m_next(console.clock().now() + (m_terminal ? redraw : lineEvery)) // what is quick stays silent
+{
+}
+
+void ProgressLine::step(const std::string &what, int done, int total)
+{
+    const Instant now = m_console.clock().now();
+    if (m_console.options().quiet || now < m_next)
+        return;
+    m_next = now + (m_terminal ? redraw : lineEvery);
+    if (m_terminal) {
+        draw(what, done, total);
+        return;
+    }
+    std::string line = what;
+    if (total > 0)
+        line += " (" + std::to_string(done) + " of " + std::to_string(total) + ')';
+    complain(line);
+}
+
+void ProgressLine::draw(const std::string &what, int done, int total)
+{
+    std::string line = "\r\x1B[K";
+    if (total > 0) {
+        const int filled = std::clamp(barWidth * done / total, 0, barWidth);
+        line += '[' + std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(barWidth - filled), ' ') + "] " + std::to_string(100 * done / total) + " % ";
+    }
+    write(line + what);
+    m_drawn = true;
+}
+
+void ProgressLine::log(Severity severity, const std::string &text)
+{
+    if (severity != Severity::Caution && severity != Severity::Danger)
+        return;
+    erase();
+    m_console.note(text);
+}
+
+void ProgressLine::erase()
+{
+    if (std::exchange(m_drawn, false))
+        write("\r\x1B[K");
+}
+
+} // namespace mb::console

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/target.h"
+#include "app/console/verb.h"
+
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+constexpr int longest = 64;
+constexpr int usual = 28;
+
+struct Arguments {
+    std::string device;
+    std::string name;
+};
+
+Task<int> rename(Console &console, Arguments arguments)
+{
+    const auto target = parseTarget(console, arguments.device);
+    if (!target)
+        co_return fail(target.error());
+    const int length = qt(arguments.name).size();
+    if (length < 1 || length > longest)
+        co_return fail(Fault::OutOfRange, "a name has 1 to " + std::to_string(longest) + " characters, this one has " + std::to_string(length) + "; choose another");
+    if (!target->family->capabilities.rename)
+        co_return fail(Fault::Unsupported, std::string(target->family->key) + " stores no name; tell units apart by their number");
+    auto connecting = connect(console, *target);
+    Device *const device = co_await std::move(connecting);
+    if (length > usual)
+        console.note("a name above " + std::to_string(usual) + " characters is cut short by some tools");
+    const std::string old = device->identity().name;
+    auto renaming = device->rename(arguments.name);
+    co_await std::move(renaming);
+    auto refreshing = device->refresh();
+    co_await std::move(refreshing);
+    const bool verified = device->identity().name == arguments.name;
+    if (console.json()) {
+        console.out().json({
+            {QStringLiteral("device"), qt(device->selector())},
+            {QStringLiteral("old"), textOrNull(old)},
+            {QStringLiteral("new"), qt(arguments.name)},
+            {QStringLiteral("verified"), verified},
+        });
+    } else {
+        console.out().line("name '" + old + "' → '" + arguments.name + '\'' + (verified ? ", read back" : ", not verified"));
+    }
+    if (!verified)
+        complain(lineOf({Fault::BadCheck, "the device now calls itself '" + device->identity().name + "'; try again"}));
+    co_return verified ? exitDone : exitDevice;
+}
+
+} // namespace
+
+Job declareRename(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
+    arguments.add_option("text", a->name, "Its new name, 1 to 64 characters")->required();
+    return [a](Console &console) { return rename(console, *a); };
+}
+
+} // namespace mb::console

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/linkrows.h"
+#include "app/console/table.h"
+#include "app/console/target.h"
+#include "app/console/verb.h"
+#include "async/event.h"
+#include "async/scope.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+/// Scans several links at the same time.
+class Round {
+public:
+    explicit Round(Console &console)
+        : m_console(console)
+        , m_scope(console.clock())
+    {
+    }
+    void start(const std::vector<Link *> &links)
+    {
+        m_found.resize(links.size());
+        m_running = links.size();
+        for (std::size_t i = 0; i < links.size(); ++i) {
+            m_scope.spawn<std::vector<Device *>>(m_console.session().scan(*links[i]), [this, i](Result<std::vector<Device *>> found) { ended(i, std::move(found)); });
+        }
+        if (links.empty())
+            done.set();
+    }
+    /// In the order of the links.
+    [[nodiscard]] std::vector<Device *> devices() const
+    {
+        std::vector<Device *> all;
+        for (const auto &found : m_found)
+            all.insert(all.end(), found.begin(), found.end());
+        return all;
+    }
+
+    Event done;
+    std::optional<Error> error;
+
+private:
+    void ended(std::size_t link, Result<std::vector<Device *>> found)
+    {
+        if (found)
+            m_found[link] = std::move(*found);
+        else if (!error)
+            error = found.error();
+        if (--m_running == 0)
+            done.set();
+    }
+
+    Console &m_console;
+    std::vector<std::vector<Device *>> m_found;
+    std::size_t m_running = 0;
+    Scope m_scope;
+};
+
+struct Opened {
+    std::vector<Link *> links;
+    std::vector<LinkListing> listings;
+};
+
+/// The links that were named: each must open.
+Result<Opened> openNamed(Console &console, const std::vector<std::string> &names)
+{
+    const auto addresses = parseLinks(console, names);
+    if (!addresses)
+        return fail(addresses.error());
+    Opened opened;
+    for (const LinkAddress &address : *addresses) {
+        auto link = console.session().openLink(address);
+        if (!link)
+            return fail(link.error());
+        opened.links.push_back(*link);
+    }
+    return opened;
+}
+
+/// Everything is listed, CAN interfaces that are up are opened: opening a serial port could reset hardware.
+Opened openListed(Console &console)
+{
+    Opened opened;
+    opened.listings = allLinks(console);
+    for (LinkListing &listing : opened.listings) {
+        if (listing.kind != LinkKind::Can || listing.link.isSimulated() || !listing.openable)
+            continue;
+        auto link = console.session().openLink(listing.link);
+        if (link) {
+            opened.links.push_back(*link);
+            continue;
+        }
+        listing.detail = link.error().detail;
+        console.note(listing.link.text() + ": " + listing.detail);
+    }
+    return opened;
+}
+
+void print(Console &console, const std::vector<Device *> &devices)
+{
+    Table table({"DEVICE", "STATE", "NAME", "SERIAL", "FIRMWARE", "BOOTLOADER", "DIALECT", "DETAIL"});
+    for (const Device *device : devices) {
+        const Identity &identity = device->identity();
+        table.add({device->selector(), std::string(toString(identity.state)), identity.name, identity.serial, identity.firmware, identity.bootloader, identity.dialect, identity.detail});
+    }
+    if (devices.empty())
+        console.note("no devices found");
+    else
+        table.print(console.out());
+}
+
+Task<int> scan(Console &console, std::vector<std::string> names)
+{
+    Opened opened;
+    if (names.empty()) {
+        opened = openListed(console);
+        if (opened.links.empty())
+            console.note("no CAN interface is up; 'motorbenchctl links' lists what there is, 'motorbenchctl scan sim:' finds simulated devices");
+    } else {
+        auto named = openNamed(console, names);
+        if (!named)
+            co_return fail(named.error());
+        opened = std::move(*named);
+    }
+    Round round(console);
+    round.start(opened.links);
+    co_await round.done.wait();
+    if (round.error && !names.empty())
+        co_return fail(*round.error);
+    if (round.error)
+        console.note(lineOf(*round.error));
+    for (const Link *link : opened.links) {
+        const auto same = [link](const LinkListing &listing) { return listing.link == link->address(); };
+        const auto known = std::find_if(opened.listings.begin(), opened.listings.end(), same);
+        if (known == opened.listings.end())
+            opened.listings.push_back(listingOf(*link));
+        else if (link->state() == LinkState::Lost)
+            *known = listingOf(*link);
+    }
+    if (console.json()) {
+        QJsonArray rows;
+        for (const Device *device : round.devices())
+            rows.append(scanRow(*device));
+        console.out().json({{QStringLiteral("devices"), rows}, {QStringLiteral("links"), toJson(opened.listings)}});
+    } else {
+        print(console, round.devices());
+    }
+    co_return exitDone;
+}
+
+} // namespace
+
+Job declareScan(CLI::App &arguments)
+{
+    const auto links = std::make_shared<std::vector<std::string>>();
+    arguments.add_option("link", *links, "Where to look, such as sim: or socketcan:can0");
+    return [links](Console &console) { return scan(console, *links); };
+}
+
+} // namespace mb::console

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/parameterrows.h"
+#include "app/console/progressline.h"
+#include "app/console/target.h"
+#include "app/console/verb.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+struct Arguments {
+    std::string device;
+    std::vector<std::string> assignments;
+    bool store = false;
+};
+
+Result<ParameterChange> parseAssignment(const Family &family, const std::string &text)
+{
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        return fail(Fault::OutOfRange, "'" + text + "' is not KEY=VALUE; write it like slot0.p=1.5");
+    const auto index = parseKey(family, text.substr(0, equals));
+    if (!index)
+        return fail(index.error());
+    const Parameter &parameter = family.parameters[index->value];
+    if (parameter.access == Access::ReadOnly)
+        return fail(Fault::OutOfRange, std::string(parameter.key) + " is read-only; leave it out");
+    const auto raw = parseRaw(parameter, text.substr(equals + 1));
+    if (!raw)
+        return fail(raw.error());
+    return ParameterChange {*index, *raw};
+}
+
+Result<std::vector<ParameterChange>> parseAssignments(const Family &family, const std::vector<std::string> &texts)
+{
+    std::vector<ParameterChange> changes;
+    for (const std::string &text : texts) {
+        const auto change = parseAssignment(family, text);
+        if (!change)
+            return fail(change.error());
+        const auto same = [&](const ParameterChange &other) { return other.index == change->index; };
+        if (std::any_of(changes.begin(), changes.end(), same))
+            return fail(Fault::OutOfRange, std::string(family.parameters[change->index.value].key) + " is given twice; give it once");
+        changes.push_back(*change);
+    }
+    return changes;
+}
+
+/// True: each was read back and is equal. False: one differs. Nothing: one cannot be read back.
+std::optional<bool> verdictOf(const std::vector<TransferOutcome> &outcomes)
+{
+    std::optional<bool> verdict = true;
+    for (const TransferOutcome &outcome : outcomes) {
+        if (!outcome.raw && outcome.raw.error().fault == Fault::BadCheck)
+            return false;
+        if (!outcome.verified)
+            verdict.reset();
+    }
+    return verdict;
+}
+
+void show(Console &console, const Device &device, const std::vector<ParameterIndex> &indices, std::optional<bool> verified)
+{
+    if (console.json()) {
+        QJsonObject object = parametersToJson(device, indices);
+        object.insert(QStringLiteral("verified"), verified ? QJsonValue(*verified) : QJsonValue());
+        console.out().json(object);
+    } else {
+        printParameters(console, device, indices);
+    }
+}
+
+/// Yields the error that is to be told besides the values, if any. Fails when nothing is known to print.
+Task<std::optional<Error>> store(Console &console, Device &device)
+{
+    ProgressLine progress(console);
+    auto storing = device.store(progress);
+    const Result<bool> stored = co_await std::move(storing).attempt();
+    if (!stored)
+        co_return std::optional<Error>(Error {stored.error().fault, "the values are in force but not proved to be stored: " + stored.error().detail});
+    if (!*stored)
+        console.note("this device cannot prove that it stored the values; read them again after a power cycle");
+    co_return std::optional<Error>();
+}
+
+Task<int> set(Console &console, Arguments arguments)
+{
+    const auto target = parseTarget(console, arguments.device);
+    if (!target)
+        co_return fail(target.error());
+    const auto changes = parseAssignments(*target->family, arguments.assignments);
+    if (!changes)
+        co_return fail(changes.error());
+    auto connecting = connect(console, *target);
+    Device *const device = co_await std::move(connecting);
+    if (auto ready = needsApplication(*device); !ready)
+        co_return fail(ready.error());
+    std::vector<TransferOutcome> outcomes;
+    {
+        ProgressLine progress(console);
+        auto writing = writeParameters(*device, *changes, progress);
+        outcomes = co_await std::move(writing);
+    }
+    std::optional<Error> error = firstError(*device, outcomes);
+    if (error && outcomes.size() > 1)
+        error->detail += "; written before it: " + std::to_string(outcomes.size() - 1);
+    if (error && error->fault != Fault::BadCheck)
+        co_return fail(*error);
+    if (arguments.store && !error) {
+        auto storing = store(console, *device);
+        error = co_await std::move(storing);
+    }
+    std::vector<ParameterIndex> indices;
+    for (const ParameterChange &change : *changes)
+        indices.push_back(change.index);
+    show(console, *device, indices, error ? std::optional<bool>(false) : verdictOf(outcomes));
+    if (!error)
+        co_return exitDone;
+    complain(lineOf(*error));
+    co_return exitStatusOf(error->fault == Fault::Timeout ? Fault::BadCheck : error->fault);
+}
+
+} // namespace
+
+Job declareSet(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
+    arguments.add_option("assignment", a->assignments, "KEY=VALUE, in the unit that 'parameters' shows")->required();
+    arguments.add_flag("--store", a->store, "Make it survive a power cycle, and prove it");
+    return [a](Console &console) { return set(console, *a); };
+}
+
+} // namespace mb::console

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSocketNotifier>
+
+#include <functional>
+
+namespace mb::console {
+
+/// SIGINT, SIGTERM and SIGHUP as events of the loop. They are blocked while this lives, so that none is missed.
+class Signals {
+public:
+    explicit Signals(std::function<void()> received);
+    Signals(const Signals &) = delete;
+    Signals &operator=(const Signals &) = delete;
+    ~Signals();
+
+private:
+    int m_descriptor = -1;
+    QSocketNotifier m_notifier;
+};
+
+} // namespace mb::console

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/target.h"
+
+#include "model/registry.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace mb::console {
+namespace {
+
+std::size_t editDistance(std::string_view a, std::string_view b)
+{
+    std::vector<std::size_t> row(b.size() + 1);
+    for (std::size_t j = 0; j < row.size(); ++j)
+        row[j] = j;
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i);
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+            diagonal = row[j];
+            row[j] = std::min({changed, row[j] + 1, row[j - 1] + 1});
+        }
+    }
+    return row.back();
+}
+
+bool serves(const Family &family, LinkKind kind)
+{
+    return std::find(family.links.begin(), family.links.end(), kind) != family.links.end();
+}
+
+} // namespace
+
+LinkKind kindOf(const LinkAddress &address)
+{
+    if (address.scheme == "serial" || (address.isSimulated() && address.path == "serial"))
+        return LinkKind::Serial;
+    if (address.scheme == "spidev" || address.scheme == "unix" || (address.isSimulated() && address.path == "spi"))
+        return LinkKind::Spi;
+    return LinkKind::Can;
+}
+
+Result<const Family *> parseFamily(std::span<const Family *const> families, std::string_view key)
+{
+    if (const Family *family = findFamily(families, key))
+        return family;
+    std::vector<std::string_view> known;
+    std::string list;
+    for (const Family *family : families) {
+        known.push_back(family->key);
+        list += (list.empty() ? "" : ", ") + std::string(family->key);
+    }
+    return fail(Fault::OutOfRange, "unknown family '" + std::string(key) + "'; this build knows " + list + suggestion(key, known));
+}
+
+Result<Target> parseTarget(const Console &console, std::string_view text)
+{
+    auto selector = DeviceSelector::parse(text);
+    if (!selector)
+        return fail(selector.error());
+    auto family = parseFamily(console.families(), selector->family);
+    if (!family)
+        return fail(family.error());
+    for (const LinkAddress &link : expandLink(selector->link, console.families())) {
+        if (!serves(**family, kindOf(link)))
+            continue;
+        selector->link = link;
+        return Target {std::move(*selector), *family};
+    }
+    return fail(Fault::OutOfRange, std::string((*family)->key) + " is not found on a " + std::string(toString(kindOf(selector->link))) + " link; a " + std::string(toString((*family)->links.front())) + " link is needed");
+}
+
+Result<std::vector<LinkAddress>> parseLinks(const Console &console, const std::vector<std::string> &texts)
+{
+    std::vector<LinkAddress> links;
+    for (const std::string &text : texts) {
+        auto address = LinkAddress::parse(text);
+        if (!address)
+            return fail(address.error());
+        for (LinkAddress &link : expandLink(*address, console.families())) {
+            if (std::find(links.begin(), links.end(), link) == links.end())
+                links.push_back(std::move(link));
+        }
+    }
+    return links;
+}
+
+Task<Device *> connect(Console &console, Target target)
+{
+    auto task = console.session().connect(std::move(target.selector));
+    const Result<Device *> device = co_await std::move(task).attempt();
+    if (!device && device.error().fault == Fault::Refused)
+        co_return fail(Fault::OutOfRange, device.error().detail);
+    co_return device;
+}
+
+Result<void> needsApplication(const Device &device)
+{
+    if (device.identity().state != DeviceState::Bootloader)
+        return {};
+    return fail(Fault::Refused, device.selector() + " waits in its bootloader, where this is not possible; update its firmware with 'motorbenchctl flash' first");
+}
+
+QJsonObject scanRow(const Device &device)
+{
+    const Identity &identity = device.identity();
+    return {
+        {QStringLiteral("device"), qt(device.selector())},
+        {QStringLiteral("family"), qt(identity.family)},
+        {QStringLiteral("address"), identity.address},
+        {QStringLiteral("session"), identity.session ? QJsonValue(*identity.session) : QJsonValue()},
+        {QStringLiteral("name"), textOrNull(identity.name)},
+        {QStringLiteral("serial"), textOrNull(identity.serial)},
+        {QStringLiteral("state"), qt(toString(identity.state))},
+        {QStringLiteral("firmware"), textOrNull(identity.firmware)},
+        {QStringLiteral("bootloader"), textOrNull(identity.bootloader)},
+        {QStringLiteral("dialect"), textOrNull(identity.dialect)},
+        {QStringLiteral("detail"), textOrNull(identity.detail)},
+    };
+}
+
+std::string suggestion(std::string_view wrong, const std::vector<std::string_view> &known)
+{
+    std::string_view nearest;
+    std::size_t least = std::max<std::size_t>(2, wrong.size() / 3) + 1;
+    for (const std::string_view word : known) {
+        const bool part = wrong.size() >= 3 && word.ends_with(wrong);
+        const std::size_t distance = part ? 1 : editDistance(wrong, word);
+        if (distance < least && distance < word.size()) {
+            least = distance;
+            nearest = word;
+        }
+    }
+    return nearest.empty() ? std::string() : "; did you mean " + std::string(nearest) + "?";
+}
+
+Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high)
+{
+    double number = 0.0;
+    const char *end = text.data() + text.size();
+    const char *begin = text.starts_with('+') ? text.data() + 1 : text.data();
+    const auto parsed = std::from_chars(begin, end, number);
+    if (parsed.ec != std::errc {} || parsed.ptr != end || !std::isfinite(number))
+        return fail(Fault::OutOfRange, std::string(name) + ": '" + text + "' is not a number; write it like 2.5");
+    if (number < low || number > high)
+        return fail(Fault::OutOfRange, std::string(name) + ": " + text + " is out of range; legal is " + numberText(low) + " … " + numberText(high));
+    return number;
+}
+
+Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high)
+{
+    const auto number = parseNumber(name, text, low, high);
+    if (!number)
+        return fail(number.error());
+    if (*number != std::floor(*number))
+        return fail(Fault::OutOfRange, std::string(name) + ": " + text + " is not a whole number; legal is " + std::to_string(low) + " … " + std::to_string(high));
+    return static_cast<int>(*number);
+}
+
+Result<std::optional<Duration>> parseSpan(const std::string &text)
+{
+    if (text.empty())
+        return std::optional<Duration>();
+    const auto seconds = parseNumber("--for", text, 0.001, 1e8);
+    if (!seconds)
+        return fail(seconds.error());
+    return std::optional<Duration>(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(*seconds)));
+}
+
+} // namespace mb::console

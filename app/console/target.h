@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/console.h"
+
+#include <QJsonObject>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mb::console {
+
+/// A device as named on the command line, before anything is opened.
+struct Target {
+    DeviceSelector selector;
+    const Family *family = nullptr;
+};
+
+/// OutOfRange: not a selector, an unknown family, or one that is not found on this kind of link.
+[[nodiscard]] Result<Target> parseTarget(const Console &console, std::string_view text);
+[[nodiscard]] Result<const Family *> parseFamily(std::span<const Family *const> families, std::string_view key);
+/// The links that a list of addresses stands for, `sim:` expanded.
+[[nodiscard]] Result<std::vector<LinkAddress>> parseLinks(const Console &console, const std::vector<std::string> &texts);
+[[nodiscard]] LinkKind kindOf(const LinkAddress &address);
+
+/// Opens the link and finds the device. A selector that fits several units is wrong usage, not an error of the device.
+[[nodiscard]] Task<Device *> connect(Console &console, Target target);
+/// Refused while the device waits in its bootloader, where it has neither parameters nor a motor.
+[[nodiscard]] Result<void> needsApplication(const Device &device);
+
+/// A row of `scan`.
+[[nodiscard]] QJsonObject scanRow(const Device &device);
+
+/// "; did you mean X?" when one of `known` is near, else "".
+[[nodiscard]] std::string suggestion(std::string_view wrong, const std::vector<std::string_view> &known);
+/// A finite number inside [low, high]; OutOfRange names the argument.
+[[nodiscard]] Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high);
+[[nodiscard]] Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high);
+/// Of --for: nothing when it is not given.
+[[nodiscard]] Result<std::optional<Duration>> parseSpan(const std::string &text);
+
+[[nodiscard]] inline QString qt(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+/// Empty text is unknown.
+[[nodiscard]] inline QJsonValue textOrNull(std::string_view text)
+{
+    return text.empty() ? QJsonValue() : QJsonValue(qt(text));
+}
+
+} // namespace mb::console

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/console.h"
+
+#include <CLI/CLI.hpp>
+
+#include <span>
+#include <string_view>
+
+namespace mb::console {
+
+/// One verb: its name, what it does, and a function that declares its arguments and yields the job that uses them.
+struct Verb {
+    std::string_view name;
+    std::string_view usage; ///< what follows the name
+    std::string_view help;
+    Job (*declare)(CLI::App &arguments);
+};
+
+[[nodiscard]] std::span<const Verb> verbs();
+
+[[nodiscard]] Job declareLinks(CLI::App &arguments);
+[[nodiscard]] Job declareScan(CLI::App &arguments);
+[[nodiscard]] Job declareInfo(CLI::App &arguments);
+[[nodiscard]] Job declareParameters(CLI::App &arguments);
+[[nodiscard]] Job declareGet(CLI::App &arguments);
+[[nodiscard]] Job declareSet(CLI::App &arguments);
+[[nodiscard]] Job declareRestore(CLI::App &arguments);
+[[nodiscard]] Job declareWatch(CLI::App &arguments);
+[[nodiscard]] Job declareDrive(CLI::App &arguments);
+[[nodiscard]] Job declareFlash(CLI::App &arguments);
+[[nodiscard]] Job declareIdentify(CLI::App &arguments);
+[[nodiscard]] Job declareNumber(CLI::App &arguments);
+[[nodiscard]] Job declareRename(CLI::App &arguments);
+[[nodiscard]] Job declareMonitor(CLI::App &arguments);
+[[nodiscard]] Job declareDecode(CLI::App &arguments);
+[[nodiscard]] Job declareSimulate(CLI::App &arguments);
+
+} // namespace mb::console

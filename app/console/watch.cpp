@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/ending.h"
+#include "app/console/samplestream.h"
+#include "app/console/target.h"
+#include "app/console/verb.h"
+
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+constexpr double fastest = 10'000.0; // Hz
+
+struct Arguments {
+    std::string device;
+    std::vector<std::string> channels;
+    std::string seconds;
+    std::string rate;
+};
+
+struct Plan {
+    Target target;
+    std::vector<ChannelIndex> channels; ///< none: all
+    std::optional<Duration> time;
+    double rate = 0.0; ///< 0: as it is
+};
+
+Result<Plan> check(const Console &console, const Arguments &arguments)
+{
+    auto target = parseTarget(console, arguments.device);
+    if (!target)
+        return fail(target.error());
+    auto channels = parseChannels(*target->family, arguments.channels);
+    if (!channels)
+        return fail(channels.error());
+    const auto time = parseSpan(arguments.seconds);
+    if (!time)
+        return fail(time.error());
+    Plan plan {std::move(*target), std::move(*channels), *time, 0.0};
+    if (arguments.rate.empty())
+        return plan;
+    const auto rate = parseNumber("--rate", arguments.rate, 0.01, fastest);
+    if (!rate)
+        return fail(rate.error());
+    plan.rate = *rate;
+    return plan;
+}
+
+/// Asks for a rate of every watched channel; 0 puts it back. Goes on after an error, and yields the first.
+Task<std::optional<Error>> setRates(Device &device, std::vector<ChannelIndex> channels, double rate)
+{
+    std::optional<Error> error;
+    for (const ChannelIndex channel : channels) {
+        auto setting = device.setRate(channel, rate);
+        const Result<void> set = co_await std::move(setting).attempt();
+        if (!set && !error)
+            error = set.error();
+    }
+    co_return error;
+}
+
+std::vector<ChannelIndex> ratedChannels(const Plan &plan)
+{
+    if (!plan.channels.empty())
+        return plan.channels;
+    std::vector<ChannelIndex> all;
+    for (std::size_t i = 0; i < plan.target.family->channels.size(); ++i)
+        all.push_back(ChannelIndex {static_cast<std::uint16_t>(i)});
+    return all;
+}
+
+void summarize(Console &console, const SampleStream &samples, double seconds)
+{
+    if (console.json()) {
+        const QJsonObject summary {
+            {QStringLiteral("samples"), static_cast<qint64>(samples.count())},
+            {QStringLiteral("lost"), static_cast<qint64>(samples.lost())},
+            {QStringLiteral("seconds"), seconds},
+        };
+        console.out().json({{QStringLiteral("summary"), summary}});
+    } else {
+        console.note(std::to_string(samples.count()) + " samples, " + std::to_string(samples.lost()) + " lost, in " + numberText(seconds) + " s");
+    }
+}
+
+/// From the first sample to the summary.
+Task<int> stream(Console &console, Device &device, Plan plan, Ending &ending)
+{
+    std::optional<Error> error;
+    {
+        SampleStream samples(console, device, plan.channels);
+        const Instant start = console.clock().now();
+        ending.after(plan.time);
+        co_await ending.wait();
+        const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(console.clock().now() - start);
+        summarize(console, samples, static_cast<double>(took.count()) / 1000.0);
+    }
+    if (ending.cause() == Ending::Cause::LinkLost)
+        error = Error {Fault::LinkLost, ending.reason()};
+    if (plan.rate > 0.0) {
+        auto restoring = setRates(device, ratedChannels(plan), 0.0);
+        const std::optional<Error> failed = co_await std::move(restoring);
+        if (failed && !error)
+            error = Error {failed->fault, "the device's rate was not put back: " + failed->detail};
+    }
+    if (error)
+        co_return fail(*error);
+    co_return exitDone;
+}
+
+Task<int> watch(Console &console, Arguments arguments)
+{
+    auto plan = check(console, arguments);
+    if (!plan)
+        co_return fail(plan.error());
+    Ending ending(console);
+    auto connecting = connect(console, plan->target);
+    Device *const device = co_await std::move(connecting);
+    ending.watch(device->link());
+    if (plan->rate > 0.0) {
+        auto raising = setRates(*device, ratedChannels(*plan), plan->rate);
+        const std::optional<Error> failed = co_await std::move(raising);
+        if (failed) {
+            auto restoring = setRates(*device, ratedChannels(*plan), 0.0);
+            (void)co_await std::move(restoring);
+            co_return fail(*failed);
+        }
+    }
+    auto streaming = stream(console, *device, *plan, ending);
+    co_return co_await std::move(streaming);
+}
+
+} // namespace
+
+Job declareWatch(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
+    arguments.add_option("--channel", a->channels, "Only this channel; may be repeated")->allow_extra_args(false);
+    arguments.add_option("--for", a->seconds, "Seconds; until a signal otherwise");
+    arguments.add_option("--rate", a->rate, "Samples per second; what the device sends otherwise");
+    return [a](Console &console) { return watch(console, *a); };
+}
+
+} // namespace mb::console
