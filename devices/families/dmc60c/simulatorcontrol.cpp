@@ -9,7 +9,6 @@
 namespace mb::dmc60c::simulation {
 namespace {
 
-constexpr double passSeconds = 0.0005;
 constexpr int passesPerWindow = 200; ///< 100 ms
 constexpr std::int32_t fullReverse = -fullDuty - 1;
 
