@@ -118,7 +118,8 @@ TEST_F(Dmc60cBench, ReadsAndWritesEverythingAtTenPercentLoss)
         ASSERT_TRUE(outcome.raw) << outcome.raw.error().detail;
         const Parameter &p = device->parameters().parameter(outcome.index);
         if (p.access == Access::ReadWrite && p.nature == Nature::Setting)
-            changes.push_back({outcome.index, *outcome.raw == *toRaw(p, p.maximum) ? *outcome.raw - 1 : *outcome.raw + 1});
+            changes.push_back(
+                {outcome.index, *outcome.raw == *toRaw(p, p.maximum) ? *outcome.raw - 1 : *outcome.raw + 1});
     }
     const auto written = run(writeParameters(*device, changes, progress));
     ASSERT_TRUE(written);

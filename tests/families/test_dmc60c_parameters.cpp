@@ -12,7 +12,7 @@ namespace {
 const Parameter &row(std::uint8_t id)
 {
     const auto index = parameterWithId(id);
-    EXPECT_TRUE(index) << int {id};
+    EXPECT_TRUE(index) << int{id};
     return parameterTable()[index ? index->value : 0];
 }
 
@@ -38,16 +38,22 @@ TEST(Dmc60cParameters, AreThe55OfTheReferenceInOrder)
 
 TEST(Dmc60cParameters, HaveTheReleasedKeys)
 {
-    const std::pair<std::uint8_t, std::string_view> keys[] = {{1, "limit.forward.switch.normally_closed"}, {2, "limit.forward.switch.disabled"}, {3, "limit.reverse.switch.normally_closed"},
-        {4, "limit.reverse.switch.disabled"}, {5, "limit.forward.soft.threshold"}, {6, "limit.forward.soft.enabled"}, {7, "limit.reverse.soft.threshold"},
-        {8, "limit.reverse.soft.enabled"}, {9, "current.adc_multiplier"}, {10, "slot0.p"}, {11, "slot0.i"}, {12, "slot0.d"}, {13, "slot0.i_zone"}, {14, "slot0.f"},
-        {15, "slot0.allowable_error"}, {16, "slot0.ramp"}, {17, "slot0.max_forward"}, {18, "slot0.max_reverse"}, {19, "slot0.nominal_forward"}, {20, "slot0.nominal_reverse"},
-        {21, "slot1.p"}, {22, "slot1.i"}, {23, "slot1.d"}, {24, "slot1.i_zone"}, {25, "slot1.f"}, {26, "slot1.allowable_error"}, {27, "slot1.ramp"}, {28, "slot1.max_forward"},
-        {29, "slot1.max_reverse"}, {30, "slot1.nominal_forward"}, {31, "slot1.nominal_reverse"}, {32, "current_limit.p"}, {33, "current_limit.i"}, {34, "current_limit.d"},
-        {35, "current_limit.i_zone"}, {36, "current_limit.f"}, {41, "encoder.position"}, {42, "encoder.clear_on_index"}, {43, "encoder.clear_on_forward_limit"},
-        {44, "encoder.clear_on_reverse_limit"}, {45, "encoder.index_rising"}, {51, "faults.active"}, {52, "faults.sticky"}, {53, "faults.over_current.count"},
-        {54, "faults.over_temperature.count"}, {55, "faults.under_voltage.count"}, {56, "faults.gate_driver.count"}, {57, "faults.communication.count"},
-        {61, "current_limit.continuous"}, {62, "current_limit.peak"}, {63, "current_limit.peak_duration"}, {64, "current_limit.enabled"}, {91, "status.analog.period"},
+    const std::pair<std::uint8_t, std::string_view> keys[] = {{1, "limit.forward.switch.normally_closed"},
+        {2, "limit.forward.switch.disabled"}, {3, "limit.reverse.switch.normally_closed"},
+        {4, "limit.reverse.switch.disabled"}, {5, "limit.forward.soft.threshold"}, {6, "limit.forward.soft.enabled"},
+        {7, "limit.reverse.soft.threshold"}, {8, "limit.reverse.soft.enabled"}, {9, "current.adc_multiplier"},
+        {10, "slot0.p"}, {11, "slot0.i"}, {12, "slot0.d"}, {13, "slot0.i_zone"}, {14, "slot0.f"},
+        {15, "slot0.allowable_error"}, {16, "slot0.ramp"}, {17, "slot0.max_forward"}, {18, "slot0.max_reverse"},
+        {19, "slot0.nominal_forward"}, {20, "slot0.nominal_reverse"}, {21, "slot1.p"}, {22, "slot1.i"}, {23, "slot1.d"},
+        {24, "slot1.i_zone"}, {25, "slot1.f"}, {26, "slot1.allowable_error"}, {27, "slot1.ramp"},
+        {28, "slot1.max_forward"}, {29, "slot1.max_reverse"}, {30, "slot1.nominal_forward"},
+        {31, "slot1.nominal_reverse"}, {32, "current_limit.p"}, {33, "current_limit.i"}, {34, "current_limit.d"},
+        {35, "current_limit.i_zone"}, {36, "current_limit.f"}, {41, "encoder.position"}, {42, "encoder.clear_on_index"},
+        {43, "encoder.clear_on_forward_limit"}, {44, "encoder.clear_on_reverse_limit"}, {45, "encoder.index_rising"},
+        {51, "faults.active"}, {52, "faults.sticky"}, {53, "faults.over_current.count"},
+        {54, "faults.over_temperature.count"}, {55, "faults.under_voltage.count"}, {56, "faults.gate_driver.count"},
+        {57, "faults.communication.count"}, {61, "current_limit.continuous"}, {62, "current_limit.peak"},
+        {63, "current_limit.peak_duration"}, {64, "current_limit.enabled"}, {91, "status.analog.period"},
         {92, "status.encoder.period"}, {93, "status.general.period"}};
     ASSERT_EQ(std::size(keys), parameterTable().size());
     for (const auto &[id, key] : keys)
@@ -56,11 +62,12 @@ TEST(Dmc60cParameters, HaveTheReleasedKeys)
 
 TEST(Dmc60cParameters, HaveTheRawDefaultsOfTheDataSheet)
 {
-    const std::pair<std::uint8_t, std::uint32_t> defaults[] = {{9, 0x816}, {17, 0x7FFF}, {18, 0xFFFF8000}, {28, 0x7FFF}, {29, 0xFFFF8000}, {32, 0x00640000}, {33, 0x003C0000},
-        {35, 0x014CC888}, {61, 0x00280000}, {62, 0x003C0000}, {63, 0x1F4}, {91, 100}, {92, 100}, {93, 10}};
+    const std::pair<std::uint8_t, std::uint32_t> defaults[] = {{9, 0x816}, {17, 0x7FFF}, {18, 0xFFFF8000}, {28, 0x7FFF},
+        {29, 0xFFFF8000}, {32, 0x00640000}, {33, 0x003C0000}, {35, 0x014CC888}, {61, 0x00280000}, {62, 0x003C0000},
+        {63, 0x1F4}, {91, 100}, {92, 100}, {93, 10}};
     std::set<std::uint16_t> listed;
     for (const auto &[id, raw] : defaults) {
-        EXPECT_EQ(static_cast<std::uint32_t>(defaultRaw(row(id))), raw) << int {id};
+        EXPECT_EQ(static_cast<std::uint32_t>(defaultRaw(row(id))), raw) << int{id};
         listed.insert(id);
     }
     for (const Parameter &p : parameterTable()) {
@@ -135,8 +142,9 @@ TEST(Dmc60cChannels, AreThoseOfTheProduct)
     std::vector<std::pair<std::string_view, std::string_view>> got;
     for (const Channel &c : channelTable())
         got.emplace_back(c.key, c.unit);
-    const std::vector<std::pair<std::string_view, std::string_view>> expected {{"position", "counts"}, {"velocity", "counts/s"}, {"current", "A"}, {"duty", "fraction"}, {"setpoint", ""},
-        {"error", ""}, {"bus_voltage", "V"}, {"temperature", "°C"}, {"analog1", "V"}};
+    const std::vector<std::pair<std::string_view, std::string_view>> expected{{"position", "counts"},
+        {"velocity", "counts/s"}, {"current", "A"}, {"duty", "fraction"}, {"setpoint", ""}, {"error", ""},
+        {"bus_voltage", "V"}, {"temperature", "°C"}, {"analog1", "V"}};
     EXPECT_EQ(got, expected);
 }
 

@@ -12,12 +12,13 @@ using namespace std::chrono_literals;
 using test::FakeUnit;
 
 const std::string request = "00000240#";
-const std::string firstOf5 = "0206F005#341203012060"; // E2
+const std::string firstOf5 = "0206F005#341203012060";      // E2
 const std::string secondOf5 = "0206F005#3412000017010901"; // application 1.23, bootloader 1.9
-const FakeUnit::Frames pairOf5 {firstOf5, secondOf5};
+const FakeUnit::Frames pairOf5{firstOf5, secondOf5};
 const std::string getDescriptors = "0206FC05#3412600000000000"; // V5
-const FakeUnit::Frames descriptors {// V6, V7a–e
-    "0206FCC5#00002700", "0206FC85#0106444D43363043", "0206FC85#030F446967696C65", "0206FC85#6E7420444D433630", "0206FC85#43060C3231303333", "0206FC85#34334137394632"};
+const FakeUnit::Frames descriptors{                             // V6, V7a–e
+    "0206FCC5#00002700", "0206FC85#0106444D43363043", "0206FC85#030F446967696C65", "0206FC85#6E7420444D433630",
+    "0206FC85#43060C3231303333", "0206FC85#34334137394632"};
 
 class Dmc60cScan : public testing::Test, protected ScanSink {
 protected:
@@ -62,9 +63,9 @@ TEST_F(Dmc60cScan, ReportsARowWhenItsPairIsCompleteAndAgainWithDescriptors)
     unit.answer(getDescriptors, {descriptors});
     ASSERT_TRUE(scanNow());
     ASSERT_EQ(reports.size(), 2U);
-    EXPECT_LT(reports[0].first - Instant {}, 6ms);
+    EXPECT_LT(reports[0].first - Instant{}, 6ms);
     EXPECT_EQ(reports[0].second.name, "");
-    EXPECT_LT(reports[1].first - Instant {}, 150ms) << "in the quiet part of the first window";
+    EXPECT_LT(reports[1].first - Instant{}, 150ms) << "in the quiet part of the first window";
     const Identity &identity = list.at(0);
     EXPECT_EQ(identity.family, "dmc60c");
     EXPECT_EQ(identity.address, 5);
@@ -75,8 +76,9 @@ TEST_F(Dmc60cScan, ReportsARowWhenItsPairIsCompleteAndAgainWithDescriptors)
     EXPECT_EQ(identity.name, "DMC60C");
     EXPECT_EQ(identity.serial, "2103343A79F2");
     EXPECT_EQ(identity.detail, "");
-    const std::vector<std::pair<std::string, std::string>> expected {{"name", "DMC60C"}, {"product", "Digilent DMC60C"}, {"serial", "2103343A79F2"},
-        {"application_version", "1.23 (0x0117)"}, {"bootloader_version", "1.9 (0x0109)"}, {"product_id", "0x60200103"}};
+    const std::vector<std::pair<std::string, std::string>> expected{{"name", "DMC60C"}, {"product", "Digilent DMC60C"},
+        {"serial", "2103343A79F2"}, {"application_version", "1.23 (0x0117)"}, {"bootloader_version", "1.9 (0x0109)"},
+        {"product_id", "0x60200103"}};
     EXPECT_EQ(identity.descriptors, expected);
 }
 
@@ -86,16 +88,16 @@ TEST_F(Dmc60cScan, SendsNothingButThreeEnumerationsAndGets)
     unit.answer(request, {pairOf5}, 5ms);
     unit.answer(getDescriptors, {descriptors});
     ASSERT_TRUE(scanNow());
-    EXPECT_EQ(unit.heard(), (FakeUnit::Frames {request, getDescriptors, request, request}));
-    EXPECT_GE(clock.now() - Instant {}, 450ms);
-    EXPECT_LE(clock.now() - Instant {}, 500ms);
+    EXPECT_EQ(unit.heard(), (FakeUnit::Frames{request, getDescriptors, request, request}));
+    EXPECT_GE(clock.now() - Instant{}, 450ms);
+    EXPECT_LE(clock.now() - Instant{}, 500ms);
 }
 
 TEST_F(Dmc60cScan, FindsNothingOnAnEmptyBus)
 {
     ASSERT_TRUE(scanNow());
     EXPECT_TRUE(list.empty());
-    EXPECT_LE(clock.now() - Instant {}, 500ms);
+    EXPECT_LE(clock.now() - Instant{}, 500ms);
 }
 
 TEST_F(Dmc60cScan, IsCompleteWithEightUnitsInHalfASecond)
@@ -107,11 +109,13 @@ TEST_F(Dmc60cScan, IsCompleteWithEightUnitsInHalfASecond)
             return frame;
         };
         auto &unit = *units.emplace_back(std::make_unique<FakeUnit>(bus, clock));
-        unit.answer(request, {{text("0206F00?#341203012060"), text("0206F00?#3412000017010901")}}, std::chrono::milliseconds(n));
-        unit.answer(text("0206FC0?#3412600000000000"), {{text("0206FCC?#00000800"), text("0206FC8?#0106444D43363043")}});
+        unit.answer(request, {{text("0206F00?#341203012060"), text("0206F00?#3412000017010901")}},
+            std::chrono::milliseconds(n));
+        unit.answer(
+            text("0206FC0?#3412600000000000"), {{text("0206FCC?#00000800"), text("0206FC8?#0106444D43363043")}});
     }
     ASSERT_TRUE(scanNow());
-    EXPECT_LE(clock.now() - Instant {}, 500ms);
+    EXPECT_LE(clock.now() - Instant{}, 500ms);
     ASSERT_EQ(list.size(), 8U);
     for (const Identity &identity : list)
         EXPECT_EQ(identity.name, "DMC60C") << identity.address;
@@ -161,7 +165,7 @@ TEST_F(Dmc60cScan, JoinsHalvesOfDifferentRounds)
     unit.answer(request, {{firstOf5}, {secondOf5}, {}}, 5ms);
     ASSERT_TRUE(scanNow());
     ASSERT_EQ(list.size(), 1U);
-    EXPECT_GT(reports[0].first - Instant {}, 150ms);
+    EXPECT_GT(reports[0].first - Instant{}, 150ms);
 }
 
 TEST_F(Dmc60cScan, AsksThreeMoreTimesForAMissingHalfAndThenLeavesTheRowOut)
@@ -212,7 +216,7 @@ TEST_F(Dmc60cScan, RepeatsDescriptorsWhenAFrameWasLost)
     unit.answer(getDescriptors, {gap, {}, descriptors});
     ASSERT_TRUE(scanNow());
     EXPECT_EQ(list.at(0).serial, "2103343A79F2");
-    EXPECT_LE(clock.now() - Instant {}, 500ms);
+    EXPECT_LE(clock.now() - Instant{}, 500ms);
 }
 
 TEST_F(Dmc60cScan, EndsWithLinkLostWhenTheLinkGoes)

@@ -20,8 +20,10 @@ public:
 
     FakeUnit(VirtualCanBus &bus, Clock &clock);
 
-    /// From now on, `request` gets these answers, one set after the other, the last one for ever. An empty set is silence.
-    void answer(const std::string &request, std::vector<Frames> answers, Duration delay = std::chrono::microseconds(200));
+    /// From now on, `request` gets these answers, one set after the other, the last one for ever. An empty set is
+    /// silence.
+    void answer(
+        const std::string &request, std::vector<Frames> answers, Duration delay = std::chrono::microseconds(200));
     void send(std::string_view frame);
     /// Sends a frame at once and then periodically, until endPeriodic().
     void every(Duration period, std::string frame);
@@ -35,7 +37,7 @@ private:
     struct Script {
         std::vector<Frames> answers;
         std::size_t next = 0;
-        Duration delay {};
+        Duration delay{};
     };
     struct Periodic {
         Periodic(Clock &clock, Duration p, std::string text)

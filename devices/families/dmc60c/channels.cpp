@@ -6,7 +6,7 @@
 namespace mb::dmc60c {
 namespace {
 
-constexpr std::array<Channel, 9> table {{
+constexpr std::array<Channel, 9> table{{
     {"position", "counts", "Position", Quantity::Position},
     {"velocity", "counts/s", "Velocity", Quantity::Velocity},
     {"current", "A", "Current", Quantity::Current},

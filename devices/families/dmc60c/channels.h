@@ -11,15 +11,15 @@ namespace mb::dmc60c {
 
 /// Rows of the table that code names.
 namespace channel {
-constexpr ChannelIndex position {0};
-constexpr ChannelIndex velocity {1};
-constexpr ChannelIndex current {2};
-constexpr ChannelIndex duty {3};
-constexpr ChannelIndex setPoint {4};
-constexpr ChannelIndex error {5};
-constexpr ChannelIndex busVoltage {6};
-constexpr ChannelIndex temperature {7};
-constexpr ChannelIndex analog1 {8};
+constexpr ChannelIndex position{0};
+constexpr ChannelIndex velocity{1};
+constexpr ChannelIndex current{2};
+constexpr ChannelIndex duty{3};
+constexpr ChannelIndex setPoint{4};
+constexpr ChannelIndex error{5};
+constexpr ChannelIndex busVoltage{6};
+constexpr ChannelIndex temperature{7};
+constexpr ChannelIndex analog1{8};
 } // namespace channel
 
 } // namespace mb::dmc60c

@@ -40,7 +40,8 @@ std::int32_t generalError(ControlMode mode, std::span<const std::uint8_t> b, boo
     if (mode == ControlMode::NoDrive)
         return 0;
     const std::uint32_t low = readU16le(b, 5);
-    const std::int32_t value = mode == ControlMode::Voltage ? signExtend(low, 16) : signExtend(low | (std::uint32_t {b[7]} << 16U), 24);
+    const std::int32_t value
+        = mode == ControlMode::Voltage ? signExtend(low, 16) : signExtend(low | (std::uint32_t{b[7]} << 16U), 24);
     return divided ? value * 256 : value;
 }
 
@@ -48,12 +49,12 @@ std::int32_t generalError(ControlMode mode, std::span<const std::uint8_t> b, boo
 
 CanFrame encodeEnumerate()
 {
-    return extendedFrame(id::enumerate, std::span<const std::uint8_t> {});
+    return extendedFrame(id::enumerate, std::span<const std::uint8_t>{});
 }
 
 CanFrame encodeVendorCommand(int device, std::uint16_t session, const VendorCommand &command)
 {
-    std::array<std::uint8_t, 8> data {};
+    std::array<std::uint8_t, 8> data{};
     writeU16le(data, 0, session);
     writeU16le(data, 2, static_cast<std::uint16_t>(command.command));
     writeU16le(data, 4, command.param1);
@@ -68,7 +69,7 @@ CanFrame encodeVendorData(int device, std::span<const std::uint8_t> bytes)
 
 CanFrame encodeParamRequest(int device, std::uint16_t session, std::uint8_t parameter)
 {
-    std::array<std::uint8_t, 3> data {};
+    std::array<std::uint8_t, 3> data{};
     writeU16le(data, 0, session);
     data[2] = parameter;
     return extendedFrame(withDevice(id::paramRequest, device), data);
@@ -76,7 +77,7 @@ CanFrame encodeParamRequest(int device, std::uint16_t session, std::uint8_t para
 
 CanFrame encodeParamSet(int device, std::uint16_t session, std::uint8_t parameter, std::uint32_t field)
 {
-    std::array<std::uint8_t, 7> data {};
+    std::array<std::uint8_t, 7> data{};
     writeU16le(data, 0, session);
     data[2] = parameter;
     writeU32le(data, 3, field);
@@ -86,7 +87,7 @@ CanFrame encodeParamSet(int device, std::uint16_t session, std::uint8_t paramete
 CanFrame encodeControl(int device, const Control &control)
 {
     const auto target = static_cast<std::uint32_t>(control.target);
-    std::array<std::uint8_t, 8> data {};
+    std::array<std::uint8_t, 8> data{};
     data[0] = static_cast<std::uint8_t>(static_cast<unsigned>(control.mode) | flag(control.brake.has_value(), 4)
         | flag(control.brake.value_or(false), 5) | flag(control.slot == 1, 6) | flag(control.reverseSensor, 7));
     data[1] = static_cast<std::uint8_t>(flag(control.reverseMotor, 0) | flag(control.disableForwardLimit, 1)
@@ -107,27 +108,30 @@ std::int64_t rawOf(WireType type, std::uint32_t field)
     switch (type) {
     case WireType::Int16:
     case WireType::Int32:
-    case WireType::Fixed16x16: return signExtend(field, 32);
+    case WireType::Fixed16x16:
+        return signExtend(field, 32);
     case WireType::Boolean:
     case WireType::Uint8:
     case WireType::Uint16:
     case WireType::Uint31:
     case WireType::Uint32:
-    case WireType::Flags32: return field;
+    case WireType::Flags32:
+        return field;
     }
     return field;
 }
 
 bool isMessage(const CanFrame &frame, std::uint32_t base, std::size_t size)
 {
-    return frame.extended && !frame.remote && !frame.error && frame.size == size && (frame.id & id::messageMask) == base;
+    return frame.extended && !frame.remote && !frame.error && frame.size == size
+        && (frame.id & id::messageMask) == base;
 }
 
 std::optional<EnumResponse0> decodeEnumResponse0(const CanFrame &frame)
 {
     if (!isMessage(frame, id::enumResponse, 6))
         return std::nullopt;
-    return EnumResponse0 {deviceOf(frame), readU16le(frame.bytes(), 0), readU32le(frame.bytes(), 2)};
+    return EnumResponse0{deviceOf(frame), readU16le(frame.bytes(), 0), readU32le(frame.bytes(), 2)};
 }
 
 std::optional<EnumResponse1> decodeEnumResponse1(const CanFrame &frame)
@@ -135,7 +139,8 @@ std::optional<EnumResponse1> decodeEnumResponse1(const CanFrame &frame)
     if (!isMessage(frame, id::enumResponse, 8))
         return std::nullopt;
     const auto b = frame.bytes();
-    return EnumResponse1 {deviceOf(frame), readU16le(b, 0), static_cast<ImageType>(readU16le(b, 2) & 3U), readU16le(b, 4), readU16le(b, 6)};
+    return EnumResponse1{deviceOf(frame), readU16le(b, 0), static_cast<ImageType>(readU16le(b, 2) & 3U),
+        readU16le(b, 4), readU16le(b, 6)};
 }
 
 std::optional<VendorStatus> decodeVendorStatus(const CanFrame &frame)
@@ -143,7 +148,7 @@ std::optional<VendorStatus> decodeVendorStatus(const CanFrame &frame)
     if (!isMessage(frame, id::vendorStatus, 4))
         return std::nullopt;
     const auto b = frame.bytes();
-    return VendorStatus {deviceOf(frame), static_cast<CommandStatus>(b[0]), b[1], readU16le(b, 2)};
+    return VendorStatus{deviceOf(frame), static_cast<CommandStatus>(b[0]), b[1], readU16le(b, 2)};
 }
 
 std::optional<std::span<const std::uint8_t>> decodeVendorData(const CanFrame &frame)
@@ -158,7 +163,7 @@ std::optional<ParamResponse> decodeParamResponse(const CanFrame &frame)
     if (!isMessage(frame, id::paramResponse, 6))
         return std::nullopt;
     const auto b = frame.bytes();
-    return ParamResponse {deviceOf(frame), b[0], readU32le(b, 1), static_cast<ParameterStatus>(b[5])};
+    return ParamResponse{deviceOf(frame), b[0], readU32le(b, 1), static_cast<ParameterStatus>(b[5])};
 }
 
 std::optional<StatusGeneral> decodeStatusGeneral(const CanFrame &frame)
@@ -200,7 +205,7 @@ std::optional<StatusEncoder> decodeStatusEncoder(const CanFrame &frame)
     s.pinA = bit(b[7], 2);
     s.pinB = bit(b[7], 3);
     s.pinIndex = bit(b[7], 4);
-    const std::uint32_t position = (std::uint32_t {b[0]} << 16U) | readU16be(b, 1);
+    const std::uint32_t position = (std::uint32_t{b[0]} << 16U) | readU16be(b, 1);
     s.position = signExtend(position, 24) * (s.positionDivided ? 8 : 1);
     s.velocity = signExtend(readU16be(b, 3), 16) * (s.velocityDivided ? 4 : 1);
     return s;
@@ -211,7 +216,7 @@ std::optional<StatusAnalog> decodeStatusAnalog(const CanFrame &frame)
     if (!isMessage(frame, id::statusAnalog, 8))
         return std::nullopt;
     const auto b = frame.bytes();
-    return StatusAnalog {deviceOf(frame), fixed8x8(b, 0), fixed8x8(b, 2), fixed8x8(b, 4), fixed8x8(b, 6)};
+    return StatusAnalog{deviceOf(frame), fixed8x8(b, 0), fixed8x8(b, 2), fixed8x8(b, 4), fixed8x8(b, 6)};
 }
 
 double errorOf(const StatusGeneral &status)
@@ -224,7 +229,7 @@ std::optional<FirmwareVersions> decodeFirmwareVersions(std::span<const std::uint
 {
     if (bytes.size() != 6)
         return std::nullopt;
-    return FirmwareVersions {static_cast<ImageType>(readU16le(bytes, 0) & 3U), readU16le(bytes, 2), readU16le(bytes, 4)};
+    return FirmwareVersions{static_cast<ImageType>(readU16le(bytes, 0) & 3U), readU16le(bytes, 2), readU16le(bytes, 4)};
 }
 
 std::optional<std::uint32_t> decodeFlashSequence(std::span<const std::uint8_t> bytes)
@@ -273,7 +278,7 @@ std::optional<std::vector<std::uint8_t>> toLatin1(std::string_view text)
             out.push_back(c);
             continue;
         }
-        const auto next = i + 1 < text.size() ? static_cast<std::uint8_t>(text[i + 1]) : std::uint8_t {0};
+        const auto next = i + 1 < text.size() ? static_cast<std::uint8_t>(text[i + 1]) : std::uint8_t{0};
         if ((c != 0xC2U && c != 0xC3U) || (next & 0xC0U) != 0x80U)
             return std::nullopt;
         out.push_back(static_cast<std::uint8_t>(((c & 3U) << 6U) | (next & 0x3FU)));

@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-/// The host's half of the protocol: requests are encoded, replies decoded. Pure functions without state. A decoder yields
-/// nothing for a frame that is not exactly that message (29-bit identifier, no remote frame, its one legal length).
-/// Sections are those of the protocol reference that README.md names.
+/// The host's half of the protocol: requests are encoded, replies decoded. Pure functions without state. A decoder
+/// yields nothing for a frame that is not exactly that message (29-bit identifier, no remote frame, its one legal
+/// length). Sections are those of the protocol reference that README.md names.
 namespace mb::dmc60c {
 
-// Requests, host to device ------------------------------------------------------------------------------------------------
+// Requests, host to device
 
 struct VendorCommand {
     Command command = Command::GetFwver;
@@ -28,7 +28,7 @@ struct VendorCommand {
 struct Control {
     ControlMode mode = ControlMode::NoDrive;
     std::int32_t target = 0; ///< 24 bits with sign
-    std::uint16_t ramp = 0; ///< duty units per 500 µs, 0 = immediate; open-loop modes only
+    std::uint16_t ramp = 0;  ///< duty units per 500 µs, 0 = immediate; open-loop modes only
     int slot = 0;
     std::optional<bool> brake;
     bool reverseMotor = false;
@@ -50,7 +50,7 @@ struct Control {
 [[nodiscard]] std::uint32_t fieldOf(WireType type, std::int64_t raw);
 [[nodiscard]] std::int64_t rawOf(WireType type, std::uint32_t field);
 
-// Replies, device to host -------------------------------------------------------------------------------------------------
+// Replies, device to host
 
 struct EnumResponse0 {
     int device = 0;
@@ -69,7 +69,7 @@ struct EnumResponse1 {
 struct VendorStatus {
     int device = 0;
     CommandStatus status = CommandStatus::NoError;
-    std::uint8_t test = 0; ///< terc, of the two J1 tests only
+    std::uint8_t test = 0;   ///< terc, of the two J1 tests only
     std::uint16_t count = 0; ///< bytes that follow in VENDORDIN frames
 };
 
@@ -121,10 +121,10 @@ struct StatusEncoder {
 
 struct StatusAnalog {
     int device = 0;
-    double analogIn = 0.0; ///< V, 0…3.3
-    double current = 0.0; ///< A, negative flows from M− to M+
+    double analogIn = 0.0;    ///< V, 0…3.3
+    double current = 0.0;     ///< A, negative flows from M− to M+
     double temperature = 0.0; ///< °C
-    double busVoltage = 0.0; ///< V
+    double busVoltage = 0.0;  ///< V
 };
 
 struct FirmwareVersions {
@@ -156,7 +156,8 @@ struct FirmwareVersions {
 /// Bulk data of GetFwver, GetFlashSeqnum and GetDescriptors, complete.
 [[nodiscard]] std::optional<FirmwareVersions> decodeFirmwareVersions(std::span<const std::uint8_t> bytes);
 [[nodiscard]] std::optional<std::uint32_t> decodeFlashSequence(std::span<const std::uint8_t> bytes);
-/// Field number and text (Latin-1 turned into UTF-8, a counted NUL dropped), unknown fields included; nothing when truncated.
+/// Field number and text (Latin-1 turned into UTF-8, a counted NUL dropped), unknown fields included; nothing when
+/// truncated.
 using DescriptorList = std::vector<std::pair<std::uint8_t, std::string>>;
 [[nodiscard]] std::optional<DescriptorList> decodeDescriptors(std::span<const std::uint8_t> bytes);
 

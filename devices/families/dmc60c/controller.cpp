@@ -2,11 +2,9 @@
 #include "families/dmc60c/controller.h"
 
 #include "families/dmc60c/channels.h"
-#include "families/dmc60c/parameters.h"
 #include "families/dmc60c/setpoints.h"
 #include "families/dmc60c/unitidentity.h"
 #include "model/family.h"
-#include "wire/fixedpoint.h"
 
 #include <algorithm>
 
@@ -15,16 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration silenceAtLeast = 100ms; ///< section 5
-constexpr int silencePeriods = 5;
-constexpr Duration foreignMemory = 500ms;
-constexpr Duration enumeratePeriod = 2s; ///< while the device is silent
-constexpr Duration candidateStep = 70ms; ///< the latest answer to an enumeration starts after 63.5 ms
-constexpr int candidateRounds = 3;
 constexpr Duration askPeriodAtMost = 1s;
-constexpr Duration stallTolerance = 20ms;
 constexpr int idleFramesNeeded = 2; ///< one may be a zero crossing of a closed loop
-constexpr Duration turningMemory = 500ms;
 
 } // namespace
 
@@ -35,7 +25,8 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
     , m_knownSession(this->identity().session)
     , m_general(telemetry(), {channel::duty, channel::error}, defaultGeneralPeriod)
     , m_encoder(telemetry(), {channel::position, channel::velocity}, defaultEncoderPeriod)
-    , m_analog(telemetry(), {channel::analog1, channel::current, channel::temperature, channel::busVoltage}, defaultAnalogPeriod)
+    , m_analog(telemetry(), {channel::analog1, channel::current, channel::temperature, channel::busVoltage},
+          defaultAnalogPeriod)
     , m_enumerateAt(clock.now() + enumeratePeriod)
     , m_timer(clock)
     , m_received(link.received().add([this](const CanFrame &frame) { onFrame(frame); }))
@@ -44,7 +35,7 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
     armTick();
 }
 
-// Control -----------------------------------------------------------------------------------------------------------------
+// Control
 
 Result<void> Controller::doCheck(const SetPoint &setPoint) const
 {
@@ -68,7 +59,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
 void Controller::doStop()
 {
     m_idleFrames = 0;
-    const CanFrame noDrive = encodeControl(identity().address, Control {});
+    const CanFrame noDrive = encodeControl(identity().address, Control{});
     (void)m_can.send(noDrive, Priority::Urgent); // twice (6.1); a link that is gone cannot be helped from here
     (void)m_can.send(noDrive, Priority::Urgent);
     telemetry()->breakLine(channel::setPoint);
@@ -81,7 +72,7 @@ bool Controller::doIsSeenStopped() const
     return m_lastGeneral.mode == ControlMode::NoDrive || m_idleFrames >= idleFramesNeeded;
 }
 
-// What the bus tells ------------------------------------------------------------------------------------------------------
+// What the bus tells
 
 void Controller::onFrame(const CanFrame &frame)
 {
@@ -119,15 +110,18 @@ void Controller::onFrame(const CanFrame &frame)
         updateLiveness();
         armTick();
         break;
-    default: break;
+    default:
+        break;
     }
 }
 
 void Controller::onGeneral(const StatusGeneral &status, Instant time)
 {
-    m_general.add(time, {std::clamp(status.duty / static_cast<double>(fullDuty), -1.0, 1.0),
-                            status.mode == ControlMode::Voltage ? errorOf(status) / fullDuty
-                                : status.mode == ControlMode::Velocity ? errorOf(status) * velocityPerSecond : errorOf(status)});
+    m_general.add(time,
+        {std::clamp(status.duty / static_cast<double>(fullDuty), -1.0, 1.0),
+            status.mode == ControlMode::Voltage        ? errorOf(status) / fullDuty
+                : status.mode == ControlMode::Velocity ? errorOf(status) * velocityPerSecond
+                                                       : errorOf(status)});
     askPeriod(m_general, param::generalPeriod);
     m_idleFrames = status.duty == 0 && time > stoppedAt() ? m_idleFrames + 1 : 0;
     m_lastGeneral = status;
@@ -141,7 +135,8 @@ void Controller::onGeneral(const StatusGeneral &status, Instant time)
 
 void Controller::onEncoder(const StatusEncoder &status, Instant time)
 {
-    m_encoder.add(time, {static_cast<double>(status.position), static_cast<double>(status.velocity) * velocityPerSecond});
+    m_encoder.add(
+        time, {static_cast<double>(status.position), static_cast<double>(status.velocity) * velocityPerSecond});
     askPeriod(m_encoder, param::encoderPeriod);
     m_turning = status.velocity != 0;
     m_turningAt = time;
@@ -182,7 +177,7 @@ void Controller::onSession(std::uint16_t session, Instant time)
     }
     if (identity().state == DeviceState::Duplicate || !busy().empty() || m_candidate)
         return;
-    m_candidate = Candidate {session, 0, clock().now() + candidateStep};
+    m_candidate = Candidate{session, 0, clock().now() + candidateStep};
     m_candidateSince = time;
     armTick();
 }
@@ -199,10 +194,14 @@ void Controller::onVersions(const EnumResponse1 &response)
 StatusStream *Controller::streamOf(std::uint8_t periodParameter)
 {
     switch (periodParameter) {
-    case param::generalPeriod: return &m_general;
-    case param::encoderPeriod: return &m_encoder;
-    case param::analogPeriod: return &m_analog;
-    default: return nullptr;
+    case param::generalPeriod:
+        return &m_general;
+    case param::encoderPeriod:
+        return &m_encoder;
+    case param::analogPeriod:
+        return &m_analog;
+    default:
+        return nullptr;
     }
 }
 
@@ -212,145 +211,6 @@ void Controller::askPeriod(const StatusStream &stream, std::uint8_t parameter)
         return;
     m_periodAskedAt = clock().now();
     (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
-}
-
-// What follows from it, and from silence ----------------------------------------------------------------------------------
-
-Duration Controller::silenceLimit() const
-{
-    return std::max<Duration>(silencePeriods * m_general.period(), silenceAtLeast);
-}
-
-void Controller::armTick()
-{
-    Instant next = m_heard && m_generalAt ? *m_generalAt + silenceLimit() : m_enumerateAt;
-    if (m_foreignAt)
-        next = std::min(next, *m_foreignAt + foreignMemory);
-    if (m_candidate)
-        next = std::min(next, m_candidate->nextAt);
-    m_armedFor = std::max(next, clock().now());
-    m_timer.start(m_armedFor, [this] { tick(); });
-}
-
-void Controller::tick()
-{
-    const Instant now = clock().now();
-    if (now - m_armedFor > stallTolerance) { // we were stalled: first let the link deliver what came meanwhile
-        m_armedFor = now + stallTolerance;
-        m_timer.start(m_armedFor, [this] { tick(); });
-        return;
-    }
-    if (m_foreignAt && now - *m_foreignAt >= foreignMemory)
-        m_foreignAt.reset();
-    if (m_heard && m_generalAt && now - *m_generalAt >= silenceLimit())
-        fallSilent();
-    if (m_candidate && now >= m_candidate->nextAt)
-        judgeCandidate();
-    if (!m_heard && now >= m_enumerateAt)
-        enumerate();
-    updateLiveness();
-    armTick();
-}
-
-void Controller::fallSilent()
-{
-    m_heard = false;
-    m_turning = false;
-    m_general.interrupt();
-    m_encoder.interrupt();
-    m_analog.interrupt();
-    m_enumerateAt = clock().now();
-}
-
-void Controller::enumerate()
-{
-    m_enumerateAt = clock().now() + enumeratePeriod;
-    if (busy().empty() && m_can.state() == LinkState::Open)
-        (void)m_can.send(encodeEnumerate());
-}
-
-/// A new session alone is a restarted unit; with the known one still answering it is a second unit. Answers may be lost, so
-/// that the known one gets several chances.
-void Controller::judgeCandidate()
-{
-    if (m_candidate->enumerations < candidateRounds && busy().empty()) {
-        ++m_candidate->enumerations;
-        m_candidate->nextAt = clock().now() + candidateStep;
-        enumerate();
-        return;
-    }
-    const std::uint16_t session = m_candidate->session;
-    m_candidate.reset();
-    if (!busy().empty())
-        return;
-    Identity known = identity();
-    if (m_knownSession && m_ownSeenAt + candidateStep >= m_candidateSince) {
-        markDuplicate(known, 2);
-        setIdentity(std::move(known));
-        return;
-    }
-    known.session = session;
-    setIdentity(std::move(known)); // sessionChanged() follows
-    m_enumerateAt = clock().now(); // for its versions
-}
-
-void Controller::sessionChanged()
-{
-    if (identity().session == m_knownSession)
-        return;
-    m_knownSession = identity().session;
-    m_candidate.reset();
-    restarted();
-}
-
-void Controller::restarted()
-{
-    m_restarted = true;
-    m_flashLost = m_flashLost || m_flash.isPending();
-    m_flash.settle();
-    for (StatusStream *stream : {&m_general, &m_encoder, &m_analog})
-        stream->restart();
-    parameters().forgetAll();
-    if (busy().empty()) {
-        for (const auto &[parameter, period] : m_wantedPeriods)
-            (void)m_can.send(encodeParamSet(identity().address, session(), parameter, period));
-    }
-    updateLiveness();
-}
-
-void Controller::setState(DeviceState state, std::string detail)
-{
-    Identity known = identity();
-    known.state = state;
-    known.detail = std::move(detail);
-    setIdentity(std::move(known));
-}
-
-void Controller::updateLiveness()
-{
-    const bool turning = m_turning && clock().now() - m_turningAt < std::max<Duration>(turningMemory, 3 * m_encoder.period());
-    const bool moving = m_heard && (m_lastGeneral.duty != 0 || turning);
-    // One frame in ten thousand changes any of this: compare a word before building texts.
-    const std::uint32_t key = (m_heard ? 1U : 0U) | (moving ? 2U : 0U) | (m_foreignAt ? 4U : 0U) | (m_restarted ? 8U : 0U) | (m_lastGeneral.overTemperature ? 16U : 0U)
-        | (m_lastGeneral.underVoltage ? 32U : 0U) | (m_lastGeneral.gateDriver ? 64U : 0U) | (static_cast<std::uint32_t>(m_lastGeneral.mode) << 8U);
-    if (key == m_livenessKey)
-        return;
-    m_livenessKey = key;
-    Liveness now;
-    now.heard = m_heard;
-    now.moving = moving;
-    now.foreignMaster = m_foreignAt.has_value();
-    now.restarted = m_restarted;
-    if (m_heard) {
-        now.mode = modeOf(m_lastGeneral.mode);
-        if (m_lastGeneral.overTemperature)
-            now.faults.emplace_back("over_temperature");
-        if (m_lastGeneral.underVoltage)
-            now.faults.emplace_back("under_voltage");
-        if (m_lastGeneral.gateDriver)
-            now.faults.emplace_back("gate_driver");
-    }
-    setLiveness(now);
 }
 
 std::unique_ptr<Device> open(Link &link, Clock &clock, const Identity &identity)

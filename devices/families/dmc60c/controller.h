@@ -12,8 +12,8 @@
 
 namespace mb::dmc60c {
 
-/// One DMC60C. Listens to its number on the bus all the time: telemetry, liveness, restarts, other masters. Talks only in
-/// tasks and control frames, with two exceptions, neither while the device is busy: it enumerates the bus when the
+/// One DMC60C. Listens to its number on the bus all the time: telemetry, liveness, restarts, other masters. Talks only
+/// in tasks and control frames, with two exceptions, neither while the device is busy: it enumerates the bus when the
 /// device is silent or its session looks wrong (section 8), and asks for a period when frames seem to be missing.
 ///
 /// A new session under the number, with the old one silent, is the unit after a power cycle: it is adopted, and
@@ -23,7 +23,11 @@ public:
     Controller(const Family &family, CanLink &link, Clock &clock, Identity identity);
 
 private:
-    // Device, in controllertasks.cpp
+    static constexpr Duration enumeratePeriod = std::chrono::seconds(2); ///< while the device is silent
+    /// The latest answer to an enumeration starts after 63.5 ms.
+    static constexpr Duration candidateStep = std::chrono::milliseconds(70);
+
+    // Device, in controllertasks.cpp and controllerparameters.cpp
     Task<void> doRefresh() override;
     Task<std::int64_t> doRead(ParameterIndex index) override;
     Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
@@ -63,7 +67,7 @@ private:
     void onVersions(const EnumResponse1 &response);
     void askPeriod(const StatusStream &stream, std::uint8_t parameter);
 
-    // What follows from it, and from silence
+    // What follows from it, and from silence: controllerpresence.cpp
     void tick();
     void armTick();
     [[nodiscard]] Duration silenceLimit() const;
@@ -88,9 +92,9 @@ private:
     StatusStream m_general;
     StatusStream m_encoder;
     StatusStream m_analog;
-    std::map<std::uint8_t, std::uint32_t> m_usualPeriods; ///< what setRate() goes back to, ms
+    std::map<std::uint8_t, std::uint32_t> m_usualPeriods;  ///< what setRate() goes back to, ms
     std::map<std::uint8_t, std::uint32_t> m_wantedPeriods; ///< what it asked for; the device forgets it in a restart
-    Instant m_periodAskedAt {};
+    Instant m_periodAskedAt{};
 
     bool m_heard = false;
     bool m_restarted = false;
@@ -98,7 +102,7 @@ private:
     std::optional<Instant> m_generalAt;
     int m_idleFrames = 0; ///< general frames in a row with no output, since the last stop()
     bool m_turning = false;
-    Instant m_turningAt {};
+    Instant m_turningAt{};
     std::optional<Instant> m_foreignAt;
     std::uint32_t m_livenessKey = ~0U;
 
@@ -106,15 +110,15 @@ private:
     struct Candidate {
         std::uint16_t session = 0;
         int enumerations = 0;
-        Instant nextAt {};
+        Instant nextAt{};
     };
     std::optional<Candidate> m_candidate;
-    Instant m_ownSeenAt {};
-    Instant m_candidateSince {};
-    Instant m_enumerateAt {};
+    Instant m_ownSeenAt{};
+    Instant m_candidateSince{};
+    Instant m_enumerateAt{};
 
     Timer m_timer;
-    Instant m_armedFor {};
+    Instant m_armedFor{};
     Subscription m_received;
     Subscription m_identityChanged;
 };

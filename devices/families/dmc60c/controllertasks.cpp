@@ -1,45 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of Controller that asks and waits.
+// Controller: what asks and waits, without parameters.
 #include "families/dmc60c/controller.h"
 
 #include "async/sleep.h"
-#include "families/dmc60c/channels.h"
-#include "families/dmc60c/parameters.h"
 #include "families/dmc60c/unitidentity.h"
-
-#include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace mb::dmc60c {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr Duration sequencePollPeriod = 250ms;
-constexpr int counterTries = 4;
 constexpr int numberTries = 3;
-
-constexpr std::array<std::string_view, 5> faultKeys {"over_current", "over_temperature", "under_voltage", "gate_driver", "communication"};
-
-std::optional<std::uint8_t> periodOf(ChannelIndex index)
-{
-    if (index == channel::position || index == channel::velocity)
-        return param::encoderPeriod;
-    if (index == channel::duty || index == channel::error)
-        return param::generalPeriod;
-    if (index == channel::setPoint)
-        return std::nullopt;
-    return param::analogPeriod;
-}
 
 } // namespace
 
-// Vendor commands ---------------------------------------------------------------------------------------------------------
+// Vendor commands
 
 Task<VendorReply> Controller::vendor(VendorCommand command, std::vector<std::uint8_t> data)
 {
-    VendorRequest request {identity().address, session(), command, std::move(data)};
+    VendorRequest request{identity().address, session(), command, std::move(data)};
     auto task = vendorExchange(m_can, clock(), std::move(request), attemptsOf(command.command));
     Result<VendorReply> reply = co_await std::move(task).attempt();
     if (!reply) {
@@ -135,7 +112,7 @@ Task<void> Controller::doRename(std::string name)
     co_return {};
 }
 
-// Device number -----------------------------------------------------------------------------------------------------------
+// Device number
 
 Task<void> Controller::expectFree(int number)
 {
@@ -155,15 +132,16 @@ Task<void> Controller::expectFree(int number)
     co_return {};
 }
 
-/// Success comes from the new number, refusal from the old one. When the status is lost, the unit may already be at the new
-/// number: it is asked there before the command is repeated.
+/// Success comes from the new number, refusal from the old one. When the status is lost, the unit may already be at the
+/// new number: it is asked there before the command is repeated.
 Task<FirmwareVersions> Controller::moveTo(int number)
 {
     const int old = identity().address;
-    Error last {Fault::Timeout, "no answer"};
+    Error last{Fault::Timeout, "no answer"};
     for (int attempt = 0; attempt < numberTries; ++attempt) {
-        VendorRequest request {old, session(), {Command::SetDevNumber, static_cast<std::uint16_t>(number)}, {}, number};
-        auto setting = vendorExchange(m_can, clock(), std::move(request), {1, attemptsOf(Command::SetDevNumber).timeout});
+        VendorRequest request{old, session(), {Command::SetDevNumber, static_cast<std::uint16_t>(number)}, {}, number};
+        auto setting
+            = vendorExchange(m_can, clock(), std::move(request), {1, attemptsOf(Command::SetDevNumber).timeout});
         const Result<VendorReply> status = co_await std::move(setting).attempt();
         if (status) {
             if (auto checked = dmc60c::check(Command::SetDevNumber, *status); !checked)
@@ -171,7 +149,7 @@ Task<FirmwareVersions> Controller::moveTo(int number)
         } else if (status.error().fault != Fault::Timeout) {
             co_return fail(status.error());
         }
-        VendorRequest question {number, session(), {Command::GetFwver}};
+        VendorRequest question{number, session(), {Command::GetFwver}};
         auto asking = vendorExchange(m_can, clock(), std::move(question), attemptsOf(Command::GetFwver));
         const Result<VendorReply> answer = co_await std::move(asking).attempt();
         const auto versions = answer ? decodeFirmwareVersions(answer->data) : std::nullopt;
@@ -198,192 +176,6 @@ Task<void> Controller::doRenumber(int address)
     known.state = DeviceState::Online; // free a moment ago, so no duplicate
     setVersions(known, versions);
     setIdentity(std::move(known));
-    co_return {};
-}
-
-// Parameters --------------------------------------------------------------------------------------------------------------
-
-Task<std::int64_t> Controller::readId(std::uint8_t parameter)
-{
-    const Parameter &row = parameterTable()[parameterWithId(parameter)->value];
-    auto asking = m_exchange.get(target(), parameter);
-    Result<ParamResponse> response = co_await std::move(asking).attempt();
-    if (response && response->status == ParameterStatus::BadParameter && row.nature == Nature::Counter) {
-        auto setting = m_exchange.set(target(), parameter, 0); // "keep": reads as well (section 4)
-        response = co_await std::move(setting).attempt();
-    }
-    if (!response) {
-        if (response.error().fault == Fault::Timeout)
-            enumerate();
-        co_return fail(response.error().fault, std::string(row.key) + ": " + response.error().detail);
-    }
-    if (auto checked = dmc60c::check(*response, row.key); !checked)
-        co_return fail(checked.error());
-    co_return rawOf(row.type, response->field);
-}
-
-Task<std::int64_t> Controller::doRead(ParameterIndex index)
-{
-    return readId(static_cast<std::uint8_t>(parameters().parameter(index).id));
-}
-
-Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
-{
-    const Parameter &row = parameters().parameter(index);
-    if (row.id == param::encoderPosition && (liveness().moving || m_lastGeneral.duty != 0))
-        co_return fail(Fault::Unsafe, "the position is written only while the output is off; stop the motor first");
-    if (row.nature == Nature::Counter && raw != 0) {
-        auto clearing = clearCounter(row, raw);
-        const std::int64_t before = co_await std::move(clearing);
-        co_return before;
-    }
-    auto writing = writeSetting(row, raw);
-    const std::int64_t inForce = co_await std::move(writing);
-    co_return inForce;
-}
-
-Task<std::int64_t> Controller::writeSetting(const Parameter &parameter, std::int64_t raw)
-{
-    const auto number = static_cast<std::uint8_t>(parameter.id);
-    if (parameter.persistent && parameter.nature == Nature::Setting) {
-        auto reading = readId(number);
-        const std::int64_t present = co_await std::move(reading);
-        if (present == raw)
-            co_return raw; // nothing changes, so flash must not be expected to
-        if (m_flash.wantsBaseline()) {
-            auto asking = flashSequence();
-            const Result<std::uint32_t> sequence = co_await std::move(asking).attempt();
-            m_flash.setBaseline(sequence ? std::optional(*sequence) : std::nullopt);
-        }
-        m_flash.changed(clock().now()); // also when the answer is lost
-    }
-    auto setting = m_exchange.set(target(), number, fieldOf(parameter.type, raw));
-    const Result<ParamResponse> response = co_await std::move(setting).attempt();
-    if (!response)
-        co_return fail(response.error().fault, std::string(parameter.key) + ": " + response.error().detail);
-    if (auto checked = dmc60c::check(*response, parameter.key); !checked)
-        co_return fail(checked.error());
-    co_return rawOf(parameter.type, response->field);
-}
-
-/// The answer to a clear carries the count before it, so a clear is repeated only when a reading shows that it did not
-/// arrive (trap 19); when it did, the reading before it is the count.
-Task<std::int64_t> Controller::clearCounter(const Parameter &parameter, std::int64_t raw)
-{
-    const auto number = static_cast<std::uint8_t>(parameter.id);
-    auto reading = readId(number);
-    const std::int64_t before = co_await std::move(reading);
-    for (int attempt = 0; attempt < counterTries; ++attempt) {
-        auto setting = m_exchange.setOnce(target(), number, fieldOf(parameter.type, raw));
-        const Result<ParamResponse> response = co_await std::move(setting).attempt();
-        if (response) {
-            if (auto checked = dmc60c::check(*response, parameter.key); !checked)
-                co_return fail(checked.error());
-            co_return rawOf(parameter.type, response->field);
-        }
-        if (response.error().fault != Fault::Timeout)
-            co_return fail(response.error());
-        auto again = readId(number);
-        const std::int64_t now = co_await std::move(again);
-        if (now < before || now == 0)
-            co_return before;
-    }
-    co_return fail(Fault::Timeout, std::string(parameter.key) + " was " + std::to_string(before) + " and is not known to be cleared");
-}
-
-Task<bool> Controller::doStore(Progress &progress)
-{
-    if (std::exchange(m_flashLost, false))
-        co_return fail(Fault::BadCheck, "the device restarted before its flash was proved to be written; read it again");
-    const Instant begun = clock().now();
-    const Instant end = std::max(m_flash.deadline(), begun + 1s);
-    bool advanced = false;
-    while (m_flash.isPending()) {
-        auto asking = flashSequence();
-        const Result<std::uint32_t> sequence = co_await std::move(asking).attempt();
-        const Instant now = clock().now();
-        if (m_flashLost)
-            continue; // restarted meanwhile, and so no longer pending
-        if (!sequence && sequence.error().fault == Fault::LinkLost)
-            co_return fail(sequence.error());
-        if (sequence && m_flash.isProvedBy(*sequence, now))
-            break;
-        advanced = advanced || (sequence && m_flash.hasAdvanced(*sequence));
-        if (now >= end) {
-            m_flash.settle();
-            if (advanced || (!sequence && sequence.error().fault == Fault::Unsupported))
-                co_return false;
-            co_return fail(Fault::BadCheck, "the device did not write its flash within 20 s");
-        }
-        progress.step("Waiting until the device has written its flash", static_cast<int>((now - begun) / 1s), static_cast<int>((end - begun) / 1s));
-        co_await Sleep(clock(), sequencePollPeriod);
-    }
-    if (std::exchange(m_flashLost, false))
-        co_return fail(Fault::BadCheck, "the device restarted before its flash was proved to be written; read it again");
-    m_flash.settle();
-    parameters().setAllStored();
-    co_return true;
-}
-
-// Faults and rates --------------------------------------------------------------------------------------------------------
-
-Task<std::vector<FaultRecord>> Controller::gatherFaults(bool clear)
-{
-    auto readingActive = readId(param::activeFaults);
-    const std::int64_t active = co_await std::move(readingActive);
-    std::array<std::int64_t, 1 + faultKeys.size()> values {}; // sticky bits, then counts in the order of the bits
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const auto number = static_cast<std::uint8_t>(param::stickyFaults + i);
-        const Parameter &row = parameterTable()[parameterWithId(number)->value];
-        auto task = clear ? clearCounter(row, 1) : readId(number);
-        values.at(i) = co_await std::move(task);
-        parameters().setRead(*parameterWithId(number), clear ? 0 : values.at(i));
-    }
-    parameters().setRead(*parameterWithId(param::activeFaults), active);
-    std::vector<FaultRecord> records;
-    for (std::size_t i = 0; i < faultKeys.size(); ++i) {
-        const std::int64_t bit = std::int64_t {1} << i;
-        records.push_back({std::string(faultKeys.at(i)), (active & bit) != 0, (values[0] & bit) != 0, values.at(i + 1)});
-    }
-    co_return records;
-}
-
-Task<std::vector<FaultRecord>> Controller::doReadFaults()
-{
-    return gatherFaults(false);
-}
-
-Task<std::vector<FaultRecord>> Controller::doClearFaults()
-{
-    return gatherFaults(true);
-}
-
-Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
-{
-    const auto number = periodOf(channel);
-    if (!number)
-        co_return fail(Fault::Unsupported, "the set-point comes from here, not from the device");
-    if (!std::isfinite(hertz) || hertz < 0.0)
-        co_return fail(Fault::OutOfRange, "a rate is a positive number, or 0 for the usual one");
-    const Parameter &row = parameterTable()[parameterWithId(*number)->value];
-    const auto usual = m_usualPeriods.find(*number);
-    if (hertz == 0.0 && usual == m_usualPeriods.end())
-        co_return {};
-    if (usual == m_usualPeriods.end()) {
-        auto reading = readId(*number);
-        const std::int64_t present = co_await std::move(reading);
-        m_usualPeriods[*number] = static_cast<std::uint32_t>(present);
-    }
-    const double milliseconds = hertz > 0.0 ? std::clamp(std::round(1000.0 / hertz), row.minimum, row.maximum) : m_usualPeriods[*number];
-    auto writing = writeSetting(row, static_cast<std::int64_t>(milliseconds));
-    const std::int64_t inForce = co_await std::move(writing);
-    parameters().setRead(*parameterWithId(*number), inForce);
-    if (hertz > 0.0) {
-        m_wantedPeriods[*number] = static_cast<std::uint32_t>(inForce);
-    } else {
-        m_wantedPeriods.erase(*number);
-        m_usualPeriods.erase(*number);
-    }
     co_return {};
 }
 

@@ -16,7 +16,7 @@ namespace {
 struct Field {
     std::string_view name;
     double (*value)(const CanFrame &) = nullptr;
-    std::string_view unit {};
+    std::string_view unit{};
     std::string_view (*unitIn)(const CanFrame &) = nullptr;
 };
 
@@ -58,13 +58,19 @@ constexpr std::string_view duty = "1/32767";
 std::string_view unitOfMode(ControlMode mode)
 {
     switch (mode) {
-    case ControlMode::Voltage: return duty;
-    case ControlMode::Velocity: return "counts/100 ms";
-    case ControlMode::Position: return "counts";
-    case ControlMode::Current: return "A";
-    case ControlMode::VoltageCompensated: return "V";
+    case ControlMode::Voltage:
+        return duty;
+    case ControlMode::Velocity:
+        return "counts/100 ms";
+    case ControlMode::Position:
+        return "counts";
+    case ControlMode::Current:
+        return "A";
+    case ControlMode::VoltageCompensated:
+        return "V";
     case ControlMode::Follower:
-    case ControlMode::NoDrive: break;
+    case ControlMode::NoDrive:
+        break;
     }
     return {};
 }
@@ -80,13 +86,17 @@ ControlMode modeOfStatus(const CanFrame &f)
 
 double target(const CanFrame &f)
 {
-    const std::int32_t raw = signExtend((std::uint32_t {f.data[3]} << 16U) | readU16le(f.data, 4), 24);
+    const std::int32_t raw = signExtend((std::uint32_t{f.data[3]} << 16U) | readU16le(f.data, 4), 24);
     switch (modeOfControl(f)) {
-    case ControlMode::Voltage: return i16<4>(f);
-    case ControlMode::Follower: return f.data[4];
+    case ControlMode::Voltage:
+        return i16<4>(f);
+    case ControlMode::Follower:
+        return f.data[4];
     case ControlMode::Current:
-    case ControlMode::VoltageCompensated: return fromFixed(raw, 65536.0);
-    default: return raw;
+    case ControlMode::VoltageCompensated:
+        return fromFixed(raw, 65536.0);
+    default:
+        return raw;
     }
 }
 
@@ -119,7 +129,7 @@ template <int Number, int At> double parameterValue(const CanFrame &f)
 template <int Number> std::string_view parameterUnit(const CanFrame &f)
 {
     const auto index = parameterWithId(f.data[Number]);
-    return index ? parameterTable()[index->value].unit : std::string_view {};
+    return index ? parameterTable()[index->value].unit : std::string_view{};
 }
 
 constexpr Field enumResponse0[] = {{"sessid", u16<0>}, {"pdid", u32<2>}};
@@ -142,8 +152,10 @@ constexpr Field bulk[] = {
     {"byte7", u8<7>},
 };
 constexpr Field paramRequest[] = {{"sessid", u16<0>}, {"paramid", u8<2>}};
-constexpr Field paramSet[] = {{"sessid", u16<0>}, {"paramid", u8<2>}, {"value", parameterValue<2, 3>, {}, parameterUnit<2>}};
-constexpr Field paramResponse[] = {{"paramid", u8<0>}, {"value", parameterValue<0, 1>, {}, parameterUnit<0>}, {"perc", u8<5>}};
+constexpr Field paramSet[]
+    = {{"sessid", u16<0>}, {"paramid", u8<2>}, {"value", parameterValue<2, 3>, {}, parameterUnit<2>}};
+constexpr Field paramResponse[]
+    = {{"paramid", u8<0>}, {"value", parameterValue<0, 1>, {}, parameterUnit<0>}, {"perc", u8<5>}};
 constexpr Field statusGeneral[] = {
     {"dtcApplied", i16<0>, duty},
     {"fFwdLimitPin", bits<2, 0>},
@@ -226,14 +238,16 @@ bool matches(const Layout &layout, const CanFrame &frame)
 
 std::optional<DecodedFrame> decodeCan(const CanFrame &frame, std::string_view)
 {
-    const auto *const layout = std::find_if(std::begin(layouts), std::end(layouts), [&](const Layout &l) { return matches(l, frame); });
+    const auto *const layout
+        = std::find_if(std::begin(layouts), std::end(layouts), [&](const Layout &l) { return matches(l, frame); });
     if (layout == std::end(layouts))
         return std::nullopt;
-    DecodedFrame decoded {"dmc60c", layout->name, deviceOf(frame), layout->control, {}};
+    DecodedFrame decoded{"dmc60c", layout->name, deviceOf(frame), layout->control, {}};
     const auto fields = layout->size < 0 ? layout->fields.first(frame.size) : layout->fields;
     decoded.fields.reserve(fields.size());
     for (const Field &field : fields)
-        decoded.fields.push_back({field.name, field.value(frame), field.unitIn != nullptr ? field.unitIn(frame) : field.unit});
+        decoded.fields.push_back(
+            {field.name, field.value(frame), field.unitIn != nullptr ? field.unitIn(frame) : field.unit});
     return decoded;
 }
 

@@ -5,8 +5,8 @@
 
 namespace mb::dmc60c {
 
-/// Every message of table 1.2, in both directions, with the names of section 2; nothing for anything else. Values are in the
-/// wire's unit after scale flags, fixed-point ones as engineering values; there are no dialects.
+/// Every message of table 1.2, in both directions, with the names of section 2; nothing for anything else. Values are
+/// in the wire's unit after scale flags, fixed-point ones as engineering values; there are no dialects.
 [[nodiscard]] std::optional<DecodedFrame> decodeCan(const CanFrame &frame, std::string_view dialect);
 
 } // namespace mb::dmc60c

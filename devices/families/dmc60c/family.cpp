@@ -15,17 +15,17 @@
 namespace mb::dmc60c {
 namespace {
 
-constexpr std::array links {LinkKind::Can};
-constexpr std::array modes {Mode::Duty, Mode::Velocity, Mode::Position, Mode::Current, Mode::Voltage, Mode::Follow};
+constexpr std::array links{LinkKind::Can};
+constexpr std::array modes{Mode::Duty, Mode::Velocity, Mode::Position, Mode::Current, Mode::Voltage, Mode::Follow};
 
 /// 5 is a CIM with a heavy load, 7 overshoots with its stored gains, 9 has no application.
-constexpr std::array<std::string_view, 3> bench {
+constexpr std::array<std::string_view, 3> bench{
     "dmc60c:5,motor=cim,load=9",
     "dmc60c:7,motor=775pro,gains=overshoot",
     "dmc60c:9,state=bootloader",
 };
 
-constexpr Capabilities capabilities {
+constexpr Capabilities capabilities{
     .readback = true,
     .watchdog = true,
     .versionOnWire = true,
@@ -35,12 +35,13 @@ constexpr Capabilities capabilities {
     .axes = 1,
     .slots = 2,
     .commandPeriod = controlPeriod,
+    .storesAfter = std::chrono::seconds(15),
 };
 
 } // namespace
 
 extern const Family family;
-const Family family {
+const Family family{
     .key = "dmc60c",
     .title = "DMC60C",
     .links = links,

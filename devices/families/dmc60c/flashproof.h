@@ -9,9 +9,10 @@
 
 namespace mb::dmc60c {
 
-/// Decides when written parameters are proved to be in flash. There is no "save": the device writes its flash at once if
-/// nothing changed in the last 15 s, and otherwise 15 s after the last change; each flash write advances the sequence
-/// number by one. A number that advanced is therefore no proof by itself: the first of two changes advances it alone.
+/// Decides when written parameters are proved to be in flash. There is no "save": the device writes its flash at once
+/// if nothing changed in the last 15 s, and otherwise 15 s after the last change; each flash write advances the
+/// sequence number by one. A number that advanced is therefore no proof by itself: the first of two changes advances it
+/// alone.
 class FlashProof {
 public:
     /// Latest after the last change: flash must have been written by then.
@@ -33,11 +34,11 @@ public:
 
 private:
     bool m_pending = false;
-    bool m_deferred = false; ///< the last flash write of m_expected is still to come after 15 s of rest
-    std::uint32_t m_expected = 0; ///< flash writes that the changes cause, if nobody changed anything before
+    bool m_deferred = false;                 ///< the last flash write of m_expected is still to come after 15 s of rest
+    std::uint32_t m_expected = 0;            ///< flash writes that the changes cause, if nobody changed anything before
     std::optional<std::uint32_t> m_baseline; ///< before the first change
-    std::optional<std::uint32_t> m_between; ///< after any immediate write, before the deferred one
-    Instant m_lastChange {};
+    std::optional<std::uint32_t> m_between;  ///< after any immediate write, before the deferred one
+    Instant m_lastChange{};
     bool m_everChanged = false;
 };
 

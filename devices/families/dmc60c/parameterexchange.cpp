@@ -34,7 +34,7 @@ Task<ParamResponse> ParameterExchange::run(CanFrame request, int device, std::ui
         const auto response = decodeParamResponse(frame);
         return response && response->device == device && response->parameter == parameter;
     });
-    Error last {Fault::Timeout, "no answer"};
+    Error last{Fault::Timeout, "no answer"};
     for (int attempt = 0; attempt < most; ++attempt) {
         const Instant sentAt = m_clock.now();
         if (auto sent = m_link.send(request); !sent)
@@ -56,7 +56,8 @@ Duration ParameterExchange::patienceAt(int attempt) const
 {
     if (!m_roundTrip)
         return longest;
-    return std::clamp<Duration>(4 * *m_roundTrip * (1 << attempt), shortest * (1 << attempt), std::max(longest, 4 * *m_roundTrip));
+    return std::clamp<Duration>(
+        4 * *m_roundTrip * (1 << attempt), shortest * (1 << attempt), std::max(longest, 4 * *m_roundTrip));
 }
 
 void ParameterExchange::measured(Duration roundTrip)
@@ -68,11 +69,15 @@ Result<void> check(const ParamResponse &response, std::string_view key)
 {
     const std::string name(key);
     switch (response.status) {
-    case ParameterStatus::NoError: return {};
-    case ParameterStatus::BadParameter: return fail(Fault::Refused, name + ": this firmware does not know the parameter");
-    case ParameterStatus::BadValue: return fail(Fault::Refused, name + ": the device refused the value");
+    case ParameterStatus::NoError:
+        return {};
+    case ParameterStatus::BadParameter:
+        return fail(Fault::Refused, name + ": this firmware does not know the parameter");
+    case ParameterStatus::BadValue:
+        return fail(Fault::Refused, name + ": the device refused the value");
     }
-    return fail(Fault::BadReply, name + ": status " + std::to_string(static_cast<int>(response.status)) + " has no meaning");
+    return fail(
+        Fault::BadReply, name + ": status " + std::to_string(static_cast<int>(response.status)) + " has no meaning");
 }
 
 } // namespace mb::dmc60c

@@ -26,47 +26,67 @@ constexpr std::string_view faults = "Faults";
 constexpr std::string_view currentLimit = "Current limit";
 constexpr std::string_view statusFrames = "Status frames";
 
-constexpr std::string_view contactHelp = "Normally closed is hit when the switch opens, normally open when it closes. A hit blocks output in this direction.";
-constexpr std::string_view disableHelp = "On switches the limit OFF: the sense is the opposite of the soft limits' Enabled.";
-constexpr std::string_view pHelp = "Output (32767 = 100 %) per unit of error: counts/100 ms, counts or A, depending on the mode.";
+constexpr std::string_view contactHelp = "Normally closed is hit when the switch opens, normally open when it closes. "
+                                         "A hit blocks output in this direction.";
+constexpr std::string_view disableHelp
+    = "On switches the limit OFF: the sense is the opposite of the soft limits' Enabled.";
+constexpr std::string_view pHelp
+    = "Output (32767 = 100 %) per unit of error: counts/100 ms, counts or A, depending on the mode.";
 constexpr std::string_view iHelp = "Output per unit of error and loop of 500 µs. With F·K = 1 any I overshoots.";
-constexpr std::string_view dHelp = "Output per change of error in one loop of 500 µs. One count of noise makes a spike of D.";
+constexpr std::string_view dHelp
+    = "Output per change of error in one loop of 500 µs. One count of noise makes a spike of D.";
 constexpr std::string_view zoneHelp = "Bound of the integral accumulator, raw integer. 0 means unlimited, not zero.";
 constexpr std::string_view fHelp = "Output per unit of set-point, added to P, I and D.";
-constexpr std::string_view errorHelp = "Below it P, I and D contribute nothing and the integral is cleared; F still applies. 0 switches the feature off.";
-constexpr std::string_view rampHelp = "Greatest change of output in a loop of 500 µs; 16 takes 1.024 s from 0 to 100 %. Lower is slower, but 0 is no ramp.";
+constexpr std::string_view errorHelp = "Below it P, I and D contribute nothing and the integral is cleared; F still "
+                                       "applies. 0 switches the feature off.";
+constexpr std::string_view rampHelp = "Greatest change of output in a loop of 500 µs; 16 takes 1.024 s from 0 to 100 "
+                                      "%. Lower is slower, but 0 is no ramp.";
 constexpr std::string_view maxForwardHelp = "Greatest forward output, 32767 = 100 %.";
 constexpr std::string_view maxReverseHelp = "Greatest reverse output, −32768 = −100 %. A number at or below 0.";
-constexpr std::string_view nominalForwardHelp = "Least forward output outside the allowable error; overcomes friction. Closed-loop modes only.";
-constexpr std::string_view nominalReverseHelp = "Least reverse output outside the allowable error, a number at or below 0. Closed-loop modes only.";
-constexpr std::string_view levelHelp = "Keeps clearing as long as the switch is active, even if its limit is disabled. Lost at power-off.";
+constexpr std::string_view nominalForwardHelp
+    = "Least forward output outside the allowable error; overcomes friction. Closed-loop modes only.";
+constexpr std::string_view nominalReverseHelp
+    = "Least reverse output outside the allowable error, a number at or below 0. Closed-loop modes only.";
+constexpr std::string_view levelHelp
+    = "Keeps clearing as long as the switch is active, even if its limit is disabled. Lost at power-off.";
 constexpr std::string_view counterHelp = "Writing anything but 0 reads the count and clears it.";
 
 // Rows of one wire type differ in little; these say the rest once.
-constexpr Parameter toggle(std::string_view key, std::uint16_t id, bool persistent, std::string_view group, std::string_view label, std::string_view help)
+constexpr Parameter toggle(std::string_view key, std::uint16_t id, bool persistent, std::string_view group,
+    std::string_view label, std::string_view help)
 {
-    return {key, id, WireType::Boolean, 1.0, "", 0.0, 1.0, 0.0, Access::ReadWrite, persistent, Nature::Setting, group, label, help, {}};
+    return {key, id, WireType::Boolean, 1.0, "", 0.0, 1.0, 0.0, Access::ReadWrite, persistent, Nature::Setting, group,
+        label, help, {}};
 }
-constexpr Parameter fixed(std::string_view key, std::uint16_t id, std::string_view unit, double fallback, std::string_view group, std::string_view label, std::string_view help)
+constexpr Parameter fixed(std::string_view key, std::uint16_t id, std::string_view unit, double fallback,
+    std::string_view group, std::string_view label, std::string_view help)
 {
-    return {key, id, WireType::Fixed16x16, fixedOne, unit, fixedLow, fixedHigh, fallback, Access::ReadWrite, true, Nature::Setting, group, label, help, {}};
+    return {key, id, WireType::Fixed16x16, fixedOne, unit, fixedLow, fixedHigh, fallback, Access::ReadWrite, true,
+        Nature::Setting, group, label, help, {}};
 }
-constexpr Parameter integer(std::string_view key, std::uint16_t id, WireType type, std::string_view unit, double low, double high, double fallback, std::string_view group, std::string_view label,
-    std::string_view help)
+constexpr Parameter integer(std::string_view key, std::uint16_t id, WireType type, std::string_view unit, double low,
+    double high, double fallback, std::string_view group, std::string_view label, std::string_view help)
 {
-    return {key, id, type, 1.0, unit, low, high, fallback, Access::ReadWrite, true, Nature::Setting, group, label, help, {}};
+    return {key, id, type, 1.0, unit, low, high, fallback, Access::ReadWrite, true, Nature::Setting, group, label, help,
+        {}};
 }
-constexpr Parameter amperes(std::string_view key, std::uint16_t id, double fallback, std::string_view label, std::string_view help)
+constexpr Parameter amperes(
+    std::string_view key, std::uint16_t id, double fallback, std::string_view label, std::string_view help)
 {
-    return {key, id, WireType::Fixed16x16, fixedOne, "A", 0.0, greatestCurrent, fallback, Access::ReadWrite, true, Nature::Setting, currentLimit, label, help, {}};
+    return {key, id, WireType::Fixed16x16, fixedOne, "A", 0.0, greatestCurrent, fallback, Access::ReadWrite, true,
+        Nature::Setting, currentLimit, label, help, {}};
 }
-constexpr Parameter counter(std::string_view key, std::uint16_t id, bool persistent, std::string_view label, std::string_view help)
+constexpr Parameter counter(
+    std::string_view key, std::uint16_t id, bool persistent, std::string_view label, std::string_view help)
 {
-    return {key, id, WireType::Uint32, 1.0, "", 0.0, uintHigh, 0.0, Access::ReadWrite, persistent, Nature::Counter, faults, label, help, {}};
+    return {key, id, WireType::Uint32, 1.0, "", 0.0, uintHigh, 0.0, Access::ReadWrite, persistent, Nature::Counter,
+        faults, label, help, {}};
 }
-constexpr Parameter period(std::string_view key, std::uint16_t id, double longest, double fallback, std::string_view label, std::string_view help)
+constexpr Parameter period(std::string_view key, std::uint16_t id, double longest, double fallback,
+    std::string_view label, std::string_view help)
 {
-    return {key, id, WireType::Uint32, 1.0, "ms", 1.0, longest, fallback, Access::ReadWrite, false, Nature::Setting, statusFrames, label, help, {}};
+    return {key, id, WireType::Uint32, 1.0, "ms", 1.0, longest, fallback, Access::ReadWrite, false, Nature::Setting,
+        statusFrames, label, help, {}};
 }
 
 // One row per line, whatever its length.
@@ -141,10 +161,11 @@ std::span<const Parameter> parameterTable()
 
 std::optional<ParameterIndex> parameterWithId(std::uint8_t wireNumber)
 {
-    const auto *const row = std::find_if(table.begin(), table.end(), [wireNumber](const Parameter &p) { return p.id == wireNumber; });
+    const auto *const row
+        = std::find_if(table.begin(), table.end(), [wireNumber](const Parameter &p) { return p.id == wireNumber; });
     if (row == table.end())
         return std::nullopt;
-    return ParameterIndex {static_cast<std::uint16_t>(row - table.begin())};
+    return ParameterIndex{static_cast<std::uint16_t>(row - table.begin())};
 }
 
 } // namespace mb::dmc60c

@@ -14,8 +14,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int extraRounds = 3;
-constexpr Duration answersDue = 70ms; ///< the latest answer starts 63.5 ms after the request
-constexpr Attempts descriptorAttempts {1, 40ms}; ///< the windows are short, and there is a next one
+constexpr Duration answersDue = 70ms;           ///< the latest answer starts 63.5 ms after the request
+constexpr Attempts descriptorAttempts{1, 40ms}; ///< the windows are short, and there is a next one
 constexpr int descriptorTries = 4;
 
 /// Who answered so far, by number and session.
@@ -38,11 +38,13 @@ public:
     };
     [[nodiscard]] bool hasHalves() const
     {
-        return std::any_of(m_units.begin(), m_units.end(), [](const auto &entry) { return !entry.second.isComplete(); });
+        return std::any_of(
+            m_units.begin(), m_units.end(), [](const auto &entry) { return !entry.second.isComplete(); });
     }
     [[nodiscard]] int complete() const
     {
-        return static_cast<int>(std::count_if(m_units.begin(), m_units.end(), [](const auto &entry) { return entry.second.isComplete(); }));
+        return static_cast<int>(
+            std::count_if(m_units.begin(), m_units.end(), [](const auto &entry) { return entry.second.isComplete(); }));
     }
     /// The next unit whose descriptors are worth a try; nodes are stable.
     [[nodiscard]] Unit *nextUndescribed()
@@ -61,7 +63,10 @@ public:
 private:
     using Key = std::pair<int, std::uint16_t>;
 
-    static int rank(const Unit &unit) { return unit.isComplete() && !unit.described ? unit.descriptorTries : descriptorTries; }
+    static int rank(const Unit &unit)
+    {
+        return unit.isComplete() && !unit.described ? unit.descriptorTries : descriptorTries;
+    }
 
     void take(const CanFrame &frame)
     {
@@ -81,7 +86,8 @@ private:
     void report(const Key &key, Unit &unit)
     {
         Identity identity = identityOf(*unit.first, *unit.second);
-        const auto sharing = std::count_if(m_units.begin(), m_units.end(), [&](const auto &entry) { return entry.first.first == key.first; });
+        const auto sharing = std::count_if(
+            m_units.begin(), m_units.end(), [&](const auto &entry) { return entry.first.first == key.first; });
         if (sharing > 1)
             markDuplicate(identity, static_cast<int>(sharing));
         carryDescriptors(identity, unit.identity);
@@ -104,7 +110,7 @@ Task<void> describeUnits(CanLink &link, Clock &clock, Census &census, Instant un
         if (!unit)
             co_return {};
         ++unit->descriptorTries;
-        VendorRequest request {unit->first->device, unit->first->session, {Command::GetDescriptors}};
+        VendorRequest request{unit->first->device, unit->first->session, {Command::GetDescriptors}};
         auto task = vendorExchange(link, clock, std::move(request), descriptorAttempts);
         const Result<VendorReply> reply = co_await std::move(task).attempt();
         if (!reply && reply.error().fault == Fault::LinkLost)

@@ -26,15 +26,24 @@ struct Scale {
 Result<Scale> scaleOf(Mode mode)
 {
     switch (mode) {
-    case Mode::Off: return Scale {};
-    case Mode::Duty: return Scale {ControlMode::Voltage, -1.0, 1.0, fullDuty}; // trap 16: never 32768
-    case Mode::Velocity: return Scale {ControlMode::Velocity, targetLow * velocityPerSecond, targetHigh * velocityPerSecond, 1.0 / velocityPerSecond};
-    case Mode::Position: return Scale {ControlMode::Position, targetLow, targetHigh, 1.0};
-    case Mode::Current: return Scale {ControlMode::Current, -greatestCurrent, greatestCurrent, fixedOne};
-    case Mode::Voltage: return Scale {ControlMode::VoltageCompensated, -greatestVoltage, greatestVoltage, fixedOne};
-    case Mode::Follow: return Scale {ControlMode::Follower, 1.0, maxDeviceNumber, 1.0};
+    case Mode::Off:
+        return Scale{};
+    case Mode::Duty:
+        return Scale{ControlMode::Voltage, -1.0, 1.0, fullDuty}; // trap 16: never 32768
+    case Mode::Velocity:
+        return Scale{ControlMode::Velocity, targetLow * velocityPerSecond, targetHigh * velocityPerSecond,
+            1.0 / velocityPerSecond};
+    case Mode::Position:
+        return Scale{ControlMode::Position, targetLow, targetHigh, 1.0};
+    case Mode::Current:
+        return Scale{ControlMode::Current, -greatestCurrent, greatestCurrent, fixedOne};
+    case Mode::Voltage:
+        return Scale{ControlMode::VoltageCompensated, -greatestVoltage, greatestVoltage, fixedOne};
+    case Mode::Follow:
+        return Scale{ControlMode::Follower, 1.0, maxDeviceNumber, 1.0};
     case Mode::RampPosition:
-    case Mode::RampVelocity: break;
+    case Mode::RampVelocity:
+        break;
     }
     return fail(Fault::Unsupported, "a DMC60C has no mode '" + std::string(toString(mode)) + "'");
 }
@@ -46,14 +55,17 @@ Result<std::int32_t> targetOf(const SetPoint &setPoint, const Scale &scale, int 
         return fail(Fault::OutOfRange, name + " needs a number");
     if (setPoint.target < scale.low || setPoint.target > scale.high) {
         const std::string unit(unitOf(setPoint.mode));
-        return fail(Fault::OutOfRange, name + ' ' + numberText(setPoint.target) + " is outside " + numberText(scale.low) + " … " + numberText(scale.high) + (unit.empty() ? "" : " ") + unit);
+        return fail(Fault::OutOfRange,
+            name + ' ' + numberText(setPoint.target) + " is outside " + numberText(scale.low) + " … "
+                + numberText(scale.high) + (unit.empty() ? "" : " ") + unit);
     }
     if (setPoint.mode == Mode::Follow && setPoint.target != std::floor(setPoint.target))
         return fail(Fault::OutOfRange, "follow needs the number of a device");
     if (setPoint.mode == Mode::Follow && static_cast<int>(setPoint.target) == device)
         return fail(Fault::OutOfRange, "a device cannot follow itself");
     const auto raw = toFixed(setPoint.target, scale.one);
-    return static_cast<std::int32_t>(std::clamp<std::int64_t>(raw, static_cast<std::int64_t>(targetLow), static_cast<std::int64_t>(targetHigh)));
+    return static_cast<std::int32_t>(
+        std::clamp<std::int64_t>(raw, static_cast<std::int64_t>(targetLow), static_cast<std::int64_t>(targetHigh)));
 }
 
 /// Duty per second into duty units per loop of 500 µs. The slowest ramp is 1, because 0 is none.
@@ -62,7 +74,7 @@ Result<std::uint16_t> rampOf(double dutyPerSecond)
     if (!std::isfinite(dutyPerSecond) || dutyPerSecond < 0.0)
         return fail(Fault::OutOfRange, "the ramp must be 0 (immediate) or a positive number of duty per second");
     if (dutyPerSecond == 0.0)
-        return std::uint16_t {0};
+        return std::uint16_t{0};
     return static_cast<std::uint16_t>(std::lround(std::clamp(dutyPerSecond * fullDuty / loopsPerSecond, 1.0, 65535.0)));
 }
 
@@ -78,7 +90,7 @@ Result<Control> controlFor(const SetPoint &setPoint, int device)
     if (!scale)
         return fail(scale.error());
     if (setPoint.mode == Mode::Off)
-        return Control {};
+        return Control{};
     const auto target = targetOf(setPoint, *scale, device);
     if (!target)
         return fail(target.error());
@@ -102,13 +114,20 @@ Result<Control> controlFor(const SetPoint &setPoint, int device)
 std::optional<Mode> modeOf(ControlMode mode)
 {
     switch (mode) {
-    case ControlMode::Voltage: return Mode::Duty;
-    case ControlMode::Velocity: return Mode::Velocity;
-    case ControlMode::Position: return Mode::Position;
-    case ControlMode::Current: return Mode::Current;
-    case ControlMode::VoltageCompensated: return Mode::Voltage;
-    case ControlMode::Follower: return Mode::Follow;
-    case ControlMode::NoDrive: return Mode::Off;
+    case ControlMode::Voltage:
+        return Mode::Duty;
+    case ControlMode::Velocity:
+        return Mode::Velocity;
+    case ControlMode::Position:
+        return Mode::Position;
+    case ControlMode::Current:
+        return Mode::Current;
+    case ControlMode::VoltageCompensated:
+        return Mode::Voltage;
+    case ControlMode::Follower:
+        return Mode::Follow;
+    case ControlMode::NoDrive:
+        return Mode::Off;
     }
     return std::nullopt;
 }

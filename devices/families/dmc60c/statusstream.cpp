@@ -31,10 +31,12 @@ void StatusStream::add(Instant time, const Values &values)
     }
     const Duration gap = time - *m_last;
     const std::int64_t periods = periodsSince(time);
-    const Frame frame {time, values, periods};
+    const Frame frame{time, values, periods};
     adjustPhase(time, periods);
     m_last = time;
     if (periods > 1 || gap > m_period + m_period / 4) {
+        m_shortGaps = 0; // jitter: the long gap pays for the short ones
+        m_shortSum = Duration::zero();
         hold(frame);
         return;
     }
@@ -51,7 +53,7 @@ std::int64_t StatusStream::periodsSince(Instant time) const
 void StatusStream::adjustPhase(Instant time, std::int64_t periods)
 {
     m_phase += periods * m_period;
-    m_phase += (time - m_phase) / 2;
+    m_phase += (time - m_phase) / 4;
 }
 
 void StatusStream::learnShorter(Duration gap)

@@ -10,9 +10,9 @@
 
 namespace mb::dmc60c {
 
-/// One periodic status frame on its way into the telemetry. Frames carry no counter, so a lost one shows only as a gap of
-/// several periods; the same gaps, all alike, mean that somebody changed the period. A frame behind such a gap is held
-/// back until the next one or setPeriod() tells which: at most `relearn` frames. Times are those of the source.
+/// One periodic status frame on its way into the telemetry. Frames carry no counter, so a lost one shows only as a gap
+/// of several periods; the same gaps, all alike, mean that somebody changed the period. A frame behind such a gap is
+/// held back until the next one or setPeriod() tells which: at most `relearn` frames. Times are those of the source.
 class StatusStream {
 public:
     static constexpr std::size_t mostValues = 4;
@@ -35,8 +35,8 @@ public:
 
 private:
     struct Frame {
-        Instant time {};
-        Values values {};
+        Instant time{};
+        Values values{};
         std::int64_t periods = 1; ///< since the frame before
     };
     [[nodiscard]] std::int64_t periodsSince(Instant time) const;
@@ -54,10 +54,10 @@ private:
     Duration m_initial;
     Duration m_period;
     std::optional<Instant> m_last;
-    Instant m_phase {}; ///< when the last frame was due; jitter is smoothed out of it
+    Instant m_phase{};     ///< when the last frame was due; jitter is smoothed out of it
     bool m_unsure = false; ///< the period changed: the next gap is a mixture
     int m_shortGaps = 0;
-    Duration m_shortSum {};
+    Duration m_shortSum{};
     std::vector<Frame> m_held;
 };
 

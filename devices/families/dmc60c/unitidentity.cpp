@@ -10,7 +10,7 @@ namespace {
 
 using Entries = std::vector<std::pair<std::string, std::string>>;
 
-constexpr std::array<std::pair<Descriptor, std::string_view>, 6> names {{
+constexpr std::array<std::pair<Descriptor, std::string_view>, 6> names{{
     {Descriptor::DevName, "name"},
     {Descriptor::ManName, "manufacturer"},
     {Descriptor::ProdName, "product"},
@@ -36,20 +36,25 @@ void setEntry(Entries &entries, std::string_view key, std::string text)
 /// "1.23 (0x0117)": whether the minor is binary or BCD is not documented.
 std::string withHex(std::uint16_t version)
 {
-    std::array<char, 16> hex {};
+    std::array<char, 16> hex{};
     std::snprintf(hex.data(), hex.size(), "0x%04X", static_cast<unsigned>(version));
-    return version == noApplication ? "none (" + std::string(hex.data()) + ')' : versionText(version) + " (" + hex.data() + ')';
+    return version == noApplication ? "none (" + std::string(hex.data()) + ')'
+                                    : versionText(version) + " (" + hex.data() + ')';
 }
 
 std::string detailOf(DeviceState state, bool hasApplication)
 {
     switch (state) {
     case DeviceState::Unassigned:
-        return hasApplication ? "This unit has no number yet; assign one from 1 to 62." : "This unit has no number and no application; assign a number, then update its firmware.";
+        return hasApplication
+            ? "This unit has no number yet; assign one from 1 to 62."
+            : "This unit has no number and no application; assign a number, then update its firmware.";
     case DeviceState::Bootloader:
-        return hasApplication ? "The bootloader runs; restart the unit or update its firmware." : "No application runs; update its firmware.";
+        return hasApplication ? "The bootloader runs; restart the unit or update its firmware."
+                              : "No application runs; update its firmware.";
     case DeviceState::Duplicate:
-    case DeviceState::Online: break;
+    case DeviceState::Online:
+        break;
     }
     return {};
 }
@@ -63,7 +68,7 @@ Identity identityOf(const EnumResponse0 &first, const EnumResponse1 &second)
     identity.address = first.device;
     identity.session = first.session;
     setVersions(identity, {second.image, second.application, second.bootloader});
-    std::array<char, 16> hex {};
+    std::array<char, 16> hex{};
     std::snprintf(hex.data(), hex.size(), "0x%08X", static_cast<unsigned>(first.productId));
     setEntry(identity.descriptors, "product_id", hex.data());
     if (first.productId >> 20U != productDmc60c) {
@@ -83,7 +88,9 @@ void setVersions(Identity &identity, const FirmwareVersions &versions)
     if (identity.state == DeviceState::Duplicate)
         return;
     const bool boot = versions.image != ImageType::Application || !hasApplication;
-    identity.state = identity.address == 0 ? DeviceState::Unassigned : boot ? DeviceState::Bootloader : DeviceState::Online;
+    identity.state = identity.address == 0 ? DeviceState::Unassigned
+        : boot                             ? DeviceState::Bootloader
+                                           : DeviceState::Online;
     identity.detail = detailOf(identity.state, hasApplication);
 }
 
@@ -91,7 +98,8 @@ void setDescriptors(Identity &identity, const DescriptorList &list)
 {
     Entries entries;
     for (const auto &[field, text] : list) {
-        const auto name = std::find_if(names.begin(), names.end(), [f = field](const auto &n) { return static_cast<std::uint8_t>(n.first) == f; });
+        const auto name = std::find_if(
+            names.begin(), names.end(), [f = field](const auto &n) { return static_cast<std::uint8_t>(n.first) == f; });
         if (name != names.end())
             setEntry(entries, name->second, text);
         if (field == static_cast<std::uint8_t>(Descriptor::DevName))
@@ -122,7 +130,8 @@ void carryDescriptors(Identity &to, const Identity &from)
 void markDuplicate(Identity &identity, int units)
 {
     identity.state = DeviceState::Duplicate;
-    identity.detail = "Number " + std::to_string(identity.address) + " is used by " + std::to_string(units) + " units; give each its own before one is driven.";
+    identity.detail = "Number " + std::to_string(identity.address) + " is used by " + std::to_string(units)
+        + " units; give each its own before one is driven.";
 }
 
 } // namespace mb::dmc60c

@@ -10,14 +10,15 @@
 
 namespace mb::dmc60c {
 
-/// One vendor command, section 3. At most one may be under way per device number: statuses carry neither session nor command.
+/// One vendor command, section 3. At most one may be under way per device number: statuses carry neither session nor
+/// command.
 struct VendorRequest {
     int device = 0;
     std::uint16_t session = 0;
-    VendorCommand command {};
-    std::vector<std::uint8_t> data {}; ///< sent in VENDORDOUT frames behind the command
-    std::optional<int> alsoFrom {}; ///< SetDevNumber: its success comes from the new number
-    Duration gap {}; ///< between VENDORDOUT frames; zero hands them all to the link at once
+    VendorCommand command{};
+    std::vector<std::uint8_t> data{}; ///< sent in VENDORDOUT frames behind the command
+    std::optional<int> alsoFrom{};    ///< SetDevNumber: its success comes from the new number
+    Duration gap{};                   ///< between VENDORDOUT frames; zero hands them all to the link at once
 };
 
 struct VendorReply {
@@ -30,9 +31,9 @@ struct VendorReply {
 /// Time-outs and tries of section 3 for this command.
 [[nodiscard]] Attempts attemptsOf(Command command);
 
-/// Sends, collects the status and the bytes it announces, repeats the whole command on a time-out or a gap in the bytes. The
-/// reply may hold any status: check() judges it. Timeout after the last try, LinkLost at once. The link and the clock
-/// outlive the task.
+/// Sends, collects the status and the bytes it announces, repeats the whole command on a time-out or a gap in the
+/// bytes. The reply may hold any status: check() judges it. Timeout after the last try, LinkLost at once. The link and
+/// the clock outlive the task.
 [[nodiscard]] Task<VendorReply> vendorExchange(CanLink &link, Clock &clock, VendorRequest request, Attempts attempts);
 
 /// The status that means success: InBootloader for EnterBootloader, AckReset for SoftReset, TestPassed for tests.

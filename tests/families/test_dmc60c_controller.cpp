@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60ccontrollerfixture.h"
+
+namespace mb::dmc60c {
+namespace {
+
+TEST_F(Dmc60cController, ReadsAParameter)
+{
+    unit.answer("02061805#34123D", {{"02061845#3D0000280000"}}); // P2
+    EXPECT_EQ(*run(device->read(index("current_limit.continuous"))), 40 * 65536);
+    EXPECT_EQ(unit.heard().size(), 1U);
+}
+
+TEST_F(Dmc60cController, TakesOnlyTheAnswerOfItsDeviceAndParameter)
+{
+    unit.answer("02061805#34123D",
+        {{"02061846#3D0000010000", "02061845#3E0000020000", "02061845#3D00002800", "02061845#3D0000280000"}});
+    EXPECT_EQ(*run(device->read(index("current_limit.continuous"))), 40 * 65536);
+}
+
+TEST_F(Dmc60cController, AsksEightTimesAndThenSaysTimeout)
+{
+    const auto result = run(device->read(index("slot0.p")));
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().fault, Fault::Timeout);
+    EXPECT_NE(result.error().detail.find("slot0.p"), std::string::npos);
+    EXPECT_EQ(unit.count("02061805#34120A"), 8);
+    EXPECT_EQ(device->parameters().entry(index("slot0.p")).state, ParameterState::Failed);
+}
+
+TEST_F(Dmc60cController, WaitsByTheMeasuredRoundTripOnceItKnowsIt)
+{
+    unit.answer("02061805#34123D", {{"02061845#3D0000280000"}});
+    (void)run(device->read(index("current_limit.continuous")));
+    unit.answer("02061805#34120A", {{}, {}, {"02061845#0A0000000000"}});
+    const Instant begun = clock.now();
+    EXPECT_TRUE(run(device->read(index("slot0.p"))));
+    EXPECT_LT(clock.now() - begun, 20ms) << "5 ms, 10 ms, and the answer";
+    EXPECT_EQ(unit.count("02061805#34120A"), 3);
+}
+
+TEST_F(Dmc60cController, ReportsWhatTheDeviceObjectsTo)
+{
+    unit.answer("02061805#34125D", {{"02061845#5D0000000001"}});
+    const auto unknown = run(device->read(index("status.general.period")));
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().fault, Fault::Refused);
+    unit.answer("02061885#34125D32000000", {{"02061845#5D0000000002"}}); // P14
+    const auto refused = run(device->write(index("status.general.period"), 50));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Refused);
+}
+
+TEST_F(Dmc60cController, ReadsSignedValues)
+{
+    unit.answer("02061805#341214", {{"02061845#14FFFFFFFF00"}}); // P23
+    EXPECT_EQ(*run(device->read(index("slot0.nominal_reverse"))), -1);
+}
+
+TEST_F(Dmc60cController, WritesAParameterAfterNotingTheFlashNumber)
+{
+    unit.answer("02061805#34123D", {{"02061845#3D0000140000"}}); // 20 A so far
+    unit.answer(getSequence, {sequence(1)});
+    unit.answer("02061885#34123D00002800", {{"02061845#3D0000280000"}}); // P3
+    EXPECT_EQ(*run(device->write(index("current_limit.continuous"), 40 * 65536)), 40 * 65536);
+    EXPECT_EQ(device->parameters().entry(index("current_limit.continuous")).state, ParameterState::Ram);
+    EXPECT_EQ(unit.heard(), (FakeUnit::Frames{"02061805#34123D", getSequence, "02061885#34123D00002800"}));
+}
+
+TEST_F(Dmc60cController, DoesNotWriteWhatIsAlreadyInForce)
+{
+    unit.answer("02061805#34123D", {{"02061845#3D0000280000"}});
+    EXPECT_EQ(*run(device->write(index("current_limit.continuous"), 40 * 65536)), 40 * 65536);
+    EXPECT_EQ(unit.heard().size(), 1U);
+}
+
+TEST_F(Dmc60cController, YieldsTheCountFromBeforeAClear)
+{
+    unit.answer("02061805#341234", {{"02061845#340500000000"}});
+    unit.answer("02061885#34123401000000", {{"02061845#340500000000"}}); // P17, P18
+    EXPECT_EQ(*run(device->write(index("faults.sticky"), 1)), 5);
+    EXPECT_EQ(unit.count("02061885#34123401000000"), 1);
+}
+
+TEST_F(Dmc60cController, DoesNotLoseTheCountWhenTheAnswerToAClearIsLost)
+{
+    unit.answer("02061805#341235", {{"02061845#350700000000"}, {"02061845#350000000000"}});
+    EXPECT_EQ(*run(device->write(index("faults.over_current.count"), 1)), 7);
+    EXPECT_EQ(unit.count("02061885#34123501000000"), 1) << "a second clear would answer 0";
+}
+
+TEST_F(Dmc60cController, RepeatsAClearOnlyWhenAReadingShowsThatItDidNotArrive)
+{
+    unit.answer("02061805#341235", {{"02061845#350700000000"}});
+    unit.answer("02061885#34123501000000", {{}, {"02061845#350700000000"}});
+    EXPECT_EQ(*run(device->write(index("faults.over_current.count"), 1)), 7);
+    EXPECT_EQ(unit.count("02061885#34123501000000"), 2);
+}
+
+TEST_F(Dmc60cController, SaysTimeoutWhenAClearCannotBeConfirmed)
+{
+    unit.answer("02061805#341235", {{"02061845#350700000000"}});
+    const auto result = run(device->write(index("faults.over_current.count"), 1));
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().fault, Fault::Timeout);
+    EXPECT_NE(result.error().detail.find('7'), std::string::npos) << "the count is not lost";
+}
+
+TEST_F(Dmc60cController, ReadsCountersThroughAWriteOfZeroWhereTheyCannotBeRequested)
+{
+    unit.answer("02061805#341235", {{"02061845#350000000001"}});
+    unit.answer("02061885#34123500000000", {{"02061845#350300000000"}});
+    EXPECT_EQ(*run(device->read(index("faults.over_current.count"))), 3);
+}
+
+TEST_F(Dmc60cController, WritesThePositionOnlyWhileTheOutputIsOff)
+{
+    unit.answer("02061885#34122900000000", {{"02061845#290000000000"}});
+    unit.send(drivingHalf);
+    clock.advance(5ms);
+    const auto refused = run(device->write(index("encoder.position"), 0));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    unit.send(resting);
+    clock.advance(5ms);
+    EXPECT_TRUE(run(device->write(index("encoder.position"), 0)));
+}
+
+TEST_F(Dmc60cController, GathersFaultsWithTheirCounts)
+{
+    unit.answer("02061805#341233", {{"02061845#330400000000"}});
+    unit.answer("02061805#341234", {{"02061845#340500000000"}});
+    unit.answer("02061805#341235", {{"02061845#350200000000"}});
+    for (const auto *const number : {"36", "37", "38", "39"})
+        unit.answer(std::string("02061805#3412") + number, {{std::string("02061845#") + number + "0000000000"}});
+    const auto faults = run(device->readFaults());
+    ASSERT_TRUE(faults) << faults.error().detail;
+    ASSERT_EQ(faults->size(), 5U);
+    EXPECT_EQ(faults->at(0).key, "over_current");
+    EXPECT_TRUE(!faults->at(0).active && faults->at(0).sticky);
+    EXPECT_EQ(faults->at(0).count, 2);
+    EXPECT_EQ(faults->at(2).key, "under_voltage");
+    EXPECT_TRUE(faults->at(2).active && faults->at(2).sticky);
+    EXPECT_EQ(faults->at(4).key, "communication");
+}
+
+TEST_F(Dmc60cController, LeavesNoTimerAndNoListenerWhenATaskIsCancelledAnywhere)
+{
+    unit.answer(getVersions, {versionsReply});
+    unit.answer(getDescriptors, {descriptors});
+    unit.answer("02061805#34123D", {{"02061845#3D0000140000"}});
+    unit.answer(getSequence, {sequence(1)});
+    unit.answer("02061885#34123D00002800", {{"02061845#3D0000280000"}});
+    clock.advance(1s);
+    const std::size_t armed = clock.armed();
+    const std::size_t listening = host.received().size();
+    for (int steps = 0; steps < 60; ++steps) {
+        {
+            auto refresh = device->refresh();
+            refresh.start();
+            auto write = device->write(index("current_limit.continuous"), 40 * 65536);
+            for (int i = 0; i < steps && !refresh.isFinished(); ++i)
+                clock.step();
+            refresh.cancel();
+            write.start();
+            for (int i = 0; i < steps && !write.isFinished(); ++i)
+                clock.step();
+        }
+        EXPECT_EQ(host.received().size(), listening) << steps;
+        clock.advance(1100ms); // never at an enumeration, every 2 s
+        EXPECT_EQ(clock.armed(), armed) << steps;
+    }
+    device.reset();
+    EXPECT_EQ(host.received().size(), 0U);
+    clock.advance(1s);
+    EXPECT_EQ(clock.armed(), 0U);
+}
+
+} // namespace
+} // namespace mb::dmc60c

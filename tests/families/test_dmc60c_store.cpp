@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60ccontrollerfixture.h"
+
+namespace mb::dmc60c {
+namespace {
+
+class Dmc60cFlash : public Dmc60cController {
+protected:
+    void change(std::string_view key, const std::string &id, int raw)
+    {
+        const std::string value = std::string("0") + static_cast<char>('0' + raw) + "000000";
+        unit.answer("02061805#3412" + id, {{"02061845#" + id + "0000000000"}});
+        unit.answer("02061885#3412" + id + value, {{"02061845#" + id + value + "00"}});
+        EXPECT_TRUE(run(device->write(index(key), raw)));
+    }
+    Result<bool> store() { return run(device->store(progress)); }
+    NoProgress progress;
+};
+
+TEST_F(Dmc60cFlash, HasNothingToProveWhenNothingWasWritten)
+{
+    EXPECT_EQ(store(), Result<bool>(true));
+    EXPECT_TRUE(unit.heard().empty());
+}
+
+TEST_F(Dmc60cFlash, IsProvedByTheNumberAfterASingleChange)
+{
+    unit.answer(getSequence, {sequence(1), sequence(1), sequence(2)});
+    change("slot0.p", "0A", 3);
+    const Instant begun = clock.now();
+    EXPECT_EQ(store(), Result<bool>(true));
+    EXPECT_LT(clock.now() - begun, 1s);
+    EXPECT_EQ(device->parameters().entry(index("slot0.p")).state, ParameterState::Stored);
+}
+
+TEST_F(Dmc60cFlash, IsNotProvedByTheFirstOfTwoFlashWrites)
+{
+    unit.answer(getSequence, {sequence(1), sequence(2)}); // the first change was written at once
+    change("slot0.p", "0A", 3);
+    change("slot0.i", "0B", 4);
+    clock.arm(clock.now() + 15s, [this] { unit.answer(getSequence, {sequence(3)}); });
+    const Instant begun = clock.now();
+    EXPECT_EQ(store(), Result<bool>(true));
+    EXPECT_GE(clock.now() - begun, 15s);
+    EXPECT_LT(clock.now() - begun, 16s);
+}
+
+TEST_F(Dmc60cFlash, IsProvedByOneFlashWriteThatComesAfterTheRest)
+{
+    unit.answer(getSequence, {sequence(1)}); // somebody else had changed something: nothing is written at once
+    change("slot0.p", "0A", 3);
+    change("slot0.i", "0B", 4);
+    clock.arm(clock.now() + 15s, [this] { unit.answer(getSequence, {sequence(2)}); });
+    EXPECT_EQ(store(), Result<bool>(true));
+}
+
+TEST_F(Dmc60cFlash, FailsAfterTwentySecondsWithoutAFlashWrite)
+{
+    unit.answer(getSequence, {sequence(1)});
+    change("slot0.p", "0A", 3);
+    const Instant begun = clock.now();
+    const auto result = store();
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().fault, Fault::BadCheck);
+    EXPECT_GE(clock.now() - begun, 19s);
+    EXPECT_LE(clock.now() - begun, 21s);
+    EXPECT_EQ(device->parameters().entry(index("slot0.p")).state, ParameterState::Ram);
+}
+
+TEST_F(Dmc60cFlash, CannotProveWhereTheNumberIsNotSupported)
+{
+    unit.answer(getSequence, {{"0206FCC5#01000000"}});
+    change("slot0.p", "0A", 3);
+    EXPECT_EQ(store(), Result<bool>(false));
+}
+
+TEST_F(Dmc60cFlash, FailsWhenTheDeviceRestartsBeforeTheProof)
+{
+    unit.answer(getSequence, {sequence(1)});
+    change("slot0.p", "0A", 3);
+    clock.arm(clock.now() + 3s, [this] { unit.send("0206FCC5#07000000"); }); // V19
+    const auto result = store();
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().fault, Fault::BadCheck);
+}
+
+} // namespace
+} // namespace mb::dmc60c

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/dmc60c/statusstream.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace mb::dmc60c {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::array<Channel, 2> table{{{"a", "", "A", Quantity::Other}, {"b", "", "B", Quantity::Other}}};
+constexpr ChannelIndex a{0};
+constexpr ChannelIndex b{1};
+
+class Dmc60cStream : public testing::Test {
+protected:
+    /// One frame `gap` after the last.
+    void after(Duration gap)
+    {
+        time += gap;
+        stream.add(time, {static_cast<double>(++sent), 0.0});
+    }
+    std::uint64_t lost()
+    {
+        telemetry->commit();
+        EXPECT_EQ(telemetry->lost(a), telemetry->lost(b));
+        return telemetry->lost(a);
+    }
+    std::size_t recorded()
+    {
+        telemetry->commit();
+        return telemetry->size(a);
+    }
+
+    std::shared_ptr<Telemetry> telemetry = std::make_shared<Telemetry>(table);
+    StatusStream stream{telemetry, {a, b}, 10ms};
+    Instant time{1s};
+    std::size_t sent = 0;
+};
+
+TEST_F(Dmc60cStream, KeepsValuesAndSourceTimes)
+{
+    stream.add(Instant{123456789ns}, {1.5, -2.0});
+    EXPECT_EQ(telemetry->latest(a)->time, Instant{123456789ns});
+    EXPECT_EQ(telemetry->latest(a)->value, 1.5);
+    EXPECT_EQ(telemetry->latest(b)->value, -2.0);
+}
+
+TEST_F(Dmc60cStream, CountsEveryFrameThatIsMissingInARegularStream)
+{
+    for (const auto gap : {10ms, 10ms, 20ms, 10ms, 10ms, 50ms, 10ms, 30ms, 20ms, 10ms})
+        after(gap);
+    EXPECT_EQ(lost(), 1U + 4U + 2U + 1U);
+    EXPECT_EQ(recorded(), sent);
+}
+
+TEST_F(Dmc60cStream, DrawsTheGapWhereItWas)
+{
+    for (const auto gap : {10ms, 10ms, 30ms, 10ms})
+        after(gap);
+    telemetry->commit();
+    const auto gaps = telemetry->gaps(a, Instant{}, time);
+    ASSERT_EQ(gaps.size(), 1U);
+    EXPECT_EQ(gaps[0].from, Instant{1s} + 20ms);
+    EXPECT_EQ(gaps[0].to, Instant{1s} + 50ms);
+}
+
+TEST_F(Dmc60cStream, CountsExactlyAtTenPercentRandomLoss)
+{
+    std::mt19937 random(7);
+    std::uint64_t missing = 0;
+    after(10ms);
+    Duration gap{};
+    for (int i = 0; i < 20000; ++i) {
+        gap += 10ms;
+        if (i < 19990 && random() % 10 == 0) {
+            ++missing;
+            continue;
+        }
+        after(gap);
+        gap = Duration::zero();
+    }
+    EXPECT_EQ(lost(), missing);
+    EXPECT_EQ(recorded(), sent);
+}
+
+TEST_F(Dmc60cStream, TakesJitterForWhatItIs)
+{
+    std::mt19937 random(3);
+    Instant due = time;
+    for (int i = 0; i < 5000; ++i) {
+        due += 10ms;
+        const auto jitter = std::chrono::microseconds(random() % 6000);
+        stream.add(due + jitter, {0.0, 0.0});
+    }
+    EXPECT_EQ(lost(), 0U);
+}
+
+TEST_F(Dmc60cStream, TakesALateFrameForLate)
+{
+    for (const auto gap : {10ms, 10ms, 17ms, 3ms, 10ms, 10ms})
+        after(gap);
+    EXPECT_EQ(lost(), 0U);
+}
+
+TEST_F(Dmc60cStream, LearnsALongerPeriodWithoutCountingIt)
+{
+    for (const auto period : {10ms, 50ms, 100ms, 1000ms}) {
+        for (int i = 0; i < 20; ++i)
+            after(period);
+        EXPECT_EQ(lost(), 0U) << period.count();
+        EXPECT_EQ(stream.period(), period);
+        EXPECT_EQ(recorded(), sent);
+    }
+    after(3000ms);
+    after(1000ms);
+    EXPECT_EQ(lost(), 2U) << "loss is counted again";
+}
+
+TEST_F(Dmc60cStream, LearnsAShorterPeriod)
+{
+    for (int i = 0; i < 10; ++i)
+        after(10ms);
+    for (int i = 0; i < 10; ++i)
+        after(1ms);
+    EXPECT_EQ(stream.period(), 1ms);
+    after(3ms);
+    after(1ms);
+    EXPECT_EQ(lost(), 2U);
+}
+
+TEST_F(Dmc60cStream, BelievesTheDeviceAboutANewPeriod)
+{
+    for (int i = 0; i < 5; ++i)
+        after(10ms);
+    after(50ms); // already the new period, and still unexplained
+    EXPECT_TRUE(stream.isHolding());
+    stream.setPeriod(50ms);
+    EXPECT_FALSE(stream.isHolding());
+    after(50ms);
+    after(50ms);
+    EXPECT_EQ(lost(), 0U);
+    after(100ms);
+    after(50ms);
+    EXPECT_EQ(lost(), 1U);
+}
+
+TEST_F(Dmc60cStream, BelievesTheDeviceThatThePeriodIsTheOldOne)
+{
+    after(10ms);
+    after(10ms);
+    after(30ms);
+    EXPECT_EQ(lost(), 0U);
+    stream.setPeriod(10ms);
+    EXPECT_EQ(lost(), 2U);
+    EXPECT_EQ(recorded(), sent);
+}
+
+TEST_F(Dmc60cStream, BreaksTheLineButCountsNothingAfterASilence)
+{
+    after(10ms);
+    after(10ms);
+    stream.interrupt();
+    after(5s);
+    after(10ms);
+    EXPECT_EQ(lost(), 0U);
+    EXPECT_EQ(telemetry->gaps(a, Instant{}, time).size(), 1U);
+}
+
+TEST_F(Dmc60cStream, GoesBackToTheFirstPeriodAfterARestart)
+{
+    stream.setPeriod(1ms);
+    after(1ms);
+    stream.restart();
+    EXPECT_EQ(stream.period(), 10ms);
+    after(10ms);
+    after(10ms);
+    EXPECT_EQ(lost(), 0U);
+}
+
+} // namespace
+} // namespace mb::dmc60c
