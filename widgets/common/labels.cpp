@@ -46,7 +46,7 @@ QString roleWord(TextRole role)
         return QStringLiteral("section");
     case TextRole::Title:
         return QStringLiteral("title");
-    case TextRole::Value:
+    case TextRole::Large:
         return QStringLiteral("value");
     case TextRole::Stop:
         return QStringLiteral("stop");

@@ -21,7 +21,7 @@ enum class TraceRole { Setpoint, Position, Velocity, Current, Duty, Error, Tempe
 inline constexpr int TraceRoleCount = 8;
 
 /// Text sizes, all relative to the system font (never a family of our own).
-enum class TextRole { Body, Emphasis, Caption, Section, Title, Value, Stop, Verdict, Raw };
+enum class TextRole { Body, Emphasis, Caption, Section, Title, Large, Stop, Verdict, Raw };
 
 /// Every colour and size token of the design. A plain value: copy it freely.
 struct Theme {

@@ -73,7 +73,7 @@ void ValueLabel::updateAccessibleText()
 
 QFont ValueLabel::valueFont() const
 {
-    const TextRole role = m_look == Look::Card ? TextRole::Value
+    const TextRole role = m_look == Look::Card ? TextRole::Large
         : m_look == Look::Line                 ? TextRole::Emphasis
                                                : TextRole::Body;
     return m_theme.theme().font(role, font());
