@@ -20,6 +20,7 @@ struct Capabilities {
     int axes = 1;
     int slots = 1;
     std::chrono::milliseconds commandPeriod {20}; ///< between control frames of a running motor
+    std::chrono::seconds storesAfter {0}; ///< flash has what RAM has this long after the last write; 0: only when told to
 };
 
 /// One decoded frame of `decode` and the Bus page. Names are those of the protocol's tables.

@@ -83,20 +83,36 @@ QJsonObject parameterToJson(const Parameter &parameter, const ParameterStore::En
     return row;
 }
 
-QJsonObject parametersToJson(const Device &device, std::span<const ParameterIndex> indices)
+ParameterSource sourceOf(const Device &device)
+{
+    return {device.family(), device.identity(), device.selector(), device.parameters().entries()};
+}
+
+QJsonObject parametersToJson(const ParameterSource &source, std::span<const ParameterIndex> indices)
 {
     QJsonObject rows;
     for (const ParameterIndex index : indices) {
-        const Parameter &parameter = device.parameters().parameter(index);
-        rows.insert(qt(parameter.key), parameterToJson(parameter, device.parameters().entry(index)));
+        const Parameter &parameter = source.family.parameters[index.value];
+        rows.insert(qt(parameter.key), parameterToJson(parameter, source.entries[index.value]));
     }
     QJsonObject object;
-    object.insert(QLatin1String("device"), qt(device.selector()));
-    object.insert(QLatin1String("family"), qt(device.family().key));
-    object.insert(QLatin1String("serial"), textOrNull(device.identity().serial));
-    object.insert(QLatin1String("firmware"), textOrNull(device.identity().firmware));
+    object.insert(QLatin1String("device"), qt(source.selector));
+    object.insert(QLatin1String("family"), qt(source.family.key));
+    object.insert(QLatin1String("serial"), textOrNull(source.identity.serial));
+    object.insert(QLatin1String("firmware"), textOrNull(source.identity.firmware));
     object.insert(QLatin1String("parameters"), rows);
     return object;
+}
+
+QJsonObject parametersToJson(const Device &device, std::span<const ParameterIndex> indices)
+{
+    return parametersToJson(sourceOf(device), indices);
+}
+
+std::optional<std::string> familyOf(const QByteArray &bytes)
+{
+    const QJsonValue family = QJsonDocument::fromJson(bytes).object().value(QLatin1String("family"));
+    return family.isString() ? std::optional(family.toString().toStdString()) : std::nullopt;
 }
 
 Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &family)
@@ -127,19 +143,24 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
     return file;
 }
 
-std::vector<ParameterDifference> differences(const Device &device, const ParameterFile &file)
+std::vector<ParameterDifference> differences(const ParameterSource &source, const ParameterFile &file)
 {
     std::vector<ParameterDifference> out;
     for (const ParameterChange &change : file.values) {
-        const Parameter &parameter = device.parameters().parameter(change.index);
+        const Parameter &parameter = source.family.parameters[change.index.value];
         if (parameter.access == Access::ReadOnly || !parameter.persistent || parameter.nature != Nature::Setting)
             continue;
-        const auto &entry = device.parameters().entry(change.index);
+        const auto &entry = source.entries[change.index.value];
         const auto known = entry.state == ParameterState::Failed ? std::nullopt : entry.raw;
         if (known != change.raw)
             out.push_back({change.index, known, change.raw});
     }
     return out;
+}
+
+std::vector<ParameterDifference> differences(const Device &device, const ParameterFile &file)
+{
+    return differences(sourceOf(device), file);
 }
 
 Result<void> saveFile(const std::string &path, const QByteArray &bytes)

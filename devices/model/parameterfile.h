@@ -9,7 +9,19 @@
 
 namespace mb {
 
+struct Family;
+
+/// What a parameter file is made from and compared with: a device, or its copy in a snapshot. For one call only.
+struct ParameterSource {
+    const Family &family;
+    const Identity &identity;
+    std::string selector;
+    std::span<const ParameterStore::Entry> entries; ///< in table order
+};
+[[nodiscard]] ParameterSource sourceOf(const Device &device);
+
 /// The object of `motorbenchctl get`, which is also the file format: {"device","family","serial","firmware","parameters"}.
+[[nodiscard]] QJsonObject parametersToJson(const ParameterSource &source, std::span<const ParameterIndex> indices);
 [[nodiscard]] QJsonObject parametersToJson(const Device &device, std::span<const ParameterIndex> indices);
 /// One value as {"value","raw","unit","state"}; null when unknown.
 [[nodiscard]] QJsonObject parameterToJson(const Parameter &parameter, const ParameterStore::Entry &entry);
@@ -23,6 +35,8 @@ struct ParameterFile {
     std::vector<std::string> notes; ///< rows that were left out and why: unknown keys, unknown values
 };
 
+/// The family that the file says it is for; nothing when it is no such file.
+[[nodiscard]] std::optional<std::string> familyOf(const QByteArray &bytes);
 /// OutOfRange with one clear cause: not JSON, another family, a value out of range. Nothing is half taken.
 [[nodiscard]] Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &family);
 
@@ -33,6 +47,7 @@ struct ParameterDifference {
 };
 
 /// What `restore` would write: keys that can be written, are persistent and are settings, and differ from what is known.
+[[nodiscard]] std::vector<ParameterDifference> differences(const ParameterSource &source, const ParameterFile &file);
 [[nodiscard]] std::vector<ParameterDifference> differences(const Device &device, const ParameterFile &file);
 
 /// Writes the whole text or nothing: to a temporary file beside it, then renamed.
