@@ -61,6 +61,7 @@ HeaderBar::HeaderBar(const ThemeSource &theme, QWidget *parent)
     setObjectName(QStringLiteral("header"));
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     auto *row = new QHBoxLayout(this);
+    row->setSizeConstraint(QLayout::SetNoConstraint); // chips fold instead of holding the window wide
     buildName(*row);
     buildChips(*row);
     row->addStretch(1);
@@ -205,6 +206,16 @@ void HeaderBar::setLampStatus(const LampStatus &status)
 QSize HeaderBar::sizeHint() const
 {
     return {m_theme.theme().u(1024), m_theme.theme().u(52)};
+}
+
+QSize HeaderBar::minimumSizeHint() const
+{
+    const int gap = m_theme.theme().u(8);
+    const int chips
+        = m_folded->sizeHint().width() + gap + (m_noticeCount > 0 ? m_notices->sizeHint().width() + gap : 0);
+    return {
+        m_name->sizeHint().width() + chips + m_lamp->sizeHint().width() + m_stop->minimumSizeHint().width() + 4 * gap,
+        m_theme.theme().u(52)};
 }
 
 void HeaderBar::resizeEvent(QResizeEvent *event)

@@ -28,6 +28,7 @@ public:
     void setRecording(const QString &text);
     void setLampStatus(const LampStatus &status);
     QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     void linkActivated(const QString &name);

@@ -12,7 +12,7 @@ StopButton::StopButton(const ThemeSource &theme, QWidget *parent)
     , m_keys(tr("Space · Esc"))
 {
     setFocusPolicy(Qt::NoFocus);
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     setText(tr("STOP"));
     setAccessibleName(tr("Stop every motor"));
     setToolTip(tr("Stop every motor  Space, Esc, Pause"));

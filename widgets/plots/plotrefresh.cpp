@@ -35,15 +35,25 @@ void PlotStack::refresh(double now)
         updateCursorRows();
     }
     m_dirty = false;
+    const int width = plotWidth();
     m_plot->replot();
+    // Drawing lays out first: after a resize, or with wider tick labels, the columns were made for another width.
+    if (plotWidth() != width) {
+        fetch();
+        m_plot->replot();
+    }
+}
+
+int PlotStack::plotWidth() const
+{
+    return m_strips.empty() ? 0 : m_strips.front()->rect->width();
 }
 
 bool PlotStack::followPresent(double now)
 {
     // Whole pixel columns on absolute time: the trace scrolls without shimmering, and a long window is drawn only
     // as often as it moves by a pixel.
-    const int width = m_strips.empty() ? m_plot->width() : std::max(1, m_strips.front()->rect->width());
-    const double column = m_window / std::max(width, 1);
+    const double column = m_window / std::max(plotWidth(), 1);
     const double to = std::ceil(now / column) * column;
     if (to == m_to && m_to - m_from == m_window)
         return false;
@@ -94,7 +104,7 @@ void PlotStack::updateStrip(int index, double to)
         }
     }
     QCPAxis &values = *strip.rect->axis(QCPAxis::atLeft);
-    values.ticker()->setTickCount(std::clamp(strip.rect->height() / m_theme.theme().u(54), 1, 5));
+    values.ticker()->setTickCount(std::clamp(strip.rect->height() / m_theme.theme().u(42), 1, 5));
     if (strip.fixed) {
         values.setRange(strip.fixed->first, strip.fixed->second);
     } else if (seen) {

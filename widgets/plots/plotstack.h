@@ -142,6 +142,7 @@ private:
     void touch();
     // plotrefresh.cpp
     bool followPresent(double now);
+    int plotWidth() const;
     void fetch();
     void fetchTrace(Trace &trace, double from, double to, int pixels);
     void updateStrip(int index, double to);

@@ -52,7 +52,7 @@ void StripFace::drawHead(QCPPainter &painter, const QRectF &box) const
     painter.drawText(
         QRectF(left, top, box.left() - left - theme.u(7), height), Qt::AlignRight | Qt::AlignVCenter, m_decor.unit);
     if (!m_decor.keyUnit.isEmpty()) {
-        const QRectF corner(box.right() + theme.u(6), box.bottom() + theme.u(4), theme.u(40), theme.u(18));
+        const QRectF corner(box.right() + theme.u(18), box.bottom() + theme.u(4), theme.u(40), theme.u(18));
         painter.drawText(corner, Qt::AlignLeft | Qt::AlignVCenter, m_decor.keyUnit);
     }
     double x = box.left();

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/banner.h"
+#include "widgets/common/card.h"
+#include "widgets/common/headerbar.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/searchfield.h"
+#include "widgets/common/segmented.h"
+#include "widgets/common/sparkline.h"
+#include "widgets/common/valuelabel.h"
+
+#include <QApplication>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <cmath>
+
+using namespace mb;
+
+class ChromeTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase();
+    void chipSpeaksItsState();
+    void chipsFoldWhenTheHeaderIsNarrow();
+    void clickingAChipNamesItsLink();
+    void everyControlHasAnAccessibleName();
+    void segmentedTellsOfChangesOnly();
+    void segmentedMovesByArrowKeys();
+    void atMostTwoBannersStand();
+    void aBannerThatPersistsDoesNotPileUp();
+    void aDismissedBannerStaysSilentUntilItsConditionEnds();
+    void valueFieldKeepsItsWidth();
+    void sparklineRangeIgnoresGaps();
+    void sparklineKeepsItsCapacity();
+    void searchFieldLetsEscThrough();
+    void cardOpensByEnterAndNotBySpace();
+    void primaryButtonIsAsWideAsItsWidestText();
+
+private:
+    ThemeSource m_theme{darkTheme()};
+};
+
+namespace {
+
+std::vector<LinkStatus> links(bool healthy)
+{
+    const auto name = [](const char *text) { return QString::fromLatin1(text); };
+    return {{name("can0"), GlyphState::Online, {}, 0.14, {}, 0, true, {}},
+        {name("can1"), healthy ? GlyphState::Online : GlyphState::Warning, {}, 0.06, {}, 7, healthy, {}},
+        {name("ttyUSB0"), GlyphState::Online, {}, {}, name("61 Hz"), 0, true, {}},
+        {name("spi0"), GlyphState::Fault, name("no permission"), {}, {}, {}, true, {}}};
+}
+
+int visibleChips(const HeaderBar &header)
+{
+    const auto chips = header.findChildren<LinkChip *>();
+    return static_cast<int>(
+        std::count_if(chips.begin(), chips.end(), [](const LinkChip *chip) { return chip->isVisible(); }));
+}
+
+/// Keys that somebody above receives: STOP is such a receiver.
+class KeyCatcher : public QWidget {
+public:
+    int caught = 0;
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override { caught += event->key() == Qt::Key_Escape ? 1 : 0; }
+};
+
+} // namespace
+
+void ChromeTest::initTestCase()
+{
+    applyTheme(*qApp, m_theme.theme());
+}
+
+void ChromeTest::chipSpeaksItsState()
+{
+    LinkChip chip(m_theme);
+    chip.setStatus(links(false).at(1));
+    QVERIFY(chip.accessibleName().contains(QStringLiteral("can1")));
+    QVERIFY(chip.accessibleDescription().contains(QStringLiteral("lost 7")));
+    const int width = chip.sizeHint().width();
+    LinkStatus fuller = links(false).at(1);
+    fuller.load = 0.42;
+    chip.setStatus(fuller);
+    QCOMPARE(chip.sizeHint().width(), width);
+}
+
+void ChromeTest::chipsFoldWhenTheHeaderIsNarrow()
+{
+    HeaderBar header(m_theme);
+    header.setLinks(links(true));
+    header.resize(1800, header.height());
+    header.show();
+    QCOMPARE(visibleChips(header), 4);
+    const QPoint stop = header.stopButton().geometry().topRight();
+    header.resize(800, header.height());
+    QTRY_COMPARE(visibleChips(header), 0);
+    QCOMPARE(header.width() - header.stopButton().geometry().right(), 1800 - stop.x());
+    header.resize(1800, header.height());
+    QTRY_COMPARE(visibleChips(header), 4);
+}
+
+void ChromeTest::clickingAChipNamesItsLink()
+{
+    HeaderBar header(m_theme);
+    header.setLinks(links(true));
+    header.resize(1800, header.height());
+    header.show();
+    QSignalSpy activated(&header, &HeaderBar::linkActivated);
+    header.findChildren<LinkChip *>().at(2)->click();
+    QCOMPARE(activated.count(), 1);
+    QCOMPARE(activated.first().first().toString(), QStringLiteral("ttyUSB0"));
+}
+
+void ChromeTest::everyControlHasAnAccessibleName()
+{
+    HeaderBar header(m_theme);
+    header.setLinks(links(false));
+    header.setNotices(2);
+    header.setRecording(QStringLiteral("REC 12:41"));
+    Banner banner(m_theme, BannerKind::Caution, QStringLiteral("cause"), QStringLiteral("remedy"));
+    banner.setAction(QStringLiteral("How to check"));
+    Segmented segments(QStringLiteral("Filter"), {QStringLiteral("All"), QStringLiteral("Errors")});
+    QList<QAbstractButton *> buttons = header.findChildren<QAbstractButton *>()
+        + banner.findChildren<QAbstractButton *>() + segments.findChildren<QAbstractButton *>();
+    QVERIFY(buttons.size() > 10);
+    for (const QAbstractButton *button : buttons)
+        QVERIFY2(!button->accessibleName().isEmpty(), button->metaObject()->className());
+}
+
+void ChromeTest::segmentedTellsOfChangesOnly()
+{
+    Segmented segments(
+        QStringLiteral("Filter"), {QStringLiteral("All"), QStringLiteral("Changed"), QStringLiteral("Errors")});
+    QCOMPARE(segments.current(), 0);
+    QSignalSpy changed(&segments, &Segmented::currentChanged);
+    segments.setCurrent(0);
+    QCOMPARE(changed.count(), 0);
+    segments.setCurrent(2);
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(changed.first().first().toInt(), 2);
+}
+
+void ChromeTest::segmentedMovesByArrowKeys()
+{
+    Segmented segments(
+        QStringLiteral("Filter"), {QStringLiteral("All"), QStringLiteral("Changed"), QStringLiteral("Errors")});
+    segments.show();
+    QVERIFY(QTest::qWaitForWindowActive(&segments));
+    auto *first = segments.findChildren<QToolButton *>().first();
+    first->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(first, Qt::Key_Right);
+    QCOMPARE(segments.current(), 1);
+}
+
+void ChromeTest::atMostTwoBannersStand()
+{
+    QWidget page;
+    BannerStack stack(m_theme, &page);
+    page.show();
+    QSignalSpy counted(&stack, &BannerStack::countChanged);
+    for (const char *key : {"a", "b", "c", "d"})
+        stack.post(QString::fromLatin1(key), BannerKind::Caution, QString::fromLatin1(key), {});
+    stack.post(QStringLiteral("e"), BannerKind::Danger, QStringLiteral("stopped"), {});
+    stack.post(QStringLiteral("f"), BannerKind::Info, QStringLiteral("newest"), {});
+    QCOMPARE(stack.count(), 6);
+    QCOMPARE(counted.last().first().toInt(), 6);
+    QStringList shown;
+    for (const Banner *banner : stack.findChildren<Banner *>()) {
+        if (banner->isVisibleTo(&page))
+            shown << banner->cause();
+    }
+    shown.sort();
+    QCOMPARE(shown, QStringList({QStringLiteral("newest"), QStringLiteral("stopped")}));
+}
+
+void ChromeTest::aBannerThatPersistsDoesNotPileUp()
+{
+    BannerStack stack(m_theme);
+    for (int i = 0; i < 5; ++i)
+        stack.post(QStringLiteral("errors"), BannerKind::Caution, QStringLiteral("%1 errors").arg(i), {});
+    QCOMPARE(stack.count(), 1);
+    QCOMPARE(stack.findChildren<Banner *>().first()->cause(), QStringLiteral("4 errors"));
+}
+
+void ChromeTest::aDismissedBannerStaysSilentUntilItsConditionEnds()
+{
+    BannerStack stack(m_theme);
+    const auto post = [&stack] {
+        stack.post(QStringLiteral("k"), BannerKind::Caution, QStringLiteral("cause"), {}, QStringLiteral("Fix"));
+    };
+    post();
+    Q_EMIT stack.findChildren<Banner *>().first()->dismissed();
+    QCOMPARE(stack.count(), 0);
+    post();
+    QCOMPARE(stack.count(), 0);
+    stack.clear(QStringLiteral("k"));
+    post();
+    QCOMPARE(stack.count(), 1);
+}
+
+void ChromeTest::valueFieldKeepsItsWidth()
+{
+    for (const auto look : {ValueLabel::Look::Card, ValueLabel::Look::Line}) {
+        ValueLabel label(m_theme, look, QStringLiteral("velocity"), QStringLiteral("rpm"));
+        QCOMPARE(label.value(), QString(UnknownMark));
+        const int width = label.sizeHint().width();
+        for (const double value : {0.0, 7.0, -1500.0, 88888.0}) {
+            label.setValue(formatNumber(value));
+            QCOMPARE(label.sizeHint().width(), width);
+        }
+        label.clear();
+        QCOMPARE(label.value(), QString(UnknownMark));
+    }
+}
+
+void ChromeTest::sparklineRangeIgnoresGaps()
+{
+    Sparkline line(m_theme, TraceRole::Velocity);
+    QVERIFY(!line.range());
+    line.append(std::nan(""));
+    QVERIFY(!line.range());
+    line.append(3);
+    line.append(-2);
+    QCOMPARE(line.range()->first, -2.0);
+    QCOMPARE(line.range()->second, 3.0);
+}
+
+void ChromeTest::sparklineKeepsItsCapacity()
+{
+    Sparkline line(m_theme, TraceRole::Velocity);
+    line.setCapacity(10);
+    for (int i = 0; i < 100; ++i)
+        line.append(i);
+    QCOMPARE(line.range()->first, 90.0);
+    line.resize(80, 30);
+    QVERIFY(line.grab().toImage() != Sparkline(m_theme, TraceRole::Velocity).grab(QRect(0, 0, 80, 30)).toImage());
+}
+
+void ChromeTest::searchFieldLetsEscThrough()
+{
+    KeyCatcher window;
+    SearchField field(m_theme, QStringLiteral("Search 55 parameters"), &window);
+    field.setText(QStringLiteral("gain"));
+    QTest::keyClick(&field, Qt::Key_Escape);
+    QVERIFY(field.text().isEmpty());
+    QCOMPARE(window.caught, 1);
+}
+
+void ChromeTest::cardOpensByEnterAndNotBySpace()
+{
+    Card card(m_theme, QStringLiteral("DMC60C #5"));
+    card.setActivatable(true);
+    QSignalSpy activated(&card, &Card::activated);
+    QTest::keyClick(&card, Qt::Key_Space);
+    QCOMPARE(activated.count(), 0);
+    QTest::keyClick(&card, Qt::Key_Return);
+    QTest::mouseClick(&card, Qt::LeftButton, {}, QPoint(5, 5));
+    QCOMPARE(activated.count(), 2);
+}
+
+void ChromeTest::primaryButtonIsAsWideAsItsWidestText()
+{
+    CommandButton button(m_theme, Symbol::Play, QStringLiteral("Run"));
+    button.setPrimary(true);
+    button.setKeyHint(QStringLiteral("F5"));
+    button.setTextVariants({QStringLiteral("Run"), QStringLiteral("Write and run")});
+    const int width = button.sizeHint().width();
+    button.setText(QStringLiteral("Write and run"));
+    QCOMPARE(button.sizeHint().width(), width);
+}
+
+QTEST_MAIN(ChromeTest)
+#include "tst_chrome.moc"

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/telemetrysource.h"
+
+#include "widgets/common/numberformat.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+struct SourceText {
+    Q_DECLARE_TR_FUNCTIONS(SourceText)
+};
+
+Instant toInstant(double key)
+{
+    return Instant(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key)));
+}
+
+} // namespace
+
+TelemetrySource::TelemetrySource(std::shared_ptr<const Telemetry> telemetry, ChannelIndex channel, Foot foot)
+    : m_telemetry(std::move(telemetry))
+    , m_channel(channel)
+    , m_foot(foot)
+{
+}
+
+void TelemetrySource::follow(double rate, Instant now)
+{
+    m_rate = rate;
+    m_now = now;
+}
+
+void TelemetrySource::columns(double from, double to, int pixels, std::vector<PlotPoint> &points) const
+{
+    points.clear();
+    m_telemetry->columns(m_channel, toInstant(from), toInstant(to), pixels, m_window);
+    for (const Point &point : m_window.points()) {
+        if (point.time >= m_since)
+            points.push_back({plotKey(point.time), point.value * m_scale});
+    }
+}
+
+std::optional<double> TelemetrySource::latest() const
+{
+    const auto last = m_telemetry->last(m_channel);
+    if (!last || last->isGap() || last->time < m_since)
+        return std::nullopt;
+    const double patience = m_rate > 0.0 ? std::max(2.0, 3.0 / m_rate) : 2.0;
+    if (m_now != Instant{} && plotKey(m_now) - plotKey(last->time) > patience)
+        return std::nullopt;
+    return last->value * m_scale;
+}
+
+QString TelemetrySource::foot() const
+{
+    const std::uint64_t missing = lost();
+    if (m_foot == Foot::Never || (m_foot == Foot::WhenLossy && missing == 0))
+        return {};
+    const auto all = static_cast<qint64>(m_telemetry->size(m_channel) + missing);
+    return SourceText::tr("%1 Hz, %2 of %3 lost")
+        .arg(formatNumber(m_rate), formatCount(static_cast<qint64>(missing)), formatCount(all));
+}
+
+} // namespace mb
