@@ -164,8 +164,24 @@ void EngineCore::look()
             scan(*link);
         }
     }
+    refreshRestarted();
     if (isQuiet() && m_clock.now() - m_lastScan >= rescanPeriod)
         scanAll();
+}
+
+void EngineCore::refreshRestarted()
+{
+    for (Device *device : m_session.devices()) {
+        const DeviceId id = m_session.idOf(*device);
+        if (!device->liveness().restarted || !device->liveness().heard || hasOperation(id))
+            continue;
+        notice(Severity::Caution, labelOf(*device), "the unit restarted: what is volatile was lost, its parameters are read again");
+        device->parameters().forgetAll();
+        beginSimple(id, "Look at the restarted unit", [](Device &unit, Progress &) { return unit.refresh(); }, [this, id](const Result<void> &result) {
+            if (result)
+                readParameters(id);
+        });
+    }
 }
 
 void EngineCore::openByItself()

@@ -79,6 +79,7 @@ private:
     void scan(Link &link);
     void scanned(Link &link, const Result<std::vector<Device *>> &devices);
     void look();
+    void refreshRestarted();
     void openByItself();
     void streamChanged(DeviceId id);
     void prune();

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every family promises (docs/architecture.md). Iterates over the registry: a new folder is tested from its first day.
+#include "support/simulatedsession.h"
+#include "model/parametertransfer.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using test::run;
+using test::SimulatedSession;
+
+class Contract : public testing::TestWithParam<const Family *> {
+protected:
+    void SetUp() override
+    {
+        ASSERT_FALSE(family().links.empty());
+        bench = std::make_unique<SimulatedSession>("sim:" + std::string(toString(family().links.front())));
+        ASSERT_NE(bench->link, nullptr);
+        bench->scan();
+    }
+    [[nodiscard]] const Family &family() const { return *GetParam(); }
+    [[nodiscard]] Device *online() const
+    {
+        for (Device *device : bench->session.devices()) {
+            if (&device->family() == &family() && device->identity().state == DeviceState::Online)
+                return device;
+        }
+        return nullptr;
+    }
+    [[nodiscard]] Simulator *simulatorOf(const Device &device) const
+    {
+        return bench->simulator(std::string(family().key) + ':' + std::to_string(device.identity().address));
+    }
+    std::unique_ptr<SimulatedSession> bench;
+};
+
+TEST_P(Contract, ScanFindsEveryUnitOfItsBench)
+{
+    std::size_t found = 0;
+    for (const Device *device : bench->session.devices())
+        found += &device->family() == &family() ? 1U : 0U;
+    EXPECT_EQ(found, family().bench.size());
+}
+
+TEST_P(Contract, ScanIsCompleteWithinHalfASecondAndWritesNothing)
+{
+    SimulatedSession fresh("sim:" + std::string(toString(family().links.front())));
+    const Instant begin = fresh.clock.now();
+    fresh.scan();
+    EXPECT_LE(fresh.clock.now() - begin, 500ms);
+    for (const Device *device : fresh.session.devices()) {
+        for (const auto &entry : device->parameters().entries())
+            EXPECT_EQ(entry.state, ParameterState::Unknown);
+    }
+}
+
+TEST_P(Contract, EveryReadableParameterReads)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    if (!family().capabilities.readback) {
+        EXPECT_TRUE(readable(*device).empty());
+        return;
+    }
+    NoProgress progress;
+    const auto outcomes = run(bench->clock, readParameters(*device, readable(*device), progress));
+    ASSERT_TRUE(outcomes);
+    EXPECT_EQ(outcomes->size(), readable(*device).size());
+    for (const TransferOutcome &outcome : *outcomes)
+        EXPECT_TRUE(outcome.raw) << device->parameters().parameter(outcome.index).key;
+}
+
+TEST_P(Contract, EveryWritableParameterWritesAndReadsBackWhereTheDeviceCan)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    NoProgress progress;
+    for (std::uint16_t i = 0; i < family().parameters.size(); ++i) {
+        const Parameter &parameter = family().parameters[i];
+        if (parameter.access == Access::ReadOnly || parameter.nature == Nature::Counter)
+            continue;
+        const auto raw = toRaw(parameter, parameter.fallback);
+        ASSERT_TRUE(raw) << parameter.key;
+        const auto outcomes = run(bench->clock, writeParameters(*device, {{{i}, *raw}}, progress));
+        ASSERT_TRUE(outcomes) << parameter.key;
+        ASSERT_EQ(outcomes->size(), 1U);
+        EXPECT_TRUE(outcomes->front().raw) << parameter.key << ": " << outcomes->front().raw.error().detail;
+        if (family().capabilities.readback && parameter.access == Access::ReadWrite)
+            EXPECT_TRUE(outcomes->front().verified.value_or(false)) << parameter.key;
+    }
+}
+
+TEST_P(Contract, ReadOnlyParametersRefuseToBeWritten)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    for (std::uint16_t i = 0; i < family().parameters.size(); ++i) {
+        if (family().parameters[i].access != Access::ReadOnly)
+            continue;
+        const auto written = run(bench->clock, device->write({i}, 0));
+        ASSERT_FALSE(written);
+        EXPECT_EQ(written.error().fault, Fault::OutOfRange);
+    }
+}
+
+TEST_P(Contract, EveryModeOfTheFamilyIsAcceptedAndOthersAreUnsupported)
+{
+    const Device *device = online();
+    ASSERT_NE(device, nullptr);
+    for (const Mode mode : {Mode::Duty, Mode::Velocity, Mode::Position, Mode::Current, Mode::Voltage, Mode::Follow, Mode::RampPosition, Mode::RampVelocity}) {
+        const bool offered = std::find(family().modes.begin(), family().modes.end(), mode) != family().modes.end();
+        SetPoint setPoint;
+        setPoint.mode = mode;
+        setPoint.target = mode == Mode::Follow ? device->identity().address + 1 : 0.0;
+        const auto checked = device->check(setPoint);
+        EXPECT_EQ(checked.has_value(), offered) << toString(mode);
+        if (!checked && !offered)
+            EXPECT_EQ(checked.error().fault, Fault::Unsupported) << toString(mode);
+    }
+}
+
+TEST_P(Contract, StopWorksInTheMiddleOfMotion)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    Simulator *simulator = simulatorOf(*device);
+    ASSERT_NE(simulator, nullptr);
+    SetPoint setPoint;
+    setPoint.mode = family().modes.front();
+    setPoint.target = 0.3;
+    SetPointStream &stream = bench->session.stream(*device);
+    bench->clock.advance(200ms);
+    ASSERT_TRUE(stream.start(setPoint, 10s));
+    bench->clock.advance(500ms);
+    ASSERT_TRUE(simulator->isOutputOn());
+    EXPECT_GT(std::abs(simulator->speed()), 0.0);
+    stream.stop();
+    bench->clock.advance(20ms);
+    EXPECT_FALSE(simulator->isOutputOn());
+    bench->clock.advance(300ms);
+    EXPECT_TRUE(device->isSeenStopped());
+}
+
+TEST_P(Contract, AnExpiredLeaseStopsTheMotor)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    SetPoint setPoint;
+    setPoint.mode = family().modes.front();
+    setPoint.target = 0.3;
+    SetPointStream &stream = bench->session.stream(*device);
+    bench->clock.advance(200ms);
+    ASSERT_TRUE(stream.start(setPoint, 500ms));
+    bench->clock.advance(400ms);
+    EXPECT_TRUE(simulatorOf(*device)->isOutputOn());
+    bench->clock.advance(150ms);
+    EXPECT_EQ(stream.end(), SetPointStream::End::LeaseExpired);
+    EXPECT_FALSE(simulatorOf(*device)->isOutputOn());
+}
+
+TEST_P(Contract, ADeviceWithAWatchdogStopsWhenNobodyCommandsIt)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    if (!family().capabilities.watchdog)
+        return; // the guardian's tests cover the others
+    SetPoint setPoint;
+    setPoint.mode = family().modes.front();
+    setPoint.target = 0.3;
+    bench->clock.advance(200ms);
+    ASSERT_TRUE(device->command(setPoint));
+    bench->clock.advance(50ms);
+    EXPECT_TRUE(simulatorOf(*device)->isOutputOn());
+    bench->clock.advance(150ms);
+    EXPECT_FALSE(simulatorOf(*device)->isOutputOn());
+}
+
+TEST_P(Contract, EveryTimeOutSurfacesWhenTheUnitIsWithoutPower)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    simulatorOf(*device)->setPowered(false);
+    const auto indices = readable(*device);
+    if (!indices.empty()) {
+        const auto raw = run(bench->clock, device->read(indices.front()));
+        ASSERT_FALSE(raw);
+        EXPECT_EQ(raw.error().fault, Fault::Timeout);
+    }
+    const auto refreshed = run(bench->clock, device->refresh());
+    ASSERT_FALSE(refreshed);
+    EXPECT_EQ(refreshed.error().fault, Fault::Timeout);
+    bench->clock.advance(1s);
+    EXPECT_FALSE(device->liveness().heard);
+}
+
+/// Starts what `make` makes again and again, destroys it one clock step later each time, until it runs to its end.
+template <class T> void cancelEverywhere(SimulatedSession &bench, const std::function<Task<T>()> &make, int mostSteps)
+{
+    bench.clock.advance(3s);
+    const std::size_t listeners = static_cast<CanLink *>(bench.link)->received().size();
+    int steps = 0;
+    for (;; ++steps) {
+        ASSERT_LT(steps, mostSteps);
+        Task<T> task = make();
+        task.start();
+        for (int i = 0; i < steps && !task.isFinished(); ++i)
+            ASSERT_TRUE(bench.clock.step());
+        const bool finished = task.isFinished();
+        task.cancel();
+        EXPECT_EQ(static_cast<CanLink *>(bench.link)->received().size(), listeners) << "after " << steps << " steps";
+        if (finished)
+            break;
+        bench.clock.advance(1s);
+    }
+    EXPECT_GT(steps, 1);
+}
+
+TEST_P(Contract, CancellingAScanAtEveryStepLeavesNoListener)
+{
+    if (family().links.front() != LinkKind::Can)
+        return;
+    auto &link = *bench->link;
+    struct Sink final : ScanSink {
+        void found(const Identity &) override { }
+        void progress(const std::string &, int, int) override { }
+    } sink;
+    cancelEverywhere<void>(*bench, [&] { return family().scan(link, bench->clock, sink); }, 5000);
+}
+
+TEST_P(Contract, CancellingATransferAtEveryStepLeavesNoListener)
+{
+    if (family().links.front() != LinkKind::Can)
+        return;
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    auto indices = readable(*device);
+    indices.resize(std::min<std::size_t>(indices.size(), 2));
+    NoProgress progress;
+    cancelEverywhere<std::vector<TransferOutcome>>(*bench, [&] { return readParameters(*device, indices, progress); }, 5000);
+}
+
+TEST_P(Contract, KeysAndChannelsFollowTheNamingOfTheProduct)
+{
+    for (const Parameter &parameter : family().parameters) {
+        EXPECT_EQ(parameter.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789._"), std::string_view::npos) << parameter.key;
+        EXPECT_FALSE(parameter.help.empty()) << parameter.key;
+    }
+    EXPECT_FALSE(family().channels.empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, Contract, testing::ValuesIn(families().begin(), families().end()),
+    [](const testing::TestParamInfo<const Family *> &info) { return std::string(info.param->key); });
+
+} // namespace
+} // namespace mb
