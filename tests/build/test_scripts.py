@@ -181,6 +181,46 @@ class Test(Place):
         self.assertRegex(output, r"ended before everything was run\n0 passed, [12] failed\n$")
 
 
+class Demo(Place):
+    def setUp(self):
+        super().setUp()
+        for name in ("demo", "steps.sh"):
+            self.write(f"scripts/{name}", (SCRIPTS / name).read_text())
+        self.write("scripts/install-packages", "#!/bin/bash\n")
+        self.stand_in("cmake", "")
+        self.program('echo "$QT_QPA_PLATFORM $*"; touch "${2:-.}/1.png" "${2:-.}/2.png"')
+
+    def program(self, script):
+        self.write("build/release/bin/motorbench", f"#!/bin/bash\n{script}\n")
+
+    def demo(self, *arguments, **displays):
+        none = {"DISPLAY": "", "WAYLAND_DISPLAY": "", "QT_QPA_PLATFORM": ""}
+        command = self.command(self.root / "scripts" / "demo", *arguments)
+        command["env"].update(none, **displays)
+        done = subprocess.run(**command, check=False)
+        return done.returncode, done.stdout.splitlines()[-1]
+
+    def test_opens_the_window_where_there_is_a_display(self):
+        self.assertEqual(self.demo(DISPLAY=":0"), (0, " --demo"))
+        self.assertEqual(self.demo(WAYLAND_DISPLAY="wayland-0"), (0, " --demo"))
+
+    def test_without_a_display_says_where_the_pictures_are(self):
+        for arguments, folder in (((), self.root / "tour"), ((self.root / "else" / "where",), self.root / "else" / "where")):
+            status, last = self.demo(*arguments)
+            self.assertEqual(status, 0)
+            self.assertTrue(last.endswith(f"2 pictures of its pages: {folder.resolve()}"), last)
+
+    def test_a_tour_without_pictures_is_a_failure(self):
+        self.program("exit 0")
+        self.assertEqual(self.demo()[0], 1)
+
+    def test_a_failing_build_opens_nothing(self):
+        self.stand_in("cmake", "exit 1\n")
+        self.program(f"touch {self.root}/opened")
+        self.assertEqual(self.demo(DISPLAY=":0")[0], 1)
+        self.assertFalse((self.root / "opened").exists())
+
+
 class Shell(unittest.TestCase):
     def test_every_shell_script_parses_and_can_be_started(self):
         shell = [path for path in [*SCRIPTS.iterdir(), SCRIPTS.parent / ".ci" / "run"]
