@@ -18,7 +18,7 @@ struct Capabilities {
     bool rename = false;
     bool renumber = false;
     int axes = 1;
-    int slots = 1;
+    int gainSlots = 1;
     std::chrono::milliseconds commandPeriod {20}; ///< between control frames of a running motor
     std::chrono::seconds storesAfter {0}; ///< flash has what RAM has this long after the last write; 0: only when told to
 };

@@ -89,8 +89,9 @@ TEST_P(Contract, EveryWritableParameterWritesAndReadsBackWhereTheDeviceCan)
         ASSERT_TRUE(outcomes) << parameter.key;
         ASSERT_EQ(outcomes->size(), 1U);
         EXPECT_TRUE(outcomes->front().raw) << parameter.key << ": " << outcomes->front().raw.error().detail;
-        if (family().capabilities.readback && parameter.access == Access::ReadWrite)
+        if (family().capabilities.readback && parameter.access == Access::ReadWrite) {
             EXPECT_TRUE(outcomes->front().verified.value_or(false)) << parameter.key;
+        }
     }
 }
 
@@ -118,8 +119,9 @@ TEST_P(Contract, EveryModeOfTheFamilyIsAcceptedAndOthersAreUnsupported)
         setPoint.target = mode == Mode::Follow ? device->identity().address + 1 : 0.0;
         const auto checked = device->check(setPoint);
         EXPECT_EQ(checked.has_value(), offered) << toString(mode);
-        if (!checked && !offered)
+        if (!checked && !offered) {
             EXPECT_EQ(checked.error().fault, Fault::Unsupported) << toString(mode);
+        }
     }
 }
 
@@ -253,7 +255,7 @@ TEST_P(Contract, KeysAndChannelsFollowTheNamingOfTheProduct)
 }
 
 INSTANTIATE_TEST_SUITE_P(Registry, Contract, testing::ValuesIn(families().begin(), families().end()),
-    [](const testing::TestParamInfo<const Family *> &info) { return std::string(info.param->key); });
+    [](const auto &entry) { return std::string(entry.param->key); });
 
 } // namespace
 } // namespace mb

@@ -205,8 +205,9 @@ TEST(Dmc60cUpdate, AProgramThatDiesInAnyPageLeavesAUnitThatIsFoundInItsBootloade
         bench.simulator->setPowered(true);
         bench.clock.advance(1s);
         expectDone(bench.update(demoImage()), wanted);
-        if (page < 30 && page > 0)
+        if (page < 30 && page > 0) {
             EXPECT_EQ(bench.state, DeviceState::Bootloader) << wanted;
+        }
     }
 }
 

@@ -33,7 +33,7 @@ constexpr Capabilities capabilities{
     .rename = true,
     .renumber = true,
     .axes = 1,
-    .slots = 2,
+    .gainSlots = 2,
     .commandPeriod = controlPeriod,
     .storesAfter = std::chrono::seconds(15),
 };
