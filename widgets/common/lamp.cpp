@@ -167,24 +167,30 @@ void Lamp::changeEvent(QEvent *event)
     QAbstractButton::changeEvent(event);
 }
 
-int Lamp::contentWidth() const
+int Lamp::textWidth(const QString &word, const QString &time, const QString &detail) const
 {
     const Theme &theme = m_theme.theme();
     const QFontMetrics bold(theme.font(TextRole::Emphasis, font()));
     const QFontMetrics caption(theme.font(TextRole::Caption, font()));
-    const QString time = clock();
-    int width = theme.u(12 + 16 + 8 + 12) + bold.horizontalAdvance(word());
+    int width = theme.u(12 + 16 + 8 + 12) + bold.horizontalAdvance(word);
     if (!time.isEmpty())
         width += theme.u(8) + bold.horizontalAdvance(time);
-    if (!detail().isEmpty())
-        width += theme.u(8) + caption.horizontalAdvance(detail());
+    if (!detail.isEmpty())
+        width += theme.u(8) + caption.horizontalAdvance(detail);
     return width;
+}
+
+int Lamp::contentWidth() const
+{
+    return textWidth(word(), clock(), detail());
 }
 
 QSize Lamp::sizeHint() const
 {
     // Wide enough for the usual texts of every state, so that the lamp keeps its place when the state changes.
-    return {std::max(m_theme.theme().u(208), contentWidth()), m_theme.theme().u(40)};
+    const int usual = std::max({textWidth(tr("ARMED"), QStringLiteral("8:88"), tr("#88 velocity")),
+        textWidth(tr("STOPPED"), {}, tr("hold to re-arm")), textWidth(tr("SAFE"), {}, tr("nothing to arm"))});
+    return {std::max({m_theme.theme().u(200), usual, contentWidth()}), m_theme.theme().u(40)};
 }
 
 void Lamp::paintFace(QPainter &painter) const

@@ -70,6 +70,7 @@ private:
     QString word() const;
     QString clock() const;
     QString detail() const;
+    int textWidth(const QString &word, const QString &time, const QString &detail) const;
     int contentWidth() const;
     void paintFace(QPainter &painter) const;
     void paintContent(QPainter &painter, const QColor &color, const QColor &detailColor) const;
