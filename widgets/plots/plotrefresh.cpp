@@ -16,6 +16,14 @@ int decimalsFor(double span)
     return span > 0 ? std::clamp(static_cast<int>(std::ceil(-std::log10(span / 500))), 0, 6) : 0;
 }
 
+/// To the tenth of a millisecond where that can be read off, for cursors.
+QString preciseDuration(double seconds)
+{
+    const bool small = std::abs(seconds) < 1;
+    return formatValue(small ? seconds * 1000 : seconds, small ? (std::abs(seconds) < 0.1 ? 1 : 0) : 3,
+        small ? QStringLiteral("ms") : QStringLiteral("s"));
+}
+
 } // namespace
 
 void PlotStack::refresh(double now)
@@ -173,7 +181,7 @@ void PlotStack::updateCursorRows()
     const double a = m_cursors->key(false);
     const double b = m_cursors->key(true);
     std::vector<PlotCursors::Row> rows;
-    rows.push_back({tr("Δt"), formatDuration(b - a), true});
+    rows.push_back({tr("Δt"), preciseDuration(b - a), true});
     if (std::abs(b - a) > 1e-9)
         rows.push_back({tr("1/Δt"), formatSignificant(1 / std::abs(b - a), 4) + QChar(QChar::Nbsp) + tr("Hz")});
     for (const auto &[id, trace] : m_traces) {

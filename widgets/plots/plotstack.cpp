@@ -33,6 +33,7 @@ void PlotStack::buildPlot()
     m_plot->setFocusPolicy(Qt::NoFocus);
     m_plot->setContextMenuPolicy(Qt::NoContextMenu);
     m_plot->setNoAntialiasingOnDrag(true);
+    m_plot->addLayer(QStringLiteral("wished"), m_plot->layer(QStringLiteral("main")), QCustomPlot::limBelow);
     m_plot->plotLayout()->clear();
     m_plot->plotLayout()->setRowSpacing(0);
     m_margins = new QCPMarginGroup(m_plot);
@@ -180,6 +181,8 @@ int PlotStack::addTrace(const TraceStyle &style, std::shared_ptr<const TraceSour
     Trace trace{style, std::move(source), new TracePlottable(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft))};
     trace.plottable->setLook({style.role, style.dash, style.marker, style.emphasis}, m_theme.theme());
     trace.plottable->setName(style.name);
+    if (style.role == TraceRole::Setpoint || style.dash == TraceDash::Dots)
+        trace.plottable->setLayer(QStringLiteral("wished")); // behind what was measured
     const int id = m_nextTrace++;
     m_traces.emplace(id, std::move(trace));
     updateHeads();
