@@ -149,9 +149,8 @@ void PlotStack::updateHeads()
     }
     const int right = tagMargin();
     for (const auto &strip : m_strips) {
-        QMargins margins = strip->rect->margins();
-        margins.setRight(right);
-        strip->rect->setMargins(margins);
+        const QMargins margins = strip->rect->margins();
+        strip->rect->setMargins({margins.left(), margins.top(), right, margins.bottom()});
     }
 }
 
