@@ -10,23 +10,27 @@
 namespace mb::console {
 namespace {
 
-constexpr std::array table {
-    Verb {"links", "", "List the links that can be opened, and why one cannot", declareLinks},
-    Verb {"scan", "[LINK…]", "Find devices; never writes to one. Without LINK, on every CAN interface that is up", declareScan},
-    Verb {"info", "DEVICE", "Identity, descriptors, faults and link counters", declareInfo},
-    Verb {"parameters", "FAMILY", "The parameter table of a family; needs no device", declareParameters},
-    Verb {"get", "DEVICE [KEY…] [--file F]", "Read parameters, all readable ones by default", declareGet},
-    Verb {"set", "DEVICE KEY=VALUE… [--store]", "Check all, then write, read back and compare", declareSet},
-    Verb {"restore", "DEVICE FILE [--dry-run]", "Show how a saved file differs, then write the differences", declareRestore},
-    Verb {"watch", "DEVICE [--channel C]… [--for S] [--rate HZ]", "Stream samples", declareWatch},
-    Verb {"drive", "DEVICE --mode M --target X --for S", "Keep a set-point alive for S seconds, then stop", declareDrive},
-    Verb {"flash", "DEVICE FILE [--dry-run] [--force]", "Update the firmware and verify it", declareFlash},
-    Verb {"identify", "DEVICE", "Make a device show itself", declareIdentify},
-    Verb {"number", "DEVICE NEW", "Give a device another number", declareNumber},
-    Verb {"rename", "DEVICE TEXT", "Give a device another name", declareRename},
-    Verb {"monitor", "LINK [--for S]", "Show the traffic of a link, as candump -L does", declareMonitor},
-    Verb {"decode", "[FILE] [--dialect D]", "Decode such text from a file or standard input", declareDecode},
-    Verb {"simulate", "--on LINK DEVICE… [--on …] [--seed N] [--for S]", "Simulated controllers on real links", declareSimulate},
+constexpr std::array table{
+    Verb{"links", "", "List the links that can be opened, and why one cannot", declareLinks},
+    Verb{"scan", "[LINK…]", "Find devices; never writes to one. Without LINK, on every CAN interface that is up",
+        declareScan},
+    Verb{"info", "DEVICE", "Identity, descriptors, faults and link counters", declareInfo},
+    Verb{"parameters", "FAMILY", "The parameter table of a family; needs no device", declareParameters},
+    Verb{"get", "DEVICE [KEY…] [--file F]", "Read parameters, all readable ones by default", declareGet},
+    Verb{"set", "DEVICE KEY=VALUE… [--store]", "Check all, then write, read back and compare", declareSet},
+    Verb{"restore", "DEVICE FILE [--dry-run]", "Show how a saved file differs, then write the differences",
+        declareRestore},
+    Verb{"watch", "DEVICE [--channel C]… [--for S] [--rate HZ]", "Stream samples", declareWatch},
+    Verb{
+        "drive", "DEVICE --mode M --target X --for S", "Keep a set-point alive for S seconds, then stop", declareDrive},
+    Verb{"flash", "DEVICE FILE [--dry-run] [--force]", "Update the firmware and verify it", declareFlash},
+    Verb{"identify", "DEVICE", "Make a device show itself", declareIdentify},
+    Verb{"number", "DEVICE NEW", "Give a device another number", declareNumber},
+    Verb{"rename", "DEVICE TEXT", "Give a device another name", declareRename},
+    Verb{"monitor", "LINK [--for S]", "Show the traffic of a link, as candump -L does", declareMonitor},
+    Verb{"decode", "[FILE] [--dialect D]", "Decode such text from a file or standard input", declareDecode},
+    Verb{"simulate", "--on LINK DEVICE… [--on …] [--seed N] [--for S]", "Simulated controllers on real links",
+        declareSimulate},
 };
 
 const Verb *findVerb(std::string_view name)
@@ -42,14 +46,15 @@ std::string overview()
     for (const Verb &verb : table) {
         text += "  " + std::string(verb.name) + std::string(12 - verb.name.size(), ' ') + std::string(verb.help) + '\n';
     }
-    return text + "\n"
-                  "--json     standard output is JSON, one object per line\n"
-                  "--quiet    no progress and no notes on standard error\n"
-                  "--help     with a verb: its arguments\n"
-                  "--version  the version of this program\n\n"
-                  "A LINK is sim:can, socketcan:can0, …; a DEVICE is LINK/FAMILY:ADDRESS, such as sim:can/dmc60c:5.\n"
-                  "Exit status: 0 done, 1 the device refused or differs, 2 wrong usage, 3 no answer, 4 stopped for safety,\n"
-                  "5 a link cannot be opened or was lost.\n";
+    return text
+        + "\n"
+          "--json     standard output is JSON, one object per line\n"
+          "--quiet    no progress and no notes on standard error\n"
+          "--help     with a verb: its arguments\n"
+          "--version  the version of this program\n\n"
+          "A LINK is sim:can, socketcan:can0, …; a DEVICE is LINK/FAMILY:ADDRESS, such as sim:can/dmc60c:5.\n"
+          "Exit status: 0 done, 1 the device refused or differs, 2 wrong usage, 3 no answer, 4 stopped for safety,\n"
+          "5 a link cannot be opened or was lost.\n";
 }
 
 std::string lowered(std::string text)
@@ -65,7 +70,9 @@ tl::unexpected<Error> unexpectedArgument(const CLI::App &app, const Verb &verb)
     const std::string wrong = remaining.empty() ? std::string() : remaining.front();
     const std::string name(verb.name);
     if (!wrong.starts_with('-'))
-        return fail(Fault::OutOfRange, name + ": unexpected argument '" + wrong + "'; the usage is motorbenchctl " + name + ' ' + std::string(verb.usage));
+        return fail(Fault::OutOfRange,
+            name + ": unexpected argument '" + wrong + "'; the usage is motorbenchctl " + name + ' '
+                + std::string(verb.usage));
     std::vector<std::string> options;
     for (const CLI::Option *option : app.get_options()) {
         for (const std::string &longName : option->get_lnames())
@@ -73,7 +80,9 @@ tl::unexpected<Error> unexpectedArgument(const CLI::App &app, const Verb &verb)
     }
     const std::vector<std::string_view> known(options.begin(), options.end());
     const std::string near = suggestion(wrong.substr(0, wrong.find('=')), known);
-    return fail(Fault::OutOfRange, name + ": unknown option '" + wrong + '\'' + (near.empty() ? "; 'motorbenchctl " + name + " --help' lists what it takes" : near));
+    return fail(Fault::OutOfRange,
+        name + ": unknown option '" + wrong + '\''
+            + (near.empty() ? "; 'motorbenchctl " + name + " --help' lists what it takes" : near));
 }
 
 Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> arguments, CommandLine line)
@@ -88,11 +97,13 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
     try {
         app.parse(arguments);
     } catch (const CLI::CallForHelp &) {
-        return CommandLine {line.options, {}, app.help()};
+        return CommandLine{line.options, {}, app.help()};
     } catch (const CLI::ExtrasError &) {
         return unexpectedArgument(app, verb);
     } catch (const CLI::Error &error) {
-        return fail(Fault::OutOfRange, name + ": " + lowered(error.what()) + "; the usage is motorbenchctl " + name + ' ' + std::string(verb.usage));
+        return fail(Fault::OutOfRange,
+            name + ": " + lowered(error.what()) + "; the usage is motorbenchctl " + name + ' '
+                + std::string(verb.usage));
     }
     return line;
 }
@@ -114,11 +125,12 @@ Result<CommandLine> parseCommandLine(std::vector<std::string> arguments)
         else if (arguments[used] == "--quiet")
             line.options.quiet = true;
         else if (arguments[used] == "--help" || arguments[used] == "-h")
-            return CommandLine {line.options, {}, overview()};
+            return CommandLine{line.options, {}, overview()};
         else if (arguments[used] == "--version")
-            return CommandLine {line.options, {}, "motorbenchctl " MOTORBENCH_VERSION "\n"};
+            return CommandLine{line.options, {}, "motorbenchctl " MOTORBENCH_VERSION "\n"};
         else
-            return fail(Fault::OutOfRange, "unknown option '" + arguments[used] + "' before the verb; only --json and --quiet stand there");
+            return fail(Fault::OutOfRange,
+                "unknown option '" + arguments[used] + "' before the verb; only --json and --quiet stand there");
     }
     if (used == arguments.size())
         return fail(Fault::OutOfRange, "a verb is missing; 'motorbenchctl --help' lists them");
@@ -129,7 +141,8 @@ Result<CommandLine> parseCommandLine(std::vector<std::string> arguments)
         for (const Verb &each : table)
             known.push_back(each.name);
         const std::string near = suggestion(name, known);
-        return fail(Fault::OutOfRange, "unknown verb '" + name + '\'' + (near.empty() ? "; 'motorbenchctl --help' lists them" : near));
+        return fail(Fault::OutOfRange,
+            "unknown verb '" + name + '\'' + (near.empty() ? "; 'motorbenchctl --help' lists them" : near));
     }
     arguments.erase(arguments.begin(), arguments.begin() + static_cast<std::ptrdiff_t>(used + 1));
     return parseVerb(*verb, std::move(arguments), std::move(line));

@@ -10,7 +10,7 @@ namespace mb::console {
 
 struct CommandLine {
     Options options;
-    Job job; ///< none when only `text` is to be printed
+    Job job;          ///< none when only `text` is to be printed
     std::string text; ///< of --help and --version
 };
 

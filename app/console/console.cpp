@@ -22,7 +22,13 @@ void Console::interrupt()
     m_interruptions.notify();
 }
 
-TimeBase::TimeBase(const Clock &clock, const LinkAddress &link)
+double secondsOf(Duration time)
+{
+    const auto whole = std::chrono::floor<std::chrono::seconds>(time);
+    return static_cast<double>(whole.count()) + static_cast<double>((time - whole).count()) / 1e9;
+}
+
+TimeOrigin::TimeOrigin(const Clock &clock, const LinkAddress &link)
     : m_offset(link.isSimulated() ? -clock.now().time_since_epoch() : clock.unixOffset())
 {
 }

@@ -44,12 +44,15 @@ private:
 /// A verb with its arguments, ready to run. Checks everything before it sends anything; yields the exit status.
 using Job = std::function<Task<int>(Console &)>;
 
-/// Seconds since 1970, or since `start` on a simulated link, whose time is its own.
-class TimeBase {
+/// Without the rounding of a division: exact to the last digit that a double has.
+[[nodiscard]] double secondsOf(Duration time);
+
+/// Time since 1970, or since its construction on a simulated link, whose time is its own.
+class TimeOrigin {
 public:
-    TimeBase(const Clock &clock, const LinkAddress &link);
+    TimeOrigin(const Clock &clock, const LinkAddress &link);
     [[nodiscard]] Duration of(Instant time) const { return time.time_since_epoch() + m_offset; }
-    [[nodiscard]] double seconds(Instant time) const { return std::chrono::duration<double>(of(time)).count(); }
+    [[nodiscard]] double seconds(Instant time) const { return secondsOf(of(time)); }
 
 private:
     Duration m_offset;

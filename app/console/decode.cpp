@@ -19,7 +19,7 @@
 namespace mb::console {
 namespace {
 
-constexpr std::array<std::string_view, 4> dialects {"F", "L", "LL", "D"};
+constexpr std::array<std::string_view, 4> dialects{"F", "L", "LL", "D"};
 constexpr std::size_t chunkSize = 65536;
 constexpr std::size_t longestLine = 4096;
 
@@ -74,7 +74,9 @@ private:
     }
     [[nodiscard]] tl::unexpected<Error> malformed(std::uint64_t number) const
     {
-        return fail(Fault::OutOfRange, m_name + ": line " + std::to_string(number) + " is not a line of candump -L; such a line reads (1436509052.249713) can0 044#2A366C2B");
+        return fail(Fault::OutOfRange,
+            m_name + ": line " + std::to_string(number)
+                + " is not a line of candump -L; such a line reads (1436509052.249713) can0 044#2A366C2B");
     }
     void print(bool prints)
     {
@@ -98,8 +100,11 @@ Result<void> readAll(QFile &file, LogReader reader, bool prints)
     while (!file.atEnd()) {
         const QByteArray chunk = file.read(static_cast<qint64>(chunkSize));
         if (chunk.isEmpty())
-            return fail(Fault::OutOfRange, file.fileName().toStdString() + " cannot be read: " + file.errorString().toStdString());
-        if (auto taken = reader.take(std::string_view(chunk.constData(), static_cast<std::size_t>(chunk.size())), prints); !taken)
+            return fail(Fault::OutOfRange,
+                file.fileName().toStdString() + " cannot be read: " + file.errorString().toStdString());
+        if (auto taken
+            = reader.take(std::string_view(chunk.constData(), static_cast<std::size_t>(chunk.size())), prints);
+            !taken)
             return taken;
     }
     return reader.finish(prints);
@@ -134,7 +139,7 @@ public:
 private:
     void read()
     {
-        std::array<char, chunkSize> buffer {};
+        std::array<char, chunkSize> buffer{};
         const auto got = ::read(STDIN_FILENO, buffer.data(), buffer.size());
         if (got < 0 && (errno == EINTR || errno == EAGAIN))
             return;
@@ -157,7 +162,8 @@ private:
 Task<int> decode(Console &console, Arguments arguments)
 {
     if (!arguments.dialect.empty() && std::find(dialects.begin(), dialects.end(), arguments.dialect) == dialects.end())
-        co_return fail(Fault::OutOfRange, "--dialect: '" + arguments.dialect + "' is unknown; F, L, LL and D are known");
+        co_return fail(
+            Fault::OutOfRange, "--dialect: '" + arguments.dialect + "' is unknown; F, L, LL and D are known");
     if (!arguments.file.empty() && arguments.file != "-") {
         if (auto decoded = decodeFile(console, arguments); !decoded)
             co_return fail(decoded.error());

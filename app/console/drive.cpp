@@ -40,12 +40,12 @@ struct Arguments {
 struct Plan {
     Target target;
     SetPoint setPoint;
-    Duration time {};
+    Duration time{};
 };
 
 Result<Mode> parseMode(const Family &family, const std::string &text)
 {
-    std::vector<std::string_view> known {toString(Mode::Off)};
+    std::vector<std::string_view> known{toString(Mode::Off)};
     std::string list(known.front());
     for (const Mode mode : family.modes) {
         known.push_back(toString(mode));
@@ -54,7 +54,9 @@ Result<Mode> parseMode(const Family &family, const std::string &text)
     const auto mode = modeFromString(text);
     if (mode && std::find(known.begin(), known.end(), text) != known.end())
         return *mode;
-    return fail(Fault::OutOfRange, std::string(family.key) + " has no mode '" + text + "'; it has " + list + (mode ? "" : suggestion(text, known)));
+    return fail(Fault::OutOfRange,
+        std::string(family.key) + " has no mode '" + text + "'; it has " + list
+            + (mode ? "" : suggestion(text, known)));
 }
 
 Result<double> optionalNumber(std::string_view name, const std::string &text, double low, double high)
@@ -68,7 +70,9 @@ Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
     if (!mode)
         return fail(mode.error());
     if (a.target.empty() && *mode != Mode::Off)
-        return fail(Fault::OutOfRange, "--target is missing; give it in " + std::string(unitOf(*mode).empty() ? "the unit of the mode" : unitOf(*mode)));
+        return fail(Fault::OutOfRange,
+            "--target is missing; give it in "
+                + std::string(unitOf(*mode).empty() ? "the unit of the mode" : unitOf(*mode)));
     const auto target = optionalNumber("--target", a.target, -huge, huge);
     const auto velocity = optionalNumber("--velocity", a.velocity, 0.0, huge);
     const auto acceleration = optionalNumber("--acceleration", a.acceleration, 0.0, huge);
@@ -78,7 +82,8 @@ Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
             return fail(number->error());
     }
     const auto axis = a.axis.empty() ? Result<int>(1) : parseInteger("--axis", a.axis, 1, family.capabilities.axes);
-    const auto slot = a.slot.empty() ? Result<int>(0) : parseInteger("--slot", a.slot, 0, family.capabilities.slots - 1);
+    const auto slot
+        = a.slot.empty() ? Result<int>(0) : parseInteger("--slot", a.slot, 0, family.capabilities.gainSlots - 1);
     if (!axis || !slot)
         return fail(axis ? slot.error() : axis.error());
     if (a.brake && a.coast)
@@ -133,7 +138,7 @@ Result<Plan> check(Console &console, const Arguments &arguments)
     const auto time = parseSpan(arguments.seconds);
     if (!time)
         return fail(time.error());
-    Plan plan {std::move(*target), *setPoint, time->value_or(Duration::zero())};
+    Plan plan{std::move(*target), *setPoint, time->value_or(Duration::zero())};
     if (auto legal = checkSetPoint(console, plan); !legal)
         return fail(legal.error());
     return plan;
@@ -146,7 +151,10 @@ struct Outcome {
     bool interrupted = false;
     bool stopped = false;
 
-    [[nodiscard]] bool isGuarded() const { return end != SetPointStream::End::Stopped && end != SetPointStream::End::None; }
+    [[nodiscard]] bool isGuarded() const
+    {
+        return end != SetPointStream::End::Stopped && end != SetPointStream::End::None;
+    }
     [[nodiscard]] bool isSafety() const { return isGuarded() || !stopped; }
 };
 
@@ -207,18 +215,24 @@ void report(Console &console, const Outcome &outcome, std::uint64_t samples)
             {QStringLiteral("reason"), QLatin1String(reason)},
         });
     } else {
-        console.note(std::to_string(samples) + " samples, " + (outcome.stopped ? "stopped" : "stop not confirmed") + ", " + reason);
+        console.note(std::to_string(samples) + " samples, " + (outcome.stopped ? "stopped" : "stop not confirmed")
+            + ", " + reason);
     }
 }
 
 Result<int> verdictOf(const Device &device, const Outcome &outcome)
 {
     if (outcome.end == SetPointStream::End::LinkLost || device.link().state() == LinkState::Lost)
-        return fail(Fault::LinkLost, "the link was lost while the motor was driven: " + device.link().reason() + "; see that the motor stands before anything else");
+        return fail(Fault::LinkLost,
+            "the link was lost while the motor was driven: " + device.link().reason()
+                + "; see that the motor stands before anything else");
     if (!outcome.stopped)
-        return fail(Fault::Unsafe, "the stop was not confirmed by " + device.selector() + " within a second" + (outcome.isGuarded() ? " (" + outcome.why + ')' : "") + "; cut its power if the motor still turns");
+        return fail(Fault::Unsafe,
+            "the stop was not confirmed by " + device.selector() + " within a second"
+                + (outcome.isGuarded() ? " (" + outcome.why + ')' : "") + "; cut its power if the motor still turns");
     if (outcome.isGuarded())
-        return fail(Fault::Unsafe, "stopped for safety: " + outcome.why + "; remove the cause before it is driven again");
+        return fail(
+            Fault::Unsafe, "stopped for safety: " + outcome.why + "; remove the cause before it is driven again");
     return exitDone;
 }
 
@@ -227,7 +241,7 @@ Task<int> drive(Console &console, Arguments arguments)
     const auto plan = check(console, arguments);
     if (!plan)
         co_return fail(plan.error());
-    const Subscription patient = console.interrupted().add([] { }); // a signal ends this verb through its own stop
+    const Subscription patient = console.interrupted().add([] {}); // a signal ends this verb through its own stop
     auto connecting = connect(console, plan->target);
     Device *const device = co_await std::move(connecting);
     Sleep listening(console.clock(), listen);
@@ -250,7 +264,10 @@ Job declareDrive(CLI::App &arguments)
 {
     const auto a = std::make_shared<Arguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
-    arguments.add_option("--mode", a->mode, "duty, velocity, position, current, voltage, follow, ramp-position, ramp-velocity, off")->required();
+    arguments
+        .add_option(
+            "--mode", a->mode, "duty, velocity, position, current, voltage, follow, ramp-position, ramp-velocity, off")
+        ->required();
     arguments.add_option("--target", a->target, "-1…1, counts/s, counts, A, V, a device number, by mode");
     arguments.add_option("--for", a->seconds, "Seconds, then it is stopped")->required();
     arguments.add_option("--axis", a->axis, "1…, on boards with several");

@@ -11,10 +11,10 @@ namespace mb::console {
 enum Exit {
     exitDone = 0,
     exitDevice = 1, ///< the device answered with an error, or a read-back or verification differs
-    exitUsage = 2, ///< wrong usage or input; nothing was sent
+    exitUsage = 2,  ///< wrong usage or input; nothing was sent
     exitSilent = 3, ///< no such device, or no answer
     exitSafety = 4, ///< stopped for safety
-    exitLink = 5, ///< a link cannot be opened or was lost
+    exitLink = 5,   ///< a link cannot be opened or was lost
 };
 
 [[nodiscard]] int exitStatusOf(Fault fault);

@@ -39,14 +39,16 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
     const auto bytes = loadFile(arguments.file, static_cast<std::int64_t>(FirmwareImage::maxTextSize));
     if (!bytes)
         return fail(bytes.error());
-    auto parsed = FirmwareImage::fromIntelHex(std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));
+    auto parsed
+        = FirmwareImage::fromIntelHex(std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));
     if (!parsed)
-        return fail(Fault::OutOfRange, arguments.file + ": " + parsed.error().detail + "; an undamaged Intel HEX file is needed");
+        return fail(Fault::OutOfRange,
+            arguments.file + ": " + parsed.error().detail + "; an undamaged Intel HEX file is needed");
     if (family.inspect) {
         if (auto summary = family.inspect(*parsed); !summary)
             return fail(Fault::OutOfRange, arguments.file + ": " + summary.error().detail);
     }
-    return Plan {std::move(*target), std::move(*parsed)};
+    return Plan{std::move(*target), std::move(*parsed)};
 }
 
 /// Runs the update as an operation: shows its progress, and cancels it on a signal as soon as that does no harm.
@@ -62,15 +64,16 @@ public:
     }
     void start(const Family &family, Device &device, const FirmwareImage &image, const UpdateOptions &options)
     {
-        m_operation.run<UpdateReport>(family.update(device, image, options, m_operation), [this](Result<UpdateReport> result) {
-            report = std::move(result);
-            done.set();
-        });
+        m_operation.run<UpdateReport>(
+            family.update(device, image, options, m_operation), [this](Result<UpdateReport> result) {
+                report = std::move(result);
+                done.set();
+            });
         tick();
     }
 
     Event done;
-    Result<UpdateReport> report {UpdateReport {}};
+    Result<UpdateReport> report{UpdateReport{}};
 
 private:
     void tick()
@@ -129,9 +132,14 @@ void show(Console &console, const UpdateReport &report, double seconds)
             {QStringLiteral("evidence"), textOrNull(report.evidence)},
         });
     } else if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate) {
-        const auto version = [](const std::string &text) { return text.empty() ? std::string("no application") : text; };
-        console.out().line(std::string(toString(report.outcome)) + ": " + version(report.from) + " → " + version(report.to) + ", " + std::to_string(report.pages) + " pages, " + std::to_string(report.retries) + " retries, "
-            + numberText(seconds) + " s, " + (report.verified ? "verified" : "not verified") + (report.evidence.empty() ? "" : ": " + report.evidence));
+        std::string line(toString(report.outcome));
+        if (report.pages > 0)
+            line += ": " + (report.from.empty() ? std::string("no application") : report.from) + " → "
+                + (report.to.empty() ? std::string("unknown") : report.to) + ", " + std::to_string(report.pages)
+                + " pages, " + std::to_string(report.retries) + " retries, " + numberText(seconds) + " s";
+        if (report.verified)
+            line += ", verified";
+        console.out().line(report.evidence.empty() ? line : line + ": " + report.evidence);
     }
 }
 
@@ -156,6 +164,8 @@ Task<int> flash(Console &console, Arguments arguments)
         Update update(console);
         update.start(*plan->target.family, *device, plan->image, arguments.options);
         co_await update.done.wait();
+        if (!update.report && exitStatusOf(update.report.error().fault) == exitUsage)
+            co_return fail(update.report.error());
         report = reportOf(std::move(update.report));
     }
     const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(console.clock().now() - start);
@@ -172,7 +182,8 @@ Job declareFlash(CLI::App &arguments)
     arguments.add_option("file", a->file, "Intel HEX")->required();
     arguments.add_flag("--dry-run", a->options.dryRun, "Preflight only, nothing is written");
     arguments.add_flag("--force", a->options.force, "Write even if the device has this version");
-    arguments.add_option("--via", a->options.via, "The other way in: a serial link, avrdude:PROGRAMMER:PORT, openocd:INTERFACE");
+    arguments.add_option(
+        "--via", a->options.via, "The other way in: a serial link, avrdude:PROGRAMMER:PORT, openocd:INTERFACE");
     arguments.add_option("--target", a->options.target, "f1 or f4");
     return [a](Console &console) { return flash(console, *a); };
 }

@@ -33,7 +33,8 @@ std::optional<DecodedFrame> FrameLines::decode(const CanFrame &frame) const
     return std::nullopt;
 }
 
-void FrameLines::printJson(Duration time, std::string_view link, const CanFrame &frame, const std::optional<DecodedFrame> &decoded)
+void FrameLines::printJson(
+    Duration time, std::string_view link, const CanFrame &frame, const std::optional<DecodedFrame> &decoded)
 {
     const std::string text = toText(frame);
     QJsonObject fields;
@@ -42,7 +43,7 @@ void FrameLines::printJson(Duration time, std::string_view link, const CanFrame 
             fields.insert(qt(field.name), field.value);
     }
     m_console.out().json({
-        {QStringLiteral("t"), std::chrono::duration<double>(time).count()},
+        {QStringLiteral("t"), secondsOf(time)},
         {QStringLiteral("link"), qt(link)},
         {QStringLiteral("id"), static_cast<qint64>(frame.id)},
         {QStringLiteral("data"), frame.remote ? QString() : qt(std::string_view(text).substr(text.find('#') + 1))},
@@ -53,11 +54,13 @@ void FrameLines::printJson(Duration time, std::string_view link, const CanFrame 
     });
 }
 
-void FrameLines::printText(Duration time, std::string_view link, const CanFrame &frame, const std::optional<DecodedFrame> &decoded)
+void FrameLines::printText(
+    Duration time, std::string_view link, const CanFrame &frame, const std::optional<DecodedFrame> &decoded)
 {
     std::string line = toCandumpLine(time, link, frame);
     if (decoded) {
-        line += "  " + std::string(decoded->family) + ':' + std::to_string(decoded->address) + ' ' + std::string(decoded->message);
+        line += "  " + std::string(decoded->family) + ':' + std::to_string(decoded->address) + ' '
+            + std::string(decoded->message);
         for (const DecodedField &field : decoded->fields) {
             line += ' ' + std::string(field.name) + '=' + numberText(field.value);
             if (!field.unit.empty())

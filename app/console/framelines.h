@@ -18,8 +18,10 @@ public:
 
 private:
     [[nodiscard]] std::optional<DecodedFrame> decode(const CanFrame &frame) const;
-    void printJson(Duration time, std::string_view link, const CanFrame &frame, const std::optional<DecodedFrame> &decoded);
-    void printText(Duration time, std::string_view link, const CanFrame &frame, const std::optional<DecodedFrame> &decoded);
+    void printJson(
+        Duration time, std::string_view link, const CanFrame &frame, const std::optional<DecodedFrame> &decoded);
+    void printText(
+        Duration time, std::string_view link, const CanFrame &frame, const std::optional<DecodedFrame> &decoded);
 
     Console &m_console;
     std::string m_dialect;

@@ -34,7 +34,8 @@ Result<std::vector<ParameterIndex>> parseKeys(const Family &family, const std::v
 }
 
 /// What was read is printed with its failures in it; a file is written only when it is complete.
-Task<int> show(Console &console, Device &device, std::vector<ParameterIndex> indices, std::string file, std::optional<Error> error)
+Task<int> show(
+    Console &console, Device &device, std::vector<ParameterIndex> indices, std::string file, std::optional<Error> error)
 {
     const QJsonObject object = parametersToJson(device, indices);
     if (!file.empty() && !error) {
@@ -74,7 +75,8 @@ Task<int> get(Console &console, Arguments arguments)
         outcomes = co_await std::move(reading);
     }
     const auto error = firstError(*device, outcomes);
-    const bool any = std::any_of(outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });
+    const bool any = std::any_of(
+        outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });
     if (error && (!any || outcomes.size() < indices->size()))
         co_return fail(*error);
     auto showing = show(console, *device, *indices, arguments.file, error);

@@ -15,7 +15,7 @@ QJsonObject toJson(const std::vector<FaultRecord> &faults)
     QJsonObject object;
     for (const FaultRecord &fault : faults) {
         object.insert(qt(fault.key),
-            QJsonObject {
+            QJsonObject{
                 {QStringLiteral("active"), fault.active},
                 {QStringLiteral("sticky"), fault.sticky},
                 {QStringLiteral("count"), fault.count ? QJsonValue(static_cast<qint64>(*fault.count)) : QJsonValue()},
@@ -71,10 +71,12 @@ void printText(Console &console, const Device &device, const Faults &faults)
         table.add({"detail", identity.detail});
     for (const auto &[key, text] : identity.descriptors)
         table.add({key, text});
-    for (const FaultRecord &fault : faults.value_or(std::vector<FaultRecord> {}))
+    for (const FaultRecord &fault : faults.value_or(std::vector<FaultRecord>{}))
         table.add({"fault " + fault.key, describe(fault)});
     const LinkCounters &counters = device.link().counters();
-    table.add({"link frames", std::to_string(counters.rx) + " received, " + std::to_string(counters.tx) + " sent, " + std::to_string(counters.lost) + " lost, " + std::to_string(counters.errors) + " errors"});
+    table.add({"link frames",
+        std::to_string(counters.rx) + " received, " + std::to_string(counters.tx) + " sent, "
+            + std::to_string(counters.lost) + " lost, " + std::to_string(counters.errors) + " errors"});
     table.print(console.out());
 }
 

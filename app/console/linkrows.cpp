@@ -9,7 +9,7 @@ namespace mb::console {
 std::vector<LinkListing> allLinks(const Console &console)
 {
     std::vector<LinkListing> links = listLinks();
-    for (const LinkAddress &address : expandLink(LinkAddress {"sim", "", {}}, console.families()))
+    for (const LinkAddress &address : expandLink(LinkAddress{"sim", "", {}}, console.families()))
         links.push_back({address, kindOf(address), "available", "simulated devices inside this program", true});
     return links;
 }
@@ -24,7 +24,7 @@ QJsonArray toJson(const std::vector<LinkListing> &links)
 {
     QJsonArray rows;
     for (const LinkListing &link : links) {
-        rows.append(QJsonObject {
+        rows.append(QJsonObject{
             {QStringLiteral("link"), qt(link.link.text())},
             {QStringLiteral("kind"), qt(toString(link.kind))},
             {QStringLiteral("state"), qt(link.state)},

@@ -23,7 +23,8 @@ Task<int> monitor(Console &console, Arguments arguments)
     if (!time)
         co_return fail(time.error());
     if (links->size() != 1)
-        co_return fail(Fault::OutOfRange, "'" + arguments.link + "' stands for several links; name one, such as " + links->front().text());
+        co_return fail(Fault::OutOfRange,
+            "'" + arguments.link + "' stands for several links; name one, such as " + links->front().text());
     const auto link = console.session().openLink(links->front());
     if (!link)
         co_return fail(link.error());
@@ -31,7 +32,7 @@ Task<int> monitor(Console &console, Arguments arguments)
     ending.watch(**link);
     ending.after(*time);
     FrameLines lines(console, {});
-    const TimeBase base(console.clock(), (*link)->address());
+    const TimeOrigin base(console.clock(), (*link)->address());
     const std::string name = (*link)->address().shortName();
     const Subscription tap = (*link)->traffic().add([&](const Traffic &traffic) {
         if (!traffic.can)

@@ -19,7 +19,9 @@ Result<void> checkFree(Console &console, const Device &device, int number)
 {
     for (const Device *other : console.session().devices()) {
         if (other != &device && &other->family() == &device.family() && other->identity().address == number)
-            return fail(Fault::OutOfRange, "number " + std::to_string(number) + " is taken by another " + std::string(device.family().title) + " on this link; choose a free one");
+            return fail(Fault::OutOfRange,
+                "number " + std::to_string(number) + " is taken by another " + std::string(device.family().title)
+                    + " on this link; choose a free one");
     }
     return {};
 }
@@ -33,7 +35,8 @@ Task<int> renumber(Console &console, Arguments arguments)
     if (!number)
         co_return fail(number.error());
     if (!target->family->capabilities.renumber)
-        co_return fail(Fault::Unsupported, std::string(target->family->key) + " has no number that can be changed; see its README");
+        co_return fail(Fault::Unsupported,
+            std::string(target->family->key) + " has no number that can be changed; see its README");
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     if (auto free = checkFree(console, *device, *number); !free)
@@ -50,10 +53,12 @@ Task<int> renumber(Console &console, Arguments arguments)
             {QStringLiteral("verified"), verified},
         });
     } else {
-        console.out().line("number " + std::to_string(old) + " → " + std::to_string(*number) + (verified ? ", it answers as " + device->selector() : ", not verified"));
+        console.out().line("number " + std::to_string(old) + " → " + std::to_string(*number)
+            + (verified ? ", it answers as " + device->selector() : ", not verified"));
     }
     if (!verified)
-        complain(lineOf({Fault::BadCheck, "the device did not answer under its new number; 'motorbenchctl scan' shows where it is"}));
+        complain(lineOf({Fault::BadCheck,
+            "the device did not answer under its new number; 'motorbenchctl scan' shows where it is"}));
     co_return verified ? exitDone : exitDevice;
 }
 

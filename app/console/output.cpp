@@ -24,7 +24,7 @@ int writeAll(int descriptor, std::string_view text)
         if (written >= 0) {
             text.remove_prefix(static_cast<std::size_t>(written));
         } else if (errno == EAGAIN) {
-            pollfd waiting {descriptor, POLLOUT, 0};
+            pollfd waiting{descriptor, POLLOUT, 0};
             ::poll(&waiting, 1, -1);
         } else if (errno != EINTR) {
             return errno;

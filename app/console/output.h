@@ -11,8 +11,8 @@
 
 namespace mb::console {
 
-/// Standard output, gathered for at most 10 ms so that a full bus does not cost one system call a frame. A reader that went
-/// away (`… | head`) is no error: what follows is dropped, and broken() says so once.
+/// Standard output, gathered for at most 10 ms so that a full bus does not cost one system call a frame. A reader that
+/// went away (`… | head`) is no error: what follows is dropped, and broken() says so once.
 class Output {
 public:
     explicit Output(Clock &clock);

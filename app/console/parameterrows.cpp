@@ -15,7 +15,9 @@ Result<ParameterIndex> parseKey(const Family &family, std::string_view key)
         known.push_back(parameter.key);
     const std::string near = suggestion(key, known);
     const std::string name(family.key);
-    return fail(Fault::OutOfRange, name + " has no parameter '" + std::string(key) + '\'' + (near.empty() ? "; 'motorbenchctl parameters " + name + "' lists them" : near));
+    return fail(Fault::OutOfRange,
+        name + " has no parameter '" + std::string(key) + '\''
+            + (near.empty() ? "; 'motorbenchctl parameters " + name + "' lists them" : near));
 }
 
 std::string shownValue(const Parameter &parameter, std::optional<std::int64_t> raw)
@@ -33,7 +35,8 @@ void printParameters(Console &console, const Device &device, const std::vector<P
         const Parameter &parameter = device.parameters().parameter(index);
         const ParameterStore::Entry &entry = device.parameters().entry(index);
         const bool known = entry.raw && entry.state != ParameterState::Failed;
-        table.add({std::string(parameter.key), known ? toText(parameter, *entry.raw) : std::string(), std::string(parameter.unit), std::string(toString(entry.state))});
+        table.add({std::string(parameter.key), known ? toText(parameter, *entry.raw) : std::string(),
+            std::string(parameter.unit), std::string(toString(entry.state))});
     }
     table.print(console.out());
 }

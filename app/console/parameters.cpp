@@ -13,9 +13,12 @@ namespace {
 std::string_view accessName(Access access)
 {
     switch (access) {
-    case Access::ReadOnly: return "ro";
-    case Access::ReadWrite: return "rw";
-    case Access::WriteOnly: return "wo";
+    case Access::ReadOnly:
+        return "ro";
+    case Access::ReadWrite:
+        return "rw";
+    case Access::WriteOnly:
+        return "wo";
     }
     return "";
 }
@@ -29,7 +32,7 @@ QJsonObject toJson(const Parameter &p)
 {
     return {
         {QStringLiteral("key"), qt(p.key)},
-        {QStringLiteral("id"), int {p.id}},
+        {QStringLiteral("id"), int{p.id}},
         {QStringLiteral("label"), qt(p.label)},
         {QStringLiteral("group"), qt(p.group)},
         {QStringLiteral("type"), qt(typeName(p))},
@@ -63,7 +66,9 @@ Task<int> parameters(Console &console, std::string key)
     }
     Table table({"KEY", "ID", "TYPE", "MIN", "MAX", "DEFAULT", "UNIT", "ACCESS", "STORED", "LABEL"});
     for (const Parameter &p : (*family)->parameters)
-        table.add({std::string(p.key), std::to_string(p.id), std::string(typeName(p)), text(p, p.minimum), text(p, p.maximum), text(p, p.fallback), std::string(p.unit), std::string(accessName(p.access)), p.persistent ? "yes" : "no", std::string(p.label)});
+        table.add({std::string(p.key), std::to_string(p.id), std::string(typeName(p)), text(p, p.minimum),
+            text(p, p.maximum), text(p, p.fallback), std::string(p.unit), std::string(accessName(p.access)),
+            p.persistent ? "yes" : "no", std::string(p.label)});
     table.print(console.out());
     co_return exitDone;
 }

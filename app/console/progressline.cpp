@@ -39,7 +39,8 @@ void ProgressLine::step(const std::string &what, int done, int total)
     std::string line = what;
     if (total > 0)
         line += " (" + std::to_string(done) + " of " + std::to_string(total) + ')';
-    complain(line);
+    if (line != std::exchange(m_last, line))
+        complain(line);
 }
 
 void ProgressLine::draw(const std::string &what, int done, int total)
@@ -47,7 +48,9 @@ void ProgressLine::draw(const std::string &what, int done, int total)
     std::string line = "\r\x1B[K";
     if (total > 0) {
         const int filled = std::clamp(barWidth * done / total, 0, barWidth);
-        line += '[' + std::string(static_cast<std::size_t>(filled), '#') + std::string(static_cast<std::size_t>(barWidth - filled), ' ') + "] " + std::to_string(100 * done / total) + " % ";
+        line += '[' + std::string(static_cast<std::size_t>(filled), '#')
+            + std::string(static_cast<std::size_t>(barWidth - filled), ' ') + "] " + std::to_string(100 * done / total)
+            + " % ";
     }
     write(line + what);
     m_drawn = true;

@@ -6,7 +6,8 @@
 
 namespace mb::console {
 
-/// Progress on standard error: a bar that is redrawn on a terminal, otherwise a line a second at most. Nothing with --quiet.
+/// Progress on standard error: a bar that is redrawn on a terminal, otherwise a line a second at most. Nothing with
+/// --quiet.
 class ProgressLine final : public Progress {
 public:
     explicit ProgressLine(Console &console);
@@ -25,7 +26,8 @@ private:
     Console &m_console;
     bool m_terminal = false;
     bool m_drawn = false;
-    Instant m_next {};
+    Instant m_next{};
+    std::string m_last; ///< said already
 };
 
 } // namespace mb::console

@@ -22,9 +22,12 @@ Task<int> rename(Console &console, Arguments arguments)
         co_return fail(target.error());
     const int length = qt(arguments.name).size();
     if (length < 1 || length > longest)
-        co_return fail(Fault::OutOfRange, "a name has 1 to " + std::to_string(longest) + " characters, this one has " + std::to_string(length) + "; choose another");
+        co_return fail(Fault::OutOfRange,
+            "a name has 1 to " + std::to_string(longest) + " characters, this one has " + std::to_string(length)
+                + "; choose another");
     if (!target->family->capabilities.rename)
-        co_return fail(Fault::Unsupported, std::string(target->family->key) + " stores no name; tell units apart by their number");
+        co_return fail(
+            Fault::Unsupported, std::string(target->family->key) + " stores no name; tell units apart by their number");
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     if (length > usual)
@@ -43,7 +46,8 @@ Task<int> rename(Console &console, Arguments arguments)
             {QStringLiteral("verified"), verified},
         });
     } else {
-        console.out().line("name '" + old + "' → '" + arguments.name + '\'' + (verified ? ", read back" : ", not verified"));
+        console.out().line(
+            "name '" + old + "' → '" + arguments.name + '\'' + (verified ? ", read back" : ", not verified"));
     }
     if (!verified)
         complain(lineOf({Fault::BadCheck, "the device now calls itself '" + device->identity().name + "'; try again"}));

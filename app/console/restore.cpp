@@ -33,7 +33,8 @@ Result<ParameterFile> load(const std::string &path, const Family &family)
         return fail(bytes.error());
     auto file = parseParameterFile(*bytes, family);
     if (!file)
-        return fail(Fault::OutOfRange, path + ": " + file.error().detail + "; save one with 'motorbenchctl get DEVICE --file F'");
+        return fail(Fault::OutOfRange,
+            path + ": " + file.error().detail + "; save one with 'motorbenchctl get DEVICE --file F'");
     return file;
 }
 
@@ -65,13 +66,14 @@ void show(Console &console, const Device &device, const std::vector<Change> &cha
     Table table({"KEY", "FROM", "TO", "RESULT"});
     for (const Change &change : changes) {
         const Parameter &parameter = device.parameters().parameter(change.difference.index);
-        rows.append(QJsonObject {
+        rows.append(QJsonObject{
             {QStringLiteral("key"), qt(parameter.key)},
             {QStringLiteral("from"), toJson(parameter, change.difference.from)},
             {QStringLiteral("to"), toJson(parameter, change.difference.to)},
             {QStringLiteral("result"), qt(change.result)},
         });
-        table.add({std::string(parameter.key), shownValue(parameter, change.difference.from), shownValue(parameter, change.difference.to), std::string(change.result)});
+        table.add({std::string(parameter.key), shownValue(parameter, change.difference.from),
+            shownValue(parameter, change.difference.to), std::string(change.result)});
     }
     if (console.json())
         console.out().json({{QStringLiteral("changes"), rows}});

@@ -12,6 +12,7 @@ SampleStream::SampleStream(Console &console, Device &device, std::vector<Channel
     : m_console(console)
     , m_device(device)
     , m_time(console.clock(), device.link().address())
+    , m_start(console.clock().now())
     , m_chosen(device.telemetry()->channels().size(), channels.empty())
 {
     for (const ChannelIndex channel : channels)
@@ -25,7 +26,7 @@ SampleStream::SampleStream(Console &console, Device &device, std::vector<Channel
 
 void SampleStream::print(const Sample &sample)
 {
-    if (!m_chosen[sample.channel.value])
+    if (!m_chosen[sample.channel.value] || sample.time < m_start)
         return;
     ++m_count;
     const Channel &channel = m_device.telemetry()->channels()[sample.channel.value];
@@ -38,7 +39,7 @@ void SampleStream::print(const Sample &sample)
         });
         return;
     }
-    std::array<char, 40> time {};
+    std::array<char, 40> time{};
     std::snprintf(time.data(), time.size(), "%.6f,", m_time.seconds(sample.time));
     std::string line = time.data();
     line += channel.key;
@@ -59,7 +60,7 @@ std::uint64_t SampleStream::lostSoFar() const
     std::uint64_t lost = m_device.link().counters().lost;
     for (std::size_t i = 0; i < m_chosen.size(); ++i) {
         if (m_chosen[i])
-            lost += m_device.telemetry()->lost(ChannelIndex {static_cast<std::uint16_t>(i)});
+            lost += m_device.telemetry()->lost(ChannelIndex{static_cast<std::uint16_t>(i)});
     }
     return lost;
 }
@@ -79,7 +80,8 @@ Result<std::vector<ChannelIndex>> parseChannels(const Family &family, const std:
         std::string list;
         for (const std::string_view key : known)
             list += (list.empty() ? "" : ", ") + std::string(key);
-        return fail(Fault::OutOfRange, std::string(family.key) + " has no channel '" + name + "'; it has " + list + suggestion(name, known));
+        return fail(Fault::OutOfRange,
+            std::string(family.key) + " has no channel '" + name + "'; it has " + list + suggestion(name, known));
     }
     return channels;
 }

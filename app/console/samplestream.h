@@ -8,7 +8,8 @@
 
 namespace mb::console {
 
-/// Prints the samples of one device as they come, from its construction on, and counts them: CSV with a header, or JSON.
+/// Prints the samples of one device as they come, from its construction on, and counts them: CSV with a header, or
+/// JSON.
 class SampleStream {
 public:
     /// No channels: all of them.
@@ -24,7 +25,8 @@ private:
 
     Console &m_console;
     Device &m_device;
-    TimeBase m_time;
+    TimeOrigin m_time;
+    Instant m_start; ///< what was measured before is not part of it
     std::vector<bool> m_chosen;
     std::uint64_t m_count = 0;
     std::uint64_t m_lostBefore = 0;
@@ -32,6 +34,7 @@ private:
 };
 
 /// OutOfRange for a channel that the family has not.
-[[nodiscard]] Result<std::vector<ChannelIndex>> parseChannels(const Family &family, const std::vector<std::string> &names);
+[[nodiscard]] Result<std::vector<ChannelIndex>> parseChannels(
+    const Family &family, const std::vector<std::string> &names);
 
 } // namespace mb::console

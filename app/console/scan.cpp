@@ -25,7 +25,8 @@ public:
         m_found.resize(links.size());
         m_running = links.size();
         for (std::size_t i = 0; i < links.size(); ++i) {
-            m_scope.spawn<std::vector<Device *>>(m_console.session().scan(*links[i]), [this, i](Result<std::vector<Device *>> found) { ended(i, std::move(found)); });
+            m_scope.spawn<std::vector<Device *>>(m_console.session().scan(*links[i]),
+                [this, i](Result<std::vector<Device *>> found) { ended(i, std::move(found)); });
         }
         if (links.empty())
             done.set();
@@ -104,7 +105,8 @@ void print(Console &console, const std::vector<Device *> &devices)
     Table table({"DEVICE", "STATE", "NAME", "SERIAL", "FIRMWARE", "BOOTLOADER", "DIALECT", "DETAIL"});
     for (const Device *device : devices) {
         const Identity &identity = device->identity();
-        table.add({device->selector(), std::string(toString(identity.state)), identity.name, identity.serial, identity.firmware, identity.bootloader, identity.dialect, identity.detail});
+        table.add({device->selector(), std::string(toString(identity.state)), identity.name, identity.serial,
+            identity.firmware, identity.bootloader, identity.dialect, identity.detail});
     }
     if (devices.empty())
         console.note("no devices found");
@@ -118,7 +120,8 @@ Task<int> scan(Console &console, std::vector<std::string> names)
     if (names.empty()) {
         opened = openListed(console);
         if (opened.links.empty())
-            console.note("no CAN interface is up; 'motorbenchctl links' lists what there is, 'motorbenchctl scan sim:' finds simulated devices");
+            console.note("no CAN interface is up; 'motorbenchctl links' lists what there is, 'motorbenchctl scan sim:' "
+                         "finds simulated devices");
     } else {
         auto named = openNamed(console, names);
         if (!named)

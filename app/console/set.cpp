@@ -30,7 +30,7 @@ Result<ParameterChange> parseAssignment(const Family &family, const std::string 
     const auto raw = parseRaw(parameter, text.substr(equals + 1));
     if (!raw)
         return fail(raw.error());
-    return ParameterChange {*index, *raw};
+    return ParameterChange{*index, *raw};
 }
 
 Result<std::vector<ParameterChange>> parseAssignments(const Family &family, const std::vector<std::string> &texts)
@@ -42,7 +42,8 @@ Result<std::vector<ParameterChange>> parseAssignments(const Family &family, cons
             return fail(change.error());
         const auto same = [&](const ParameterChange &other) { return other.index == change->index; };
         if (std::any_of(changes.begin(), changes.end(), same))
-            return fail(Fault::OutOfRange, std::string(family.parameters[change->index.value].key) + " is given twice; give it once");
+            return fail(Fault::OutOfRange,
+                std::string(family.parameters[change->index.value].key) + " is given twice; give it once");
         changes.push_back(*change);
     }
     return changes;
@@ -61,7 +62,8 @@ std::optional<bool> verdictOf(const std::vector<TransferOutcome> &outcomes)
     return verdict;
 }
 
-void show(Console &console, const Device &device, const std::vector<ParameterIndex> &indices, std::optional<bool> verified)
+void show(
+    Console &console, const Device &device, const std::vector<ParameterIndex> &indices, std::optional<bool> verified)
 {
     if (console.json()) {
         QJsonObject object = parametersToJson(device, indices);
@@ -79,7 +81,8 @@ Task<std::optional<Error>> store(Console &console, Device &device)
     auto storing = device.store(progress);
     const Result<bool> stored = co_await std::move(storing).attempt();
     if (!stored)
-        co_return std::optional<Error>(Error {stored.error().fault, "the values are in force but not proved to be stored: " + stored.error().detail});
+        co_return std::optional<Error>(Error{
+            stored.error().fault, "the values are in force but not proved to be stored: " + stored.error().detail});
     if (!*stored)
         console.note("this device cannot prove that it stored the values; read them again after a power cycle");
     co_return std::optional<Error>();

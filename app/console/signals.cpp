@@ -32,7 +32,7 @@ Signals::Signals(std::function<void()> received)
     , m_notifier(m_descriptor, QSocketNotifier::Read)
 {
     QObject::connect(&m_notifier, &QSocketNotifier::activated, &m_notifier, [this, received = std::move(received)] {
-        signalfd_siginfo caught {};
+        signalfd_siginfo caught{};
         while (::read(m_descriptor, &caught, sizeof caught) == sizeof caught)
             received();
     });

@@ -43,8 +43,10 @@ Result<Unit> parseUnit(Console &console, const LinkAddress &link, const std::str
         return fail(family.error());
     const auto &kinds = (*family)->links;
     if (!(*family)->simulate || std::find(kinds.begin(), kinds.end(), kindOf(link)) == kinds.end())
-        return fail(Fault::OutOfRange, unit->family + " cannot be simulated on " + link.text() + "; a " + std::string(toString(kinds.front())) + " link is needed");
-    return Unit {link, std::move(*unit), *family};
+        return fail(Fault::OutOfRange,
+            unit->family + " cannot be simulated on " + link.text() + "; a " + std::string(toString(kinds.front()))
+                + " link is needed");
+    return Unit{link, std::move(*unit), *family};
 }
 
 /// Makes the unit once on a bus in memory: what it does not understand is told before a real link is opened.
@@ -64,7 +66,8 @@ Result<void> addGroup(Console &console, const std::vector<std::string> &group, s
     if (!link)
         return fail(link.error());
     if (link->isSimulated())
-        return fail(Fault::OutOfRange, "--on needs a real link, and " + link->text() + " lives inside one program; use it directly");
+        return fail(Fault::OutOfRange,
+            "--on needs a real link, and " + link->text() + " lives inside one program; use it directly");
     if (group.size() < 2)
         return fail(Fault::OutOfRange, "--on " + link->text() + " names no device; add one such as dmc60c:5");
     plan.links.push_back(*link);
@@ -82,7 +85,8 @@ Result<void> addGroup(Console &console, const std::vector<std::string> &group, s
 
 Result<Plan> check(Console &console, const Arguments &arguments)
 {
-    const auto seed = arguments.seed.empty() ? Result<int>(1) : parseInteger("--seed", arguments.seed, 0, 1'000'000'000);
+    const auto seed
+        = arguments.seed.empty() ? Result<int>(1) : parseInteger("--seed", arguments.seed, 0, 1'000'000'000);
     if (!seed)
         return fail(seed.error());
     const auto time = parseSpan(arguments.seconds);
@@ -118,7 +122,8 @@ public:
         m_units.push_back({std::move(*link), std::move(*simulator), {}});
         Running &running = m_units.back();
         if (m_events)
-            running.events = running.simulator->events().add([this, &running](const SimulatorEvent &event) { print(running, event); });
+            running.events = running.simulator->events().add(
+                [this, &running](const SimulatorEvent &event) { print(running, event); });
         return {};
     }
     void watch(Ending &ending)
@@ -135,7 +140,7 @@ private:
     };
     void print(const Running &running, const SimulatorEvent &event)
     {
-        const TimeBase base(m_console.clock(), running.link->address());
+        const TimeOrigin base(m_console.clock(), running.link->address());
         m_console.out().json({
             {QStringLiteral("t"), base.seconds(event.time)},
             {QStringLiteral("link"), qt(running.link->address().text())},
@@ -179,7 +184,8 @@ Task<int> simulate(Console &console, Arguments arguments)
 Job declareSimulate(CLI::App &arguments)
 {
     const auto a = std::make_shared<Arguments>();
-    arguments.add_option("--on", a->on, "A link, then the devices on it, such as socketcan:vcan0 dmc60c:5,motor=cim")->required();
+    arguments.add_option("--on", a->on, "A link, then the devices on it, such as socketcan:vcan0 dmc60c:5,motor=cim")
+        ->required();
     arguments.add_option("--seed", a->seed, "Of everything random; 1 by default");
     arguments.add_option("--for", a->seconds, "Seconds; until a signal otherwise");
     arguments.add_flag("--events", a->events, "Print what happens in the simulated devices (always with --json)");

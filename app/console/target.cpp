@@ -52,7 +52,8 @@ Result<const Family *> parseFamily(std::span<const Family *const> families, std:
         known.push_back(family->key);
         list += (list.empty() ? "" : ", ") + std::string(family->key);
     }
-    return fail(Fault::OutOfRange, "unknown family '" + std::string(key) + "'; this build knows " + list + suggestion(key, known));
+    return fail(Fault::OutOfRange,
+        "unknown family '" + std::string(key) + "'; this build knows " + list + suggestion(key, known));
 }
 
 Result<Target> parseTarget(const Console &console, std::string_view text)
@@ -67,9 +68,11 @@ Result<Target> parseTarget(const Console &console, std::string_view text)
         if (!serves(**family, kindOf(link)))
             continue;
         selector->link = link;
-        return Target {std::move(*selector), *family};
+        return Target{std::move(*selector), *family};
     }
-    return fail(Fault::OutOfRange, std::string((*family)->key) + " is not found on a " + std::string(toString(kindOf(selector->link))) + " link; a " + std::string(toString((*family)->links.front())) + " link is needed");
+    return fail(Fault::OutOfRange,
+        std::string((*family)->key) + " is not found on a " + std::string(toString(kindOf(selector->link)))
+            + " link; a " + std::string(toString((*family)->links.front())) + " link is needed");
 }
 
 Result<std::vector<LinkAddress>> parseLinks(const Console &console, const std::vector<std::string> &texts)
@@ -100,7 +103,10 @@ Result<void> needsApplication(const Device &device)
 {
     if (device.identity().state != DeviceState::Bootloader)
         return {};
-    return fail(Fault::Refused, device.selector() + " waits in its bootloader, where this is not possible; update its firmware with 'motorbenchctl flash' first");
+    return fail(Fault::Refused,
+        device.selector()
+            + " waits in its bootloader, where this is not possible; update its firmware with 'motorbenchctl flash' "
+              "first");
 }
 
 QJsonObject scanRow(const Device &device)
@@ -142,10 +148,12 @@ Result<double> parseNumber(std::string_view name, const std::string &text, doubl
     const char *end = text.data() + text.size();
     const char *begin = text.starts_with('+') ? text.data() + 1 : text.data();
     const auto parsed = std::from_chars(begin, end, number);
-    if (parsed.ec != std::errc {} || parsed.ptr != end || !std::isfinite(number))
+    if (parsed.ec != std::errc{} || parsed.ptr != end || !std::isfinite(number))
         return fail(Fault::OutOfRange, std::string(name) + ": '" + text + "' is not a number; write it like 2.5");
     if (number < low || number > high)
-        return fail(Fault::OutOfRange, std::string(name) + ": " + text + " is out of range; legal is " + numberText(low) + " … " + numberText(high));
+        return fail(Fault::OutOfRange,
+            std::string(name) + ": " + text + " is out of range; legal is " + numberText(low) + " … "
+                + numberText(high));
     return number;
 }
 
@@ -155,7 +163,9 @@ Result<int> parseInteger(std::string_view name, const std::string &text, int low
     if (!number)
         return fail(number.error());
     if (*number != std::floor(*number))
-        return fail(Fault::OutOfRange, std::string(name) + ": " + text + " is not a whole number; legal is " + std::to_string(low) + " … " + std::to_string(high));
+        return fail(Fault::OutOfRange,
+            std::string(name) + ": " + text + " is not a whole number; legal is " + std::to_string(low) + " … "
+                + std::to_string(high));
     return static_cast<int>(*number);
 }
 

@@ -21,7 +21,8 @@ struct Target {
 [[nodiscard]] Result<Target> parseTarget(const Console &console, std::string_view text);
 [[nodiscard]] Result<const Family *> parseFamily(std::span<const Family *const> families, std::string_view key);
 /// The links that a list of addresses stands for, `sim:` expanded.
-[[nodiscard]] Result<std::vector<LinkAddress>> parseLinks(const Console &console, const std::vector<std::string> &texts);
+[[nodiscard]] Result<std::vector<LinkAddress>> parseLinks(
+    const Console &console, const std::vector<std::string> &texts);
 [[nodiscard]] LinkKind kindOf(const LinkAddress &address);
 
 /// Opens the link and finds the device. A selector that fits several units is wrong usage, not an error of the device.

@@ -36,7 +36,7 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
     const auto time = parseSpan(arguments.seconds);
     if (!time)
         return fail(time.error());
-    Plan plan {std::move(*target), std::move(*channels), *time, 0.0};
+    Plan plan{std::move(*target), std::move(*channels), *time, 0.0};
     if (arguments.rate.empty())
         return plan;
     const auto rate = parseNumber("--rate", arguments.rate, 0.01, fastest);
@@ -46,40 +46,36 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
     return plan;
 }
 
-/// Asks for a rate of every watched channel; 0 puts it back. Goes on after an error, and yields the first.
-Task<std::optional<Error>> setRates(Device &device, std::vector<ChannelIndex> channels, double rate)
+/// Asks for a rate of every watched channel; 0 puts it back. Goes on after an error, and yields the first. A channel
+/// that nobody named may have no rate: the set-point comes from the host.
+Task<std::optional<Error>> setRates(Device &device, std::vector<ChannelIndex> named, double rate)
 {
+    std::vector<ChannelIndex> channels = named;
+    for (std::size_t i = 0; named.empty() && i < device.family().channels.size(); ++i)
+        channels.push_back(ChannelIndex{static_cast<std::uint16_t>(i)});
     std::optional<Error> error;
     for (const ChannelIndex channel : channels) {
         auto setting = device.setRate(channel, rate);
         const Result<void> set = co_await std::move(setting).attempt();
-        if (!set && !error)
+        const bool excused = !set && named.empty() && set.error().fault == Fault::Unsupported;
+        if (!set && !excused && !error)
             error = set.error();
     }
     co_return error;
 }
 
-std::vector<ChannelIndex> ratedChannels(const Plan &plan)
-{
-    if (!plan.channels.empty())
-        return plan.channels;
-    std::vector<ChannelIndex> all;
-    for (std::size_t i = 0; i < plan.target.family->channels.size(); ++i)
-        all.push_back(ChannelIndex {static_cast<std::uint16_t>(i)});
-    return all;
-}
-
 void summarize(Console &console, const SampleStream &samples, double seconds)
 {
     if (console.json()) {
-        const QJsonObject summary {
+        const QJsonObject summary{
             {QStringLiteral("samples"), static_cast<qint64>(samples.count())},
             {QStringLiteral("lost"), static_cast<qint64>(samples.lost())},
             {QStringLiteral("seconds"), seconds},
         };
         console.out().json({{QStringLiteral("summary"), summary}});
     } else {
-        console.note(std::to_string(samples.count()) + " samples, " + std::to_string(samples.lost()) + " lost, in " + numberText(seconds) + " s");
+        console.note(std::to_string(samples.count()) + " samples, " + std::to_string(samples.lost()) + " lost, in "
+            + numberText(seconds) + " s");
     }
 }
 
@@ -96,12 +92,12 @@ Task<int> stream(Console &console, Device &device, Plan plan, Ending &ending)
         summarize(console, samples, static_cast<double>(took.count()) / 1000.0);
     }
     if (ending.cause() == Ending::Cause::LinkLost)
-        error = Error {Fault::LinkLost, ending.reason()};
+        error = Error{Fault::LinkLost, ending.reason()};
     if (plan.rate > 0.0) {
-        auto restoring = setRates(device, ratedChannels(plan), 0.0);
+        auto restoring = setRates(device, plan.channels, 0.0);
         const std::optional<Error> failed = co_await std::move(restoring);
         if (failed && !error)
-            error = Error {failed->fault, "the device's rate was not put back: " + failed->detail};
+            error = Error{failed->fault, "the device's rate was not put back: " + failed->detail};
     }
     if (error)
         co_return fail(*error);
@@ -117,11 +113,13 @@ Task<int> watch(Console &console, Arguments arguments)
     auto connecting = connect(console, plan->target);
     Device *const device = co_await std::move(connecting);
     ending.watch(device->link());
+    if (device->identity().state == DeviceState::Bootloader)
+        console.note(device->selector() + " waits in its bootloader and sends no samples");
     if (plan->rate > 0.0) {
-        auto raising = setRates(*device, ratedChannels(*plan), plan->rate);
+        auto raising = setRates(*device, plan->channels, plan->rate);
         const std::optional<Error> failed = co_await std::move(raising);
         if (failed) {
-            auto restoring = setRates(*device, ratedChannels(*plan), 0.0);
+            auto restoring = setRates(*device, plan->channels, 0.0);
             (void)co_await std::move(restoring);
             co_return fail(*failed);
         }

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs motorbenchctl and holds what it says against the contract that every verb has in common."""
+import json
+import subprocess
+import unittest
+
+PROGRAM = ""
+SOURCE = ""
+LIMIT = 120  # seconds; a program that hangs fails, a slow machine does not
+
+CIM = "sim:can/dmc60c:5"
+EMPTY = "sim:can/dmc60c:9"
+SCAN_ROW = {"device", "family", "address", "session", "name", "serial", "state", "firmware", "bootloader", "dialect", "detail"}
+LINK_ROW = {"link", "kind", "state", "detail"}
+SAMPLE = {"t", "channel", "value", "unit"}
+
+
+class Run:
+    """One finished run."""
+
+    def __init__(self, arguments, text=None, environment=None):
+        done = subprocess.run([PROGRAM, *arguments], input=text, capture_output=True, text=True, timeout=LIMIT, check=False,
+                              env=environment)
+        self.arguments = arguments
+        self.status, self.out, self.err = done.returncode, done.stdout, done.stderr
+
+    def objects(self):
+        return [json.loads(line) for line in self.out.splitlines()]
+
+
+class ContractTest(unittest.TestCase):
+    def run_json(self, *arguments, status=0, text=None):
+        """The objects of a run whose standard output is JSON only."""
+        run = Run(["--json", *arguments], text)
+        self.assertEqual(run.status, status, f"{arguments}: {run.err}")
+        return run.objects()
+
+    def run_one(self, *arguments, status=0):
+        """The one object of a verb that does not stream."""
+        objects = self.run_json(*arguments, status=status)
+        self.assertEqual(len(objects), 1, arguments)
+        return objects[0]
+
+    def run_text(self, *arguments, status=0):
+        run = Run(list(arguments))
+        self.assertEqual(run.status, status, f"{arguments}: {run.err}")
+        return run.out
+
+    def assert_error(self, status, *arguments, says="", text=None):
+        """One line on standard error that names cause and remedy, and nothing on standard output."""
+        for options in ([], ["--json"]):
+            with self.subTest(arguments=arguments, options=options):
+                run = Run([*options, *arguments], text)
+                self.assertEqual(run.status, status, run.err)
+                self.assertEqual(run.out, "")
+                self.assertEqual(run.err.count("\n"), 1, run.err)
+                self.assertTrue(run.err.endswith("\n") and "; " in run.err, run.err)
+                self.assertIn(says, run.err)
+
+    def run_until(self, number, *arguments, lines=20):
+        """Sends a signal once so many lines came; yields the status, the objects and standard error."""
+        with subprocess.Popen([PROGRAM, "--json", *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            out = [process.stdout.readline() for _ in range(lines)]
+            process.send_signal(number)
+            rest, err = process.communicate(timeout=LIMIT)
+        return process.returncode, [json.loads(line) for line in [*out, *rest.splitlines()] if line.strip()], err

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""test_console.py PROGRAM SOURCE: what motorbenchctl promises, verb by verb, on simulated devices."""
+import sys
+import unittest
+
+import contract
+from test_devices import DeviceVerbs  # noqa: F401
+from test_motion import Motion  # noqa: F401
+from test_traffic import Traffic  # noqa: F401
+from test_usage import Usage  # noqa: F401
+
+if __name__ == "__main__":
+    contract.PROGRAM, contract.SOURCE = sys.argv[1:3]
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Verbs that find, read, set up and update devices."""
+import json
+import os
+import tempfile
+
+import contract
+from contract import CIM, EMPTY, LINK_ROW, SCAN_ROW, ContractTest, Run
+
+PARAMETER_ROW = {"key", "id", "label", "group", "type", "unit", "min", "max", "default", "access", "persistent"}
+VALUE = {"value", "raw", "unit", "state"}
+GET = {"device", "family", "serial", "firmware", "parameters"}
+FLASH = {"result", "from", "to", "pages", "retries", "seconds", "verified", "evidence"}
+
+
+class DeviceVerbs(ContractTest):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.firmware = f"{contract.SOURCE}/resources/firmware/dmc60c-demo.hex"
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def test_links_are_listed_and_not_opened(self):
+        rows = self.run_one("links")["links"]
+        self.assertIn("sim:can", [row["link"] for row in rows])
+        for row in rows:
+            self.assertEqual(set(row), LINK_ROW)
+            self.assertIn(row["kind"], ("can", "serial", "spi"))
+        self.assertIn("sim:can", self.run_text("links"))
+
+    def test_scan_finds_the_bench(self):
+        for link in ("sim:can", "sim:"):
+            found = self.run_one("scan", link)
+            self.assertEqual(set(found), {"devices", "links"})
+            rows = {row["device"]: row for row in found["devices"]}
+            self.assertLessEqual({CIM, "sim:can/dmc60c:7", EMPTY}, set(rows))
+            for row in rows.values():
+                self.assertEqual(set(row), SCAN_ROW)
+            for row in found["links"]:
+                self.assertEqual(set(row), LINK_ROW)
+            self.assertEqual((rows[CIM]["state"], rows[CIM]["address"], rows[CIM]["family"]), ("online", 5, "dmc60c"))
+            self.assertIsInstance(rows[CIM]["session"], int)
+            self.assertRegex(rows[CIM]["firmware"], r"^\d+\.\d+$")
+            self.assertEqual((rows[EMPTY]["state"], rows[EMPTY]["firmware"]), ("bootloader", None))
+
+    def test_scan_without_a_link_opens_no_simulated_one(self):
+        found = self.run_one("scan")
+        self.assertIn("sim:can", [row["link"] for row in found["links"]])
+        self.assertFalse([row for row in found["devices"] if row["device"].startswith("sim:")])
+
+    def test_scan_shows_duplicates_by_session(self):
+        rows = self.run_one("scan", "sim:can?fault=duplicate")["devices"]
+        fives = [row for row in rows if row["address"] == 5]
+        self.assertEqual([row["state"] for row in fives], ["duplicate", "duplicate"])
+        for row in fives:
+            self.assertTrue(row["device"].endswith(f"/dmc60c:5@{row['session']:04x}"), row["device"])
+        self.assert_error(2, "get", "sim:can?fault=duplicate/dmc60c:5", says="@")
+
+    def test_info_adds_descriptors_faults_and_counters(self):
+        row = self.run_one("info", CIM)
+        self.assertEqual(set(row), SCAN_ROW | {"descriptors", "faults", "counters"})
+        self.assertEqual(set(row["counters"]), {"rx", "tx", "lost", "errors"})
+        self.assertEqual(row["descriptors"]["serial"], row["serial"])
+        for fault in row["faults"].values():
+            self.assertEqual(set(fault), {"active", "sticky", "count"})
+        self.assertEqual(self.run_one("info", EMPTY)["state"], "bootloader")
+        self.assertIn("firmware", self.run_text("info", CIM))
+
+    def test_parameters_need_no_device(self):
+        rows = {row["key"]: row for row in self.run_one("parameters", "dmc60c")["parameters"]}
+        self.assertEqual(len(rows), 55)
+        for row in rows.values():
+            self.assertEqual(set(row), PARAMETER_ROW)
+            self.assertIn(row["type"], ("boolean", "integer", "number", "flags"))
+            self.assertIn(row["access"], ("ro", "rw", "wo"))
+            self.assertLessEqual(row["min"], row["default"])
+            self.assertLessEqual(row["default"], row["max"])
+        self.assertEqual((rows["slot0.p"]["id"], rows["slot0.p"]["type"]), (10, "number"))
+        self.assertIs(rows["limit.forward.soft.enabled"]["default"], False)
+        self.assertEqual(rows["faults.active"]["access"], "ro")
+
+    def test_get_reads_everything_by_default(self):
+        got = self.run_one("get", CIM)
+        self.assertEqual(set(got), GET)
+        self.assertEqual((got["device"], got["family"]), (CIM, "dmc60c"))
+        self.assertEqual(len(got["parameters"]), 55)
+        for value in got["parameters"].values():
+            self.assertEqual(set(value), VALUE)
+            self.assertIsInstance(value["raw"], int)
+        self.assertIsInstance(got["parameters"]["limit.forward.soft.enabled"]["value"], bool)
+        gain = got["parameters"]["slot0.p"]
+        self.assertAlmostEqual(gain["value"], gain["raw"] / 65536)
+
+    def test_get_reads_what_is_named_and_all_of_it_over_a_bad_bus(self):
+        self.assertEqual(set(self.run_one("get", CIM, "slot0.p", "slot1.d")["parameters"]), {"slot0.p", "slot1.d"})
+        got = self.run_one("get", "sim:can?loss=0.1/dmc60c:5")["parameters"]
+        self.assertEqual((len(got), {value["state"] for value in got.values()} & {"failed", "unknown"}), (55, set()))
+
+    def test_a_device_in_its_bootloader_has_no_parameters(self):
+        for call in (("get",), ("set", "slot0.p=1")):
+            self.assert_error(1, call[0], EMPTY, *call[1:], says="flash")
+
+    def test_set_reads_back(self):
+        got = self.run_one("set", CIM, "slot0.p=1.5", "limit.forward.soft.enabled=on", "encoder.position=-3")
+        self.assertEqual(set(got), GET | {"verified"})
+        self.assertIs(got["verified"], True)
+        self.assertEqual(got["parameters"]["slot0.p"], {"value": 1.5, "raw": 98304, "unit": got["parameters"]["slot0.p"]["unit"], "state": "ram"})
+        self.assertIs(got["parameters"]["limit.forward.soft.enabled"]["value"], True)
+        self.assertIn("1.5", self.run_text("set", CIM, "slot0.p=1,5"))
+
+    def test_set_store_proves_that_flash_has_it(self):
+        got = self.run_one("set", CIM, "slot0.p=1.5", "--store")
+        self.assertEqual((got["verified"], got["parameters"]["slot0.p"]["state"]), (True, "stored"))
+
+    def test_a_saved_file_is_restored(self):
+        path = self.path("saved.json")
+        self.run_text("get", CIM, "--file", path)
+        with open(path, encoding="utf-8") as file:
+            saved = json.load(file)
+        self.assertEqual(set(saved), GET)
+        self.assertEqual(self.run_one("restore", CIM, path), {"changes": []})
+        before = saved["parameters"]["slot0.p"]["value"]
+        for key, raw in (("slot0.p", 65536), ("encoder.position", 77), ("faults.over_current.count", 3)):
+            saved["parameters"][key].update(raw=raw)
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(saved, file)
+        change = {"key": "slot0.p", "from": before, "to": 1}
+        self.assertEqual(self.run_one("restore", CIM, path, "--dry-run"), {"changes": [dict(change, result="would write")]})
+        self.assertEqual(self.run_one("restore", CIM, path), {"changes": [dict(change, result="written")]})
+        self.assertIn("slot0.p", self.run_text("restore", CIM, path))
+
+    def test_restore_refuses_what_is_not_for_this_device(self):
+        path = self.path("other.json")
+        for text in ("", "[]", "{}", '{"family":"abstractdc","parameters":{}}', '{"family":"dmc60c"}', '{"family":"dmc60c","parameters":[]}',
+                     '{"family":"dmc60c","parameters":{"slot0.p":{"raw":1e12}}}', '{"family":"dmc60c","parameters":{"slot0.p":{"value":"x"}}}'):
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+            self.assert_error(2, "restore", CIM, path, says="other.json")
+
+    def test_flash_writes_verifies_and_says_so(self):
+        done = self.run_one("flash", EMPTY, self.firmware)
+        self.assertEqual(set(done), FLASH)
+        self.assertEqual((done["result"], done["from"], done["to"], done["pages"], done["verified"]), ("done", None, "1.25", 31, True))
+        trial = self.run_one("flash", CIM, self.firmware, "--dry-run")
+        self.assertEqual((set(trial), trial["from"], trial["pages"], trial["verified"]), (FLASH, "1.23", 0, False))
+        self.assert_error(2, "flash", CIM, self.firmware, "--via", "avrdude:usbasp:/dev/ttyUSB0")
+
+    def test_a_flash_that_is_cut_is_not_a_success(self):
+        run = Run(["--json", "flash", "sim:can?fault=silent@40/dmc60c:9", self.firmware])
+        self.assertIn(run.status, (1, 3))
+        result = run.objects()[-1]
+        self.assertEqual((result["result"], result["verified"]), ("failed", False))
+        self.assertTrue(result["evidence"])
+
+    def test_identify_number_and_rename(self):
+        self.assertEqual(set(self.run_one("identify", CIM)), {"device", "result"})
+        self.assertEqual(self.run_one("number", CIM, "6"), {"device": "sim:can/dmc60c:6", "old": 5, "new": 6, "verified": True})
+        self.assertEqual(self.run_one("rename", CIM, "Left arm"), {"device": CIM, "old": "DMC60C", "new": "Left arm", "verified": True})
+        self.assert_error(2, "number", CIM, "7", says="taken")
+        self.assert_error(2, "number", CIM, "64")
+        run = Run(["--json", "rename", CIM, "a name of more than 28 characters"])
+        self.assertEqual((run.status, run.err.count("\n")), (0, 1))
+
+    def test_text_is_for_people_and_has_a_dot_in_every_locale(self):
+        environment = dict(os.environ, LC_ALL="de_DE.UTF-8", LANG="de_DE.UTF-8")
+        run = Run(["set", CIM, "slot0.p=1.5"], environment=environment)
+        self.assertEqual(run.status, 0)
+        self.assertRegex(run.out, r"slot0\.p +1\.5 ")

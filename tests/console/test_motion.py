@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Verbs that watch and move motors."""
+import signal
+import subprocess
+
+import contract
+from contract import CIM, EMPTY, SAMPLE, ContractTest, Run
+
+CHANNELS = {"position", "velocity", "current", "duty", "error", "bus_voltage", "temperature", "analog1"}
+
+
+class Motion(ContractTest):
+    def split(self, objects, last):
+        """Samples, then one last line with these keys."""
+        samples, summary = objects[:-1], objects[-1]
+        for sample in samples:
+            self.assertEqual(set(sample), SAMPLE)
+        self.assertEqual(set(summary), last)
+        return samples, summary
+
+    def drive(self, device, *arguments, status=0):
+        return self.split(self.run_json("drive", device, *arguments, status=status), {"samples", "stopped", "reason"})
+
+    def test_watch_streams_every_channel_and_sums_up(self):
+        samples, last = self.split(self.run_json("watch", CIM, "--for", "1"), {"summary"})
+        summary = last["summary"]
+        self.assertEqual(set(summary), {"samples", "lost", "seconds"})
+        self.assertEqual(summary["samples"], len(samples))
+        self.assertLessEqual(CHANNELS, {sample["channel"] for sample in samples})
+        for channel in CHANNELS:
+            times = [sample["t"] for sample in samples if sample["channel"] == channel]
+            self.assertEqual(times, sorted(times))
+            self.assertGreaterEqual(times[0], 0)
+
+    def test_watch_prints_only_the_channels_that_are_named(self):
+        lines = self.run_text("watch", CIM, "--channel", "position", "--channel", "velocity", "--for", "0.5").splitlines()
+        self.assertEqual(lines[0], "t,channel,value,unit")
+        self.assertEqual({tuple(line.split(",")[1::2]) for line in lines[1:]}, {("position", "counts"), ("velocity", "counts/s")})
+
+    def test_watch_raises_the_rate_when_asked(self):
+        arguments = ("watch", CIM, "--channel", "velocity", "--for", "1")
+        usual, _ = self.split(self.run_json(*arguments), {"summary"})
+        fast, _ = self.split(self.run_json(*arguments, "--rate", "100"), {"summary"})
+        self.assertGreater(len(fast), 3 * len(usual))
+
+    def test_watch_ends_cleanly_on_a_signal(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            status, objects, err = self.run_until(number, "watch", CIM, "--rate", "100")
+            self.assertEqual(status, 0, err)
+            self.assertIn("summary", objects[-1])
+
+    def test_watch_ends_quietly_when_its_reader_goes(self):
+        with subprocess.Popen([contract.PROGRAM, "watch", CIM, "--for", "60"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+            self.assertEqual(process.stdout.readline(), "t,channel,value,unit\n")
+            process.stdout.close()
+            self.assertEqual(process.wait(timeout=contract.LIMIT), 0)
+            self.assertNotIn("annot", process.stderr.read())
+
+    def test_watch_tells_a_lost_link(self):
+        run = Run(["--json", "watch", "sim:can?fault=busoff@1/dmc60c:5", "--for", "60"])
+        self.assertEqual((run.status, run.err.count("\n")), (5, 1))
+        self.assertIn("summary", run.objects()[-1])
+
+    def test_drive_reaches_the_target_and_stops(self):
+        samples, last = self.drive(CIM, "--mode", "velocity", "--target", "20000", "--for", "1.5")
+        self.assertEqual((last["stopped"], last["reason"], last["samples"]), (True, "done", len(samples)))
+        speeds = [sample["value"] for sample in samples if sample["channel"] == "velocity"]
+        self.assertAlmostEqual(max(speeds), 20000, delta=3000)
+        duties = [sample["value"] for sample in samples if sample["channel"] == "duty"]
+        self.assertEqual(duties[-1], 0)
+
+    def test_drive_goes_backwards(self):
+        samples, last = self.drive(CIM, "--mode", "duty", "--target", "-0.25", "--for", "0.5")
+        self.assertEqual(last["reason"], "done")
+        self.assertAlmostEqual(min(sample["value"] for sample in samples if sample["channel"] == "duty"), -0.25, delta=0.01)
+
+    def test_drive_stops_on_a_signal(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            status, objects, err = self.run_until(number, "drive", CIM, "--mode", "duty", "--target", "0.2", "--for", "60")
+            self.assertEqual(status, 0, err)
+            self.assertEqual((objects[-1]["stopped"], objects[-1]["reason"]), (True, "interrupted"))
+
+    def test_drive_stops_for_safety(self):
+        for fault, status, stopped in (("reset@1.2", 4, True), ("silent@250", 4, False), ("busoff@1.2", 5, False)):
+            with self.subTest(fault):
+                _, last = self.drive(f"sim:can?fault={fault}/dmc60c:5", "--mode", "duty", "--target", "0.1", "--for", "20", status=status)
+                self.assertEqual((last["reason"], last["stopped"]), ("safety", stopped))
+
+    def test_drive_refuses_what_must_not_move(self):
+        self.assert_error(4, "drive", EMPTY, "--mode", "duty", "--target", "0.1", "--for", "1", says="firmware")
+        rows = self.run_one("scan", "sim:can?fault=duplicate")["devices"]
+        twin = next(row["device"] for row in rows if row["address"] == 5)
+        self.assert_error(4, "drive", twin, "--mode", "duty", "--target", "0.1", "--for", "1")

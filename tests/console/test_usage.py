@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Wrong calls of every kind, help, and what the program is linked with."""
+import subprocess
+
+import contract
+from contract import CIM, ContractTest, Run
+
+VERBS = ("links scan info parameters get set restore watch drive flash identify number rename monitor decode simulate").split()
+
+
+class Usage(ContractTest):
+    def test_links_no_screen(self):
+        libraries = subprocess.run(["ldd", contract.PROGRAM], capture_output=True, text=True, check=True).stdout
+        self.assertIn("Qt5Core", libraries)
+        for forbidden in ("Qt5Gui", "Qt5Widgets", "Qt5PrintSupport", "qcustomplot"):
+            self.assertNotIn(forbidden.lower(), libraries.lower())
+
+    def test_help_of_the_program_names_every_verb(self):
+        text = self.run_text("--help")
+        for verb in VERBS:
+            self.assertIn(f"\n  {verb} ", text)
+        for later in ("step", "tune", "plot"):
+            self.assertNotIn(f"\n  {later} ", text)
+        self.assertRegex(self.run_text("--version"), r"^motorbenchctl \d+\.\d+\.\d+\n$")
+
+    def test_help_of_every_verb_succeeds(self):
+        for verb in VERBS:
+            with self.subTest(verb):
+                self.assertIn("--json", self.run_text(verb, "--help"))
+
+    def test_json_and_quiet_stand_before_or_after_the_verb(self):
+        before = Run(["--json", "--quiet", "parameters", "dmc60c"])
+        after = Run(["parameters", "dmc60c", "--json", "--quiet"])
+        self.assertEqual((before.status, before.out), (0, after.out))
+        self.assertEqual(len(after.objects()), 1)
+
+    def test_unknown_words_are_wrong_usage(self):
+        self.assert_error(2, says="verb")
+        self.assert_error(2, "frobnicate", says="frobnicate")
+        self.assert_error(2, "scna", says="did you mean scan?")
+        self.assert_error(2, "tune", CIM)
+        self.assert_error(2, "--frobnicate", "scan", says="--frobnicate")
+        self.assert_error(2, "scan", "--frobnicate", says="--frobnicate")
+        self.assert_error(2, "watch", CIM, "--chanel", "position", says="did you mean --channel?")
+        self.assert_error(2, "info", CIM, "more", says="more")
+        self.assert_error(2, "info", says="device")
+        self.assert_error(2, "watch", CIM, "--for", says="--for")
+
+    def test_wrong_links_are_wrong_usage(self):
+        for link in ("can0", "bogus:x", "sim:lin", "sim:can?loss", "sim:can?loss=2", "sim:can?frob=1", "sim:can?fault=frob", "socketcan:", ":", ""):
+            self.assert_error(2, "scan", link)
+            self.assert_error(2, "monitor", link, "--for", "1")
+
+    def test_wrong_devices_are_wrong_usage(self):
+        for device in ("5", "dmc60c:5", "sim:can/dmc60c", "sim:can/dmc60c:", "sim:can/dmc60c:x", "sim:can/dmc60c:-1", "sim:can/:5", "sim:can/dmc60c:5@xyz",
+                       "sim:serial/dmc60c:5"):
+            self.assert_error(2, "info", device)
+        self.assert_error(2, "info", "sim:can/dmc60d:5", says="did you mean dmc60c?")
+        self.assert_error(2, "parameters", "frobnicator", says="dmc60c")
+
+    def test_a_device_that_is_not_there_does_not_answer(self):
+        for call in (("info",), ("get",), ("set", "slot0.p=1"), ("watch",), ("drive", "--mode", "duty", "--target", "0", "--for", "1"), ("number", "6"),
+                     ("rename", "x"), ("identify",)):
+            self.assert_error(3, call[0], "sim:can/dmc60c:60", *call[1:], says="60")
+        self.assert_error(3, "info", "sim:can/dmc60c:5@0001")
+
+    def test_a_link_that_cannot_be_opened(self):
+        self.assert_error(5, "scan", "socketcan:nosuchcan0")
+        self.assert_error(5, "get", "socketcan:nosuchcan0/dmc60c:5")
+        self.assert_error(5, "monitor", "socketcan:nosuchcan0", "--for", "1")
+        self.assert_error(5, "simulate", "--on", "socketcan:nosuchcan0", "dmc60c:5")
+        self.assert_error(5, "scan", "sim:can?fault=busoff@0.1", says="bus-off")
+
+    def test_wrong_values_are_refused_before_anything_is_sent(self):
+        # A device that does not answer would end with 3: these calls never come that far.
+        nobody = "sim:can/dmc60c:60"
+        self.assert_error(2, "get", nobody, "slot0.frob", says="slot0")
+        self.assert_error(2, "get", nobody, "slot0.pp", says="did you mean slot0.p?")
+        for wrong in ("slot0.p", "=1", "slot0.p=", "slot0.p=abc", "slot0.p=1e9", "slot0.p=nan", "faults.active=0", "frob=1",
+                      "limit.forward.soft.enabled=maybe", "limit.forward.soft.threshold=0.5"):
+            self.assert_error(2, "set", nobody, "slot0.i=0", wrong)
+        self.assert_error(2, "set", nobody, "slot0.p=1", "slot0.p=1", says="twice")
+        self.assert_error(2, "set", nobody)
+        self.assert_error(2, "watch", nobody, "--channel", "speed", says="velocity")
+        for span in ("0", "-1", "abc", "1s", "nan", "inf", "1e30", ""):
+            self.assert_error(2, "watch", nobody, f"--for={span}" if span else "--for=")
+        for rate in ("0", "-5", "x", "1e9"):
+            self.assert_error(2, "watch", nobody, "--rate", rate)
+        self.assert_error(2, "number", nobody, "six")
+        self.assert_error(2, "number", nobody, "1.5")
+        self.assert_error(2, "number", nobody, "70000")
+        self.assert_error(2, "rename", nobody, "")
+        self.assert_error(2, "rename", nobody, "x" * 65)
+
+    def test_wrong_motions_are_refused_before_anything_is_sent(self):
+        nobody = "sim:can/dmc60c:60"
+
+        def drive(*arguments, says=""):
+            self.assert_error(2, "drive", nobody, *arguments, says=says)
+
+        drive("--mode", "fly", "--target", "1", "--for", "1", says="velocity")
+        drive("--mode", "ramp-position", "--target", "1", "--for", "1")
+        drive("--mode", "duty", "--target", "1.5", "--for", "1")
+        drive("--mode", "duty", "--target", "-1.5", "--for", "1")
+        drive("--mode", "duty", "--target", "nan", "--for", "1")
+        drive("--mode", "follow", "--target", "999", "--for", "1")
+        drive("--mode", "duty", "--for", "1", says="--target")
+        drive("--mode", "duty", "--target", "0.1", says="--for")
+        drive("--target", "0.1", "--for", "1", says="--mode")
+        drive("--mode", "duty", "--target", "0.1", "--for", "0")
+        drive("--mode", "duty", "--target", "0.1", "--for", "1", "--axis", "2")
+        drive("--mode", "velocity", "--target", "1", "--for", "1", "--slot", "2")
+        drive("--mode", "duty", "--target", "0.1", "--for", "1", "--brake", "--coast")
+
+    def test_wrong_files_are_wrong_usage(self):
+        for verb in ("restore", "flash"):
+            self.assert_error(2, verb, CIM, "/nonexistent/file", says="/nonexistent/file")
+            self.assert_error(2, verb, CIM, contract.SOURCE)
+            self.assert_error(2, verb, CIM, f"{contract.SOURCE}/CMakeLists.txt")
+            self.assert_error(2, verb, CIM, "/dev/null")
+            self.assert_error(2, verb, CIM)
+        self.assert_error(2, "get", CIM, "slot0.p", "--file", "/nonexistent/file")
+        self.assert_error(2, "flash", CIM, f"{contract.SOURCE}/resources/firmware/dmc60c-demo.hex", "--target", "f9")
+
+    def test_wrong_simulations_are_wrong_usage(self):
+        self.assert_error(2, "simulate")
+        self.assert_error(2, "simulate", "dmc60c:5")
+        self.assert_error(2, "simulate", "--on", "socketcan:vcan0")
+        self.assert_error(2, "simulate", "--on", "sim:can", "dmc60c:5")
+        for unit in ("dmc60c", "dmc60c:x", "frob:5", "dmc60c:64", "dmc60c:5,motor", "dmc60c:5,motor=frob", "dmc60c:5,frob=1", "dmc60c:5,fault=frob", "dmc60c:5,load=x"):
+            self.assert_error(2, "simulate", "--on", "socketcan:vcan0", unit)
+        self.assert_error(2, "simulate", "--on", "socketcan:vcan0", "dmc60c:5", "--seed", "x")
+
+    def test_a_full_disk_is_told(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([contract.PROGRAM, "parameters", "dmc60c"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr.count("\n"), 1)
