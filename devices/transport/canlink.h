@@ -7,9 +7,17 @@
 
 namespace mb {
 
+/// Both would be arbitrated and received as the same message.
+[[nodiscard]] inline bool sameIdentifier(const CanFrame &a, const CanFrame &b)
+{
+    return a.id == b.id && a.extended == b.extended;
+}
+
 enum class Priority {
     Normal,
-    Urgent, ///< goes before everything that still waits in this program: stop frames
+    /// For stop frames: goes before everything that still waits in this program, and takes the place of waiting frames with
+    /// the same identifier, so that no older set-point starts the motor again.
+    Urgent,
 };
 
 /// A CAN bus seen through one controller. Frames of others arrive through `received`; our own do not come back.

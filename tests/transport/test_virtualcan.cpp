@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
 #include <random>
 #include <string>
@@ -229,6 +230,17 @@ TEST_F(VirtualCan, ThreeSendersShareTheBusWithoutGaps)
         last = std::max(last, node->frames.back().time);
     }
     EXPECT_EQ(last, Instant(total * 1us));
+}
+
+TEST_F(VirtualCan, AnUrgentFrameReplacesWaitingOnesOfItsIdentifierSoThatNoOldSetPointFollowsAStop)
+{
+    ASSERT_TRUE(a.link->send(standardFrame(1, std::array<std::uint8_t, 1>{0x11}))); // on the wire
+    clock.advance(10us);
+    ASSERT_TRUE(a.link->send(standardFrame(2, std::array<std::uint8_t, 1>{0x22})));
+    ASSERT_TRUE(a.link->send(standardFrame(3, std::array<std::uint8_t, 1>{0x33})));
+    ASSERT_TRUE(a.link->send(standardFrame(2, std::array<std::uint8_t, 1>{0x00}), Priority::Urgent));
+    clock.advance(1ms);
+    EXPECT_EQ(b.texts(), (Texts{"001#11", "002#00", "003#33"}));
 }
 
 TEST_F(VirtualCan, BusOffLosesOneLinkAndItCanBeOpenedAgain)

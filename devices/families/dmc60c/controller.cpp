@@ -60,8 +60,10 @@ void Controller::doStop()
 {
     m_idleFrames = 0;
     const CanFrame noDrive = encodeControl(identity().address, Control{});
-    (void)m_can.send(noDrive, Priority::Urgent); // twice (6.1); a link that is gone cannot be helped from here
+    // Twice (6.1): the first overtakes what waits, the second comes behind a set-point that the kernel may still hold.
+    // A link that is gone cannot be helped from here.
     (void)m_can.send(noDrive, Priority::Urgent);
+    (void)m_can.send(noDrive);
     telemetry()->breakLine(channel::setPoint);
 }
 

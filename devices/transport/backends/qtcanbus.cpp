@@ -126,6 +126,8 @@ void QtCanLink::doClose()
 
 Result<void> QtCanLink::doSend(const CanFrame &frame, Priority priority)
 {
+    if (priority == Priority::Urgent)
+        std::erase_if(m_normal, [&frame](const CanFrame &waiting) { return sameIdentifier(waiting, frame); });
     (priority == Priority::Urgent ? m_urgent : m_normal).push_back(frame);
     pump();
     return {};

@@ -226,6 +226,8 @@ void SocketCanLink::noteDrops(std::uint32_t total)
 Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
 {
     auto &queue = priority == Priority::Urgent ? m_urgent : m_normal;
+    if (priority == Priority::Urgent)
+        std::erase_if(m_normal, [&frame](const CanFrame &waiting) { return sameIdentifier(waiting, frame); });
     const bool first = m_urgent.empty() && (priority == Priority::Urgent || m_normal.empty());
     if (first) {
         const int cause = writeFrame(m_descriptor, frame, priority);

@@ -156,10 +156,13 @@ void VirtualCanLink::doClose()
 Result<void> VirtualCanLink::doSend(const CanFrame &frame, Priority priority)
 {
     const bool urgent = priority == Priority::Urgent;
+    const auto waiting = [this] { return m_queue.begin() + (m_onWire ? 1 : 0); };
     auto place = m_queue.end();
-    if (urgent)
-        place = std::find_if(
-            m_queue.begin() + (m_onWire ? 1 : 0), m_queue.end(), [](const Waiting &w) { return !w.urgent; });
+    if (urgent) {
+        const auto replaced = [&frame](const Waiting &w) { return !w.urgent && sameIdentifier(w.frame, frame); };
+        m_queue.erase(std::remove_if(waiting(), m_queue.end(), replaced), m_queue.end());
+        place = std::find_if(waiting(), m_queue.end(), [](const Waiting &w) { return !w.urgent; });
+    }
     m_queue.insert(place, Waiting{frame, frame.time, urgent});
     if (m_bus.m_sending.empty())
         m_bus.arm(std::max(frame.time, m_bus.m_idleAt));
