@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/registry.h"
+#include "support/fakeworkbench.h"
+#include "widgets/common/selection.h"
+#include "widgets/common/theme.h"
+#include "widgets/parameters/parameterspage.h"
+
+namespace mb::test {
+
+inline const Family &dmc60c()
+{
+    return *findFamily(families(), "dmc60c");
+}
+
+inline ParameterIndex named(const char *key)
+{
+    return findParameter(dmc60c().parameters, key).value();
+}
+
+inline std::int64_t rawOf(const char *key, double value)
+{
+    return toRaw(dmc60c().parameters[named(key).value], value).value();
+}
+
+/// One drive as it is after a complete read: everything at its default.
+inline DeviceView readDrive(std::uint32_t id = 1, int address = 5)
+{
+    DeviceView device;
+    device.id = {id};
+    device.family = &dmc60c();
+    device.identity.family = "dmc60c";
+    device.identity.address = address;
+    device.identity.serial = "2103343A79F2";
+    device.identity.firmware = "1.23";
+    device.selector = "can:can0/dmc60c:" + std::to_string(address);
+    device.liveness.heard = true;
+    for (const Parameter &p : dmc60c().parameters)
+        device.parameters.push_back({toRaw(p, p.fallback).value_or(0), p.persistent ? ParameterState::Stored : ParameterState::Volatile});
+    device.parameterRevision = 1;
+    return device;
+}
+
+/// A page over a workbench with one drive that was read, shown.
+struct ParameterBench {
+    FakeWorkbench workbench;
+    Selection selection;
+    ThemeSource theme {lightTheme()};
+    std::unique_ptr<ParametersPage> page;
+
+    explicit ParameterBench(const DeviceView &device = readDrive(), QSize size = {1208, 760})
+    {
+        workbench.shot.devices.push_back(device);
+        selection.select(device.id);
+        page = std::make_unique<ParametersPage>(workbench, selection, theme, nullptr);
+        page->resize(size);
+        page->show();
+    }
+    [[nodiscard]] ParameterModel &model() { return page->model(); }
+    [[nodiscard]] ParameterView &view() { return page->view(); }
+    [[nodiscard]] StagedEdits &edits() { return *page->model().edits(); }
+    [[nodiscard]] QString shown(const char *key, int column) { return model().indexOf(named(key), column).data().toString(); }
+
+    void stage(const char *key, const char *text) { edits().stage(named(key), QString::fromUtf8(text)); }
+    /// The device says so now.
+    void set(const char *key, double value, ParameterState state)
+    {
+        DeviceView &device = workbench.device(0);
+        device.parameters[named(key).value] = {rawOf(key, value), state};
+        ++device.parameterRevision;
+        workbench.publish();
+    }
+};
+
+} // namespace mb::test

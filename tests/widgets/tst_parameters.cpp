@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values as text, staged edits, order of writing, the model and its filter.
+#include "parameterbench.h"
+
+#include "widgets/parameters/valuetext.h"
+
+#include <QAbstractItemModelTester>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+const Parameter &row(const char *key)
+{
+    return dmc60c().parameters[named(key).value];
+}
+
+ParsedValue parsed(const char *key, const char *text)
+{
+    return parseValue(row(key), QString::fromUtf8(text));
+}
+
+std::vector<ParameterStore::Entry> defaults()
+{
+    return readDrive().parameters;
+}
+
+} // namespace
+
+class TestParameters : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void bothDecimalSignsAreTaken();
+    void percentagesOfFullOutputAreTaken();
+    void refusalNamesFaultRangeAndNearestValue();
+    void everyLegalValueSurvivesTheField();
+    void typingShowsAtOnceAndStagesOnCommit();
+    void anEditThatSaysWhatTheDeviceHasIsNone();
+    void anEditThatCameTrueIsGone();
+    void undoAndRedoGoThroughEveryStep();
+    void undoAfterAWriteStagesTheOldValue();
+    void importIsOneStepOfUndo();
+    void limitsComeFirstAndDampingBeforeP();
+    void loweringPComesBeforeLoweringD();
+    void illegalAndUntickedChangesAreNotWritten();
+    void modelHoldsThroughEditsFaultsAndSnapshots();
+    void snapshotsNeverResetTheModel();
+    void statesHaveAWordEach();
+    void countersCannotBeEdited();
+    void filterWantsAllWords();
+    void filterKeepsTheRowThatIsBeingEdited();
+};
+
+void TestParameters::bothDecimalSignsAreTaken()
+{
+    QCOMPARE(parsed("slot1.p", "1,5").raw.value(), 98304);
+    QCOMPARE(parsed("slot1.p", " 1.5 ").raw.value(), 98304);
+    QCOMPARE(parsed("slot1.p", "−1.5").raw.value(), -98304);
+    QCOMPARE(parsed("slot1.max_forward", "0x10").raw.value(), 16);
+    QVERIFY(!parsed("slot1.p", "1,000.5").raw);
+    QVERIFY(!parsed("slot1.p", "").raw);
+    QCOMPARE(parsed("current_limit.enabled", "on").raw.value(), 1);
+}
+
+void TestParameters::percentagesOfFullOutputAreTaken()
+{
+    QCOMPARE(parsed("slot1.max_forward", "55 %").raw.value(), 18022);
+    QCOMPARE(parsed("slot1.max_reverse", "-100%").raw.value(), -32768);
+    QVERIFY(!parsed("slot1.max_forward", "101 %").raw);
+    QVERIFY(!parsed("slot1.p", "50 %").raw); // of what?
+}
+
+void TestParameters::refusalNamesFaultRangeAndNearestValue()
+{
+    const ParsedValue high = parsed("slot1.max_forward", "40000");
+    QCOMPARE(high.fault, QStringLiteral("40000 is above 32767 (100 %)."));
+    QCOMPARE(high.remedy, QStringLiteral("Enter 0 … 32767, or a percentage such as 55 %."));
+    QCOMPARE(high.nearest.value(), 32767);
+    const ParsedValue low = parsed("current_limit.peak", "-3");
+    QCOMPARE(low.fault, QStringLiteral("−3 is below 0."));
+    QCOMPARE(low.nearest.value(), 0);
+    const ParsedValue half = parsed("current_limit.peak_duration", "2.5");
+    QCOMPARE(half.fault, QStringLiteral("2.5 is not a whole number."));
+    QCOMPARE(half.nearest.value(), 3);
+    QVERIFY(!parsed("slot1.p", "abc").nearest);
+}
+
+void TestParameters::everyLegalValueSurvivesTheField()
+{
+    for (const Parameter &p : dmc60c().parameters) {
+        for (const double share : {0.0, 0.37, 1.0}) {
+            const double wish = p.minimum + share * (p.maximum - p.minimum);
+            const std::int64_t raw = toRaw(p, p.one == 1.0 ? std::floor(wish) : wish).value();
+            QCOMPARE(parseValue(p, fieldText(p, raw)).raw.value(), raw);
+            if (p.type != WireType::Boolean)
+                QCOMPARE(parseValue(p, valueText(p, raw)).raw.value(), raw);
+        }
+    }
+}
+
+void TestParameters::typingShowsAtOnceAndStagesOnCommit()
+{
+    StagedEdits edits(dmc60c());
+    edits.setEntries(defaults());
+    edits.type(named("slot1.max_forward"), QStringLiteral("40000"));
+    QCOMPARE(edits.faults(), 1);
+    QVERIFY(!edits.undoStack().canUndo());
+    edits.endTyping(false);
+    QCOMPARE(edits.count(), 0);
+    edits.type(named("slot1.max_forward"), QStringLiteral("400"));
+    edits.endTyping(true);
+    QCOMPARE(edits.find(named("slot1.max_forward"))->value.raw.value(), 400);
+    QVERIFY(edits.undoStack().canUndo());
+}
+
+void TestParameters::anEditThatSaysWhatTheDeviceHasIsNone()
+{
+    StagedEdits edits(dmc60c());
+    edits.setEntries(defaults());
+    edits.stage(named("current_limit.continuous"), QStringLiteral("40,0"));
+    QCOMPARE(edits.count(), 0);
+    QVERIFY(!edits.undoStack().canUndo());
+}
+
+void TestParameters::anEditThatCameTrueIsGone()
+{
+    StagedEdits edits(dmc60c());
+    auto entries = defaults();
+    edits.setEntries(entries);
+    edits.stage(named("slot1.p"), QStringLiteral("2"));
+    entries[named("slot1.p").value] = {rawOf("slot1.p", 2), ParameterState::Failed};
+    edits.setEntries(entries);
+    QCOMPARE(edits.count(), 1); // it was not read back
+    entries[named("slot1.p").value].state = ParameterState::Ram;
+    edits.setEntries(entries);
+    QCOMPARE(edits.count(), 0);
+}
+
+void TestParameters::undoAndRedoGoThroughEveryStep()
+{
+    StagedEdits edits(dmc60c());
+    edits.setEntries(defaults());
+    edits.stage(named("slot1.p"), QStringLiteral("1"));
+    edits.stage(named("slot1.p"), QStringLiteral("2"));
+    edits.stage(named("slot1.d"), QStringLiteral("x"));
+    edits.undoStack().undo();
+    QVERIFY(!edits.find(named("slot1.d")));
+    edits.undoStack().undo();
+    QCOMPARE(edits.find(named("slot1.p"))->text, QStringLiteral("1"));
+    edits.undoStack().undo();
+    QCOMPARE(edits.count(), 0);
+    edits.undoStack().redo();
+    edits.undoStack().redo();
+    QCOMPARE(edits.find(named("slot1.p"))->text, QStringLiteral("2"));
+    edits.discard();
+    QCOMPARE(edits.count(), 0);
+    edits.undoStack().undo();
+    QCOMPARE(edits.find(named("slot1.p"))->text, QStringLiteral("2"));
+}
+
+void TestParameters::undoAfterAWriteStagesTheOldValue()
+{
+    StagedEdits edits(dmc60c());
+    auto entries = defaults();
+    edits.setEntries(entries);
+    edits.stage(named("current_limit.peak"), QStringLiteral("80"));
+    entries[named("current_limit.peak").value] = {rawOf("current_limit.peak", 80), ParameterState::Ram};
+    edits.setEntries(entries);
+    QCOMPARE(edits.count(), 0);
+    edits.undoStack().undo();
+    QCOMPARE(edits.toWrite().size(), std::size_t {1});
+    QCOMPARE(edits.toWrite().front().raw, rawOf("current_limit.peak", 60));
+}
+
+void TestParameters::importIsOneStepOfUndo()
+{
+    StagedEdits edits(dmc60c());
+    edits.setEntries(defaults());
+    edits.stageAll({{named("slot1.p"), rawOf("slot1.p", 1)}, {named("slot1.i"), rawOf("slot1.i", 2)}}, QStringLiteral("file"));
+    QCOMPARE(edits.count(), 2);
+    edits.undoStack().undo();
+    QCOMPARE(edits.count(), 0);
+}
+
+void TestParameters::limitsComeFirstAndDampingBeforeP()
+{
+    StagedEdits edits(dmc60c());
+    edits.setEntries(defaults());
+    for (const char *key : {"slot1.i", "slot1.p", "slot1.d", "slot1.ramp", "current_limit.peak", "slot1.max_forward"})
+        edits.stage(named(key), QStringLiteral("7"));
+    edits.stage(named("current_limit.enabled"), QStringLiteral("on"));
+    QStringList keys;
+    for (const ParameterChange &change : edits.toWrite())
+        keys += QString::fromUtf8(dmc60c().parameters[change.index.value].key.data());
+    QCOMPARE(keys,
+        (QStringList {QStringLiteral("slot1.max_forward"), QStringLiteral("current_limit.peak"), QStringLiteral("current_limit.enabled"), QStringLiteral("slot1.d"),
+            QStringLiteral("slot1.ramp"), QStringLiteral("slot1.p"), QStringLiteral("slot1.i")}));
+}
+
+void TestParameters::loweringPComesBeforeLoweringD()
+{
+    StagedEdits edits(dmc60c());
+    auto entries = defaults();
+    for (const char *key : {"slot0.p", "slot0.i", "slot0.d"})
+        entries[named(key).value].raw = rawOf(key, 9);
+    edits.setEntries(entries);
+    for (const char *key : {"slot0.d", "slot0.p", "slot0.i"})
+        edits.stage(named(key), QStringLiteral("-1"));
+    const auto changes = edits.toWrite();
+    QVERIFY(changes[0].index == named("slot0.i"));
+    QVERIFY(changes[1].index == named("slot0.p"));
+    QVERIFY(changes[2].index == named("slot0.d"));
+}
+
+void TestParameters::illegalAndUntickedChangesAreNotWritten()
+{
+    StagedEdits edits(dmc60c());
+    edits.setEntries(defaults());
+    edits.stage(named("slot1.p"), QStringLiteral("1"));
+    edits.stage(named("slot1.i"), QStringLiteral("2"));
+    edits.stage(named("slot1.max_forward"), QStringLiteral("40000"));
+    edits.setIncluded(named("slot1.i"), false);
+    QCOMPARE(edits.toWrite().size(), std::size_t {1});
+    QVERIFY(edits.toWrite().front().index == named("slot1.p"));
+    QCOMPARE(edits.ordered().size(), std::size_t {2});
+    QCOMPARE(edits.illegal().size(), std::size_t {1});
+}
+
+void TestParameters::modelHoldsThroughEditsFaultsAndSnapshots()
+{
+    StagedEdits edits(dmc60c());
+    auto entries = defaults();
+    edits.setEntries(entries);
+    ParameterModel model;
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    model.show(&dmc60c(), &edits, true);
+    QCOMPARE(model.rowCount(), 9);
+    const QModelIndex fault = model.indexOf(named("slot1.max_forward"), 0);
+    QVERIFY(!model.hasChildren(fault));
+    edits.stage(named("slot1.max_forward"), QStringLiteral("40000"));
+    QCOMPARE(model.rowCount(fault), 1);
+    QVERIFY(model.index(0, 0, fault).data().toString().contains(QStringLiteral("above 32767")));
+    QVERIFY(model.index(0, 0, fault).parent() == fault);
+    entries[named("slot1.p").value] = {rawOf("slot1.p", 3), ParameterState::Ram};
+    edits.setEntries(entries);
+    model.refresh();
+    QCOMPARE(model.indexOf(named("slot1.p")).data().toString(), QStringLiteral("3"));
+    edits.stage(named("slot1.max_forward"), QStringLiteral("3"));
+    QCOMPARE(model.rowCount(fault), 0);
+    QVERIFY(model.setData(model.indexOf(named("slot1.i")), QStringLiteral("0,5")));
+    QVERIFY(!model.setData(model.indexOf(named("faults.active")), QStringLiteral("1")));
+    model.setReference({QStringLiteral("file"), {}});
+    model.show(nullptr, nullptr, false);
+    QCOMPARE(model.rowCount(), 0);
+}
+
+void TestParameters::snapshotsNeverResetTheModel()
+{
+    ParameterBench bench;
+    QSignalSpy resets(&bench.model(), &QAbstractItemModel::modelReset);
+    QSignalSpy changes(&bench.model(), &QAbstractItemModel::dataChanged);
+    bench.workbench.publish();
+    QCOMPARE(changes.count(), 0);
+    bench.set("slot1.p", 3, ParameterState::Ram);
+    QCOMPARE(resets.count(), 0);
+    QCOMPARE(changes.count(), 1);
+}
+
+void TestParameters::statesHaveAWordEach()
+{
+    ParameterBench bench;
+    const auto word = [&bench] { return bench.shown("slot1.p", ParameterModel::State); };
+    QCOMPARE(word(), QStringLiteral("stored"));
+    bench.set("slot1.p", 1, ParameterState::Ram);
+    QCOMPARE(word(), QStringLiteral("RAM, not in flash"));
+    bench.set("slot1.p", 1, ParameterState::Assumed);
+    QCOMPARE(word(), QStringLiteral("assumed"));
+    bench.set("slot1.p", 1, ParameterState::Failed);
+    QCOMPARE(word(), QStringLiteral("no answer, retry"));
+    QCOMPARE(bench.shown("slot1.p", ParameterModel::ValueColumn), QStringLiteral("–"));
+    bench.stage("slot1.p", "7");
+    QCOMPARE(word(), QStringLiteral("edited, was unknown"));
+    bench.stage("slot1.max_forward", "500");
+    QCOMPARE(bench.shown("slot1.max_forward", ParameterModel::State), QStringLiteral("edited, was 32767"));
+    QCOMPARE(bench.shown("slot1.max_forward", ParameterModel::Raw), QStringLiteral("0x1F4"));
+    bench.stage("slot1.max_forward", "50000");
+    QCOMPARE(bench.shown("slot1.max_forward", ParameterModel::State), QStringLiteral("out of range"));
+    QCOMPARE(bench.shown("slot1.max_forward", ParameterModel::Raw), QStringLiteral("–"));
+    QCOMPARE(bench.shown("status.general.period", ParameterModel::State), QStringLiteral("volatile"));
+    QCOMPARE(bench.shown("slot1.max_reverse", ParameterModel::ValueColumn), QStringLiteral("−32768"));
+    QCOMPARE(bench.shown("slot1.max_reverse", ParameterModel::Raw), QStringLiteral("0xFFFF8000"));
+}
+
+void TestParameters::countersCannotBeEdited()
+{
+    ParameterBench bench;
+    QVERIFY((bench.model().indexOf(named("faults.sticky")).flags() & Qt::ItemIsEditable) == 0);
+    QVERIFY((bench.model().indexOf(named("faults.active")).flags() & Qt::ItemIsEditable) == 0);
+    QVERIFY((bench.model().indexOf(named("slot0.p")).flags() & Qt::ItemIsEditable) != 0);
+}
+
+void TestParameters::filterWantsAllWords()
+{
+    ParameterBench bench;
+    ParameterFilter filter;
+    filter.words = QStringLiteral("slot1 MAX");
+    bench.view().setFilter(filter);
+    QCOMPARE(bench.view().shownRows(), 2);
+    filter.words = QStringLiteral("friction"); // only the help says so
+    bench.view().setFilter(filter);
+    QCOMPARE(bench.view().shownRows(), 2);
+    filter.words = QStringLiteral("friction nowhere");
+    bench.view().setFilter(filter);
+    QCOMPARE(bench.view().shownRows(), 0);
+    filter = {};
+    filter.segment = ParameterFilter::Changed;
+    bench.set("slot0.p", 4, ParameterState::Stored);
+    bench.view().setFilter(filter);
+    QCOMPARE(bench.view().shownRows(), 1);
+    filter.segment = ParameterFilter::Errors;
+    bench.stage("slot0.max_forward", "99999");
+    bench.set("slot0.i", 0, ParameterState::Failed);
+    bench.view().setFilter(filter);
+    QCOMPARE(bench.view().shownRows(), 2);
+}
+
+void TestParameters::filterKeepsTheRowThatIsBeingEdited()
+{
+    ParameterBench bench;
+    ParameterFilter filter;
+    filter.segment = ParameterFilter::Errors;
+    bench.stage("slot0.max_forward", "99999");
+    bench.view().setFilter(filter);
+    bench.edits().type(named("slot0.max_forward"), QStringLiteral("9"));
+    QCOMPARE(bench.view().shownRows(), 1);
+    bench.edits().endTyping(true);
+    QCOMPARE(bench.view().shownRows(), 0);
+}
+
+QTEST_MAIN(TestParameters)
+#include "tst_parameters.moc"
