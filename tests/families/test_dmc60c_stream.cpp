@@ -105,6 +105,17 @@ TEST_F(Dmc60cStream, TakesALateFrameForLate)
     EXPECT_EQ(lost(), 0U);
 }
 
+TEST_F(Dmc60cStream, BearsADeviceThatTakesItsPeriodFromTheFrameBefore)
+{
+    std::mt19937 random(5);
+    for (int i = 0; i < 5000; ++i)
+        after(10ms + (random() % 5 == 0 ? 4ms : 0ms)); // no crystal: lateness adds up, to 8 % here
+    EXPECT_EQ(lost(), 0U);
+    after(20ms);
+    after(10ms);
+    EXPECT_EQ(lost(), 1U);
+}
+
 TEST_F(Dmc60cStream, LearnsALongerPeriodWithoutCountingIt)
 {
     for (const auto period : {10ms, 50ms, 100ms, 1000ms}) {
