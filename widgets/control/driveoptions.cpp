@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/driveoptions.h"
+
+#include "widgets/common/numberformat.h"
+#include "widgets/control/wrappedlabel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLineEdit>
+
+namespace mb {
+namespace {
+
+enum Brake { AsDevice, Braked, Coasting };
+
+} // namespace
+
+DriveOptions::DriveOptions(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    auto *form = new QFormLayout(this);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setVerticalSpacing(theme.theme().u(4));
+    m_ramp = new QLineEdit(QStringLiteral("0"), this);
+    m_ramp->setAlignment(Qt::AlignRight);
+    m_ramp->setFixedWidth(theme.theme().u(88));
+    m_ramp->setAccessibleName(tr("Ramp of the output, duty per second"));
+    m_ramp->setToolTip(tr("Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %."));
+    auto *rampRow = new QHBoxLayout;
+    rampRow->addWidget(m_ramp);
+    rampRow->addWidget(textLabel(tr("duty/s, 0 = none"), TextRole::Caption, Tone::Dim, this), 1);
+    form->addRow(tr("Ramp"), rampRow);
+    m_fault = wrappedLabel({}, TextRole::Caption, Tone::Danger, this);
+    m_fault->hide();
+    form->addRow(m_fault);
+    m_brake = new QComboBox(this);
+    m_brake->addItems({tr("as the device is set"), tr("brake"), tr("coast")});
+    m_brake->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_brake->setAccessibleName(tr("At zero output"));
+    form->addRow(tr("At zero"), m_brake);
+    m_reverseMotor = addFlag(tr("Reverse motor"), tr("Forward output turns the motor the other way. Changing it disarms."));
+    m_reverseSensor = addFlag(tr("Reverse sensor"), tr("The encoder counts the other way. Changing it disarms."));
+    m_override = addFlag(tr("Override limits"), tr("The two below replace the device's own settings for limit switches. Changing it disarms."));
+    m_forwardOff = addFlag(tr("Forward limit off"), tr("The motor runs past the forward limit. Changing it disarms."));
+    m_reverseOff = addFlag(tr("Reverse limit off"), tr("The motor runs past the reverse limit. Changing it disarms."));
+    for (QCheckBox *box : {m_reverseMotor, m_reverseSensor, m_override, m_forwardOff, m_reverseOff})
+        form->addRow(box);
+    connect(m_ramp, &QLineEdit::textEdited, this, &DriveOptions::checkRamp);
+    connect(m_brake, qOverload<int>(&QComboBox::activated), this, &DriveOptions::changed);
+    reset();
+}
+
+QCheckBox *DriveOptions::addFlag(const QString &text, const QString &help)
+{
+    auto *box = new QCheckBox(text, this);
+    box->setAccessibleName(text);
+    box->setToolTip(help);
+    connect(box, &QCheckBox::toggled, this, [this] {
+        m_forwardOff->setEnabled(m_override->isChecked());
+        m_reverseOff->setEnabled(m_override->isChecked());
+        Q_EMIT polarityChanged();
+        Q_EMIT changed();
+    });
+    return box;
+}
+
+std::optional<double> DriveOptions::ramp() const
+{
+    const auto number = parseNumber(m_ramp->text());
+    return number && *number >= 0.0 ? number : std::nullopt;
+}
+
+QString DriveOptions::fault() const
+{
+    return ramp() ? QString() : tr("%1 is no ramp. Enter 0 for none, or a positive number of duty per second.").arg(m_ramp->text().isEmpty() ? tr("Nothing") : m_ramp->text());
+}
+
+void DriveOptions::checkRamp()
+{
+    m_fault->setText(fault());
+    m_fault->setVisible(!ramp());
+    setStyleProperty(*m_ramp, "state", ramp() ? QString() : QStringLiteral("error"));
+    Q_EMIT changed();
+}
+
+void DriveOptions::apply(SetPoint &setPoint) const
+{
+    setPoint.ramp = ramp().value_or(0.0);
+    setPoint.brake.reset();
+    if (m_brake->currentIndex() != AsDevice)
+        setPoint.brake = m_brake->currentIndex() == Braked;
+    setPoint.reverseMotor = m_reverseMotor->isChecked();
+    setPoint.reverseSensor = m_reverseSensor->isChecked();
+    setPoint.overrideLimits = m_override->isChecked();
+    setPoint.disableForwardLimit = m_override->isChecked() && m_forwardOff->isChecked();
+    setPoint.disableReverseLimit = m_override->isChecked() && m_reverseOff->isChecked();
+}
+
+QString DriveOptions::summary() const
+{
+    QStringList parts;
+    if (ramp().value_or(0.0) > 0.0)
+        parts << tr("ramp %1 duty/s").arg(editText(*ramp()));
+    if (m_brake->currentIndex() != AsDevice)
+        parts << m_brake->currentText();
+    if (m_reverseMotor->isChecked())
+        parts << tr("motor reversed");
+    if (m_reverseSensor->isChecked())
+        parts << tr("sensor reversed");
+    if (m_override->isChecked())
+        parts << tr("limits overridden");
+    return parts.join(QStringLiteral(", "));
+}
+
+void DriveOptions::reset()
+{
+    m_ramp->setText(QStringLiteral("0"));
+    m_brake->setCurrentIndex(AsDevice);
+    for (QCheckBox *box : {m_reverseMotor, m_reverseSensor, m_override, m_forwardOff, m_reverseOff}) {
+        const QSignalBlocker quiet(box);
+        box->setChecked(false);
+    }
+    m_forwardOff->setEnabled(false);
+    m_reverseOff->setEnabled(false);
+    m_fault->hide();
+    setStyleProperty(*m_ramp, "state", QString());
+}
+
+} // namespace mb

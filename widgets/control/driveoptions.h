@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/setpoint.h"
+#include "widgets/common/theme.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+
+namespace mb {
+
+/// How the drive follows a set-point: ramp of the output, brake or coast, directions, limits switched off. Everything
+/// starts as the device has it.
+class DriveOptions : public QWidget {
+    Q_OBJECT
+public:
+    explicit DriveOptions(const ThemeSource &theme, QWidget *parent = nullptr);
+
+    /// Fills ramp, brake and flags; leaves mode and target alone.
+    void apply(SetPoint &setPoint) const;
+    /// Empty when everything here can be sent.
+    [[nodiscard]] QString fault() const;
+    /// "brake, ramp 2 duty/s": what differs from the device's own settings.
+    [[nodiscard]] QString summary() const;
+    void reset();
+
+Q_SIGNALS:
+    void changed();
+    /// A direction or a limit changed: what was safe a moment ago may not be any more.
+    void polarityChanged();
+
+private:
+    QCheckBox *addFlag(const QString &text, const QString &help);
+    [[nodiscard]] std::optional<double> ramp() const;
+    void checkRamp();
+
+    const ThemeSource &m_theme;
+    QLineEdit *m_ramp = nullptr;
+    QLabel *m_fault = nullptr;
+    QComboBox *m_brake = nullptr;
+    QCheckBox *m_reverseMotor = nullptr;
+    QCheckBox *m_reverseSensor = nullptr;
+    QCheckBox *m_override = nullptr;
+    QCheckBox *m_forwardOff = nullptr;
+    QCheckBox *m_reverseOff = nullptr;
+};
+
+} // namespace mb

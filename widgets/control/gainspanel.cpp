@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/gainspanel.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/control/gainunits.h"
+#include "widgets/control/wrappedlabel.h"
+
+#include <QHBoxLayout>
+#include <QPushButton>
+
+#include <algorithm>
+
+namespace mb {
+
+GainsPanel::GainsPanel(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    const int gap = theme.theme().u(4);
+    m_column = new QVBoxLayout(this);
+    m_column->setContentsMargins(0, 0, 0, 0);
+    m_column->setSpacing(gap);
+    auto *head = new QHBoxLayout;
+    head->addWidget(new SectionLabel(tr("Gains"), this));
+    auto *hint = new ElidedLabel(tr("G focuses · ← → 2 % · Shift 0.2 %"), this);
+    setTextRole(*hint, TextRole::Caption);
+    setTone(*hint, Tone::Dim);
+    hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    head->addWidget(hint, 1);
+    m_column->addLayout(head);
+    m_note = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);
+    m_column->addWidget(m_note);
+    m_more = linkButton({}, this);
+    connect(m_more, &QPushButton::clicked, this, [this] { showBounds(!m_boundsShown); });
+    m_column->addWidget(m_more, 0, Qt::AlignLeft);
+}
+
+void GainsPanel::choose(const Family &family, StagedEdits &edits, Mode mode, int slot)
+{
+    if (&family == m_family && &edits == m_edits && mode == m_mode && slot == m_slot)
+        return;
+    if (m_edits)
+        m_edits->endTyping(true);
+    m_family = &family;
+    m_edits = &edits;
+    m_mode = mode;
+    m_slot = slot;
+    rebuild();
+}
+
+void GainsPanel::clear()
+{
+    m_family = nullptr;
+    m_edits = nullptr;
+    m_rows.clear();
+    delete m_content;
+    m_content = nullptr;
+    m_bounds = nullptr;
+}
+
+void GainsPanel::rebuild()
+{
+    delete m_content;
+    m_rows.clear();
+    const int gap = m_theme.theme().u(2);
+    m_content = new QWidget(this);
+    auto *rows = new QVBoxLayout(m_content);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(gap);
+    m_bounds = new QWidget(m_content);
+    auto *bounds = new QVBoxLayout(m_bounds);
+    bounds->setContentsMargins(0, 0, 0, 0);
+    bounds->setSpacing(0);
+    const GainSet set = gainSet(*m_family, m_mode, m_slot);
+    for (const ParameterIndex index : set.gains) {
+        m_rows.push_back(new GainRow(m_theme, GainRow::Kind::Gain, *m_edits, index, m_content));
+        rows->addWidget(m_rows.back());
+        rows->addWidget(separatorLine(Qt::Horizontal, m_content));
+    }
+    for (const ParameterIndex index : set.bounds) {
+        m_rows.push_back(new GainRow(m_theme, GainRow::Kind::Bound, *m_edits, index, m_bounds));
+        bounds->addWidget(m_rows.back());
+    }
+    rows->addWidget(m_bounds);
+    m_column->insertWidget(m_column->count() - 1, m_content);
+    for (GainRow *row : m_rows)
+        row->setUnit(gainUnit(*m_family, m_edits->parameter(row->index()), m_mode));
+    showBounds(m_boundsShown);
+    explain();
+}
+
+void GainsPanel::showBounds(bool shown)
+{
+    m_boundsShown = shown;
+    if (m_bounds)
+        m_bounds->setVisible(shown);
+    m_more->setText(shown ? tr("Hide limits of the loop") : tr("I zone, allowable error, ramp, output limits"));
+}
+
+void GainsPanel::explain()
+{
+    m_note->setText(isClosedLoop(m_mode) ? QString() : tr("No loop runs in %1 mode: these gains act in velocity, position and current.").arg(modeText(m_mode)));
+    m_note->setVisible(!m_note->text().isEmpty());
+}
+
+void GainsPanel::refresh(const DeviceView &device, bool reading)
+{
+    if (!m_edits || m_edits->entries().size() != device.parameters.size())
+        return;
+    for (GainRow *row : m_rows) {
+        const auto number = row->number();
+        const auto physical = number ? siGain(*m_family, m_edits->parameter(row->index()), m_mode, *number, m_units.countsPerRevolution) : std::nullopt;
+        const bool off = !number || *number == 0.0;
+        row->setPhysical(physical && !off ? formatSignificant(physical->value, 3) + QLatin1Char(' ') + physical->unit : off && number ? tr("off") : QString());
+        row->setReading(reading);
+        row->refresh(device.parameters[row->index().value]);
+    }
+}
+
+QStringList GainsPanel::stagedNames() const
+{
+    QStringList names;
+    for (const GainRow *row : m_rows) {
+        const StagedEdit *edit = m_edits ? m_edits->find(row->index()) : nullptr;
+        if (edit && edit->value.raw)
+            names << tableText(m_edits->parameter(row->index()).label);
+    }
+    return names;
+}
+
+std::vector<ParameterChange> GainsPanel::toWrite() const
+{
+    std::vector<ParameterChange> changes = m_edits ? m_edits->toWrite() : std::vector<ParameterChange> {};
+    const auto elsewhere = [this](const ParameterChange &change) {
+        return std::none_of(m_rows.begin(), m_rows.end(), [&](const GainRow *row) { return row->index() == change.index; });
+    };
+    changes.erase(std::remove_if(changes.begin(), changes.end(), elsewhere), changes.end());
+    return changes;
+}
+
+bool GainsPanel::hasFault() const
+{
+    return std::any_of(m_rows.begin(), m_rows.end(), [this](const GainRow *row) {
+        const StagedEdit *edit = m_edits ? m_edits->find(row->index()) : nullptr;
+        return edit && !edit->value.raw;
+    });
+}
+
+void GainsPanel::revertAll()
+{
+    for (const GainRow *row : m_rows) {
+        if (m_edits && m_edits->find(row->index()))
+            m_edits->revert(row->index());
+    }
+}
+
+void GainsPanel::focusFirst()
+{
+    if (!m_rows.empty())
+        m_rows.front()->focusField();
+}
+
+GainRow *GainsPanel::row(std::string_view name) const
+{
+    const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&](const GainRow *row) { return gainName(m_edits->parameter(row->index())) == name; });
+    return found == m_rows.end() ? nullptr : *found;
+}
+
+} // namespace mb

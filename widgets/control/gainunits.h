@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/family.h"
+
+#include <QString>
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace mb {
+
+/// The parameters of one loop in the order of the panel: gains first, then what bounds them.
+struct GainSet {
+    std::vector<ParameterIndex> gains;
+    std::vector<ParameterIndex> bounds;
+};
+
+/// The rows that act in `mode` with gain slot `slot`: keys "slot0.p", "velocity.p" or "gain.p", whichever the family has.
+[[nodiscard]] GainSet gainSet(const Family &family, Mode mode, int slot);
+/// Whether the device closes a loop in this mode.
+[[nodiscard]] bool isClosedLoop(Mode mode);
+
+/// The last part of a key: p, i, d, f, …
+[[nodiscard]] std::string_view gainName(const Parameter &parameter);
+/// "throttle per count/100 ms": the unit of a gain in this mode, for people; the table's where nothing better is known.
+[[nodiscard]] QString gainUnit(const Family &family, const Parameter &parameter, Mode mode);
+/// A gain in units of the physical loop, such as 2.49e-3 duty/(rad/s) (tuning.md 3.8). Nothing where the family's scale
+/// is not known.
+struct SiGain {
+    double value = 0.0;
+    QString unit;
+};
+[[nodiscard]] std::optional<SiGain> siGain(const Family &family, const Parameter &parameter, Mode mode, double number, double countsPerRevolution);
+
+} // namespace mb

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/modepanel.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/labels.h"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QGridLayout>
+#include <QToolButton>
+
+#include <algorithm>
+#include <array>
+
+namespace mb {
+namespace {
+
+constexpr std::array shown {Mode::Velocity, Mode::Position, Mode::Current, Mode::Duty, Mode::Voltage, Mode::Follow, Mode::RampPosition, Mode::RampVelocity};
+constexpr int perLine = 3;
+
+QString titled(const QString &text)
+{
+    return text.left(1).toUpper() + text.mid(1);
+}
+
+} // namespace
+
+ModePanel::ModePanel(QWidget *parent)
+    : QWidget(parent)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    m_buttons = new QWidget(this);
+    m_buttons->setAccessibleName(tr("Mode"));
+    auto *grid = new QGridLayout(m_buttons);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(0);
+    grid->setVerticalSpacing(4);
+    m_group = new QButtonGroup(this);
+    m_slots = new QWidget(this);
+    auto *row = new QHBoxLayout(m_slots);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(8);
+    m_edited = new QComboBox(m_slots);
+    m_edited->setAccessibleName(tr("Gain slot that is edited"));
+    m_running = new QComboBox(m_slots);
+    m_running->setAccessibleName(tr("Gain slot that runs"));
+    m_running->setToolTip(tr("The slot of the next run. Changing it disarms."));
+    for (QComboBox *box : {m_edited, m_running}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        row->addWidget(box, 1);
+    }
+    column->addWidget(m_buttons);
+    column->addWidget(m_slots);
+    connect(m_group, &QButtonGroup::idClicked, this, [this](int id) {
+        const Mode mode = m_modes.at(static_cast<std::size_t>(id));
+        if (mode == m_mode)
+            return;
+        m_mode = mode;
+        Q_EMIT modeChanged(mode);
+    });
+    connect(m_edited, qOverload<int>(&QComboBox::activated), this, [this](int slot) {
+        updateSlots();
+        Q_EMIT editedSlotChanged(slot);
+    });
+    connect(m_running, qOverload<int>(&QComboBox::activated), this, [this](int slot) {
+        updateSlots();
+        Q_EMIT runningSlotChanged(slot);
+    });
+}
+
+void ModePanel::setFamily(const Family &family)
+{
+    if (&family == m_family)
+        return;
+    m_family = &family;
+    m_modes.clear();
+    for (const Mode mode : shown) {
+        if (std::find(family.modes.begin(), family.modes.end(), mode) != family.modes.end())
+            m_modes.push_back(mode);
+    }
+    if (std::find(m_modes.begin(), m_modes.end(), m_mode) == m_modes.end())
+        m_mode = m_modes.empty() ? Mode::Off : m_modes.front();
+    rebuild();
+}
+
+void ModePanel::rebuild()
+{
+    const auto old = m_group->buttons();
+    for (QAbstractButton *button : old)
+        delete button;
+    auto &grid = static_cast<QGridLayout &>(*m_buttons->layout());
+    const int count = static_cast<int>(m_modes.size());
+    for (int i = 0; i < count; ++i) {
+        auto *button = new QToolButton(m_buttons);
+        button->setText(titled(modeText(m_modes[static_cast<std::size_t>(i)])));
+        button->setAccessibleName(tr("%1 mode").arg(button->text()));
+        button->setCheckable(true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        const int place = i % perLine;
+        const bool last = place == perLine - 1 || i == count - 1;
+        setStyleProperty(*button, "segment", place == 0 ? last ? QStringLiteral("only") : QStringLiteral("first") : last ? QStringLiteral("last") : QStringLiteral("middle"));
+        m_group->addButton(button, i);
+        grid.addWidget(button, i / perLine, place);
+        grid.setColumnStretch(place, 1);
+    }
+    const int slotCount = m_family->capabilities.gainSlots;
+    for (QComboBox *box : {m_edited, m_running}) {
+        box->clear();
+        for (int slot = 0; slot < slotCount; ++slot)
+            box->addItem(QString());
+    }
+    m_slots->setVisible(slotCount > 1);
+    show(m_mode, 0, 0);
+}
+
+int ModePanel::editedSlot() const
+{
+    return std::max(m_edited->currentIndex(), 0);
+}
+
+int ModePanel::runningSlot() const
+{
+    return std::max(m_running->currentIndex(), 0);
+}
+
+void ModePanel::updateSlots()
+{
+    for (int slot = 0; slot < m_edited->count(); ++slot) {
+        m_edited->setItemText(slot, slot == runningSlot() ? tr("Editing slot %1").arg(slot) : tr("Editing slot %1, inactive").arg(slot));
+        m_running->setItemText(slot, tr("running slot %1").arg(slot));
+    }
+    m_edited->setToolTip(m_edited->currentText());
+}
+
+void ModePanel::show(Mode mode, int edited, int running)
+{
+    const auto found = std::find(m_modes.begin(), m_modes.end(), mode);
+    if (found != m_modes.end()) {
+        m_mode = mode;
+        m_group->button(static_cast<int>(found - m_modes.begin()))->setChecked(true);
+    }
+    m_edited->setCurrentIndex(edited);
+    m_running->setCurrentIndex(running);
+    updateSlots();
+}
+
+} // namespace mb

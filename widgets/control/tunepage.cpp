@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/tunepage.h"
+
+#include "widgets/common/emptystate.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/control/driveoptions.h"
+#include "widgets/control/gainspanel.h"
+#include "widgets/control/modepanel.h"
+#include "widgets/control/ratekeeper.h"
+#include "widgets/control/setpointpanel.h"
+#include "widgets/control/tuneplot.h"
+
+#include <QHBoxLayout>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QStackedWidget>
+
+namespace mb {
+namespace {
+
+constexpr double fastEncoder = 100.0;
+constexpr double fastCurrent = 50.0;
+constexpr std::chrono::milliseconds slewTime {20};
+constexpr int columnWidth = 336;
+
+} // namespace
+
+TunePage::TunePage(Workbench &workbench, Selection &selection, Arming &arming, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_selection(selection)
+    , m_arming(arming)
+    , m_theme(theme)
+{
+    setObjectName(QStringLiteral("tunePage"));
+    m_rates = new RateKeeper(workbench, {{"velocity", fastEncoder}, {"position", fastEncoder}, {"current", fastCurrent}}, this);
+    m_stack = new QStackedWidget(this);
+    m_empty = new EmptyState(theme, Symbol::Wave, {}, {}, m_stack);
+    auto *content = new QWidget(m_stack);
+    auto *grid = new QGridLayout(content);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(0);
+    m_plot = new TunePlot(workbench, theme, content);
+    grid->addWidget(buildCommands(), 0, 0, 1, 3);
+    grid->addWidget(separatorLine(Qt::Horizontal, content), 1, 0, 1, 3);
+    grid->addWidget(buildColumn(), 2, 0);
+    grid->addWidget(separatorLine(Qt::Vertical, content), 2, 1);
+    grid->addWidget(m_plot, 2, 2);
+    grid->setColumnStretch(2, 1);
+    grid->setRowStretch(2, 1);
+    m_stack->addWidget(m_empty);
+    m_stack->addWidget(content);
+    auto *all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(m_stack);
+    connectPanels();
+    buildKeys();
+    selectionChanged();
+}
+
+TunePage::~TunePage()
+{
+    m_gains->clear(); // before the edits that it shows
+}
+
+QWidget *TunePage::buildCommands()
+{
+    const Theme &theme = m_theme.theme();
+    auto *bar = new QWidget(this);
+    auto *row = new QHBoxLayout(bar);
+    row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
+    row->setSpacing(theme.u(8));
+    m_glyph = new StateGlyph(m_theme, GlyphState::Gone, bar);
+    m_cause = textLabel({}, TextRole::Emphasis, Tone::Text, bar);
+    m_remedy = new ElidedLabel({}, bar);
+    setTone(*m_remedy, Tone::Dim);
+    m_halt = new CommandButton(m_theme, Symbol::Stop, tr("Stop motion"), bar);
+    m_halt->setToolTip(tr("Ends the motion and stays armed. STOP, Esc and Pause stop everything."));
+    m_run = new CommandButton(m_theme, Symbol::Play, tr("Run"), bar);
+    m_run->setPrimary(true);
+    m_run->setKeyHint(QStringLiteral("F5"));
+    m_run->setTextVariants({tr("Run"), tr("Write and run"), tr("Apply")});
+    m_run->setObjectName(QStringLiteral("run"));
+    row->addWidget(m_glyph);
+    row->addWidget(m_cause);
+    row->addWidget(m_remedy, 1);
+    row->addWidget(m_halt);
+    row->addWidget(m_run);
+    return bar;
+}
+
+QWidget *TunePage::buildColumn()
+{
+    const Theme &theme = m_theme.theme();
+    auto *column = new QWidget(this);
+    column->setFixedWidth(theme.u(columnWidth));
+    auto *all = new QVBoxLayout(column);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(0);
+    auto *scroll = new QScrollArea(column);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    auto *panels = new QWidget(scroll);
+    panels->setProperty("transparent", true);
+    auto *inner = new QVBoxLayout(panels);
+    inner->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
+    inner->setSpacing(theme.u(8));
+    m_modes = new ModePanel(panels);
+    m_setPoint = new SetPointPanel(m_theme, panels);
+    m_gains = new GainsPanel(m_theme, panels);
+    inner->addWidget(m_modes);
+    inner->addWidget(separatorLine(Qt::Horizontal, panels));
+    inner->addWidget(m_setPoint);
+    inner->addWidget(separatorLine(Qt::Horizontal, panels));
+    inner->addWidget(m_gains);
+    inner->addStretch(1);
+    scroll->setWidget(panels);
+    all->addWidget(scroll, 1);
+    all->addWidget(separatorLine(Qt::Horizontal, column));
+    all->addWidget(buildWriteRow());
+    connect(&m_theme, &ThemeSource::changed, column, [this, column] { column->setFixedWidth(m_theme.theme().u(columnWidth)); });
+    return column;
+}
+
+QWidget *TunePage::buildWriteRow()
+{
+    const Theme &theme = m_theme.theme();
+    auto *box = new QWidget(this);
+    auto *row = new QHBoxLayout(box);
+    row->setContentsMargins(theme.u(12), theme.u(8), theme.u(12), theme.u(8));
+    row->setSpacing(theme.u(8));
+    m_write = new CommandButton(m_theme, tr("Write gains"), box);
+    m_write->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_write->setObjectName(QStringLiteral("writeGains"));
+    m_revert = new CommandButton(m_theme, Symbol::Undo, tr("Revert"), box);
+    m_revert->setAccessibleName(tr("Revert all staged gains"));
+    row->addWidget(m_write, 1);
+    row->addWidget(m_revert);
+    connect(m_write, &QPushButton::clicked, this, &TunePage::write);
+    connect(m_revert, &QPushButton::clicked, m_gains, &GainsPanel::revertAll);
+    return box;
+}
+
+void TunePage::connectPanels()
+{
+    m_slewTimer.setTimerType(Qt::PreciseTimer);
+    m_slewTimer.setInterval(slewTime);
+    connect(&m_slewTimer, &QTimer::timeout, this, &TunePage::slewTick);
+    connect(m_run, &QPushButton::clicked, this, &TunePage::run);
+    connect(m_halt, &QPushButton::clicked, this, &TunePage::halt);
+    connect(m_modes, &ModePanel::modeChanged, this, &TunePage::modeChosen);
+    connect(m_modes, &ModePanel::editedSlotChanged, this, &TunePage::slotsChosen);
+    connect(m_modes, &ModePanel::runningSlotChanged, this, [this] {
+        disarmBecause(tr("the running slot"));
+        slotsChosen();
+    });
+    connect(m_setPoint, &SetPointPanel::targetChosen, this, &TunePage::applyTarget);
+    connect(m_setPoint, &SetPointPanel::changed, this, &TunePage::showCommands);
+    connect(m_setPoint, &SetPointPanel::polarityChanged, this, [this] { disarmBecause(tr("a direction or a limit")); });
+    connect(m_plot, &TunePlot::unitsChanged, this, &TunePage::unitsChosen);
+    connect(&m_workbench, &Workbench::changed, this, &TunePage::follow);
+    connect(&m_arming, &Arming::changed, this, &TunePage::follow);
+    connect(&m_selection, &Selection::changed, this, &TunePage::selectionChanged);
+}
+
+void TunePage::buildKeys()
+{
+    auto *runKey = new QShortcut(QKeySequence(Qt::Key_F5), this);
+    runKey->setAutoRepeat(false);
+    connect(runKey, &QShortcut::activated, this, &TunePage::run);
+    auto *gainsKey = new QShortcut(QKeySequence(Qt::Key_G), this);
+    connect(gainsKey, &QShortcut::activated, m_gains, &GainsPanel::focusFirst);
+    const auto undo = [this](bool again) {
+        if (Choice *chosen = choice(); chosen && chosen->edits)
+            again ? chosen->edits->undoStack().redo() : chosen->edits->undoStack().undo();
+    };
+    connect(new QShortcut(QKeySequence::Undo, this), &QShortcut::activated, this, [undo] { undo(false); });
+    connect(new QShortcut(QKeySequence::Redo, this), &QShortcut::activated, this, [undo] { undo(true); });
+}
+
+} // namespace mb

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/tunepage.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/emptystate.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/control/gainspanel.h"
+#include "widgets/control/gainunits.h"
+#include "widgets/control/modepanel.h"
+#include "widgets/control/ratekeeper.h"
+#include "widgets/control/setpointpanel.h"
+#include "widgets/control/tuneplot.h"
+
+#include <QStackedWidget>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+bool isRunning(const OperationView *operation)
+{
+    return operation && operation->status.state == OperationStatus::State::Running;
+}
+
+} // namespace
+
+const DeviceView *TunePage::device() const
+{
+    return m_workbench.snapshot().device(m_selection.device());
+}
+
+TunePage::Choice *TunePage::choice()
+{
+    const auto found = m_choices.find(m_shown);
+    return found == m_choices.end() ? nullptr : &found->second;
+}
+
+void TunePage::selectionChanged()
+{
+    const bool live = m_arming.state() == LampState::Armed || m_arming.state() == LampState::Moving;
+    if (live && m_arming.device() != m_selection.device()) {
+        m_workbench.report(Severity::Info, {}, tr("disarmed: another device is selected"));
+        m_arming.disarm();
+    }
+    follow();
+}
+
+void TunePage::follow()
+{
+    if (!m_arming.isMoving()) {
+        m_slewTimer.stop();
+        m_ours = false;
+    }
+    const DeviceView *view = device();
+    const bool usable = view && view->identity.state != DeviceState::Bootloader;
+    m_rates->follow(usable && isVisible() && m_arming.isArmed(view->id) ? view->id : DeviceId {});
+    if (usable)
+        followDevice(*view);
+    else
+        showEmpty(view);
+    m_stack->setCurrentIndex(usable ? 1 : 0);
+}
+
+void TunePage::followDevice(const DeviceView &view)
+{
+    Choice &chosen = m_choices[view.id];
+    if (!chosen.edits) {
+        chosen.edits = std::make_unique<StagedEdits>(*view.family, this);
+        connect(chosen.edits.get(), &StagedEdits::changed, this, [this] {
+            ++m_editRevision;
+            follow();
+        });
+    }
+    if (m_shown != view.id) {
+        m_shown = view.id;
+        m_modes->setFamily(*view.family);
+        m_modes->show(chosen.mode, chosen.editedSlot, chosen.runningSlot);
+        chosen.mode = m_modes->mode();
+        m_setPoint->reset();
+        m_setPoint->setMode(chosen.mode);
+        m_setPoint->setUnits(chosen.units);
+        m_plot->setUnits(chosen.units);
+        m_gains->setUnits(chosen.units);
+    }
+    m_plot->choose(view, chosen.mode);
+    m_plot->follow(view);
+    m_setPoint->showPresent(present(view));
+    followForeignRun(view);
+    if (isVisible())
+        readOnce(view);
+    followGains(view);
+    showCommands();
+}
+
+void TunePage::followGains(const DeviceView &view)
+{
+    const Choice &chosen = m_choices.at(view.id);
+    const bool reading = isRunning(m_workbench.snapshot().operation(view.id));
+    const QString rows = QStringLiteral("%1 %2 %3 %4 %5 %6 %7")
+                             .arg(view.id.value)
+                             .arg(view.parameterRevision)
+                             .arg(reading)
+                             .arg(m_editRevision)
+                             .arg(static_cast<int>(chosen.mode))
+                             .arg(chosen.editedSlot)
+                             .arg(chosen.units.countsPerRevolution);
+    if (rows == m_rowsShown)
+        return;
+    m_rowsShown = rows;
+    chosen.edits->setEntries(view.parameters);
+    m_gains->choose(*view.family, *chosen.edits, chosen.mode, chosen.editedSlot);
+    m_gains->refresh(view, reading);
+}
+
+void TunePage::readOnce(const DeviceView &view)
+{
+    const bool unknown = std::all_of(view.parameters.begin(), view.parameters.end(), [](const auto &entry) { return entry.state == ParameterState::Unknown; });
+    const bool ready = view.liveness.heard && view.busy.empty() && view.family->capabilities.readback;
+    if (!unknown || !ready || isRunning(m_workbench.snapshot().operation(view.id)) || !m_asked.insert(view.id).second)
+        return;
+    m_workbench.readParameters(view.id);
+}
+
+void TunePage::showEmpty(const DeviceView *view)
+{
+    if (view) {
+        m_empty->setText(tr("%1 is in its bootloader").arg(titleOf(*view)), tr("It cannot drive a motor until it has firmware. Write an image on the Firmware page."));
+        return;
+    }
+    const bool any = !m_workbench.snapshot().devices.empty();
+    m_empty->setText(any ? tr("Select a device") : tr("No device yet"), any ? tr("Choose one in the list at the left; its loop is tuned here.") : tr("Open a link, or the simulated bench from the menu, to drive a motor."));
+}
+
+TunePage::Status TunePage::status() const
+{
+    const DeviceView *view = device();
+    if (!view)
+        return {GlyphState::Gone, tr("No device"), {}, false};
+    const QString name = QStringLiteral("#%1").arg(view->identity.address);
+    if (!view->liveness.heard)
+        return {GlyphState::Gone, tr("No answer from %1").arg(name), tr("The plot keeps what it has."), false};
+    if (m_arming.state() == LampState::Stopped)
+        return {GlyphState::Fault, tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the lamp for 1 s to arm again."), false};
+    if (!view->mayNotMove.empty())
+        return {GlyphState::Warning, tr("%1 cannot be armed").arg(name), tableText(view->mayNotMove), false};
+    if (!m_setPoint->fault().isEmpty())
+        return {GlyphState::OutOfRange, tr("The set-point cannot be sent"), m_setPoint->fault(), false};
+    if (m_gains->hasFault())
+        return {GlyphState::OutOfRange, tr("A gain is out of range"), tr("Correct or revert it first."), false};
+    return liveStatus(*view, name);
+}
+
+TunePage::Status TunePage::liveStatus(const DeviceView &view, const QString &name) const
+{
+    if (m_writing)
+        return {GlyphState::Busy, tr("Writing gains"), {}, false};
+    const OperationView *operation = m_workbench.snapshot().operation(view.id);
+    const bool known = std::any_of(view.parameters.begin(), view.parameters.end(), [](const auto &entry) { return entry.raw.has_value(); });
+    if (isRunning(operation) && !known)
+        return {GlyphState::Busy, tr("Reading gains"), tr("%1 of %2").arg(operation->status.done).arg(operation->status.total), false};
+    if (m_arming.isArmed(view.id) && m_arming.isMoving())
+        return {GlyphState::Moving, tr("Moving"), describe(view.motion.running ? view.motion.setPoint : wanted()), true};
+    if (m_arming.isArmed(view.id))
+        return {GlyphState::Online, tr("Armed"), tr("F5 runs %1").arg(describe(wanted())), true};
+    return {GlyphState::Gone, tr("Not armed"), tr("Hold the lamp for 1 s to arm %1.").arg(name), false};
+}
+
+QString TunePage::describe(const SetPoint &setPoint) const
+{
+    const auto chosen = m_choices.find(m_shown);
+    const ShownUnit unit = shownUnit(setPoint.mode, chosen == m_choices.end() ? DisplayUnits {} : chosen->second.units);
+    const double number = setPoint.target * unit.scale;
+    const int decimals = number == std::round(number) ? 0 : unit.scale == 1.0 && unit.decimals == 0 ? 0 : 1;
+    const QString target = setPoint.mode == Mode::Follow ? QStringLiteral("#%1").arg(number) : formatValue(number, decimals, unit.text);
+    const QString what = modeText(setPoint.mode) + QLatin1Char(' ') + target;
+    const DeviceView *view = device();
+    const bool several = view && view->family->capabilities.gainSlots > 1 && isClosedLoop(setPoint.mode);
+    return several ? tr("%1, slot %2").arg(what).arg(setPoint.slot) : what;
+}
+
+void TunePage::showCommands()
+{
+    const DeviceView *view = device();
+    if (!view || view->id != m_shown)
+        return;
+    const Status now = status();
+    m_glyph->setState(now.glyph);
+    m_cause->setText(now.cause);
+    m_remedy->setText(now.remedy);
+    const Choice &chosen = m_choices.at(m_shown);
+    const QStringList staged = m_gains->stagedNames();
+    const bool withGains = !staged.isEmpty() && chosen.editedSlot == chosen.runningSlot;
+    const bool moving = m_arming.isMoving() && m_arming.isArmed(view->id);
+    m_run->setText(withGains ? tr("Write and run") : moving ? tr("Apply") : tr("Run"));
+    m_run->setEnabled(now.mayRun);
+    m_run->setToolTip(now.mayRun ? QString() : now.cause + QStringLiteral(": ") + now.remedy);
+    m_run->setAccessibleDescription(m_run->toolTip());
+    m_halt->setEnabled(moving);
+    const bool several = view->family->capabilities.gainSlots > 1;
+    const QString names = staged.size() > 3 ? tr("%n value(s)", nullptr, staged.size()) : staged.join(QStringLiteral(", "));
+    m_write->setText(staged.isEmpty() ? tr("Nothing to write") : several ? tr("Write %1 to slot %2").arg(names).arg(chosen.editedSlot) : tr("Write %1").arg(names));
+    const bool free = view->liveness.heard && view->busy.empty() && !m_writing && !isRunning(m_workbench.snapshot().operation(view->id));
+    m_write->setEnabled(!staged.isEmpty() && free && !m_gains->hasFault());
+    m_write->setToolTip(m_gains->hasFault() ? tr("A gain is out of range") : staged.isEmpty() ? tr("No gain is edited") : free ? QString() : tr("The device is busy"));
+    m_revert->setEnabled(!staged.isEmpty() || m_gains->hasFault());
+}
+
+} // namespace mb

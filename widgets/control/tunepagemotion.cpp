@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/tunepage.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/control/gainspanel.h"
+#include "widgets/control/modepanel.h"
+#include "widgets/control/ratekeeper.h"
+#include "widgets/control/setpointpanel.h"
+#include "widgets/control/tuneplot.h"
+
+#include <QPointer>
+
+namespace mb {
+
+void TunePage::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    follow();
+}
+
+void TunePage::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    m_rates->follow({});
+}
+
+SetPoint TunePage::wanted() const
+{
+    SetPoint setPoint;
+    m_setPoint->apply(setPoint);
+    setPoint.slot = m_modes->runningSlot();
+    return setPoint;
+}
+
+std::optional<double> TunePage::present(const DeviceView &view) const
+{
+    const Quantity quantity = quantityOf(m_setPoint->mode());
+    if (quantity == Quantity::Voltage) // of the supply, not of the motor
+        return std::nullopt;
+    for (const Channel &channel : view.family->channels) {
+        if (channel.quantity == quantity)
+            return liveValue(view, channel.key, m_workbench.now());
+    }
+    return std::nullopt;
+}
+
+void TunePage::disarmBecause(const QString &what)
+{
+    if (!m_arming.isArmed(m_shown))
+        return;
+    const DeviceView *view = device();
+    m_workbench.report(Severity::Info, view ? titleOf(*view) : QString(), tr("disarmed: %1 changed").arg(what));
+    m_arming.disarm();
+}
+
+void TunePage::modeChosen(Mode mode)
+{
+    disarmBecause(tr("the mode"));
+    if (Choice *chosen = choice())
+        chosen->mode = mode;
+    m_setPoint->setMode(mode);
+    follow();
+}
+
+void TunePage::slotsChosen()
+{
+    if (Choice *chosen = choice()) {
+        chosen->editedSlot = m_modes->editedSlot();
+        chosen->runningSlot = m_modes->runningSlot();
+    }
+    follow();
+}
+
+void TunePage::unitsChosen(const DisplayUnits &units)
+{
+    if (Choice *chosen = choice())
+        chosen->units = units;
+    m_setPoint->setUnits(units);
+    m_gains->setUnits(units);
+    follow();
+}
+
+void TunePage::run()
+{
+    const Status now = status();
+    if (!now.mayRun) {
+        m_workbench.report(Severity::Caution, {}, tr("not run: %1. %2").arg(now.cause, now.remedy));
+        return;
+    }
+    const Choice *chosen = choice();
+    if (chosen->editedSlot == chosen->runningSlot && !m_gains->toWrite().empty())
+        writeThen([this] { start(); });
+    else
+        start();
+}
+
+void TunePage::write()
+{
+    if (m_write->isEnabled())
+        writeThen({});
+}
+
+void TunePage::writeThen(std::function<void()> next)
+{
+    const DeviceId target = m_shown;
+    const std::vector<ParameterChange> changes = m_gains->toWrite();
+    m_writing = true;
+    m_workbench.writeParameters(target, changes, [self = QPointer<TunePage>(this), target, changes, next](const Result<void> &result) {
+        if (!self)
+            return;
+        self->m_writing = false;
+        const auto found = self->m_choices.find(target);
+        if (result && found != self->m_choices.end())
+            found->second.edits->settle(changes);
+        self->follow();
+        if (!result)
+            self->m_workbench.report(Severity::Danger, {}, tr("gains not written: %1").arg(errorText(result.error())));
+        else if (next && self->m_shown == target && self->m_arming.isArmed(target))
+            next();
+    });
+    showCommands();
+}
+
+void TunePage::halt()
+{
+    m_slewTimer.stop();
+    if (m_arming.isArmed(m_shown))
+        m_arming.halt();
+}
+
+/// tuning.md 5.6: the first set-point is where the motor is, then no faster than the hand's limit. A step of another
+/// quantity than position goes out at once.
+void TunePage::start()
+{
+    const DeviceView *view = device();
+    const auto target = m_setPoint->target();
+    if (!view || !target || !m_arming.isArmed(view->id))
+        return;
+    const double rate = m_setPoint->slewRate();
+    const bool moving = m_arming.isMoving();
+    const bool sameMode = view->motion.setPoint.mode == m_setPoint->mode();
+    if (!moving || !m_ours || !sameMode)
+        m_slew.start(moving && sameMode ? view->motion.setPoint.target : present(*view).value_or(0.0), m_workbench.now());
+    m_slew.setRate(rate);
+    m_slew.setTarget(*target);
+    m_setPoint->keepTarget();
+    m_ours = true;
+    const bool atPresent = !moving && (rate > 0.0 || m_setPoint->mode() == Mode::Position);
+    send(atPresent && m_setPoint->mode() != Mode::Follow ? m_slew.value() : m_slew.advance(m_workbench.now()));
+    if (!m_slew.isThere())
+        m_slewTimer.start();
+}
+
+void TunePage::applyTarget()
+{
+    if (m_arming.isMoving() && status().mayRun)
+        start();
+}
+
+void TunePage::slewTick()
+{
+    if (!m_arming.isMoving()) {
+        m_slewTimer.stop();
+        return;
+    }
+    send(m_slew.advance(m_workbench.now()));
+    if (m_slew.isThere())
+        m_slewTimer.stop();
+}
+
+void TunePage::send(double target)
+{
+    SetPoint setPoint = wanted();
+    setPoint.target = target;
+    m_arming.run(setPoint);
+}
+
+void TunePage::followForeignRun(const DeviceView &view)
+{
+    const bool moving = m_arming.isMoving() && m_arming.device() == view.id && view.motion.running;
+    if (!moving || m_ours || view.motion.setPoint.mode != m_setPoint->mode())
+        return;
+    if (m_setPoint->target() != view.motion.setPoint.target)
+        m_setPoint->showTarget(view.motion.setPoint.target);
+}
+
+} // namespace mb

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/snapshot.h"
+#include "widgets/plots/displayunits.h"
+#include "widgets/plots/plotstack.h"
+#include "widgets/plots/telemetrysource.h"
+
+#include <QTimer>
+
+class QComboBox;
+class QLineEdit;
+
+namespace mb {
+
+class IconButton;
+class Segmented;
+class Workbench;
+
+/// What the motor does, live: the commanded quantity with its set-point, and two more that explain it, above one axis of
+/// time; units, window and pause above. Fetches and draws only while it can be seen.
+class TunePlot : public QWidget {
+    Q_OBJECT
+public:
+    TunePlot(Workbench &workbench, const ThemeSource &theme, QWidget *parent = nullptr);
+
+    /// The traces of a device in a mode. Nothing changes while both stay the same.
+    void choose(const DeviceView &device, Mode mode);
+    /// Rates and the present; every snapshot.
+    void follow(const DeviceView &device);
+    void setUnits(const DisplayUnits &units);
+    [[nodiscard]] const DisplayUnits &units() const { return m_units; }
+    [[nodiscard]] PlotStack &stack() { return *m_stack; }
+
+Q_SIGNALS:
+    void unitsChanged(const mb::DisplayUnits &units);
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    QWidget *buildBar();
+    void buildUnits(class QHBoxLayout &row);
+    void buildView(class QHBoxLayout &row);
+    void addTrace(const DeviceView &device, std::string_view channel, int strip, bool main);
+    void rebuild(const DeviceView &device);
+    void countsTyped();
+    void tick();
+
+    Workbench &m_workbench;
+    const ThemeSource &m_theme;
+    DeviceId m_device;
+    Mode m_mode = Mode::Off;
+    DisplayUnits m_units;
+    Instant m_since {};
+    std::shared_ptr<const Telemetry> m_telemetry;
+    std::vector<std::shared_ptr<TelemetrySource>> m_sources;
+    std::uint64_t m_drawn = 0;
+    double m_drawnAt = 0.0;
+    QTimer m_tick;
+    Segmented *m_unitChoice = nullptr;
+    QLineEdit *m_counts = nullptr;
+    QComboBox *m_window = nullptr;
+    IconButton *m_pause = nullptr;
+    PlotStack *m_stack = nullptr;
+};
+
+} // namespace mb

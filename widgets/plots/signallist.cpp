@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/signallist.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/labels.h"
+
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QStyledItemDelegate>
+#include <QPainter>
+
+namespace mb {
+namespace {
+
+enum Role { DeviceRole = Qt::UserRole, ChannelRole, UnitRole };
+
+Signal signalOf(const QListWidgetItem &item)
+{
+    return {{item.data(DeviceRole).toUInt()}, {static_cast<std::uint16_t>(item.data(ChannelRole).toUInt())}};
+}
+
+/// The unit stands dim at the right edge.
+class SignalDelegate : public QStyledItemDelegate {
+public:
+    SignalDelegate(const ThemeSource &theme, QObject *parent)
+        : QStyledItemDelegate(parent)
+        , m_theme(theme)
+    {
+    }
+    void paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        QStyledItemDelegate::paint(painter, option, index);
+        const Theme &theme = m_theme.theme();
+        painter->save();
+        painter->setFont(theme.font(TextRole::Caption, option.font));
+        painter->setPen(theme.dim);
+        painter->drawText(option.rect.adjusted(0, 0, -theme.u(8), 0), Qt::AlignRight | Qt::AlignVCenter, index.data(UnitRole).toString());
+        painter->restore();
+    }
+    QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        const QSize hint = QStyledItemDelegate::sizeHint(option, index);
+        return {hint.width(), std::max(hint.height(), m_theme.theme().u(28))};
+    }
+
+private:
+    const ThemeSource &m_theme;
+};
+
+} // namespace
+
+QString signalName(const DeviceView &device, ChannelIndex channel)
+{
+    const QString label = tableText(device.family->channels[channel.value].label);
+    return QStringLiteral("#%1 %2").arg(device.identity.address).arg(label.left(1).toLower() + label.mid(1));
+}
+
+SignalList::SignalList(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(theme.theme().u(12), theme.theme().u(8), theme.theme().u(12), theme.theme().u(4));
+    head->addWidget(new SectionLabel(tr("Add a signal"), this));
+    auto *hint = textLabel(tr("double click or tick"), TextRole::Caption, Tone::Dim, this);
+    hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    head->addWidget(hint, 1);
+    column->addLayout(head);
+    m_list = new QListWidget(this);
+    m_list->setAccessibleName(tr("Signals that can be plotted"));
+    m_list->setItemDelegate(new SignalDelegate(theme, m_list));
+    m_list->setProperty("surface", QStringLiteral("window"));
+    m_list->setProperty("rows", QStringLiteral("plain"));
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setTextElideMode(Qt::ElideRight);
+    column->addWidget(m_list, 1);
+    connect(m_list, &QListWidget::itemChanged, this, &SignalList::itemChanged);
+    connect(m_list, &QListWidget::itemActivated, this, [](QListWidgetItem *item) { item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked); });
+}
+
+void SignalList::setDevices(const std::vector<DeviceView> &devices)
+{
+    QString shown;
+    for (const DeviceView &device : devices)
+        shown += QStringLiteral("%1#%2 ").arg(device.id.value).arg(device.identity.address);
+    if (shown == m_shown)
+        return;
+    m_shown = shown;
+    const QSignalBlocker quiet(m_list);
+    m_list->clear();
+    for (const DeviceView &device : devices) {
+        if (device.identity.state == DeviceState::Bootloader)
+            continue;
+        for (std::uint16_t i = 0; i < device.family->channels.size(); ++i) {
+            auto *item = new QListWidgetItem(signalName(device, {i}), m_list);
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
+            item->setData(DeviceRole, device.id.value);
+            item->setData(ChannelRole, i);
+            item->setData(UnitRole, tableText(device.family->channels[i].unit));
+            item->setToolTip(item->text());
+            item->setCheckState(m_chosen.contains(signalOf(*item)) ? Qt::Checked : Qt::Unchecked);
+        }
+    }
+}
+
+void SignalList::setChosen(const std::set<Signal> &chosen)
+{
+    m_chosen = chosen;
+    const QSignalBlocker quiet(m_list);
+    for (int i = 0; i < m_list->count(); ++i)
+        m_list->item(i)->setCheckState(m_chosen.contains(signalOf(*m_list->item(i))) ? Qt::Checked : Qt::Unchecked);
+}
+
+void SignalList::itemChanged(QListWidgetItem *item)
+{
+    const Signal signal = signalOf(*item);
+    const bool on = item->checkState() == Qt::Checked;
+    if (on != m_chosen.contains(signal))
+        Q_EMIT toggled(signal, on);
+}
+
+} // namespace mb
