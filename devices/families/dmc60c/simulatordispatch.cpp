@@ -150,12 +150,12 @@ void Unit::sendEnumeration()
 
 void Unit::control(const CanFrame &frame)
 {
-    const Instant now = m_clock.now();
-    m_drive.command(ControlWord::decode(frame.bytes()), now);
+    m_drive.command(ControlWord::decode(frame.bytes()), m_clock.now());
     m_heartbeatMissed = false;
-    m_heartbeat.startIn(heartbeat, [this] {
+    const Instant end = frame.time + heartbeat; // of the device's own timer, however late this process runs
+    m_heartbeat.start(end, [this, end] {
         if (m_stalls.empty())
-            m_drive.halt(m_clock.now(), false);
+            m_drive.halt(end, false);
         else
             m_heartbeatMissed = true;
     });
