@@ -36,8 +36,10 @@ void Unit::stopStatus()
 
 void Unit::armStatus(std::uint8_t period, Duration delay)
 {
-    statusTimer(period).startIn(delay, [this, period] {
-        armStatus(period, this->period(period));
+    const Instant due = m_clock.now() + delay;
+    statusTimer(period).start(due, [this, period, due] {
+        const Duration late = m_clock.now() - due; // on a busy computer; the pace is that of a crystal all the same
+        armStatus(period, std::max(this->period(period) - late, Duration::zero()));
         if (m_stalls.empty())
             sendStatusFrame(period);
     });

@@ -45,9 +45,12 @@ void StatusStream::add(Instant time, const Values &values)
     learnShorter(gap);
 }
 
+/// By the phase, which a late frame does not fool, and by the gap, which a device with a slow clock does not fool.
 std::int64_t StatusStream::periodsSince(Instant time) const
 {
-    return std::max<std::int64_t>(0, (time - m_phase + m_period / 2) / m_period);
+    const std::int64_t byPhase = (time - m_phase + m_period / 2) / m_period;
+    const std::int64_t byGap = (time - *m_last + m_period / 2) / m_period;
+    return std::max<std::int64_t>(0, std::min(byPhase, std::max<std::int64_t>(byGap, 1)));
 }
 
 void StatusStream::adjustPhase(Instant time, std::int64_t periods)
