@@ -74,7 +74,10 @@ Session::Session(Clock &clock, std::span<const Family *const> families)
 
 Session::~Session()
 {
-    stopAll();
+    for (Entry &entry : m_devices) { // a motor that another program drives is not ours to stop
+        if (entry.stream && entry.stream->isRunning())
+            entry.stream->stop();
+    }
 }
 
 Result<Session::OpenLink> Session::makeLink(const LinkAddress &address)
