@@ -91,7 +91,7 @@ void StatusStream::hold(const Frame &frame)
     m_held.push_back(frame);
     if (m_held.size() < relearn)
         return;
-    if (!gapsAreAlike()) {
+    if (m_confirmed || !gapsAreAlike()) {
         releaseAsLoss(1);
         return;
     }
@@ -119,6 +119,7 @@ void StatusStream::releaseAsLoss(std::int64_t found)
         emit(frame);
     }
     m_held.clear();
+    m_confirmed = false;
 }
 
 void StatusStream::release()
@@ -148,14 +149,12 @@ void StatusStream::setPeriod(Duration period)
     if (period <= Duration::zero())
         return;
     const bool known = period * 9 < m_period * 10 && m_period * 9 < period * 10; // perhaps learned, and now made exact
-    if (known) {
-        releaseAsLoss(1);
-        m_period = period;
-    } else {
-        release();
-        m_period = period;
-        m_unsure = true;
-    }
+    m_period = period;
+    m_confirmed = known;
+    if (known)
+        return; // the next frame tells whether one is missing, or was only late
+    release();
+    m_unsure = true;
 }
 
 void StatusStream::interrupt()

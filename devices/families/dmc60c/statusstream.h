@@ -12,7 +12,7 @@ namespace mb::dmc60c {
 
 /// One periodic status frame on its way into the telemetry. Frames carry no counter, so a lost one shows only as a gap
 /// of several periods; the same gaps, all alike, mean that somebody changed the period. A frame behind such a gap is
-/// held back until the next one or setPeriod() tells which: at most `relearn` frames. Times are those of the source.
+/// held back until the next one or setPeriod() tells: at most `relearn` frames. Times are those of the source.
 class StatusStream {
 public:
     static constexpr std::size_t mostValues = 4;
@@ -23,7 +23,7 @@ public:
     StatusStream(std::shared_ptr<Telemetry> telemetry, std::vector<ChannelIndex> channels, Duration period);
 
     void add(Instant time, const Values &values);
-    /// The device said so: what is held back was loss if this is the period known before, and else was not.
+    /// The device said so: what is held back was no loss, unless this is the period known before.
     void setPeriod(Duration period);
     [[nodiscard]] bool isHolding() const { return !m_held.empty(); }
     /// The device was silent or restarted: nothing is missing as far as anybody knows.
@@ -54,8 +54,9 @@ private:
     Duration m_initial;
     Duration m_period;
     std::optional<Instant> m_last;
-    Instant m_phase{};     ///< when the last frame was due; jitter is smoothed out of it
-    bool m_unsure = false; ///< the period changed: the next gap is a mixture
+    Instant m_phase{};        ///< when the last frame was due; jitter is smoothed out of it
+    bool m_unsure = false;    ///< the period changed: the next gap is a mixture
+    bool m_confirmed = false; ///< by the device, since the last regular frame
     int m_shortGaps = 0;
     Duration m_shortSum{};
     std::vector<Frame> m_held;
