@@ -200,5 +200,119 @@ TEST_F(Dmc60cBench, RenamesRenumbersAndBlinks)
     EXPECT_EQ(scanFor(12).name, "Gripper M\xC3\xBC");
 }
 
+TEST_F(Dmc60cBench, CountsEveryStatusFrameThatTheBusLost)
+{
+    add("dmc60c:5");
+    const auto device = family.open(host, clock, scanFor(5));
+    clock.advance(1s);
+    const ChannelIndex duty = *findChannel(family.channels, "duty");
+    const ChannelIndex position = *findChannel(family.channels, "position");
+    const auto total = [&](ChannelIndex channel) {
+        device->telemetry()->commit();
+        return device->telemetry()->size(channel) + device->telemetry()->lost(channel);
+    };
+    const std::size_t dutyBefore = total(duty);
+    const std::size_t positionBefore = total(position);
+    bus.setLoss(0.1);
+    clock.advance(60s);
+    bus.setLoss(0.0);
+    clock.advance(500ms);
+    EXPECT_NEAR(static_cast<double>(total(duty) - dutyBefore), 6050.0, 2.0);
+    EXPECT_NEAR(static_cast<double>(total(position) - positionBefore), 605.0, 2.0);
+    EXPECT_NEAR(static_cast<double>(device->telemetry()->lost(duty)), 600.0, 80.0);
+}
+
+TEST_F(Dmc60cBench, ResolvesADuplicateThroughItsSession)
+{
+    add("dmc60c:5,fault=duplicate");
+    Found sink;
+    ASSERT_TRUE(run(family.scan(host, clock, sink)));
+    ASSERT_EQ(sink.list.size(), 2U);
+    EXPECT_EQ(sink.list[0].state, DeviceState::Duplicate);
+    EXPECT_EQ(sink.list[1].state, DeviceState::Duplicate);
+    EXPECT_NE(sink.list[0].serial, sink.list[1].serial);
+    const auto device = family.open(host, clock, sink.list[1]);
+    EXPECT_FALSE(device->mayMove());
+    ASSERT_TRUE(run(device->renumber(6)));
+    EXPECT_EQ(device->identity().state, DeviceState::Online);
+    Found after;
+    ASSERT_TRUE(run(family.scan(host, clock, after)));
+    ASSERT_EQ(after.list.size(), 2U);
+    for (const Identity &identity : after.list) {
+        EXPECT_EQ(identity.state, DeviceState::Online);
+        EXPECT_EQ(identity.serial, sink.list[identity.address == 6 ? 1 : 0].serial);
+    }
+}
+
+TEST_F(Dmc60cBench, AssignsANumberToAUnitWithoutOne)
+{
+    add("dmc60c:0");
+    const auto device = family.open(host, clock, scanFor(0));
+    EXPECT_EQ(device->identity().state, DeviceState::Unassigned);
+    ASSERT_TRUE(run(device->renumber(8)));
+    EXPECT_EQ(scanFor(8).state, DeviceState::Online);
+}
+
+TEST_F(Dmc60cBench, RenamesAndRenumbersAtTenPercentLoss)
+{
+    add("dmc60c:5");
+    const auto device = family.open(host, clock, scanFor(5));
+    bus.setLoss(0.1);
+    for (int number = 10; number < 30; ++number) {
+        const auto moved = run(device->renumber(number));
+        ASSERT_TRUE(moved) << moved.error().detail;
+    }
+    EXPECT_TRUE(run(device->rename("Twenty moves")));
+}
+
+TEST_F(Dmc60cBench, RaisesRatesAndAsksForThemAgainAfterARestart)
+{
+    Simulator &unit = add("dmc60c:5");
+    const auto device = family.open(host, clock, scanFor(5));
+    const ChannelIndex position = *findChannel(family.channels, "position");
+    const auto samplesIn = [&](Duration time) {
+        device->telemetry()->commit();
+        const std::size_t before = device->telemetry()->size(position);
+        clock.advance(time);
+        device->telemetry()->commit();
+        return static_cast<double>(device->telemetry()->size(position) - before);
+    };
+    EXPECT_NEAR(samplesIn(1s), 10.0, 1.0);
+    ASSERT_TRUE(run(device->setRate(position, 200.0)));
+    EXPECT_NEAR(samplesIn(1s), 200.0, 1.0);
+    unit.setPowered(false);
+    clock.advance(500ms);
+    unit.setPowered(true);
+    clock.advance(3s);
+    EXPECT_TRUE(device->liveness().restarted);
+    EXPECT_NEAR(samplesIn(1s), 200.0, 1.0) << "the device itself starts with 10 a second";
+    ASSERT_TRUE(run(device->setRate(position, 0.0)));
+    EXPECT_NEAR(samplesIn(1s), 10.0, 1.0);
+    EXPECT_EQ(device->telemetry()->lost(position), 0U);
+}
+
+TEST_F(Dmc60cBench, KeepsTheCountsOfClearedFaultsAtThirtyPercentLoss)
+{
+    Simulator &unit = add("dmc60c:5");
+    const auto device = family.open(host, clock, scanFor(5));
+    ASSERT_TRUE(unit.disturb("gate-fault", 1.0));
+    clock.advance(100ms);
+    ASSERT_TRUE(unit.disturb("gate-fault", 0.0));
+    clock.advance(5s);
+    const auto before = run(device->readFaults());
+    ASSERT_TRUE(before);
+    ASSERT_TRUE(before->at(3).sticky);
+    bus.setLoss(0.3);
+    const auto cleared = run(device->clearFaults());
+    bus.setLoss(0.0);
+    ASSERT_TRUE(cleared) << cleared.error().detail;
+    EXPECT_EQ(cleared->at(3).count, before->at(3).count);
+    EXPECT_TRUE(cleared->at(3).sticky);
+    const auto after = run(device->readFaults());
+    ASSERT_TRUE(after);
+    EXPECT_EQ(after->at(3).count, 0);
+    EXPECT_FALSE(after->at(3).sticky);
+}
+
 } // namespace
 } // namespace mb::dmc60c

@@ -241,7 +241,7 @@ TEST_F(Dmc60cController, RefreshFindsTheNewSessionOfAUnitThatDoesNotAnswer)
 TEST_F(Dmc60cController, RefreshSaysTimeoutWhenNobodyIsThere)
 {
     EXPECT_EQ(run(device->refresh()).error().fault, Fault::Timeout);
-    EXPECT_EQ(unit.count(getVersions), 3);
+    EXPECT_EQ(unit.count(getVersions), 8);
 }
 
 } // namespace

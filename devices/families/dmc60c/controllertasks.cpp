@@ -8,7 +8,22 @@
 namespace mb::dmc60c {
 namespace {
 
+using namespace std::chrono_literals;
+
 constexpr int numberTries = 3;
+
+/// More tries than section 3 says: the longest answer is 24 frames, of which one in ten may get lost. Asking is harmless, so
+/// those tries are short; 54 ms is the longest that a device stands still.
+Attempts patienceFor(Command command)
+{
+    switch (command) {
+    case Command::GetDescriptors:
+    case Command::GetFwver:
+    case Command::GetFlashSeqnum: return {8, 100ms};
+    case Command::SetDevName: return {5, 1s};
+    default: return attemptsOf(command);
+    }
+}
 
 } // namespace
 
@@ -17,7 +32,7 @@ constexpr int numberTries = 3;
 Task<VendorReply> Controller::vendor(VendorCommand command, std::vector<std::uint8_t> data)
 {
     VendorRequest request{identity().address, session(), command, std::move(data)};
-    auto task = vendorExchange(m_can, clock(), std::move(request), attemptsOf(command.command));
+    auto task = vendorExchange(m_can, clock(), std::move(request), patienceFor(command.command));
     Result<VendorReply> reply = co_await std::move(task).attempt();
     if (!reply) {
         if (reply.error().fault == Fault::Timeout)
@@ -150,7 +165,7 @@ Task<FirmwareVersions> Controller::moveTo(int number)
             co_return fail(status.error());
         }
         VendorRequest question{number, session(), {Command::GetFwver}};
-        auto asking = vendorExchange(m_can, clock(), std::move(question), attemptsOf(Command::GetFwver));
+        auto asking = vendorExchange(m_can, clock(), std::move(question), patienceFor(Command::GetFwver));
         const Result<VendorReply> answer = co_await std::move(asking).attempt();
         const auto versions = answer ? decodeFirmwareVersions(answer->data) : std::nullopt;
         if (versions)
