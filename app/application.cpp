@@ -104,6 +104,8 @@ void Application::translate(const QString &language)
 void Application::dress(const QString &theme, double fontScale)
 {
     QFont font = QApplication::font();
+    if (QGuiApplication::platformName() == QLatin1String("offscreen"))
+        font.setPointSizeF(10.0); // no desktop has said what it likes
     font.setPointSizeF(font.pointSizeF() * fontScale);
     QApplication::setFont(font);
     const bool dark = theme.isEmpty() || theme == QLatin1String("dark");

@@ -93,7 +93,7 @@ void MainWindow::buildHeader()
     menu->addAction(tr("Add link…"), this, [this] { askAddLink(m_workbench, *this); });
     menu->addAction(tr("Open the simulated bench"), this, &MainWindow::openSimulation);
     menu->addSeparator();
-    menu->addAction(tr("Switch between dark and light"), this, &MainWindow::switchTheme, QKeySequence(Qt::CTRL | Qt::Key_T));
+    menu->addAction(tr("Switch between dark and light"), this, &MainWindow::switchTheme, QKeySequence(QStringLiteral("Ctrl+T")));
     menu->addSeparator();
     menu->addAction(tr("Quit"), this, &QWidget::close, QKeySequence::Quit);
     m_header->setMenu(menu);
@@ -162,6 +162,10 @@ void MainWindow::buildStatus()
     m_message = new ElidedLabel({}, this);
     m_footprint = textLabel({}, TextRole::Caption, Tone::Dim, this);
     statusBar()->setSizeGripEnabled(false);
+    const int edge = m_theme.theme().u(12);
+    m_message->setContentsMargins(edge, 0, 0, 0);
+    m_footprint->setContentsMargins(0, 0, edge, 0);
+    m_footprint->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
     statusBar()->addWidget(m_message, 1);
     statusBar()->addPermanentWidget(m_footprint);
     m_messageTime.setSingleShot(true);
@@ -176,7 +180,7 @@ void MainWindow::buildStatus()
 void MainWindow::buildActions()
 {
     for (int i = 0; i < m_tabs->count(); ++i) {
-        auto *shortcut = new QShortcut(QKeySequence(Qt::CTRL | (Qt::Key_1 + i)), this);
+        auto *shortcut = new QShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(i + 1)), this);
         connect(shortcut, &QShortcut::activated, this, [this, i] { m_tabs->setCurrentIndex(i); });
         m_tabs->setTabToolTip(i, tr("%1  Ctrl+%2").arg(m_tabs->tabText(i)).arg(i + 1));
     }
@@ -204,6 +208,7 @@ void MainWindow::followPages()
     const auto id = static_cast<PageId>(m_tabs->currentIndex());
     const bool ofDevice = id == PageId::Parameters || id == PageId::Tune;
     m_pages->setCurrentIndex(m_tabs->currentIndex());
+    m_pages->currentWidget()->setFocus();
     m_line->setVisible(ofDevice && m_workbench.snapshot().device(m_selection.device()));
     m_inspector->setVisible(id == PageId::Overview && !m_workbench.snapshot().devices.empty());
 }

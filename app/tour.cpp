@@ -62,25 +62,46 @@ void Tour::pause(std::chrono::milliseconds time)
 
 void Tour::picture(const QString &name)
 {
-    add(name, [this, name] { save(name); }, [] { return true; });
+    // A step for each: a theme takes its time, and the window must be able to renew a motion lease in between.
+    const Theme before = m_theme.theme();
+    add(name, [this] { ++m_pictures; }, [] { return true; });
+    for (const bool dark : {true, false}) {
+        const Theme theme = dark ? darkTheme(before.bodyPointSize) : lightTheme(before.bodyPointSize);
+        add(name, [this, theme] { m_theme.setTheme(theme); }, [] { return true; });
+        add(name, [this, name, dark] { save(name, dark); }, [] { return true; });
+    }
+    add(name, [this, before] { m_theme.setTheme(before); }, [] { return true; });
 }
 
-void Tour::save(const QString &name)
+void Tour::save(const QString &name, bool dark)
 {
-    ++m_pictures;
     const QString number = QStringLiteral("%1").arg(m_pictures, 2, 10, QLatin1Char('0'));
-    const Theme before = m_theme.theme();
-    for (const bool dark : {true, false}) {
-        m_theme.setTheme(dark ? darkTheme(before.bodyPointSize) : lightTheme(before.bodyPointSize));
-        const QString file = QStringLiteral("%1-%2-%3.png").arg(number, name, dark ? QStringLiteral("dark") : QStringLiteral("light"));
-        if (!m_window.grab().save(m_folder.filePath(file))) {
-            std::fprintf(stderr, "motorbench: %s cannot be written\n", qPrintable(m_folder.filePath(file)));
-            finish(1);
-        }
+    const QString file = QStringLiteral("%1-%2-%3.png").arg(number, name, dark ? QStringLiteral("dark") : QStringLiteral("light"));
+    if (!m_window.grab().save(m_folder.filePath(file))) {
+        std::fprintf(stderr, "motorbench: %s cannot be written\n", qPrintable(m_folder.filePath(file)));
+        finish(1);
+        return;
     }
-    m_theme.setTheme(before);
-    std::printf("%s\n", qPrintable(name));
+    std::printf("%s\n", qPrintable(file));
     std::fflush(stdout);
+}
+
+void Tour::drive()
+{
+    if (m_window.arming().isMoving())
+        return;
+    m_window.arming().arm(device(tuned)->id);
+    SetPoint setPoint;
+    setPoint.mode = Mode::Velocity;
+    setPoint.target = stepTarget;
+    m_window.arming().run(setPoint);
+}
+
+bool Tour::isAtSpeed() const
+{
+    const auto channel = device(tuned)->telemetry->find("velocity");
+    const auto last = device(tuned)->telemetry->last(*channel);
+    return last && last->value > 0.95 * stepTarget;
 }
 
 void Tour::plan()
@@ -123,21 +144,15 @@ void Tour::planMotion()
         },
         [this] { return m_window.arming().isArmed(device(tuned)->id); });
     pause(std::chrono::milliseconds(1000));
-    add(QStringLiteral("velocity step"),
-        [this] {
-            SetPoint setPoint;
-            setPoint.mode = Mode::Velocity;
-            setPoint.target = stepTarget;
-            m_window.arming().run(setPoint);
-        },
-        [this] {
-            const auto channel = device(tuned)->telemetry->find("velocity");
-            const auto last = device(tuned)->telemetry->last(*channel);
-            return last && last->value > 0.95 * stepTarget;
-        });
+    add(QStringLiteral("velocity step"), [this] { drive(); }, [this] { return isAtSpeed(); });
     pause(std::chrono::milliseconds(1500));
     picture(QStringLiteral("tune"));
-    add(QStringLiteral("plots"), [this] { m_window.showPage(PageId::Plots); }, [] { return true; });
+    add(QStringLiteral("plots"),
+        [this] {
+            m_window.showPage(PageId::Plots);
+            drive();
+        },
+        [this] { return isAtSpeed(); });
     pause(std::chrono::milliseconds(1500));
     picture(QStringLiteral("plots"));
     add(QStringLiteral("bus"), [this] { m_window.showPage(PageId::Bus); }, [] { return true; });
@@ -198,7 +213,7 @@ void Tour::look()
         begin(m_current + 1);
     } else if (m_workbench.now() - m_begunAt > step.limit) {
         std::fprintf(stderr, "motorbench: the tour did not get past '%s'\n", qPrintable(step.name));
-        save(QStringLiteral("failed"));
+        save(QStringLiteral("failed"), m_theme.theme().dark);
         finish(1);
     }
 }

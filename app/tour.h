@@ -42,7 +42,9 @@ private:
     void look();
     void begin(std::size_t step);
     void finish(int status);
-    void save(const QString &name);
+    void save(const QString &name, bool dark);
+    void drive();
+    [[nodiscard]] bool isAtSpeed() const;
     [[nodiscard]] const DeviceView *device(int address) const;
 
     Workbench &m_workbench;

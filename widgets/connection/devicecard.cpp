@@ -101,7 +101,7 @@ void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
     const bool boot = device.identity.state == DeviceState::Bootloader;
     m_badge->setText(ordinary ? device.liveness.mode ? modeText(*device.liveness.mode) : QString() : glyphWord(state));
     m_badge->setVisible(!m_badge->text().isEmpty());
-    setTone(*m_badge, ordinary && !device.liveness.moving ? Tone::Dim : Tone::Caution);
+    setStyleProperty(*m_badge, "badge", ordinary && !device.liveness.moving ? QStringLiteral("neutral") : QStringLiteral("caution"));
     m_live->setVisible(!boot);
     m_note->setVisible(boot);
     m_update->setVisible(boot && device.family->update != nullptr);

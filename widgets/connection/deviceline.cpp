@@ -9,6 +9,16 @@
 #include <QHBoxLayout>
 
 namespace mb {
+namespace {
+
+/// A text that must not be cut, in a label that otherwise elides.
+void showWhole(QLabel &label, const QString &text)
+{
+    label.setText(text);
+    label.setMinimumWidth(label.fontMetrics().horizontalAdvance(text) + 1);
+}
+
+} // namespace
 
 DeviceLine::DeviceLine(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
@@ -22,7 +32,6 @@ DeviceLine::DeviceLine(Workbench &workbench, Selection &selection, const ThemeSo
     row->setContentsMargins(theme.theme().u(16), 0, theme.theme().u(16), 0);
     row->setSpacing(theme.theme().u(8));
     buildIdentity(*row);
-    row->addStretch();
     buildValues(*row);
     connect(&workbench, &Workbench::changed, this, &DeviceLine::follow);
     connect(&selection, &Selection::changed, this, &DeviceLine::follow);
@@ -39,7 +48,7 @@ void DeviceLine::buildIdentity(QHBoxLayout &row)
     row.addWidget(m_title);
     row.addWidget(m_name);
     row.addSpacing(m_theme.theme().u(8));
-    row.addWidget(m_identity);
+    row.addWidget(m_identity, 1);
 }
 
 void DeviceLine::buildValues(QHBoxLayout &row)
@@ -72,14 +81,29 @@ void DeviceLine::setTrailing(QWidget *widget)
     layout()->addWidget(widget);
 }
 
+void DeviceLine::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    follow();
+}
+
+void DeviceLine::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    // Where it is narrow the last values go first; the inspector and the plots still have them.
+    const Theme &theme = m_theme.theme();
+    m_temperature->setVisible(width() > theme.u(980));
+    m_bus->setVisible(width() > theme.u(860));
+    m_identity->setVisible(width() > theme.u(640));
+}
+
 void DeviceLine::follow()
 {
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
-    setVisible(device != nullptr);
     if (!device || !isVisible())
         return;
     m_glyph->setState(glyphOf(*device));
-    m_title->setText(titleOf(*device));
+    showWhole(*m_title, titleOf(*device));
     m_name->setText(QString::fromStdString(device->identity.name));
     const auto known = [](const std::string &text) { return text.empty() ? QString(UnknownMark) : QString::fromStdString(text); };
     m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity.serial), known(device->identity.firmware)));
@@ -97,7 +121,7 @@ void DeviceLine::follow()
     show(m_temperature, "temperature", 1.0, 1);
     const auto &faults = device->liveness.faults;
     m_faultGlyph->setState(faults.empty() ? GlyphState::Done : GlyphState::Fault);
-    m_faults->setText(faults.empty() ? tr("no faults") : faultText(faults.front()));
+    showWhole(*m_faults, faults.empty() ? tr("no faults") : faultText(faults.front()));
     setTone(*m_faults, faults.empty() ? Tone::Text : Tone::Danger);
 }
 

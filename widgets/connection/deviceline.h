@@ -23,6 +23,10 @@ public:
     /// At the right end, instead of the live values: actions of the page. The line takes it.
     void setTrailing(QWidget *widget);
 
+protected:
+    void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void buildIdentity(QHBoxLayout &row);
     void buildValues(QHBoxLayout &row);

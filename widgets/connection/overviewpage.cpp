@@ -40,6 +40,7 @@ void OverviewPage::buildCards()
     auto *scroll = new QScrollArea(m_states);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_canvas = new QWidget(scroll);
     auto *column = new QVBoxLayout(m_canvas);
     column->setContentsMargins(theme.u(12), theme.u(12), theme.u(12), theme.u(12));
@@ -243,7 +244,7 @@ void OverviewPage::followDevices(const Snapshot &shot)
 
 void OverviewPage::arrange()
 {
-    const int columns = std::clamp(width() / m_theme.theme().u(300), 1, 6);
+    const int columns = std::clamp(width() / m_theme.theme().u(340), 1, 6);
     if (columns == m_columns)
         return;
     m_columns = columns;

@@ -99,7 +99,7 @@ void BusPage::buildTable(QVBoxLayout &column)
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setWordWrap(false);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    const std::array<int, FrameModel::ColumnCount> widths {86, 62, 40, 92, 116, 40, 440, 190};
+    const std::array<int, FrameModel::ColumnCount> widths {86, 68, 40, 96, 140, 44, 440, 190};
     for (int i = 0; i < FrameModel::ColumnCount; ++i)
         m_table->setColumnWidth(i, theme.u(widths[static_cast<std::size_t>(i)]));
     m_table->horizontalHeader()->setStretchLastSection(true);

@@ -44,7 +44,8 @@ QString fieldsLine(const DecodedFrame &frame)
         // A flag that is off says nothing in a line; the detail panel has it.
         if (field.name.starts_with('f') && field.unit.empty() && field.value == 0.0)
             continue;
-        const QString unit = field.unit.empty() ? QString() : QLatin1Char(' ') + qt(field.unit);
+        const bool unitSpeaks = !field.unit.empty() && !field.unit.starts_with("1/");
+        const QString unit = !unitSpeaks ? QString() : QLatin1Char(' ') + qt(field.unit);
         parts += qt(field.name) + QLatin1Char('=') + QString::fromStdString(numberText(field.value)) + unit;
     }
     return parts.join(QStringLiteral("  "));
