@@ -167,6 +167,7 @@ OverviewPage::LinkCard OverviewPage::makeLinkCard(const LinkView &link)
 {
     LinkCard made;
     made.card = new Card(m_theme, QString::fromStdString(link.name), m_canvas);
+    made.card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     auto *row = new QHBoxLayout;
     row->setSpacing(m_theme.theme().u(20));
     const auto add = [&](const QString &caption, const QString &unit) {

@@ -138,7 +138,7 @@ void Arming::renew()
 void Arming::follow()
 {
     if (m_state == LampState::Armed && m_workbench.now() >= m_armedUntil) {
-        m_workbench.report(Severity::Info, nameOf(m_device), tr("disarmed after %n minute(s) without motion", nullptr, static_cast<int>(m_armedTime.count() / 60)));
+        m_workbench.report(Severity::Info, nameOf(m_device), tr("disarmed after %1 min without motion").arg(m_armedTime.count() / 60));
         enter(LampState::Safe);
         return;
     }

@@ -60,7 +60,7 @@ void FirmwarePage::inspectImage()
     if (!m_imageError.isEmpty())
         m_imageDetail->setText(m_imageError);
     else if (m_summary)
-        m_imageDetail->setText(tr("version %1 · %n page(s)", nullptr, static_cast<int>(m_summary->parts.size())).arg(QString::fromStdString(m_summary->version)));
+        m_imageDetail->setText(tr("version %1 · pages: %2").arg(QString::fromStdString(m_summary->version)).arg(m_summary->parts.size()));
     else
         m_imageDetail->setText(m_path.isEmpty() ? tr("Open an Intel HEX file, or drop it here") : tr("select a device to check it"));
     setTone(*m_imageDetail, m_imageError.isEmpty() ? Tone::Dim : Tone::Danger);
@@ -199,7 +199,7 @@ void FirmwarePage::followProgress(const OperationView *operation)
     const double seconds = std::chrono::duration<double>(status.endedAt - status.startedAt).count();
     const UpdateReport report = operation->update.value_or(UpdateReport {});
     m_step->setText(result(report));
-    m_rate->setText(tr("%1 s, %n page(s) sent again", nullptr, report.retries).arg(formatNumber(seconds, 1)));
+    m_rate->setText(tr("%1 s, pages sent again: %2").arg(formatNumber(seconds, 1)).arg(report.retries));
     const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
     setTone(*m_step, good ? Tone::Ok : Tone::Danger);
 }
