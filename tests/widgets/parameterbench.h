@@ -7,6 +7,14 @@
 #include "widgets/common/theme.h"
 #include "widgets/parameters/parameterspage.h"
 
+#include <QAbstractButton>
+#include <QApplication>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTemporaryDir>
+#include <QTest>
+
 namespace mb::test {
 
 inline const Family &dmc60c()
@@ -37,7 +45,8 @@ inline DeviceView readDrive(std::uint32_t id = 1, int address = 5)
     device.selector = "can:can0/dmc60c:" + std::to_string(address);
     device.liveness.heard = true;
     for (const Parameter &p : dmc60c().parameters)
-        device.parameters.push_back({toRaw(p, p.fallback).value_or(0), p.persistent ? ParameterState::Stored : ParameterState::Volatile});
+        device.parameters.push_back(
+            {toRaw(p, p.fallback).value_or(0), p.persistent ? ParameterState::Stored : ParameterState::Volatile});
     device.parameterRevision = 1;
     return device;
 }
@@ -46,7 +55,7 @@ inline DeviceView readDrive(std::uint32_t id = 1, int address = 5)
 struct ParameterBench {
     FakeWorkbench workbench;
     Selection selection;
-    ThemeSource theme {lightTheme()};
+    ThemeSource theme{lightTheme()};
     std::unique_ptr<ParametersPage> page;
 
     explicit ParameterBench(const DeviceView &device = readDrive(), QSize size = {1208, 760})
@@ -56,11 +65,15 @@ struct ParameterBench {
         page = std::make_unique<ParametersPage>(workbench, selection, theme, nullptr);
         page->resize(size);
         page->show();
+        QApplication::setActiveWindow(page.get());
     }
     [[nodiscard]] ParameterModel &model() { return page->model(); }
     [[nodiscard]] ParameterView &view() { return page->view(); }
     [[nodiscard]] StagedEdits &edits() { return *page->model().edits(); }
-    [[nodiscard]] QString shown(const char *key, int column) { return model().indexOf(named(key), column).data().toString(); }
+    [[nodiscard]] QString shown(const char *key, int column)
+    {
+        return model().indexOf(named(key), column).data().toString();
+    }
 
     void stage(const char *key, const char *text) { edits().stage(named(key), QString::fromUtf8(text)); }
     /// The device says so now.
@@ -72,5 +85,46 @@ struct ParameterBench {
         workbench.publish();
     }
 };
+
+/// The field that is open in the table.
+inline QLineEdit *field(ParameterBench &bench)
+{
+    return bench.view().viewport()->findChild<QLineEdit *>();
+}
+
+inline void open(ParameterBench &bench, const char *key)
+{
+    bench.view().setFocus();
+    bench.view().goTo(named(key));
+    QTest::keyClick(&bench.view(), Qt::Key_Return);
+    QVERIFY(field(bench));
+}
+
+inline QAbstractButton *button(ParameterBench &bench, const QString &text)
+{
+    for (auto *candidate : bench.page->findChildren<QAbstractButton *>()) {
+        if (candidate->isVisible() && candidate->text().startsWith(text))
+            return candidate;
+    }
+    return nullptr;
+}
+
+inline bool says(ParameterBench &bench, const QString &part)
+{
+    for (const auto *label : bench.page->findChildren<QLabel *>()) {
+        if (label->isVisible() && label->text().replace(QChar(QChar::Nbsp), QLatin1Char(' ')).contains(part))
+            return true;
+    }
+    return false;
+}
+
+inline QString write(const QTemporaryDir &folder, const QString &name, const QByteArray &text)
+{
+    const QString path = folder.filePath(name);
+    QFile file(path);
+    [[maybe_unused]] const bool open = file.open(QIODevice::WriteOnly);
+    file.write(text);
+    return path;
+}
 
 } // namespace mb::test

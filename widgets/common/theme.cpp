@@ -2,6 +2,7 @@
 #include "widgets/common/theme.h"
 
 #include <QFontDatabase>
+#include <QFontInfo>
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -69,6 +70,8 @@ QFont Theme::font(TextRole role, const QFont &body) const
 {
     QFont font = role == TextRole::Raw ? QFontDatabase::systemFont(QFontDatabase::FixedFont) : body;
     constexpr std::array<double, 9> scale{1.0, 1.0, 0.85, 0.85, 1.15, 1.5, 1.3, 7.5, 0.92};
+    if (role == TextRole::Raw && !QFontInfo(font).fixedPitch())
+        font.setFamily(QStringLiteral("monospace")); // a platform without settings, such as offscreen
     font.setPointSizeF(bodyPointSize * scale.at(static_cast<std::size_t>(role)));
     const bool bold = role == TextRole::Emphasis || role == TextRole::Section || role == TextRole::Title
         || role == TextRole::Stop || role == TextRole::Verdict;

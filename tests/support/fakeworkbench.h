@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/workbench.h"
+
+#include <deque>
+
+namespace mb::test {
+
+/// A workbench without devices: the test sets the snapshot and the time, and reads what was asked for.
+class FakeWorkbench : public Workbench {
+public:
+    using Workbench::Workbench;
+
+    /// One order as the page gave it; only what belongs to its kind is set.
+    struct Call {
+        std::string what; ///< name of the function
+        DeviceId device{};
+        std::string text{}; ///< address, name, link or line of the log
+        std::vector<ParameterChange> changes{};
+        SetPoint setPoint{};
+        double number = 0.0; ///< rate, address, lease in ms
+        CanFrame frame{};
+        Finished finished{}; ///< call it to end the order, later than the order itself
+    };
+
+    Snapshot shot;
+    Instant time{std::chrono::seconds(1000)};
+    std::vector<LinkListing> links;
+    std::vector<Notice> lines;
+    std::vector<Call> calls;
+
+    /// Tells the pages of a new snapshot.
+    void publish()
+    {
+        shot.time = time;
+        Q_EMIT changed();
+    }
+    [[nodiscard]] std::vector<Call> callsOf(const std::string &what) const
+    {
+        std::vector<Call> found;
+        for (const Call &call : calls) {
+            if (call.what == what)
+                found.push_back(call);
+        }
+        return found;
+    }
+    [[nodiscard]] DeviceView &device(std::size_t place) { return shot.devices.at(place); }
+
+    const Snapshot &snapshot() const override { return shot; }
+    Instant now() const override { return time; }
+    Duration unixOffset() const override { return {}; }
+    const std::vector<LinkListing> &listings() const override { return links; }
+    void openLink(const LinkAddress &address, Finished finished) override
+    {
+        note({"openLink", {}, address.text()}, std::move(finished));
+    }
+    void closeLink(const std::string &address) override { note({"closeLink", {}, address}); }
+    void scan() override { note({"scan"}); }
+    void readParameters(DeviceId device) override { note({"readParameters", device}); }
+    void writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) override
+    {
+        Call call{"writeParameters", device};
+        call.changes = std::move(changes);
+        note(std::move(call), std::move(finished));
+    }
+    void storeParameters(DeviceId device, Finished finished) override
+    {
+        note({"storeParameters", device}, std::move(finished));
+    }
+    void identify(DeviceId device, Finished finished) override { note({"identify", device}, std::move(finished)); }
+    void rename(DeviceId device, const QString &name, Finished finished) override
+    {
+        note({"rename", device, name.toStdString()}, std::move(finished));
+    }
+    void renumber(DeviceId device, int address, Finished finished) override
+    {
+        noteNumber("renumber", device, address, std::move(finished));
+    }
+    void clearFaults(DeviceId device, Finished finished) override
+    {
+        note({"clearFaults", device}, std::move(finished));
+    }
+    void setRate(DeviceId device, ChannelIndex, double hertz) override { noteNumber("setRate", device, hertz, {}); }
+    void startMotion(
+        DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished) override
+    {
+        Call call{"startMotion", device};
+        call.setPoint = setPoint;
+        call.number = static_cast<double>(lease.count());
+        note(std::move(call), std::move(finished));
+    }
+    void updateMotion(DeviceId device, const SetPoint &setPoint, Finished finished) override
+    {
+        Call call{"updateMotion", device};
+        call.setPoint = setPoint;
+        note(std::move(call), std::move(finished));
+    }
+    void renewMotion(DeviceId device) override { note({"renewMotion", device}); }
+    void stopMotion(DeviceId device) override { note({"stopMotion", device}); }
+    void stopAll() override { note({"stopAll"}); }
+    void update(DeviceId device, std::shared_ptr<const FirmwareImage>, UpdateOptions) override
+    {
+        note({"update", device});
+    }
+    void cancel(OperationId operation) override { noteNumber("cancel", {}, operation.value, {}); }
+    void sendFrame(const std::string &link, const CanFrame &frame, Finished finished) override
+    {
+        Call call{"sendFrame", {}, link};
+        call.frame = frame;
+        note(std::move(call), std::move(finished));
+    }
+    void report(Severity severity, const QString &device, const QString &text) override
+    {
+        lines.push_back({time, severity, device, text});
+        note({"report", {}, text.toStdString()});
+        Q_EMIT noticed(lines.back());
+    }
+    const std::vector<Notice> &notices() const override { return lines; }
+
+private:
+    void note(Call call, Finished finished = {})
+    {
+        call.finished = std::move(finished);
+        calls.push_back(std::move(call));
+    }
+    void noteNumber(const char *what, DeviceId device, double number, Finished finished)
+    {
+        Call call{what, device};
+        call.number = number;
+        note(std::move(call), std::move(finished));
+    }
+};
+
+} // namespace mb::test

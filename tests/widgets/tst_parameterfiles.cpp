@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of parameters: export, import, comparison, and what is refused.
+#include "parameterbench.h"
+
+#include "model/parameterfile.h"
+
+using namespace mb;
+using namespace mb::test;
+
+class TestParameterFiles : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void exportAndImportAreARoundTrip();
+    void exportIsTheFileOfTheConsole();
+    void importNeverWrites();
+    void aFileOfAnotherFamilyIsRefused();
+    void aDamagedFileIsRefused();
+    void comparisonShowsAFileBesideTheValues();
+    void withoutADeviceAFileCanBeLookedAt();
+};
+
+void TestParameterFiles::exportAndImportAreARoundTrip()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("five.json"));
+    ParameterBench first;
+    first.set("slot1.p", 1.165, ParameterState::Stored);
+    first.set("current_limit.enabled", 1, ParameterState::Stored);
+    first.set("status.general.period", 20, ParameterState::Volatile);
+    first.page->exportTo(path);
+    QCOMPARE(first.workbench.lines.size(), std::size_t{1});
+    first.page->importFrom(path);
+    QVERIFY(says(first, QStringLiteral("says what the device has")));
+    ParameterBench second;
+    second.page->importFrom(path);
+    QCOMPARE(second.edits().count(), 2); // the period is not kept, so a file does not bring it back
+    QCOMPARE(second.edits().find(named("slot1.p"))->value.raw.value(), rawOf("slot1.p", 1.165));
+    QTest::keyClick(second.page.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(second.edits().count(), 0);
+}
+
+void TestParameterFiles::exportIsTheFileOfTheConsole()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("five.json"));
+    ParameterBench bench;
+    bench.page->exportTo(path);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const auto parsed = parseParameterFile(file.readAll(), dmc60c());
+    QVERIFY(parsed);
+    QCOMPARE(parsed->device, std::string("can:can0/dmc60c:5"));
+    QCOMPARE(parsed->serial, std::string("2103343A79F2"));
+    QCOMPARE(parsed->values.size(), std::size_t{55});
+}
+
+void TestParameterFiles::importNeverWrites()
+{
+    QTemporaryDir folder;
+    ParameterBench bench;
+    bench.page->importFrom(write(folder, QStringLiteral("a.json"),
+        R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2},"unknown.key":{"value":1}}})"));
+    QCOMPARE(bench.edits().count(), 1);
+    QVERIFY(says(bench, QStringLiteral("unknown.key")));
+    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+}
+
+void TestParameterFiles::aFileOfAnotherFamilyIsRefused()
+{
+    QTemporaryDir folder;
+    ParameterBench bench;
+    bench.page->importFrom(write(folder, QStringLiteral("s.json"), R"({"family":"toaster","parameters":{}})"));
+    QCOMPARE(bench.edits().count(), 0);
+    QVERIFY(says(bench, QStringLiteral("s.json is for family “toaster”, DMC60C #5 is a DMC60C.")));
+}
+
+void TestParameterFiles::aDamagedFileIsRefused()
+{
+    QTemporaryDir folder;
+    ParameterBench bench;
+    for (const char *text : {"", "{", "[]", "{\"family\":\"dmc60c\"}",
+             R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2},"slot1.i":{"value":1e9}}})"}) {
+        bench.page->importFrom(write(folder, QStringLiteral("d.json"), text));
+        QCOMPARE(bench.edits().count(), 0);
+        QVERIFY2(says(bench, QStringLiteral("Nothing was changed.")), text);
+    }
+    bench.page->importFrom(folder.filePath(QStringLiteral("missing.json")));
+    QVERIFY(says(bench, QStringLiteral("does not exist")));
+}
+
+void TestParameterFiles::comparisonShowsAFileBesideTheValues()
+{
+    QTemporaryDir folder;
+    ParameterBench bench;
+    QCOMPARE(bench.shown("slot1.p", ParameterModel::Reference), QStringLiteral("0"));
+    bench.page->compareWith(write(folder, QStringLiteral("c.json"),
+        R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2},"slot1.i":{"value":0}}})"));
+    QCOMPARE(bench.shown("slot1.p", ParameterModel::Reference), QStringLiteral("2"));
+    QCOMPARE(bench.shown("slot1.d", ParameterModel::Reference), QStringLiteral("–"));
+    QCOMPARE(bench.model().headerData(ParameterModel::Reference, Qt::Horizontal).toString(), QStringLiteral("c.json"));
+    QCOMPARE(countParameters(bench.model()).changed, 1);
+    QCOMPARE(bench.edits().count(), 0);
+}
+
+void TestParameterFiles::withoutADeviceAFileCanBeLookedAt()
+{
+    QTemporaryDir folder;
+    ParameterBench bench;
+    bench.selection.select({});
+    QVERIFY(says(bench, QStringLiteral("Select a device")));
+    bench.page->openFile(
+        write(folder, QStringLiteral("f.json"), R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2}}})"));
+    QCOMPARE(bench.shown("slot1.p", ParameterModel::ValueColumn), QStringLiteral("2"));
+    QCOMPARE(bench.shown("slot1.p", ParameterModel::State), QStringLiteral("from a file"));
+    QCOMPARE(countParameters(bench.model()).changed, 1);
+    QVERIFY((bench.model().indexOf(named("slot1.p")).flags() & Qt::ItemIsEditable) == 0);
+    bench.page->compareWith(
+        write(folder, QStringLiteral("g.json"), R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2}}})"));
+    QCOMPARE(countParameters(bench.model()).changed, 0);
+    bench.page->write();
+    bench.workbench.publish();
+    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+    bench.selection.select({1});
+    QCOMPARE(bench.shown("slot1.p", ParameterModel::State), QStringLiteral("stored"));
+}
+
+QTEST_MAIN(TestParameterFiles)
+#include "tst_parameterfiles.moc"

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/changespanel.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/parameters/changerow.h"
+#include "widgets/parameters/ramblock.h"
+
+#include <QHBoxLayout>
+#include <QProgressBar>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace mb {
+namespace {
+
+QWidget *surface(const char *name, QWidget *parent)
+{
+    auto *widget = new QWidget(parent);
+    widget->setAttribute(Qt::WA_StyledBackground);
+    widget->setProperty("surface", QLatin1String(name));
+    return widget;
+}
+
+} // namespace
+
+ChangesPanel::ChangesPanel(
+    const ThemeSource &theme, Workbench &workbench, ParameterModel &model, const RamLedger &ledger, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+    , m_workbench(workbench)
+    , m_model(model)
+    , m_ledger(ledger)
+{
+    setObjectName(QStringLiteral("changesPanel"));
+    setAttribute(Qt::WA_StyledBackground);
+    setProperty("surface", QStringLiteral("window"));
+    setAccessibleName(tr("Changes to write"));
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_head = buildHead();
+    column->addWidget(m_head);
+    column->addWidget(separatorLine(Qt::Horizontal, this));
+    column->addWidget(buildBody(), 1);
+    column->addWidget(separatorLine(Qt::Horizontal, this));
+    column->addWidget(buildFoot());
+}
+
+QWidget *ChangesPanel::buildHead()
+{
+    const Theme &t = m_theme.theme();
+    auto *head = new QWidget(this);
+    auto *row = new QHBoxLayout(head);
+    row->setContentsMargins(t.u(12), t.u(8), t.u(12), t.u(8));
+    row->addWidget(new SectionLabel(tr("Changes to write"), head));
+    row->addStretch();
+    auto *order = textLabel(tr("order is chosen for you"), TextRole::Caption, Tone::Dim, head);
+    order->setToolTip(tr(
+        "Limits first, then what makes the loop calmer, then what makes it livelier: damping before P, P before I."));
+    row->addWidget(order);
+    head->setMinimumHeight(t.u(40));
+    return head;
+}
+
+QWidget *ChangesPanel::buildBody()
+{
+    const Theme &t = m_theme.theme();
+    auto *area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setAccessibleName(tr("Staged changes"));
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setMinimumHeight(t.u(40));
+    auto *list = surface("window", area);
+    m_column = new QVBoxLayout(list);
+    m_column->setContentsMargins(0, 0, 0, 0);
+    m_column->setSpacing(0);
+    m_empty = textLabel(
+        tr("Nothing is staged. Edit a value in the table, or import a file."), TextRole::Caption, Tone::Dim, list);
+    m_empty->setWordWrap(true);
+    m_empty->setContentsMargins(t.u(12), t.u(12), t.u(12), t.u(12));
+    m_ram = new RamBlock(
+        m_theme, [this] { return m_workbench.now(); }, list);
+    m_column->addWidget(m_empty);
+    m_column->addWidget(m_ram);
+    m_column->addStretch(1);
+    area->setWidget(list);
+    connect(m_ram, &RamBlock::storeRequested, this, &ChangesPanel::storeRequested);
+    return area;
+}
+
+QWidget *ChangesPanel::buildFoot()
+{
+    const Theme &t = m_theme.theme();
+    auto *foot = new QWidget(this);
+    auto *column = new QVBoxLayout(foot);
+    column->setContentsMargins(t.u(12), t.u(10), t.u(12), t.u(12));
+    column->setSpacing(t.u(8));
+    m_note = textLabel({}, TextRole::Caption, Tone::Dim, foot);
+    m_note->setWordWrap(true);
+    m_step = textLabel({}, TextRole::Caption, Tone::Text, foot);
+    m_progress = new QProgressBar(foot);
+    m_progress->setTextVisible(false);
+    m_progress->setAccessibleName(tr("Progress"));
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(t.u(8));
+    m_discard = new CommandButton(m_theme, tr("Discard"), foot);
+    m_write = new CommandButton(m_theme, tr("Write"), foot);
+    m_write->setObjectName(QStringLiteral("writeButton"));
+    m_write->setPrimary(true);
+    buttons->addWidget(m_discard);
+    buttons->addWidget(m_write, 1);
+    column->addWidget(m_note);
+    column->addWidget(m_step);
+    column->addWidget(m_progress);
+    column->addLayout(buttons);
+    connect(m_discard, &QPushButton::clicked, this, &ChangesPanel::discardRequested);
+    connect(m_write, &QPushButton::clicked, this, &ChangesPanel::writeRequested);
+    return foot;
+}
+
+void ChangesPanel::refresh(const DeviceView *device, const OperationView *operation)
+{
+    fillRows();
+    const bool busy = operation && operation->status.state == OperationStatus::State::Running;
+    RamBlock::State ram;
+    if (device) {
+        ram.family = device->family;
+        ram.rows = m_ledger.rows(device->id);
+        ram.lastWrite = m_ledger.lastWrite(device->id);
+        ram.mayStore = !busy && device->liveness.heard;
+    }
+    m_ram->show(std::move(ram));
+    fillFoot(device, operation);
+}
+
+void ChangesPanel::fillRows()
+{
+    std::vector<std::pair<ParameterIndex, int>> wanted;
+    if (const StagedEdits *edits = m_model.edits()) {
+        int place = 0;
+        for (const StagedChange &change : edits->ordered())
+            wanted.emplace_back(change.index, edits->find(change.index)->included ? ++place : 0);
+        for (const ParameterIndex index : edits->illegal())
+            wanted.emplace_back(index, 0);
+    }
+    while (m_rows.size() < wanted.size()) {
+        auto *row = new ChangeRow(m_theme, m_column->parentWidget());
+        connect(row, &ChangeRow::activated, this, &ChangesPanel::parameterActivated);
+        connect(row, &ChangeRow::includedChanged, this,
+            [this](ParameterIndex index, bool included) { m_model.edits()->setIncluded(index, included); });
+        m_column->insertWidget(static_cast<int>(m_rows.size()), row);
+        m_rows.push_back(row);
+    }
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        if (i < wanted.size())
+            m_rows[i]->show(m_model, wanted[i].first, wanted[i].second);
+        else
+            m_rows[i]->hide();
+    }
+    m_empty->setVisible(wanted.empty());
+}
+
+QString ChangesPanel::obstacle(const DeviceView *device, bool busy) const
+{
+    const StagedEdits *edits = m_model.edits();
+    if (!edits || edits->count() == 0)
+        return tr("nothing is staged");
+    if (edits->faults() > 0)
+        return edits->faults() == 1 ? tr("fix 1 value first") : tr("fix %1 values first").arg(edits->faults());
+    if (edits->toWrite().empty())
+        return tr("none is ticked");
+    if (!device || !device->liveness.heard)
+        return tr("no answer");
+    if (device->identity.state == DeviceState::Duplicate)
+        return tr("two units, one number");
+    if (device->identity.state != DeviceState::Online)
+        return glyphWord(glyphOf(*device));
+    return busy || !device->busy.empty() ? tr("busy") : QString();
+}
+
+void ChangesPanel::fillFoot(const DeviceView *device, const OperationView *operation)
+{
+    const bool busy = operation && operation->status.state == OperationStatus::State::Running;
+    m_step->setVisible(busy);
+    m_progress->setVisible(busy && operation->status.total > 0);
+    m_note->setVisible(!busy && !m_compact);
+    if (busy) {
+        const OperationStatus &status = operation->status;
+        const QString step = tableText(status.step.empty() ? status.title : status.step);
+        m_step->setText(status.total > 0 ? tr("%1, %2 of %3").arg(step).arg(status.done).arg(status.total) : step);
+        m_progress->setRange(0, std::max(1, status.total));
+        m_progress->setValue(status.done);
+    }
+    const auto seconds = device ? device->family->capabilities.storesAfter.count() : 0;
+    QString note = tr("Each value is written, read back and compared.");
+    if (seconds > 0)
+        note += QLatin1Char(' ')
+            + tr("The drive stores by itself %1 s after the last change: keep power on.").arg(seconds);
+    m_note->setText(note);
+
+    const QString why = obstacle(device, busy);
+    const int count = m_model.edits() ? static_cast<int>(m_model.edits()->toWrite().size()) : 0;
+    m_write->setText(count > 0 ? tr("Write %1").arg(count) : tr("Write"));
+    m_write->setEnabled(why.isEmpty());
+    m_write->setKeyHint(why.isEmpty() ? QStringLiteral("Ctrl+S") : count > 0 ? QStringLiteral("· ") + why : QString());
+    m_write->setToolTip(why.isEmpty() ? tr("Write the staged changes  Ctrl+S") : why);
+    m_write->setAccessibleName(why.isEmpty() ? m_write->text() : m_write->text() + QStringLiteral(", ") + why);
+    m_discard->setEnabled(m_model.edits() && m_model.edits()->count() > 0);
+}
+
+void ChangesPanel::setCompact(bool compact)
+{
+    m_compact = compact;
+    m_head->setVisible(!compact);
+    m_note->setVisible(!compact);
+}
+
+bool ChangesPanel::mayWrite() const
+{
+    return m_write->isEnabled();
+}
+
+} // namespace mb

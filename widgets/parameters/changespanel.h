@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/workbench.h"
+#include "widgets/parameters/parametermodel.h"
+#include "widgets/parameters/ramledger.h"
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace mb {
+
+class ChangeRow;
+class CommandButton;
+class RamBlock;
+
+/// Everything that would be written, in the order of writing; what is in RAM only; Discard and Write.
+class ChangesPanel : public QWidget {
+    Q_OBJECT
+public:
+    ChangesPanel(const ThemeSource &theme, Workbench &workbench, ParameterModel &model, const RamLedger &ledger,
+        QWidget *parent);
+
+    /// After a change of edits, snapshot or selection. `device` may be nullptr.
+    void refresh(const DeviceView *device, const OperationView *operation);
+    [[nodiscard]] bool mayWrite() const;
+    /// Below the table: without head and explanation.
+    void setCompact(bool compact);
+
+Q_SIGNALS:
+    void writeRequested();
+    void discardRequested();
+    void storeRequested();
+    void parameterActivated(mb::ParameterIndex index);
+
+private:
+    QWidget *buildHead();
+    QWidget *buildBody();
+    QWidget *buildFoot();
+    void fillRows();
+    void fillFoot(const DeviceView *device, const OperationView *operation);
+    [[nodiscard]] QString obstacle(const DeviceView *device, bool busy) const;
+
+    const ThemeSource &m_theme;
+    Workbench &m_workbench;
+    ParameterModel &m_model;
+    const RamLedger &m_ledger;
+    QWidget *m_head = nullptr;
+    QVBoxLayout *m_column = nullptr;
+    QLabel *m_empty = nullptr;
+    RamBlock *m_ram = nullptr;
+    QLabel *m_note = nullptr;
+    QLabel *m_step = nullptr;
+    QProgressBar *m_progress = nullptr;
+    CommandButton *m_discard = nullptr;
+    CommandButton *m_write = nullptr;
+    std::vector<ChangeRow *> m_rows;
+    bool m_compact = false;
+};
+
+} // namespace mb

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/columnwidths.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
+
+#include <QFontMetrics>
+
+#include <algorithm>
+#include <numeric>
+
+namespace mb {
+namespace {
+
+constexpr std::size_t at(int column)
+{
+    return static_cast<std::size_t>(column);
+}
+
+/// What every column would like to have.
+ColumnWidths naturalWidths(
+    const ParameterModel &model, const ParameterDelegate &delegate, const Theme &theme, const QFont &body)
+{
+    ColumnWidths widths{};
+    const auto metrics = [&](int column) { return QFontMetrics(delegate.cellFont(column, body)); };
+    const auto widen = [&](int column, const QString &text) {
+        widths[at(column)]
+            = std::max(widths[at(column)], metrics(column).horizontalAdvance(text) + 2 * delegate.padding());
+    };
+    widen(ParameterModel::ValueColumn, QStringLiteral("−2147483648"));
+    widen(ParameterModel::State, ParameterModel::tr("edited, was %1").arg(QStringLiteral("−32768")));
+    widen(ParameterModel::Raw, QStringLiteral("0xFFFFFFFF"));
+    for (int column = 0; column < ParameterModel::ColumnCount; ++column)
+        widen(column, model.headerData(column, Qt::Horizontal).toString());
+    for (std::uint16_t i = 0; model.family() && i < model.family()->parameters.size(); ++i) {
+        for (const int column :
+            {ParameterModel::Label, ParameterModel::Key, ParameterModel::Unit, ParameterModel::Reference})
+            widen(column, model.indexOf({i}, column).data().toString());
+        widen(ParameterModel::State, glyphWord(GlyphState::InRam));
+    }
+    widths[at(ParameterModel::Label)] += delegate.labelIndent() - delegate.padding();
+    widths[at(ParameterModel::State)] += theme.u(12);
+    widths[at(ParameterModel::ValueColumn)] += theme.u(4);
+    return widths;
+}
+
+ColumnWidths leastWidths(const ColumnWidths &natural, const Theme &theme)
+{
+    ColumnWidths least = natural;
+    least[at(ParameterModel::Label)] = std::min(natural[at(ParameterModel::Label)], theme.u(150));
+    least[at(ParameterModel::Key)] = std::min(natural[at(ParameterModel::Key)], theme.u(156));
+    least[at(ParameterModel::Unit)] = std::min(natural[at(ParameterModel::Unit)], theme.u(84));
+    return least;
+}
+
+int sum(const ColumnWidths &widths)
+{
+    return std::accumulate(widths.begin(), widths.end(), 0);
+}
+
+} // namespace
+
+ColumnWidths columnWidthsFor(
+    const ParameterModel &model, const ParameterDelegate &delegate, const Theme &theme, const QFont &body, int room)
+{
+    ColumnWidths natural = naturalWidths(model, delegate, theme, body);
+    ColumnWidths widths = leastWidths(natural, theme);
+    for (const int column : {ParameterModel::Raw, ParameterModel::Reference, ParameterModel::Key}) {
+        if (sum(widths) > room)
+            widths[at(column)] = natural[at(column)] = 0;
+    }
+    int spare = room - sum(widths);
+    for (const int column : {ParameterModel::Label, ParameterModel::Key, ParameterModel::Unit}) {
+        const int more = std::clamp(natural[at(column)] - widths[at(column)], 0, std::max(0, spare));
+        widths[at(column)] += more;
+        spare -= more;
+    }
+    if (spare <= 0)
+        return widths;
+    widths[at(ParameterModel::Label)] += spare / 3;
+    widths[at(ParameterModel::Unit)] += spare / 3;
+    const int last = widths[at(ParameterModel::Raw)] > 0 ? ParameterModel::Raw : ParameterModel::State;
+    widths[at(last)] += spare - 2 * (spare / 3);
+    return widths;
+}
+
+} // namespace mb

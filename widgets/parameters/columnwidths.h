@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/parameters/parameterdelegate.h"
+
+#include <array>
+
+namespace mb {
+
+/// Pixels of every column; 0 hides it.
+using ColumnWidths = std::array<int, ParameterModel::ColumnCount>;
+
+/// Numbers and states get what they need, names and keys share the rest and end in "…" where it is too little. Where
+/// even their least width does not fit, the columns raw, reference and key go, in this order; the tooltip of a row has
+/// them.
+[[nodiscard]] ColumnWidths columnWidthsFor(
+    const ParameterModel &model, const ParameterDelegate &delegate, const Theme &theme, const QFont &body, int room);
+
+} // namespace mb

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/parameterfilter.h"
+
+#include "widgets/common/devicetext.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+bool isIn(ParameterFilter::Segment segment, const ParameterStanding &standing)
+{
+    switch (segment) {
+    case ParameterFilter::All:
+        return true;
+    case ParameterFilter::Changed:
+        return standing.changed;
+    case ParameterFilter::Edited:
+        return standing.edited;
+    case ParameterFilter::Errors:
+        return standing.illegal || standing.unread;
+    }
+    return true;
+}
+
+} // namespace
+
+bool ParameterFilter::accepts(const ParameterModel &model, ParameterIndex index) const
+{
+    if (model.edits()->typing() == index)
+        return true;
+    if (!isIn(segment, model.standing(index)))
+        return false;
+    const Parameter &row = model.parameter(index);
+    const QStringList texts{tableText(row.label), qt(row.key), tableText(row.group), qt(row.unit), tableText(row.help)};
+    const QString all = texts.join(QLatin1Char('\n'));
+    const QStringList wanted = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    return std::all_of(
+        wanted.begin(), wanted.end(), [&all](const QString &word) { return all.contains(word, Qt::CaseInsensitive); });
+}
+
+ParameterCounts countParameters(const ParameterModel &model)
+{
+    ParameterCounts counts;
+    if (!model.family())
+        return counts;
+    counts.all = static_cast<int>(model.family()->parameters.size());
+    for (std::uint16_t i = 0; i < counts.all; ++i) {
+        const ParameterStanding standing = model.standing({i});
+        counts.changed += standing.changed ? 1 : 0;
+        counts.edited += standing.edited && !standing.illegal ? 1 : 0;
+        counts.illegal += standing.illegal ? 1 : 0;
+        counts.unread += standing.unread ? 1 : 0;
+        switch (model.edits()->entries()[i].state) {
+        case ParameterState::Ram:
+            ++counts.inRam;
+            break;
+        case ParameterState::Stored:
+            ++counts.stored;
+            break;
+        case ParameterState::Volatile:
+            ++counts.notKept;
+            break;
+        case ParameterState::Assumed:
+            ++counts.assumed;
+            break;
+        case ParameterState::Unknown:
+        case ParameterState::Failed:
+            break;
+        }
+    }
+    return counts;
+}
+
+} // namespace mb

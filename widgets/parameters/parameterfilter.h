@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/parameters/parametermodel.h"
+
+#include <QStringList>
+
+namespace mb {
+
+/// Which rows are shown: a segment, and words that all must occur in label, key, group, unit or help.
+struct ParameterFilter {
+    enum Segment { All, Changed, Edited, Errors };
+    Segment segment = All;
+    QString words;
+
+    /// The row that is being edited is always accepted: it must not vanish under the cursor.
+    [[nodiscard]] bool accepts(const ParameterModel &model, ParameterIndex index) const;
+};
+
+/// How many parameters stand how; the errors are illegal edits and values without an answer.
+struct ParameterCounts {
+    int all = 0;
+    int changed = 0;
+    int edited = 0;
+    int illegal = 0;
+    int unread = 0;
+    int inRam = 0;
+    int stored = 0;
+    int notKept = 0; ///< in force, but not over a power cycle
+    int assumed = 0;
+};
+[[nodiscard]] ParameterCounts countParameters(const ParameterModel &model);
+
+} // namespace mb

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/selection.h"
+#include "widgets/common/workbench.h"
+#include "widgets/parameters/parameterview.h"
+#include "widgets/parameters/ramledger.h"
+
+#include <QWidget>
+
+#include <map>
+#include <memory>
+#include <set>
+
+class QComboBox;
+class QSplitter;
+class QStackedWidget;
+
+namespace mb {
+
+class BannerStack;
+class ChangesPanel;
+class CommandButton;
+class EmptyState;
+class IconButton;
+class ParameterFoot;
+class ReadStatus;
+class SearchField;
+class Segmented;
+
+/// The parameters of the selected device: read, edit, stage, write, prove; files in and out. Nothing is written but by
+/// Write. Without a device a file can be looked at and compared.
+class ParametersPage : public QWidget {
+    Q_OBJECT
+public:
+    ParametersPage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent);
+    ~ParametersPage() override;
+
+    [[nodiscard]] ParameterModel &model() { return *m_model; }
+    [[nodiscard]] ParameterView &view() { return *m_view; }
+
+    void readAll();
+    /// Sends what is staged, ticked and legal, in the order of the panel.
+    void write();
+    void store();
+    /// Stages what differs from the file; another family's file is refused.
+    void importFrom(const QString &path);
+    void exportTo(const QString &path);
+    /// Shows the values of the file in the column of defaults.
+    void compareWith(const QString &path);
+    /// Without a device: shows the file itself.
+    void openFile(const QString &path);
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    QWidget *buildHead();
+    QWidget *buildTools();
+    QWidget *buildTable();
+    void buildEmpty();
+    void buildKeys();
+    void follow();
+    void followEdits();
+    void choose();
+    void showDevice(const DeviceView &device);
+    void showEmpty();
+    void refresh();
+    void refreshTexts();
+    void readOnce(const DeviceView &device);
+    void rememberAsFound(const DeviceView &device);
+    void fillComparisons();
+    void comparisonChosen(int row);
+    void setFilter();
+    void undo(bool redo);
+    void written(DeviceId device, const std::vector<ParameterChange> &sent, const Result<void> &result);
+    [[nodiscard]] const DeviceView *device() const;
+    [[nodiscard]] StagedEdits &editsOf(const DeviceView &device);
+
+    Workbench &m_workbench;
+    Selection &m_selection;
+    const ThemeSource &m_theme;
+    RamLedger m_ledger;
+    std::map<DeviceId, std::unique_ptr<StagedEdits>> m_edits;
+    /// What the page showed last of a device; the same again needs no work.
+    struct Shown {
+        DeviceId device;
+        std::uint64_t revision = 0;
+        bool heard = false;
+        DeviceState state = DeviceState::Online;
+        OperationId operation;
+        OperationStatus::State operationState = OperationStatus::State::Done;
+        int done = 0;
+        std::string step;
+        friend bool operator==(const Shown &, const Shown &) = default;
+    };
+    Shown m_shown;
+    std::map<DeviceId, std::uint64_t> m_revisions;
+    std::map<DeviceId, ParameterReference> m_asFound;
+    std::set<DeviceId> m_asked;
+    std::unique_ptr<StagedEdits> m_fileEdits;
+    QString m_fileName;
+    std::optional<ParameterReference> m_fileReference;
+    ParameterModel *m_model = nullptr;
+    BannerStack *m_banners = nullptr;
+    QStackedWidget *m_stack = nullptr;
+    EmptyState *m_empty = nullptr;
+    CommandButton *m_openFile = nullptr;
+    ReadStatus *m_status = nullptr;
+    IconButton *m_undo = nullptr;
+    IconButton *m_redo = nullptr;
+    CommandButton *m_read = nullptr;
+    CommandButton *m_import = nullptr;
+    CommandButton *m_export = nullptr;
+    SearchField *m_search = nullptr;
+    Segmented *m_segments = nullptr;
+    QComboBox *m_compare = nullptr;
+    QSplitter *m_splitter = nullptr;
+    ParameterView *m_view = nullptr;
+    ParameterFoot *m_foot = nullptr;
+    ChangesPanel *m_panel = nullptr;
+};
+
+} // namespace mb

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/wraplayout.h"
+
+#include <QWidget>
+
+#include <algorithm>
+#include <numeric>
+
+namespace mb {
+
+WrapLayout::WrapLayout(QWidget *parent)
+    : QLayout(parent)
+{
+    setSpacing(8);
+}
+
+WrapLayout::~WrapLayout()
+{
+    for (QLayoutItem *item : m_items)
+        delete item;
+}
+
+int WrapLayout::gap() const
+{
+    return std::max(0, spacing());
+}
+
+void WrapLayout::addSpring()
+{
+    m_spring = count();
+}
+
+void WrapLayout::addItem(QLayoutItem *item)
+{
+    m_items.push_back(item);
+}
+
+int WrapLayout::count() const
+{
+    return static_cast<int>(m_items.size());
+}
+
+QLayoutItem *WrapLayout::itemAt(int index) const
+{
+    return index >= 0 && index < count() ? m_items[static_cast<std::size_t>(index)] : nullptr;
+}
+
+QLayoutItem *WrapLayout::takeAt(int index)
+{
+    QLayoutItem *item = itemAt(index);
+    if (item)
+        m_items.erase(m_items.begin() + index);
+    return item;
+}
+
+std::vector<WrapLayout::Line> WrapLayout::linesFor(int width) const
+{
+    std::vector<Line> lines(1);
+    for (int i = 0; i < count(); ++i) {
+        const QLayoutItem &item = *m_items[static_cast<std::size_t>(i)];
+        if (item.isEmpty())
+            continue;
+        const QSize hint = item.sizeHint();
+        Line *line = &lines.back();
+        if (!line->items.empty() && line->width + gap() + hint.width() > width) {
+            lines.emplace_back();
+            line = &lines.back();
+        }
+        line->width += hint.width() + (line->items.empty() ? 0 : gap());
+        line->height = std::max(line->height, hint.height());
+        line->items.push_back(i);
+    }
+    return lines;
+}
+
+void WrapLayout::placeLine(const Line &line, const QRect &room, bool sprung) const
+{
+    int x = room.left();
+    const int spare = std::max(0, room.width() - line.width);
+    bool given = !sprung;
+    for (const int i : line.items) {
+        if (!given && i >= m_spring) {
+            x += spare;
+            given = true;
+        }
+        QLayoutItem &item = *m_items[static_cast<std::size_t>(i)];
+        const QSize size(std::min(item.sizeHint().width(), room.width()), item.sizeHint().height());
+        item.setGeometry(QRect(QPoint(x, room.top() + (line.height - size.height()) / 2), size));
+        x += size.width() + gap();
+    }
+}
+
+void WrapLayout::setGeometry(const QRect &rect)
+{
+    QLayout::setGeometry(rect);
+    QRect room = rect.marginsRemoved(contentsMargins());
+    const auto lines = linesFor(room.width());
+    for (const Line &line : lines) {
+        placeLine(line, room, m_spring >= 0 && lines.size() == 1);
+        room.setTop(room.top() + line.height + gap());
+    }
+}
+
+int WrapLayout::heightForWidth(int width) const
+{
+    const QMargins margins = contentsMargins();
+    const auto lines = linesFor(width - margins.left() - margins.right());
+    const int heights
+        = std::accumulate(lines.begin(), lines.end(), 0, [](int sum, const Line &line) { return sum + line.height; });
+    return heights + (static_cast<int>(lines.size()) - 1) * gap() + margins.top() + margins.bottom();
+}
+
+QSize WrapLayout::sizeHint() const
+{
+    const auto lines = linesFor(QWIDGETSIZE_MAX);
+    const QMargins margins = contentsMargins();
+    return {lines.front().width + margins.left() + margins.right(),
+        lines.front().height + margins.top() + margins.bottom()};
+}
+
+QSize WrapLayout::minimumSize() const
+{
+    QSize size;
+    for (const QLayoutItem *item : m_items)
+        size = size.expandedTo(item->minimumSize());
+    const QMargins margins = contentsMargins();
+    return size + QSize(margins.left() + margins.right(), margins.top() + margins.bottom());
+}
+
+} // namespace mb

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QLayout>
+
+#include <vector>
+
+namespace mb {
+
+/// One row of widgets that continues on the next line where it does not fit, so that nothing is cut at large fonts.
+/// Widgets added after the spring stand at the right end of the first line while all fit into it.
+class WrapLayout : public QLayout {
+    Q_OBJECT
+public:
+    explicit WrapLayout(QWidget *parent = nullptr);
+    ~WrapLayout() override;
+
+    /// What follows goes to the right end.
+    void addSpring();
+
+    void addItem(QLayoutItem *item) override;
+    int count() const override;
+    QLayoutItem *itemAt(int index) const override;
+    QLayoutItem *takeAt(int index) override;
+    Qt::Orientations expandingDirections() const override { return Qt::Horizontal; }
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+    QSize sizeHint() const override;
+    QSize minimumSize() const override;
+    void setGeometry(const QRect &rect) override;
+
+private:
+    struct Line {
+        std::vector<int> items;
+        int width = 0;
+        int height = 0;
+    };
+    [[nodiscard]] std::vector<Line> linesFor(int width) const;
+    void placeLine(const Line &line, const QRect &room, bool sprung) const;
+    [[nodiscard]] int gap() const;
+
+    std::vector<QLayoutItem *> m_items;
+    int m_spring = -1;
+};
+
+} // namespace mb
