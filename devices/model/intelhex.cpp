@@ -83,7 +83,7 @@ private:
         std::uint32_t line = 0;
     };
     /// How the 16 address bits of a data record become 32.
-    enum class Base { None, Segment, Linear };
+    enum class Addressing { None, Segment, Linear };
 
     Status readLine(std::string_view line);
     Status decode(std::string_view digits);
@@ -112,7 +112,7 @@ private:
     std::array<std::uint8_t, 255 + frameBytes> m_raw{};
     std::uint32_t m_line = 0;
     std::uint32_t m_baseAddress = 0;
-    Base m_base = Base::None;
+    Addressing m_base = Addressing::None;
     bool m_ended = false;
 };
 
@@ -190,22 +190,18 @@ Status IntelHexReader::expectSize(std::size_t size) const
 Status IntelHexReader::interpret()
 {
     switch (static_cast<RecordType>(m_raw[3])) {
-    case RecordType::Data:
-        return addData();
-    case RecordType::EndOfFile:
-        m_ended = true;
-        return expectSize(0);
+    case RecordType::Data: return addData();
+    case RecordType::EndOfFile: m_ended = true; return expectSize(0);
     case RecordType::ExtendedSegment:
-        m_base = Base::Segment;
+        m_base = Addressing::Segment;
         m_baseAddress = word(4) << 4U;
         return expectSize(2);
     case RecordType::ExtendedLinear:
-        m_base = Base::Linear;
+        m_base = Addressing::Linear;
         m_baseAddress = word(4) << 16U;
         return expectSize(2);
     case RecordType::StartSegment:
-    case RecordType::StartLinear:
-        return expectSize(4); // where a program would start; controllers have reset vectors
+    case RecordType::StartLinear: return expectSize(4); // where a program would start; controllers have reset vectors
     }
     return wrong("record type " + hexText(m_raw[3], 2) + " is unknown");
 }
@@ -215,7 +211,7 @@ Status IntelHexReader::addData()
     const std::uint64_t inWindow = word(1);
     const std::uint64_t address = m_baseAddress + inWindow;
     // Past its 64 KiB a segment wraps to its own start, and what happens without a base depends on the reader.
-    if (m_base != Base::Linear && inWindow + dataSize() > window)
+    if (m_base != Addressing::Linear && inWindow + dataSize() > window)
         return wrong("the data runs past the end of its 64 KiB segment");
     if (address + dataSize() > addressSpace)
         return wrong("the data runs past the end of 32-bit addresses");

@@ -59,70 +59,70 @@ std::int32_t q16(double value)
     return static_cast<std::int32_t>(toFixed(value, 65536.0));
 }
 
-std::vector<Encoded> encodedVectors()
+const std::array<std::uint8_t, 4> nameBytes{'A', 'r', 'm', 0};
+const std::array<std::uint8_t, 4> crcBytes{0x1B, 0x67, 0x48, 0x36};
+const Control offControl = control(ControlMode::Voltage, 0);
+
+const std::vector<Encoded> encodedTable{
+    {"E1 enumerate", "H F W", encodeEnumerate(), "00000240#"},
+    {"V5 GetDescriptors", "H! F R", vendor(Command::GetDescriptors), "0206FC05#3412600000000000"},
+    {"V9 name bytes", "F", encodeVendorData(5, nameBytes), "0206FC45#41726D00"},
+    {"V10 GetFwver", "H! F", vendor(Command::GetFwver), "0206FC05#3412610000000000"},
+    {"V16 EnterBootloader", "H! F", vendor(Command::EnterBootloader), "0206FC05#3412F00000000000"},
+    {"V18 SoftReset", "H! F", vendor(Command::SoftReset), "0206FC05#3412F10000000000"},
+    {"V21 page 0 of the application", "H! F", vendor(Command::EraseWriteFlashPage, 0, 0), "0206FC05#3412F20000000000"},
+    {"V25 last bytes of a page", "F", encodeVendorData(5, crcBytes), "0206FC45#1B674836"},
+    {"P3 61 = 40 A", "H! R", set(61, WireType::Fixed16x16, q16(40.0)), "02061885#34123D00002800"},
+    {"P5 63 = 500 ms", "H! R", set(63, WireType::Uint16, 500), "02061885#34123FF4010000"},
+    {"P6 64 = enabled", "H! R", set(64, WireType::Boolean, 1), "02061885#34124001000000"},
+    {"P8 10 = 0.1", "H! R", set(10, WireType::Fixed16x16, q16(0.1)), "02061885#34120A9A190000"},
+    {"P9 10 = -2.5", "H! R", set(10, WireType::Fixed16x16, q16(-2.5)), "02061885#34120A0080FDFF"},
+    {"P11 17 = 32767", "H! R", set(17, WireType::Int32, 32767), "02061885#341211FF7F0000"},
+    {"P12 5 = -1000 counts", "H! R", set(5, WireType::Int32, -1000), "02061885#34120518FCFFFF"},
+    {"P17 52 = 1", "H! R", set(52, WireType::Flags32, 1), "02061885#34123401000000"},
+    {"trap 15: 18 = -32768", "D", set(18, WireType::Int32, -32768), "02061885#3412120080FFFF"},
+    {"C1 NoDrive", "H! F", encodeControl(5, Control{}), "02060005#0F00000000000000"},
+    {"C3 duty -16384", "H! F", encodeControl(5, control(ControlMode::Voltage, -16384)), "02060005#000000FF00C00000"},
+    {"C4 duty 32767", "H! F", encodeControl(5, control(ControlMode::Voltage, 32767)), "02060005#00000000FF7F0000"},
+    {"C6 duty 10000, ramp 2500", "H! F", encodeControl(5, control(ControlMode::Voltage, 10000, 2500)),
+        "02060005#000000001027C409"},
+    {"C7 velocity 10240", "H!", encodeControl(5, control(ControlMode::Velocity, 10240)), "02060005#0100000000280000"},
+    {"C9 velocity 13", "H!", encodeControl(5, control(ControlMode::Velocity, 13)), "02060005#010000000D000000"},
+    {"C10 position 123456", "H!", encodeControl(5, control(ControlMode::Position, 123456)),
+        "02060005#0200000140E20000"},
+    {"C12 position 123456, slot 1, sensor reversed, ramp 1024", "H!",
+        encodeControl(5,
+            with(control(ControlMode::Position, 123456, 1024),
+                [](Control &c) {
+                    c.slot = 1;
+                    c.reverseSensor = true;
+                })),
+        "02060005#C200000140E20004"},
+    {"C13 12.5 A", "H!", encodeControl(5, control(ControlMode::Current, q16(12.5))), "02060005#0300000C00800000"},
+    {"C15 6 V, ramp 1024", "H!", encodeControl(5, control(ControlMode::VoltageCompensated, q16(6.0), 1024)),
+        "02060005#0400000600000004"},
+    {"C16 -12 V", "H!", encodeControl(5, control(ControlMode::VoltageCompensated, q16(-12.0))),
+        "02060005#040000F400000000"},
+    {"C18 override to brake", "H! F R", encodeControl(5, with(offControl, [](Control &c) { c.brake = true; })),
+        "02060005#3000000000000000"},
+    {"C19 override to coast", "H! F R", encodeControl(5, with(offControl, [](Control &c) { c.brake = false; })),
+        "02060005#1000000000000000"},
+    {"C21 both switches disabled by the frame", "H! R",
+        encodeControl(5,
+            with(offControl,
+                [](Control &c) {
+                    c.overrideLimits = true;
+                    c.disableForwardLimit = true;
+                    c.disableReverseLimit = true;
+                })),
+        "02060005#000E000000000000"},
+    {"C22 largest 8.16 target", "H!", encodeControl(5, control(ControlMode::Current, 0x7FFFFF)),
+        "02060005#0300007FFFFF0000"},
+};
+
+const std::vector<Encoded> &encodedVectors()
 {
-    const std::array<std::uint8_t, 4> name{'A', 'r', 'm', 0};
-    const std::array<std::uint8_t, 4> crc{0x1B, 0x67, 0x48, 0x36};
-    const Control off = control(ControlMode::Voltage, 0);
-    return {
-        {"E1 enumerate", "H F W", encodeEnumerate(), "00000240#"},
-        {"V5 GetDescriptors", "H! F R", vendor(Command::GetDescriptors), "0206FC05#3412600000000000"},
-        {"V9 name bytes", "F", encodeVendorData(5, name), "0206FC45#41726D00"},
-        {"V10 GetFwver", "H! F", vendor(Command::GetFwver), "0206FC05#3412610000000000"},
-        {"V16 EnterBootloader", "H! F", vendor(Command::EnterBootloader), "0206FC05#3412F00000000000"},
-        {"V18 SoftReset", "H! F", vendor(Command::SoftReset), "0206FC05#3412F10000000000"},
-        {"V21 page 0 of the application", "H! F", vendor(Command::EraseWriteFlashPage, 0, 0),
-            "0206FC05#3412F20000000000"},
-        {"V25 last bytes of a page", "F", encodeVendorData(5, crc), "0206FC45#1B674836"},
-        {"P3 61 = 40 A", "H! R", set(61, WireType::Fixed16x16, q16(40.0)), "02061885#34123D00002800"},
-        {"P5 63 = 500 ms", "H! R", set(63, WireType::Uint16, 500), "02061885#34123FF4010000"},
-        {"P6 64 = enabled", "H! R", set(64, WireType::Boolean, 1), "02061885#34124001000000"},
-        {"P8 10 = 0.1", "H! R", set(10, WireType::Fixed16x16, q16(0.1)), "02061885#34120A9A190000"},
-        {"P9 10 = -2.5", "H! R", set(10, WireType::Fixed16x16, q16(-2.5)), "02061885#34120A0080FDFF"},
-        {"P11 17 = 32767", "H! R", set(17, WireType::Int32, 32767), "02061885#341211FF7F0000"},
-        {"P12 5 = -1000 counts", "H! R", set(5, WireType::Int32, -1000), "02061885#34120518FCFFFF"},
-        {"P17 52 = 1", "H! R", set(52, WireType::Flags32, 1), "02061885#34123401000000"},
-        {"trap 15: 18 = -32768", "D", set(18, WireType::Int32, -32768), "02061885#3412120080FFFF"},
-        {"C1 NoDrive", "H! F", encodeControl(5, Control{}), "02060005#0F00000000000000"},
-        {"C3 duty -16384", "H! F", encodeControl(5, control(ControlMode::Voltage, -16384)),
-            "02060005#000000FF00C00000"},
-        {"C4 duty 32767", "H! F", encodeControl(5, control(ControlMode::Voltage, 32767)), "02060005#00000000FF7F0000"},
-        {"C6 duty 10000, ramp 2500", "H! F", encodeControl(5, control(ControlMode::Voltage, 10000, 2500)),
-            "02060005#000000001027C409"},
-        {"C7 velocity 10240", "H!", encodeControl(5, control(ControlMode::Velocity, 10240)),
-            "02060005#0100000000280000"},
-        {"C9 velocity 13", "H!", encodeControl(5, control(ControlMode::Velocity, 13)), "02060005#010000000D000000"},
-        {"C10 position 123456", "H!", encodeControl(5, control(ControlMode::Position, 123456)),
-            "02060005#0200000140E20000"},
-        {"C12 position 123456, slot 1, sensor reversed, ramp 1024", "H!",
-            encodeControl(5,
-                with(control(ControlMode::Position, 123456, 1024),
-                    [](Control &c) {
-                        c.slot = 1;
-                        c.reverseSensor = true;
-                    })),
-            "02060005#C200000140E20004"},
-        {"C13 12.5 A", "H!", encodeControl(5, control(ControlMode::Current, q16(12.5))), "02060005#0300000C00800000"},
-        {"C15 6 V, ramp 1024", "H!", encodeControl(5, control(ControlMode::VoltageCompensated, q16(6.0), 1024)),
-            "02060005#0400000600000004"},
-        {"C16 -12 V", "H!", encodeControl(5, control(ControlMode::VoltageCompensated, q16(-12.0))),
-            "02060005#040000F400000000"},
-        {"C18 override to brake", "H! F R", encodeControl(5, with(off, [](Control &c) { c.brake = true; })),
-            "02060005#3000000000000000"},
-        {"C19 override to coast", "H! F R", encodeControl(5, with(off, [](Control &c) { c.brake = false; })),
-            "02060005#1000000000000000"},
-        {"C21 both switches disabled by the frame", "H! R",
-            encodeControl(5,
-                with(off,
-                    [](Control &c) {
-                        c.overrideLimits = true;
-                        c.disableForwardLimit = true;
-                        c.disableReverseLimit = true;
-                    })),
-            "02060005#000E000000000000"},
-        {"C22 largest 8.16 target", "H!", encodeControl(5, control(ControlMode::Current, 0x7FFFFF)),
-            "02060005#0300007FFFFF0000"},
-    };
+    return encodedTable;
 }
 
 TEST(Dmc60cCodec, EncodesEveryGoldenRequest)
@@ -162,71 +162,67 @@ struct Decoded {
     Fields fields;
 };
 
+const std::vector<Decoded> decodedTable{
+    {"E2", "H! F", "0206F005#341203012060", "ENUMRSP0", {{"sessid", 0x1234}, {"pdid", 0x60200103}}},
+    {"E4 bootloader, no application", "H! F", "0206F000#EFBE0100FFFF0901", "ENUMRSP1",
+        {{"sessid", 0xBEEF}, {"imgtyp", 1}, {"fwverApp", 0xFFFF}, {"fwverBoot", 0x0109}}},
+    {"E5 auxiliary bootloader", "H! F", "0206F03F#0100020017010A01", "ENUMRSP1",
+        {{"sessid", 1}, {"imgtyp", 2}, {"fwverApp", 0x0117}, {"fwverBoot", 0x010A}}},
+    {"V2 success from the new number", "H! F", "0206FCC5#00000000", "VENDORSTS", {{"cerc", 0}, {"cb", 0}}},
+    {"V3 BadParameter from the old number", "H! F", "0206FCC0#02000000", "VENDORSTS", {{"cerc", 2}, {"cb", 0}}},
+    {"V6 39 bytes follow", "H! F", "0206FCC5#00002700", "VENDORSTS", {{"cerc", 0}, {"cb", 39}}},
+    {"V19 AckReset", "H! F", "0206FCC5#07000000", "VENDORSTS", {{"cerc", 7}}},
+    {"V22 CrcMismatch", "H! F", "0206FCC5#05000000", "VENDORSTS", {{"cerc", 5}}},
+    {"V24 J1 test failed at QEA", "H! D", "0206FCC5#09040000", "VENDORSTS", {{"cerc", 9}, {"terc", 4}, {"cb", 0}}},
+    {"V12 data", "H! F", "0206FC85#000017010901", "VENDORDIN", {{"byte2", 0x17}, {"byte5", 1}}},
+    {"P2 61 = 40 A", "H! R", "02061845#3D0000280000", "PARAMRESP", {{"paramid", 61}, {"value", 40.0}, {"perc", 0}}},
+    {"P14 BadValue", "H! R", "02061845#5D0000000002", "PARAMRESP", {{"paramid", 93}, {"value", 0}, {"perc", 2}}},
+    {"P15 BadParameter", "H! R", "02061845#C80000000001", "PARAMRESP", {{"paramid", 200}, {"perc", 1}}},
+    {"P18 sticky faults", "H! R", "02061845#340500000000", "PARAMRESP", {{"paramid", 52}, {"value", 5}}},
+    {"P20 current scale", "H! R", "02061845#091608000000", "PARAMRESP", {{"paramid", 9}, {"value", 2070.0 / 65536.0}}},
+    {"P21 100.0", "H! R", "02061845#200000640000", "PARAMRESP", {{"paramid", 32}, {"value", 100.0}}},
+    {"P23 sign extension", "H! R", "02061845#14FFFFFFFF00", "PARAMRESP", {{"paramid", 20}, {"value", -1.0}}},
+    {"S1", "H! R", "02061405#0040110000000000", "STSGENERAL",
+        {{"dtcApplied", 16384}, {"fFwdLimitPin", 1}, {"fRevLimitPin", 1}, {"fFwdLimitHit", 0}, {"modeSelect", 0},
+            {"errCLoop", 0}}},
+    {"S3 divided error", "H! R", "02061405#0000110090FEFFFF", "STSGENERAL",
+        {{"modeSelect", 2}, {"fDivErrBy256", 1}, {"errCLoop", -512}}},
+    {"S4 1.5 A", "H!", "02061405#0020110018008001", "STSGENERAL",
+        {{"dtcApplied", 8192}, {"modeSelect", 3}, {"errCLoop", 1.5}}},
+    {"S6 under-voltage, NoDrive", "H! R", "02061405#000011007A000000", "STSGENERAL",
+        {{"modeSelect", 15}, {"fUnderVoltageFault", 1}, {"fOverTempFault", 0}, {"fGateDriverFault", 0}}},
+    {"S7 flags", "H! R", "02061405#00804BE32C000000", "STSGENERAL",
+        {{"dtcApplied", -32768}, {"fFwdLimitPin", 1}, {"fFwdLimitHit", 1}, {"fFwdLimitDisabled", 0},
+            {"fFwdLimitNormalClosed", 1}, {"fRevLimitPin", 0}, {"fRevLimitHit", 0}, {"fRevLimitDisabled", 1},
+            {"fRevLimitNormalClosed", 0}, {"fFwdRevLimitOverride", 1}, {"fFwdLimitDisableOvrd", 1},
+            {"fRevLimitDisableOvrd", 0}, {"fSoftFwdLimitHit", 0}, {"fSoftFwdLimitEnabled", 0}, {"fSoftRevLimitHit", 1},
+            {"fSoftRevLimitEnabled", 1}, {"fCurrentLimitActive", 1}, {"fGateDriverFault", 1}, {"modeSelect", 5}}},
+    {"S8", "H! D R", "02061485#01E240FED4000014", "STSENCODER",
+        {{"poscnt", 123456}, {"velcnt", -300}, {"fQEAPin", 1}, {"fQEBPin", 0}, {"fQEIdxPin", 1}}},
+    {"S9", "H!", "02061485#FFFFFF7FFF000003", "STSENCODER", {{"poscnt", -8}, {"velcnt", 131068}}},
+    {"S10", "H!", "02061485#8000008000000003", "STSENCODER", {{"poscnt", -67108864}, {"velcnt", -131072}}},
+    {"S11", "H!", "02061485#7FFFFF7FFF000003", "STSENCODER", {{"poscnt", 67108856}, {"velcnt", 131068}}},
+    {"S13", "H! F R", "020614C5#4C03FF3B00F6FF1B", "STSANALOG",
+        {{"vltgAnalogIn", 3.296875}, {"crntOutput", 59.99609375}, {"tmpAmbient", -10.0}, {"vltgVbus", 27.99609375}}},
+    {"E1", "H F W", "00000240#", "ENUM", {}},
+    {"V5", "H! F R", "0206FC05#3412600000000000", "VENDORCMD",
+        {{"sessid", 0x1234}, {"cmd", 0x60}, {"PARAM1", 0}, {"PARAM2", 0}}},
+    {"V9", "F", "0206FC45#41726D00", "VENDORDOUT", {{"byte0", 0x41}, {"byte3", 0}}},
+    {"P request", "D", "02061805#34123D", "PARAMREQ", {{"sessid", 0x1234}, {"paramid", 61}}},
+    {"P9", "H! R", "02061885#34120A0080FDFF", "PARAMSET", {{"sessid", 0x1234}, {"paramid", 10}, {"value", -2.5}}},
+    {"C3", "H! F", "02060005#000000FF00C00000", "CANCTRL0", {{"modeSelect", 0}, {"trgt", -16384}, {"vltgRampSet", 0}}},
+    {"C12", "H!", "02060005#C200000140E20004", "CANCTRL0",
+        {{"modeSelect", 2}, {"pidsltSelect", 1}, {"fRevFeedbackSensor", 1}, {"trgt", 123456}, {"vltgRampSet", 1024}}},
+    {"C16", "H!", "02060005#040000F400000000", "CANCTRL0", {{"modeSelect", 4}, {"trgt", -12.0}}},
+    {"C18", "H! F R", "02060005#3000000000000000", "CANCTRL0", {{"fOverrideBC", 1}, {"fBrakeCoast", 1}}},
+    {"C21", "H! R", "02060005#000E000000000000", "CANCTRL0",
+        {{"fRevMotor", 0}, {"fDisableFwdLimit", 1}, {"fDisableRevLimit", 1}, {"fEnableLimitOverride", 1}}},
+    {"C22", "H!", "02060005#0300007FFFFF0000", "CANCTRL0", {{"trgt", 8388607.0 / 65536.0}}},
+};
+
 const std::vector<Decoded> &decodedVectors()
 {
-    static const std::vector<Decoded> vectors{
-        {"E2", "H! F", "0206F005#341203012060", "ENUMRSP0", {{"sessid", 0x1234}, {"pdid", 0x60200103}}},
-        {"E4 bootloader, no application", "H! F", "0206F000#EFBE0100FFFF0901", "ENUMRSP1",
-            {{"sessid", 0xBEEF}, {"imgtyp", 1}, {"fwverApp", 0xFFFF}, {"fwverBoot", 0x0109}}},
-        {"E5 auxiliary bootloader", "H! F", "0206F03F#0100020017010A01", "ENUMRSP1",
-            {{"sessid", 1}, {"imgtyp", 2}, {"fwverApp", 0x0117}, {"fwverBoot", 0x010A}}},
-        {"V2 success from the new number", "H! F", "0206FCC5#00000000", "VENDORSTS", {{"cerc", 0}, {"cb", 0}}},
-        {"V3 BadParameter from the old number", "H! F", "0206FCC0#02000000", "VENDORSTS", {{"cerc", 2}, {"cb", 0}}},
-        {"V6 39 bytes follow", "H! F", "0206FCC5#00002700", "VENDORSTS", {{"cerc", 0}, {"cb", 39}}},
-        {"V19 AckReset", "H! F", "0206FCC5#07000000", "VENDORSTS", {{"cerc", 7}}},
-        {"V22 CrcMismatch", "H! F", "0206FCC5#05000000", "VENDORSTS", {{"cerc", 5}}},
-        {"V24 J1 test failed at QEA", "H! D", "0206FCC5#09040000", "VENDORSTS", {{"cerc", 9}, {"terc", 4}, {"cb", 0}}},
-        {"V12 data", "H! F", "0206FC85#000017010901", "VENDORDIN", {{"byte2", 0x17}, {"byte5", 1}}},
-        {"P2 61 = 40 A", "H! R", "02061845#3D0000280000", "PARAMRESP", {{"paramid", 61}, {"value", 40.0}, {"perc", 0}}},
-        {"P14 BadValue", "H! R", "02061845#5D0000000002", "PARAMRESP", {{"paramid", 93}, {"value", 0}, {"perc", 2}}},
-        {"P15 BadParameter", "H! R", "02061845#C80000000001", "PARAMRESP", {{"paramid", 200}, {"perc", 1}}},
-        {"P18 sticky faults", "H! R", "02061845#340500000000", "PARAMRESP", {{"paramid", 52}, {"value", 5}}},
-        {"P20 current scale", "H! R", "02061845#091608000000", "PARAMRESP",
-            {{"paramid", 9}, {"value", 2070.0 / 65536.0}}},
-        {"P21 100.0", "H! R", "02061845#200000640000", "PARAMRESP", {{"paramid", 32}, {"value", 100.0}}},
-        {"P23 sign extension", "H! R", "02061845#14FFFFFFFF00", "PARAMRESP", {{"paramid", 20}, {"value", -1.0}}},
-        {"S1", "H! R", "02061405#0040110000000000", "STSGENERAL",
-            {{"dtcApplied", 16384}, {"fFwdLimitPin", 1}, {"fRevLimitPin", 1}, {"fFwdLimitHit", 0}, {"modeSelect", 0},
-                {"errCLoop", 0}}},
-        {"S3 divided error", "H! R", "02061405#0000110090FEFFFF", "STSGENERAL",
-            {{"modeSelect", 2}, {"fDivErrBy256", 1}, {"errCLoop", -512}}},
-        {"S4 1.5 A", "H!", "02061405#0020110018008001", "STSGENERAL",
-            {{"dtcApplied", 8192}, {"modeSelect", 3}, {"errCLoop", 1.5}}},
-        {"S6 under-voltage, NoDrive", "H! R", "02061405#000011007A000000", "STSGENERAL",
-            {{"modeSelect", 15}, {"fUnderVoltageFault", 1}, {"fOverTempFault", 0}, {"fGateDriverFault", 0}}},
-        {"S7 flags", "H! R", "02061405#00804BE32C000000", "STSGENERAL",
-            {{"dtcApplied", -32768}, {"fFwdLimitPin", 1}, {"fFwdLimitHit", 1}, {"fFwdLimitDisabled", 0},
-                {"fFwdLimitNormalClosed", 1}, {"fRevLimitPin", 0}, {"fRevLimitHit", 0}, {"fRevLimitDisabled", 1},
-                {"fRevLimitNormalClosed", 0}, {"fFwdRevLimitOverride", 1}, {"fFwdLimitDisableOvrd", 1},
-                {"fRevLimitDisableOvrd", 0}, {"fSoftFwdLimitHit", 0}, {"fSoftFwdLimitEnabled", 0},
-                {"fSoftRevLimitHit", 1}, {"fSoftRevLimitEnabled", 1}, {"fCurrentLimitActive", 1},
-                {"fGateDriverFault", 1}, {"modeSelect", 5}}},
-        {"S8", "H! D R", "02061485#01E240FED4000014", "STSENCODER",
-            {{"poscnt", 123456}, {"velcnt", -300}, {"fQEAPin", 1}, {"fQEBPin", 0}, {"fQEIdxPin", 1}}},
-        {"S9", "H!", "02061485#FFFFFF7FFF000003", "STSENCODER", {{"poscnt", -8}, {"velcnt", 131068}}},
-        {"S10", "H!", "02061485#8000008000000003", "STSENCODER", {{"poscnt", -67108864}, {"velcnt", -131072}}},
-        {"S11", "H!", "02061485#7FFFFF7FFF000003", "STSENCODER", {{"poscnt", 67108856}, {"velcnt", 131068}}},
-        {"S13", "H! F R", "020614C5#4C03FF3B00F6FF1B", "STSANALOG",
-            {{"vltgAnalogIn", 3.296875}, {"crntOutput", 59.99609375}, {"tmpAmbient", -10.0},
-                {"vltgVbus", 27.99609375}}},
-        {"E1", "H F W", "00000240#", "ENUM", {}},
-        {"V5", "H! F R", "0206FC05#3412600000000000", "VENDORCMD",
-            {{"sessid", 0x1234}, {"cmd", 0x60}, {"PARAM1", 0}, {"PARAM2", 0}}},
-        {"V9", "F", "0206FC45#41726D00", "VENDORDOUT", {{"byte0", 0x41}, {"byte3", 0}}},
-        {"P request", "D", "02061805#34123D", "PARAMREQ", {{"sessid", 0x1234}, {"paramid", 61}}},
-        {"P9", "H! R", "02061885#34120A0080FDFF", "PARAMSET", {{"sessid", 0x1234}, {"paramid", 10}, {"value", -2.5}}},
-        {"C3", "H! F", "02060005#000000FF00C00000", "CANCTRL0",
-            {{"modeSelect", 0}, {"trgt", -16384}, {"vltgRampSet", 0}}},
-        {"C12", "H!", "02060005#C200000140E20004", "CANCTRL0",
-            {{"modeSelect", 2}, {"pidsltSelect", 1}, {"fRevFeedbackSensor", 1}, {"trgt", 123456},
-                {"vltgRampSet", 1024}}},
-        {"C16", "H!", "02060005#040000F400000000", "CANCTRL0", {{"modeSelect", 4}, {"trgt", -12.0}}},
-        {"C18", "H! F R", "02060005#3000000000000000", "CANCTRL0", {{"fOverrideBC", 1}, {"fBrakeCoast", 1}}},
-        {"C21", "H! R", "02060005#000E000000000000", "CANCTRL0",
-            {{"fRevMotor", 0}, {"fDisableFwdLimit", 1}, {"fDisableRevLimit", 1}, {"fEnableLimitOverride", 1}}},
-        {"C22", "H!", "02060005#0300007FFFFF0000", "CANCTRL0", {{"trgt", 8388607.0 / 65536.0}}},
-    };
-    return vectors;
+    return decodedTable;
 }
 
 TEST(Dmc60cDecode, NamesEveryGoldenFrameAndItsFields)
