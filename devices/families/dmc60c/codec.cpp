@@ -108,15 +108,13 @@ std::int64_t rawOf(WireType type, std::uint32_t field)
     switch (type) {
     case WireType::Int16:
     case WireType::Int32:
-    case WireType::Fixed16x16:
-        return signExtend(field, 32);
+    case WireType::Fixed16x16: return signExtend(field, 32);
     case WireType::Boolean:
     case WireType::Uint8:
     case WireType::Uint16:
     case WireType::Uint31:
     case WireType::Uint32:
-    case WireType::Flags32:
-        return field;
+    case WireType::Flags32: return field;
     }
     return field;
 }

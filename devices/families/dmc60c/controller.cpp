@@ -112,8 +112,7 @@ void Controller::onFrame(const CanFrame &frame)
         updateLiveness();
         armTick();
         break;
-    default:
-        break;
+    default: break;
     }
 }
 
@@ -196,14 +195,10 @@ void Controller::onVersions(const EnumResponse1 &response)
 StatusStream *Controller::streamOf(std::uint8_t periodParameter)
 {
     switch (periodParameter) {
-    case param::generalPeriod:
-        return &m_general;
-    case param::encoderPeriod:
-        return &m_encoder;
-    case param::analogPeriod:
-        return &m_analog;
-    default:
-        return nullptr;
+    case param::generalPeriod: return &m_general;
+    case param::encoderPeriod: return &m_encoder;
+    case param::analogPeriod: return &m_analog;
+    default: return nullptr;
     }
 }
 

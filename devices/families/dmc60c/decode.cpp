@@ -58,19 +58,13 @@ constexpr std::string_view duty = "1/32767";
 std::string_view unitOfMode(ControlMode mode)
 {
     switch (mode) {
-    case ControlMode::Voltage:
-        return duty;
-    case ControlMode::Velocity:
-        return "counts/100 ms";
-    case ControlMode::Position:
-        return "counts";
-    case ControlMode::Current:
-        return "A";
-    case ControlMode::VoltageCompensated:
-        return "V";
+    case ControlMode::Voltage: return duty;
+    case ControlMode::Velocity: return "counts/100 ms";
+    case ControlMode::Position: return "counts";
+    case ControlMode::Current: return "A";
+    case ControlMode::VoltageCompensated: return "V";
     case ControlMode::Follower:
-    case ControlMode::NoDrive:
-        break;
+    case ControlMode::NoDrive: break;
     }
     return {};
 }
@@ -88,15 +82,11 @@ double target(const CanFrame &f)
 {
     const std::int32_t raw = signExtend((std::uint32_t{f.data[3]} << 16U) | readU16le(f.data, 4), 24);
     switch (modeOfControl(f)) {
-    case ControlMode::Voltage:
-        return i16<4>(f);
-    case ControlMode::Follower:
-        return f.data[4];
+    case ControlMode::Voltage: return i16<4>(f);
+    case ControlMode::Follower: return f.data[4];
     case ControlMode::Current:
-    case ControlMode::VoltageCompensated:
-        return fromFixed(raw, 65536.0);
-    default:
-        return raw;
+    case ControlMode::VoltageCompensated: return fromFixed(raw, 65536.0);
+    default: return raw;
     }
 }
 

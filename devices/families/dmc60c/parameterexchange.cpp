@@ -69,12 +69,10 @@ Result<void> check(const ParamResponse &response, std::string_view key)
 {
     const std::string name(key);
     switch (response.status) {
-    case ParameterStatus::NoError:
-        return {};
+    case ParameterStatus::NoError: return {};
     case ParameterStatus::BadParameter:
         return fail(Fault::Refused, name + ": this firmware does not know the parameter");
-    case ParameterStatus::BadValue:
-        return fail(Fault::Refused, name + ": the device refused the value");
+    case ParameterStatus::BadValue: return fail(Fault::Refused, name + ": the device refused the value");
     }
     return fail(
         Fault::BadReply, name + ": status " + std::to_string(static_cast<int>(response.status)) + " has no meaning");

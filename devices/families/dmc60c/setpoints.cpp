@@ -26,24 +26,17 @@ struct Scale {
 Result<Scale> scaleOf(Mode mode)
 {
     switch (mode) {
-    case Mode::Off:
-        return Scale{};
-    case Mode::Duty:
-        return Scale{ControlMode::Voltage, -1.0, 1.0, fullDuty}; // trap 16: never 32768
+    case Mode::Off: return Scale{};
+    case Mode::Duty: return Scale{ControlMode::Voltage, -1.0, 1.0, fullDuty}; // trap 16: never 32768
     case Mode::Velocity:
         return Scale{ControlMode::Velocity, targetLow * velocityPerSecond, targetHigh * velocityPerSecond,
             1.0 / velocityPerSecond};
-    case Mode::Position:
-        return Scale{ControlMode::Position, targetLow, targetHigh, 1.0};
-    case Mode::Current:
-        return Scale{ControlMode::Current, -greatestCurrent, greatestCurrent, fixedOne};
-    case Mode::Voltage:
-        return Scale{ControlMode::VoltageCompensated, -greatestVoltage, greatestVoltage, fixedOne};
-    case Mode::Follow:
-        return Scale{ControlMode::Follower, 1.0, maxDeviceNumber, 1.0};
+    case Mode::Position: return Scale{ControlMode::Position, targetLow, targetHigh, 1.0};
+    case Mode::Current: return Scale{ControlMode::Current, -greatestCurrent, greatestCurrent, fixedOne};
+    case Mode::Voltage: return Scale{ControlMode::VoltageCompensated, -greatestVoltage, greatestVoltage, fixedOne};
+    case Mode::Follow: return Scale{ControlMode::Follower, 1.0, maxDeviceNumber, 1.0};
     case Mode::RampPosition:
-    case Mode::RampVelocity:
-        break;
+    case Mode::RampVelocity: break;
     }
     return fail(Fault::Unsupported, "a DMC60C has no mode '" + std::string(toString(mode)) + "'");
 }
@@ -114,20 +107,13 @@ Result<Control> controlFor(const SetPoint &setPoint, int device)
 std::optional<Mode> modeOf(ControlMode mode)
 {
     switch (mode) {
-    case ControlMode::Voltage:
-        return Mode::Duty;
-    case ControlMode::Velocity:
-        return Mode::Velocity;
-    case ControlMode::Position:
-        return Mode::Position;
-    case ControlMode::Current:
-        return Mode::Current;
-    case ControlMode::VoltageCompensated:
-        return Mode::Voltage;
-    case ControlMode::Follower:
-        return Mode::Follow;
-    case ControlMode::NoDrive:
-        return Mode::Off;
+    case ControlMode::Voltage: return Mode::Duty;
+    case ControlMode::Velocity: return Mode::Velocity;
+    case ControlMode::Position: return Mode::Position;
+    case ControlMode::Current: return Mode::Current;
+    case ControlMode::VoltageCompensated: return Mode::Voltage;
+    case ControlMode::Follower: return Mode::Follow;
+    case ControlMode::NoDrive: return Mode::Off;
     }
     return std::nullopt;
 }

@@ -53,8 +53,7 @@ std::string detailOf(DeviceState state, bool hasApplication)
         return hasApplication ? "The bootloader runs; restart the unit or update its firmware."
                               : "No application runs; update its firmware.";
     case DeviceState::Duplicate:
-    case DeviceState::Online:
-        break;
+    case DeviceState::Online: break;
     }
     return {};
 }

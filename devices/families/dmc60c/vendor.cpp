@@ -62,29 +62,22 @@ Task<VendorReply> collect(CanInbox &inbox, Duration timeout)
 Attempts attemptsOf(Command command)
 {
     switch (command) {
-    case Command::SetDevNumber:
-        return {3, 500ms};
+    case Command::SetDevNumber: return {3, 500ms};
     case Command::SetDevName:
     case Command::SetManName:
     case Command::SetProdName:
     case Command::SetManDate:
     case Command::SetHardwareVer:
-    case Command::SetSN:
-        return {3, 1s};
+    case Command::SetSN: return {3, 1s};
     case Command::FlashLEDs:
     case Command::GetDescriptors:
     case Command::GetFwver:
-    case Command::GetFlashSeqnum:
-        return {3, 250ms};
-    case Command::EnterBootloader:
-        return {3, 2s};
-    case Command::SoftReset:
-        return {1, 3s};
-    case Command::EraseWriteFlashPage:
-        return {3, 2s};
+    case Command::GetFlashSeqnum: return {3, 250ms};
+    case Command::EnterBootloader: return {3, 2s};
+    case Command::SoftReset: return {1, 3s};
+    case Command::EraseWriteFlashPage: return {3, 2s};
     case Command::J1ShortTest:
-    case Command::J1OpenTest:
-        return {1, 2s};
+    case Command::J1OpenTest: return {1, 2s};
     }
     return {};
 }
@@ -112,15 +105,11 @@ Task<VendorReply> vendorExchange(CanLink &link, Clock &clock, VendorRequest requ
 CommandStatus successOf(Command command)
 {
     switch (command) {
-    case Command::EnterBootloader:
-        return CommandStatus::InBootloader;
-    case Command::SoftReset:
-        return CommandStatus::AckReset;
+    case Command::EnterBootloader: return CommandStatus::InBootloader;
+    case Command::SoftReset: return CommandStatus::AckReset;
     case Command::J1ShortTest:
-    case Command::J1OpenTest:
-        return CommandStatus::TestPassed;
-    default:
-        return CommandStatus::NoError;
+    case Command::J1OpenTest: return CommandStatus::TestPassed;
+    default: return CommandStatus::NoError;
     }
 }
 
@@ -131,20 +120,16 @@ Result<void> check(Command command, const VendorReply &reply)
     const std::string detail
         = std::string(toString(command)) + ": the device answers '" + std::string(toString(reply.status)) + "'";
     switch (reply.status) {
-    case CommandStatus::NotSupported:
-        return fail(Fault::Unsupported, detail);
+    case CommandStatus::NotSupported: return fail(Fault::Unsupported, detail);
     case CommandStatus::DataRcvMore:
-    case CommandStatus::CrcMismatch:
-        return fail(Fault::BadCheck, detail);
+    case CommandStatus::CrcMismatch: return fail(Fault::BadCheck, detail);
     case CommandStatus::BadParameter:
     case CommandStatus::InBootloader:
     case CommandStatus::FlashWriteFailed:
     case CommandStatus::AckReset:
-    case CommandStatus::TestFailed:
-        return fail(Fault::Refused, detail);
+    case CommandStatus::TestFailed: return fail(Fault::Refused, detail);
     case CommandStatus::NoError:
-    case CommandStatus::TestPassed:
-        break;
+    case CommandStatus::TestPassed: break;
     }
     return fail(Fault::BadReply, detail);
 }
@@ -152,26 +137,16 @@ Result<void> check(Command command, const VendorReply &reply)
 std::string_view toString(CommandStatus status)
 {
     switch (status) {
-    case CommandStatus::NoError:
-        return "no error";
-    case CommandStatus::NotSupported:
-        return "not supported";
-    case CommandStatus::BadParameter:
-        return "bad parameter";
-    case CommandStatus::DataRcvMore:
-        return "more data than announced";
-    case CommandStatus::InBootloader:
-        return "in the bootloader";
-    case CommandStatus::CrcMismatch:
-        return "CRC mismatch";
-    case CommandStatus::FlashWriteFailed:
-        return "flash write failed";
-    case CommandStatus::AckReset:
-        return "restarted";
-    case CommandStatus::TestPassed:
-        return "test passed";
-    case CommandStatus::TestFailed:
-        return "test failed";
+    case CommandStatus::NoError: return "no error";
+    case CommandStatus::NotSupported: return "not supported";
+    case CommandStatus::BadParameter: return "bad parameter";
+    case CommandStatus::DataRcvMore: return "more data than announced";
+    case CommandStatus::InBootloader: return "in the bootloader";
+    case CommandStatus::CrcMismatch: return "CRC mismatch";
+    case CommandStatus::FlashWriteFailed: return "flash write failed";
+    case CommandStatus::AckReset: return "restarted";
+    case CommandStatus::TestPassed: return "test passed";
+    case CommandStatus::TestFailed: return "test failed";
     }
     return "unknown status";
 }
@@ -179,38 +154,22 @@ std::string_view toString(CommandStatus status)
 std::string_view toString(Command command)
 {
     switch (command) {
-    case Command::SetDevNumber:
-        return "SetDevNumber";
-    case Command::SetDevName:
-        return "SetDevName";
-    case Command::SetManName:
-        return "SetManName";
-    case Command::SetProdName:
-        return "SetProdName";
-    case Command::SetManDate:
-        return "SetManDate";
-    case Command::SetHardwareVer:
-        return "SetHardwareVer";
-    case Command::SetSN:
-        return "SetSN";
-    case Command::FlashLEDs:
-        return "FlashLEDs";
-    case Command::GetDescriptors:
-        return "GetDescriptors";
-    case Command::GetFwver:
-        return "GetFwver";
-    case Command::GetFlashSeqnum:
-        return "GetFlashSeqnum";
-    case Command::EnterBootloader:
-        return "EnterBootloader";
-    case Command::SoftReset:
-        return "SoftReset";
-    case Command::EraseWriteFlashPage:
-        return "EraseWriteFlashPage";
-    case Command::J1ShortTest:
-        return "J1ShortTest";
-    case Command::J1OpenTest:
-        return "J1OpenTest";
+    case Command::SetDevNumber: return "SetDevNumber";
+    case Command::SetDevName: return "SetDevName";
+    case Command::SetManName: return "SetManName";
+    case Command::SetProdName: return "SetProdName";
+    case Command::SetManDate: return "SetManDate";
+    case Command::SetHardwareVer: return "SetHardwareVer";
+    case Command::SetSN: return "SetSN";
+    case Command::FlashLEDs: return "FlashLEDs";
+    case Command::GetDescriptors: return "GetDescriptors";
+    case Command::GetFwver: return "GetFwver";
+    case Command::GetFlashSeqnum: return "GetFlashSeqnum";
+    case Command::EnterBootloader: return "EnterBootloader";
+    case Command::SoftReset: return "SoftReset";
+    case Command::EraseWriteFlashPage: return "EraseWriteFlashPage";
+    case Command::J1ShortTest: return "J1ShortTest";
+    case Command::J1OpenTest: return "J1OpenTest";
     }
     return "unknown command";
 }
