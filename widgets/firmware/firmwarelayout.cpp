@@ -9,6 +9,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QProgressBar>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -156,7 +157,12 @@ QWidget *FirmwarePage::buildLog(QWidget *parent)
 QWidget *FirmwarePage::buildSide(QWidget *parent)
 {
     const Theme &theme = m_theme.theme();
-    auto *panel = new QWidget(parent);
+    auto *scroll = new QScrollArea(parent);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto *panel = new QWidget(scroll);
+    scroll->setWidget(panel);
     auto *column = new QVBoxLayout(panel);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.u(8));
@@ -185,7 +191,7 @@ QWidget *FirmwarePage::buildSide(QWidget *parent)
     inner->addWidget(m_notes);
     inner->addStretch();
     column->addLayout(inner, 1);
-    return panel;
+    return scroll;
 }
 
 } // namespace mb

@@ -33,6 +33,7 @@ void PageMap::setParts(std::vector<int> parts, std::optional<int> critical)
     m_critical = critical;
     m_states.clear();
     m_repeated.clear();
+    setMinimumHeight(heightForWidth(width()));
     updateGeometry();
     update();
 }
@@ -113,6 +114,12 @@ void PageMap::paintCell(QPainter &painter, std::size_t place) const
     painter.drawRoundedRect(cell(place), theme.u(2), theme.u(2));
     painter.setPen(critical && state == PartState::Waiting ? theme.danger : text);
     painter.drawText(cell(place), Qt::AlignCenter, QString::number(part));
+}
+
+void PageMap::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    setMinimumHeight(heightForWidth(width()));
 }
 
 void PageMap::paintEvent(QPaintEvent *)
