@@ -48,7 +48,7 @@ ColumnWidths leastWidths(const ColumnWidths &natural, const Theme &theme)
 {
     ColumnWidths least = natural;
     least[at(ParameterModel::Label)] = std::min(natural[at(ParameterModel::Label)], theme.u(150));
-    least[at(ParameterModel::Key)] = std::min(natural[at(ParameterModel::Key)], theme.u(156));
+    least[at(ParameterModel::Key)] = std::min(natural[at(ParameterModel::Key)], theme.u(110));
     least[at(ParameterModel::Unit)] = std::min(natural[at(ParameterModel::Unit)], theme.u(84));
     return least;
 }
@@ -65,16 +65,19 @@ ColumnWidths columnWidthsFor(
 {
     ColumnWidths natural = naturalWidths(model, delegate, theme, body);
     ColumnWidths widths = leastWidths(natural, theme);
-    for (const int column : {ParameterModel::Raw, ParameterModel::Reference, ParameterModel::Key}) {
+    for (const int column : {ParameterModel::Raw, ParameterModel::Key, ParameterModel::Reference}) {
         if (sum(widths) > room)
             widths[at(column)] = natural[at(column)] = 0;
     }
     int spare = room - sum(widths);
-    for (const int column : {ParameterModel::Label, ParameterModel::Key, ParameterModel::Unit}) {
-        const int more = std::clamp(natural[at(column)] - widths[at(column)], 0, std::max(0, spare));
+    const auto widen = [&](int column, int wish) {
+        const int more = std::clamp(std::min(wish, natural[at(column)]) - widths[at(column)], 0, std::max(0, spare));
         widths[at(column)] += more;
         spare -= more;
-    }
+    };
+    widen(ParameterModel::Key, theme.u(140));
+    for (const int column : {ParameterModel::Label, ParameterModel::Key, ParameterModel::Unit})
+        widen(column, natural[at(column)]);
     if (spare <= 0)
         return widths;
     widths[at(ParameterModel::Label)] += spare / 3;

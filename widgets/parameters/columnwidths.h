@@ -11,8 +11,8 @@ namespace mb {
 using ColumnWidths = std::array<int, ParameterModel::ColumnCount>;
 
 /// Numbers and states get what they need, names and keys share the rest and end in "…" where it is too little. Where
-/// even their least width does not fit, the columns raw, reference and key go, in this order; the tooltip of a row has
-/// them.
+/// even their least width does not fit, the columns raw, key and reference go, in this order; the tooltip and the line
+/// below the table have them.
 [[nodiscard]] ColumnWidths columnWidthsFor(
     const ParameterModel &model, const ParameterDelegate &delegate, const Theme &theme, const QFont &body, int room);
 
