@@ -11,14 +11,10 @@ namespace {
 bool isIn(ParameterFilter::Segment segment, const ParameterStanding &standing)
 {
     switch (segment) {
-    case ParameterFilter::All:
-        return true;
-    case ParameterFilter::Changed:
-        return standing.changed;
-    case ParameterFilter::Edited:
-        return standing.edited;
-    case ParameterFilter::Errors:
-        return standing.illegal || standing.unread;
+    case ParameterFilter::All: return true;
+    case ParameterFilter::Changed: return standing.changed;
+    case ParameterFilter::Edited: return standing.edited;
+    case ParameterFilter::Errors: return standing.illegal || standing.unread;
     }
     return true;
 }
@@ -52,21 +48,12 @@ ParameterCounts countParameters(const ParameterModel &model)
         counts.illegal += standing.illegal ? 1 : 0;
         counts.unread += standing.unread ? 1 : 0;
         switch (model.edits()->entries()[i].state) {
-        case ParameterState::Ram:
-            ++counts.inRam;
-            break;
-        case ParameterState::Stored:
-            ++counts.stored;
-            break;
-        case ParameterState::Volatile:
-            ++counts.notKept;
-            break;
-        case ParameterState::Assumed:
-            ++counts.assumed;
-            break;
+        case ParameterState::Ram: ++counts.inRam; break;
+        case ParameterState::Stored: ++counts.stored; break;
+        case ParameterState::Volatile: ++counts.notKept; break;
+        case ParameterState::Assumed: ++counts.assumed; break;
         case ParameterState::Unknown:
-        case ParameterState::Failed:
-            break;
+        case ParameterState::Failed: break;
         }
     }
     return counts;

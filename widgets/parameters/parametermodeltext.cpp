@@ -32,24 +32,17 @@ QVariant ParameterModel::text(ParameterIndex index, int column) const
     const ParameterStanding now = standing(index);
     const auto &reference = m_reference.raws[index.value];
     switch (column) {
-    case Label:
-        return tableText(row.label);
-    case Key:
-        return qt(row.key);
+    case Label: return tableText(row.label);
+    case Key: return qt(row.key);
     case ValueColumn:
         if (now.illegal)
             return m_edits->find(index)->text;
         return now.raw ? valueText(row, *now.raw) : QString(UnknownMark);
-    case Unit:
-        return qt(row.unit);
-    case Reference:
-        return reference ? valueText(row, *reference) : QString(UnknownMark);
-    case State:
-        return now.text;
-    case Raw:
-        return now.raw ? rawText(row, *now.raw) : QString(UnknownMark);
-    default:
-        return {};
+    case Unit: return qt(row.unit);
+    case Reference: return reference ? valueText(row, *reference) : QString(UnknownMark);
+    case State: return now.text;
+    case Raw: return now.raw ? rawText(row, *now.raw) : QString(UnknownMark);
+    default: return {};
     }
 }
 
@@ -93,25 +86,21 @@ QVariant ParameterModel::data(const QModelIndex &index, int role) const
         return (role == Qt::DisplayRole || role == Qt::AccessibleTextRole) && index.column() == 0 ? faultText(which)
                                                                                                   : QVariant();
     switch (role) {
-    case Qt::DisplayRole:
-        return text(which, index.column());
+    case Qt::DisplayRole: return text(which, index.column());
     case Qt::EditRole: {
         const StagedEdit *edit = m_edits->find(which);
         const auto known = m_edits->known(which);
         return edit ? edit->text : known ? fieldText(parameter(which), *known) : QString();
     }
-    case Qt::ToolTipRole:
-        return toolTip(which);
+    case Qt::ToolTipRole: return toolTip(which);
     case Qt::AccessibleTextRole:
         return tr("%1, %2").arg(tableText(parameter(which).label), text(which, index.column()).toString());
-    case Qt::AccessibleDescriptionRole:
-        return tableText(parameter(which).help);
+    case Qt::AccessibleDescriptionRole: return tableText(parameter(which).help);
     case Qt::TextAlignmentRole: {
         const bool right = index.column() == ValueColumn || index.column() == Reference;
         return static_cast<int>(Qt::AlignVCenter | (right ? Qt::AlignRight : Qt::AlignLeft));
     }
-    default:
-        return {};
+    default: return {};
     }
 }
 
@@ -133,22 +122,14 @@ QVariant ParameterModel::headerData(int section, Qt::Orientation orientation, in
     if (role != Qt::DisplayRole)
         return {};
     switch (section) {
-    case Label:
-        return tr("parameter");
-    case Key:
-        return tr("key");
-    case ValueColumn:
-        return tr("value");
-    case Unit:
-        return tr("unit");
-    case Reference:
-        return m_reference.title.isEmpty() ? tr("default") : m_reference.title;
-    case State:
-        return tr("state");
-    case Raw:
-        return tr("raw");
-    default:
-        return {};
+    case Label: return tr("parameter");
+    case Key: return tr("key");
+    case ValueColumn: return tr("value");
+    case Unit: return tr("unit");
+    case Reference: return m_reference.title.isEmpty() ? tr("default") : m_reference.title;
+    case State: return tr("state");
+    case Raw: return tr("raw");
+    default: return {};
     }
 }
 

@@ -213,15 +213,9 @@ void ParametersPage::comparisonChosen(int row)
     if (!m_model->family())
         return;
     switch (m_compare->itemData(row).toInt()) {
-    case WithDefaults:
-        m_model->setReference(defaultsOf(*m_model->family()));
-        break;
-    case AsFound:
-        m_model->setReference(m_asFound.at(m_selection.device()));
-        break;
-    case WithFile:
-        m_model->setReference(*m_fileReference);
-        break;
+    case WithDefaults: m_model->setReference(defaultsOf(*m_model->family())); break;
+    case AsFound: m_model->setReference(m_asFound.at(m_selection.device())); break;
+    case WithFile: m_model->setReference(*m_fileReference); break;
     default:
         askForFile(*this, tr("Compare with a parameter file"), [this](const QString &path) { compareWith(path); });
         break;

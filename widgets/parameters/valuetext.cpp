@@ -39,13 +39,10 @@ int hexDigits(WireType type)
 {
     switch (type) {
     case WireType::Boolean:
-    case WireType::Uint8:
-        return 2;
+    case WireType::Uint8: return 2;
     case WireType::Int16:
-    case WireType::Uint16:
-        return 4;
-    default:
-        return 8;
+    case WireType::Uint16: return 4;
+    default: return 8;
     }
 }
 

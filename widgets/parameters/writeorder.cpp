@@ -29,14 +29,10 @@ int writeRank(const Parameter &parameter, const StagedChange &change)
         return 9;
     const bool raised = !change.from || std::abs(change.to) > std::abs(*change.from);
     switch (gainOf(parameter.key)) {
-    case 'p':
-        return raised ? 7 : 3;
-    case 'i':
-        return raised ? 8 : 2;
-    case 'd':
-        return raised ? 4 : 6;
-    default:
-        break;
+    case 'p': return raised ? 7 : 3;
+    case 'i': return raised ? 8 : 2;
+    case 'd': return raised ? 4 : 6;
+    default: break;
     }
     if (isLimit(parameter.key))
         return parameter.type == WireType::Boolean ? 1 : 0;
