@@ -10,6 +10,17 @@
 namespace mb {
 namespace {
 
+/// A scan reports a unit before it has read its texts: those of the same session are still true.
+Identity merged(const Identity &known, Identity seen)
+{
+    if (seen.session != known.session || !seen.descriptors.empty())
+        return seen;
+    seen.name = seen.name.empty() ? known.name : seen.name;
+    seen.serial = seen.serial.empty() ? known.serial : seen.serial;
+    seen.descriptors = known.descriptors;
+    return seen;
+}
+
 constexpr Duration commitPeriod = std::chrono::milliseconds(10);
 
 } // namespace
@@ -180,7 +191,7 @@ Device &Session::adopt(Link &link, const Family &family, const Identity &identit
         match = &m_devices.back();
         m_changed.notify();
     } else {
-        match->device->setIdentity(identity);
+        match->device->setIdentity(merged(match->device->identity(), identity));
     }
     if (std::find(seen.begin(), seen.end(), match->device.get()) == seen.end())
         seen.push_back(match->device.get());
