@@ -14,15 +14,22 @@ namespace {
 void declare(QCommandLineParser &parser)
 {
     const auto tr = [](const char *text) { return QCoreApplication::translate("Options", text); };
-    parser.setApplicationDescription(tr(QT_TRANSLATE_NOOP("Options", "Tune and service brushed-DC motor controllers.")));
+    parser.setApplicationDescription(
+        tr(QT_TRANSLATE_NOOP("Options", "Tune and service brushed-DC motor controllers.")));
     parser.addOptions({
         {QStringLiteral("demo"), tr(QT_TRANSLATE_NOOP("Options", "Open the simulated bench."))},
-        {QStringLiteral("tour"), tr(QT_TRANSLATE_NOOP("Options", "Drive the demo through every page and write a picture of each to DIR.")), QStringLiteral("DIR")},
+        {QStringLiteral("tour"),
+            tr(QT_TRANSLATE_NOOP("Options", "Drive the demo through every page and write a picture of each to DIR.")),
+            QStringLiteral("DIR")},
         {QStringLiteral("theme"), tr(QT_TRANSLATE_NOOP("Options", "dark or light.")), QStringLiteral("THEME")},
         {QStringLiteral("language"), tr(QT_TRANSLATE_NOOP("Options", "en or de.")), QStringLiteral("CODE")},
-        {QStringLiteral("size"), tr(QT_TRANSLATE_NOOP("Options", "Size of the window, such as 1280x800.")), QStringLiteral("WxH")},
-        {QStringLiteral("font-scale"), tr(QT_TRANSLATE_NOOP("Options", "Font size relative to the system's, 0.5 to 3.")), QStringLiteral("FACTOR")},
-        {QStringLiteral("link"), tr(QT_TRANSLATE_NOOP("Options", "Open this link; may be repeated.")), QStringLiteral("LINK")},
+        {QStringLiteral("size"), tr(QT_TRANSLATE_NOOP("Options", "Size of the window, such as 1280x800.")),
+            QStringLiteral("WxH")},
+        {QStringLiteral("font-scale"),
+            tr(QT_TRANSLATE_NOOP("Options", "Font size relative to the system's, 0.5 to 3.")),
+            QStringLiteral("FACTOR")},
+        {QStringLiteral("link"), tr(QT_TRANSLATE_NOOP("Options", "Open this link; may be repeated.")),
+            QStringLiteral("LINK")},
         {{QStringLiteral("h"), QStringLiteral("help")}, tr(QT_TRANSLATE_NOOP("Options", "Show this help."))},
         {{QStringLiteral("v"), QStringLiteral("version")}, tr(QT_TRANSLATE_NOOP("Options", "Show the version."))},
     });
@@ -32,10 +39,14 @@ Result<void> checkOptions(const Options &options)
 {
     if (!options.theme.isEmpty() && options.theme != QLatin1String("dark") && options.theme != QLatin1String("light"))
         return fail(Fault::OutOfRange, "--theme takes dark or light");
-    if (options.fontScale < 0.5 || options.fontScale > 3.0)
+    if (!(options.fontScale >= 0.5 && options.fontScale <= 3.0)) // not a number is out of range too
         return fail(Fault::OutOfRange, "--font-scale takes 0.5 to 3");
+    if (!options.language.isEmpty() && options.language != QLatin1String("en")
+        && options.language != QLatin1String("de"))
+        return fail(Fault::OutOfRange, "--language takes en or de");
     const QStringList sides = options.size.split(QLatin1Char('x'));
-    if (!options.size.isEmpty() && (sides.size() != 2 || sides[0].toInt() < 320 || sides[1].toInt() < 200))
+    const auto isSide = [](const QString &text, int least) { return text.toInt() >= least && text.toInt() <= 16384; };
+    if (!options.size.isEmpty() && (sides.size() != 2 || !isSide(sides[0], 320) || !isSide(sides[1], 200)))
         return fail(Fault::OutOfRange, "--size takes WIDTHxHEIGHT, such as 1280x800");
     for (const QString &link : options.links) {
         if (auto parsed = LinkAddress::parse(link.toStdString()); !parsed)
@@ -53,10 +64,13 @@ Result<Options> Options::parse(const QStringList &arguments)
     if (!parser.parse(arguments))
         return fail(Fault::OutOfRange, parser.errorText().toStdString());
     if (!parser.positionalArguments().isEmpty())
-        return fail(Fault::OutOfRange, "unknown argument '" + parser.positionalArguments().constFirst().toStdString() + "'");
+        return fail(
+            Fault::OutOfRange, "unknown argument '" + parser.positionalArguments().constFirst().toStdString() + "'");
     Options options;
     options.demo = parser.isSet(QStringLiteral("demo")) || parser.isSet(QStringLiteral("tour"));
     options.tour = parser.value(QStringLiteral("tour"));
+    if (parser.isSet(QStringLiteral("tour")) && options.tour.isEmpty())
+        return fail(Fault::OutOfRange, "--tour needs a folder for its pictures");
     options.theme = parser.value(QStringLiteral("theme"));
     options.language = parser.value(QStringLiteral("language"));
     options.size = parser.value(QStringLiteral("size"));
@@ -87,7 +101,8 @@ Application::Application(QApplication &qt, const Options &options)
     if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)
         m_window->resize(sides[0].toInt(), sides[1].toInt());
     qt.installEventFilter(&m_stopKeys);
-    QObject::connect(&m_stopKeys, &StopKeys::stopPressed, m_window.get(), [this](const QString &key) { m_window->arming().stopAll(key); });
+    QObject::connect(&m_stopKeys, &StopKeys::stopPressed, m_window.get(),
+        [this](const QString &key) { m_window->arming().stopAll(key); });
 }
 
 Application::~Application() = default;
@@ -97,7 +112,8 @@ void Application::translate(const QString &language)
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
     if (m_translator.load(locale, QStringLiteral("motorbench"), QStringLiteral("_"), QStringLiteral(":/translations")))
         m_qt.installTranslator(&m_translator);
-    if (m_qtTranslator.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"), QLibraryInfo::location(QLibraryInfo::TranslationsPath)))
+    if (m_qtTranslator.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+            QLibraryInfo::location(QLibraryInfo::TranslationsPath)))
         m_qt.installTranslator(&m_qtTranslator);
 }
 

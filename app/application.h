@@ -17,12 +17,12 @@ class Tour;
 /// What the command line asked for.
 struct Options {
     bool demo = false;
-    QString tour; ///< folder for pictures; empty: no tour
-    QString theme; ///< "dark", "light" or empty
-    QString language; ///< "de", "en" or empty for the system's
-    QString size; ///< "1280x800" or empty
+    QString tour;           ///< folder for pictures; empty: no tour
+    QString theme;          ///< "dark", "light" or empty
+    QString language;       ///< "de", "en" or empty for the system's
+    QString size;           ///< "1280x800" or empty
     double fontScale = 1.0; ///< of the system's font
-    QStringList links; ///< opened at the start
+    QStringList links;      ///< opened at the start
 
     /// One line about what is wrong with the arguments.
     [[nodiscard]] static Result<Options> parse(const QStringList &arguments);

@@ -23,7 +23,9 @@ struct Engine::Room {
     {
         QObject::connect(&arrivals, &QSocketNotifier::activated, &arrivals, [this] { engine.m_toEngine.drain(); });
         noticed = core.noticed().add([this](Severity severity, const std::string &device, const std::string &text) {
-            engine.m_toWindow.post([to = &engine, severity, device, text] { to->report(severity, QString::fromStdString(device), QString::fromStdString(text)); });
+            engine.m_toWindow.post([to = &engine, severity, device, text] {
+                to->report(severity, QString::fromStdString(device), QString::fromStdString(text));
+            });
         });
         publish();
     }
@@ -46,7 +48,7 @@ struct Engine::Room {
     QSocketNotifier arrivals;
     Timer tick;
     Subscription noticed;
-    Instant listedAt {};
+    Instant listedAt{};
     std::vector<LinkListing> listings;
 };
 
@@ -104,7 +106,8 @@ EngineCore::Finished Engine::comeBack(Finished finished)
 {
     if (!finished)
         return {};
-    return [this, finished = std::move(finished)](Result<void> result) { m_toWindow.post([finished, result] { finished(result); }); };
+    return [this, finished = std::move(finished)](
+               Result<void> result) { m_toWindow.post([finished, result] { finished(result); }); };
 }
 
 void Engine::takeSnapshot(Snapshot snapshot, std::vector<LinkListing> listings)
@@ -145,7 +148,8 @@ void Engine::readParameters(DeviceId device)
 
 void Engine::writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished)
 {
-    post([device, changes = std::move(changes), back = comeBack(std::move(finished))](EngineCore &core) { core.writeParameters(device, changes, back); });
+    post([device, changes = std::move(changes), back = comeBack(std::move(finished))](
+             EngineCore &core) { core.writeParameters(device, changes, back); });
 }
 
 void Engine::storeParameters(DeviceId device, Finished finished)
@@ -161,12 +165,14 @@ void Engine::identify(DeviceId device, Finished finished)
 void Engine::rename(DeviceId device, const QString &name, Finished finished)
 {
     const QByteArray latin1 = name.toLatin1();
-    post([device, text = latin1.toStdString(), back = comeBack(std::move(finished))](EngineCore &core) { core.rename(device, text, back); });
+    post([device, text = latin1.toStdString(), back = comeBack(std::move(finished))](
+             EngineCore &core) { core.rename(device, text, back); });
 }
 
 void Engine::renumber(DeviceId device, int address, Finished finished)
 {
-    post([device, address, back = comeBack(std::move(finished))](EngineCore &core) { core.renumber(device, address, back); });
+    post([device, address, back = comeBack(std::move(finished))](
+             EngineCore &core) { core.renumber(device, address, back); });
 }
 
 void Engine::clearFaults(DeviceId device, Finished finished)
@@ -181,12 +187,14 @@ void Engine::setRate(DeviceId device, ChannelIndex channel, double hertz)
 
 void Engine::startMotion(DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished)
 {
-    post([device, setPoint, lease, back = comeBack(std::move(finished))](EngineCore &core) { core.startMotion(device, setPoint, lease, back); });
+    post([device, setPoint, lease, back = comeBack(std::move(finished))](
+             EngineCore &core) { core.startMotion(device, setPoint, lease, back); });
 }
 
 void Engine::updateMotion(DeviceId device, const SetPoint &setPoint, Finished finished)
 {
-    post([device, setPoint, back = comeBack(std::move(finished))](EngineCore &core) { core.updateMotion(device, setPoint, back); });
+    post([device, setPoint, back = comeBack(std::move(finished))](
+             EngineCore &core) { core.updateMotion(device, setPoint, back); });
 }
 
 void Engine::renewMotion(DeviceId device)
@@ -206,7 +214,8 @@ void Engine::stopAll()
 
 void Engine::update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options)
 {
-    post([device, image = std::move(image), options = std::move(options)](EngineCore &core) { core.update(device, image, options); });
+    post([device, image = std::move(image), options = std::move(options)](
+             EngineCore &core) { core.update(device, image, options); });
 }
 
 void Engine::cancel(OperationId operation)

@@ -38,7 +38,8 @@ public:
     void renumber(DeviceId device, int address, Finished finished) override;
     void clearFaults(DeviceId device, Finished finished) override;
     void setRate(DeviceId device, ChannelIndex channel, double hertz) override;
-    void startMotion(DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished) override;
+    void startMotion(
+        DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished) override;
     void updateMotion(DeviceId device, const SetPoint &setPoint, Finished finished) override;
     void renewMotion(DeviceId device) override;
     void stopMotion(DeviceId device) override;

@@ -60,7 +60,8 @@ Snapshot EngineCore::snapshot()
         }
     }
     std::stable_sort(shot.devices.begin(), shot.devices.end(), [](const DeviceView &a, const DeviceView &b) {
-        return a.link == b.link && (a.family == b.family ? a.identity.address < b.identity.address : a.family->key < b.family->key);
+        return a.link == b.link
+            && (a.family == b.family ? a.identity.address < b.identity.address : a.family->key < b.family->key);
     });
     for (const Running &running : m_operations)
         shot.operations.push_back({running.id, running.device, running.operation->status(), running.update});
@@ -134,7 +135,8 @@ void EngineCore::scan(Link &link)
     watched.scanning = true;
     m_lastScan = m_clock.now();
     touch();
-    m_scope.spawn<std::vector<Device *>>(m_session.scan(link), [this, &link](Result<std::vector<Device *>> devices) { scanned(link, devices); });
+    m_scope.spawn<std::vector<Device *>>(
+        m_session.scan(link), [this, &link](Result<std::vector<Device *>> devices) { scanned(link, devices); });
 }
 
 void EngineCore::scanned(Link &link, const Result<std::vector<Device *>> &devices)
@@ -148,7 +150,8 @@ void EngineCore::scanned(Link &link, const Result<std::vector<Device *>> &device
 
 bool EngineCore::isQuiet() const
 {
-    const bool busy = std::any_of(m_operations.begin(), m_operations.end(), [](const Running &r) { return r.operation->isRunning(); });
+    const bool busy = std::any_of(
+        m_operations.begin(), m_operations.end(), [](const Running &r) { return r.operation->isRunning(); });
     const auto all = m_session.devices();
     return !busy && std::none_of(all.begin(), all.end(), [](const Device *d) { return d->liveness().moving; });
 }
@@ -175,12 +178,15 @@ void EngineCore::refreshRestarted()
         const DeviceId id = m_session.idOf(*device);
         if (!device->liveness().restarted || !device->liveness().heard || hasOperation(id))
             continue;
-        notice(Severity::Caution, labelOf(*device), "the unit restarted: what is volatile was lost, its parameters are read again");
+        notice(Severity::Caution, labelOf(*device),
+            "the unit restarted: what is volatile was lost, its parameters are read again");
         device->parameters().forgetAll();
-        beginSimple(id, "Look at the restarted unit", [](Device &unit, Progress &) { return unit.refresh(); }, [this, id](const Result<void> &result) {
-            if (result)
-                readParameters(id);
-        });
+        beginSimple(
+            id, "Look at the restarted unit", [](Device &unit, Progress &) { return unit.refresh(); },
+            [this, id](const Result<void> &result) {
+                if (result)
+                    readParameters(id);
+            });
     }
 }
 
@@ -198,7 +204,8 @@ void EngineCore::openByItself()
 
 bool EngineCore::hasOperation(DeviceId id) const
 {
-    return std::any_of(m_operations.begin(), m_operations.end(), [id](const Running &r) { return r.device == id && r.operation->isRunning(); });
+    return std::any_of(m_operations.begin(), m_operations.end(),
+        [id](const Running &r) { return r.device == id && r.operation->isRunning(); });
 }
 
 void EngineCore::prune()
@@ -208,8 +215,8 @@ void EngineCore::prune()
 }
 
 template <class T>
-void EngineCore::begin(DeviceId id, const char *title, const std::function<Task<T>(Device &, Progress &)> &make, std::function<void(Running &, Result<T>)> finished,
-    const Finished &refused)
+void EngineCore::begin(DeviceId id, const char *title, const std::function<Task<T>(Device &, Progress &)> &make,
+    std::function<void(Running &, Result<T>)> finished, const Finished &refused)
 {
     Device *device = m_session.find(id);
     if (!device) {
@@ -221,16 +228,19 @@ void EngineCore::begin(DeviceId id, const char *title, const std::function<Task<
         return;
     }
     prune();
-    m_operations.push_back({OperationId {++m_lastOperation}, id, std::make_unique<Operation>(m_clock, title), std::nullopt, 0});
+    m_operations.push_back(
+        {OperationId{++m_lastOperation}, id, std::make_unique<Operation>(m_clock, title), std::nullopt, 0});
     Running &running = m_operations.back();
-    running.operation->run<T>(make(*device, *running.operation), [this, &running, finished = std::move(finished)](Result<T> result) {
-        finished(running, std::move(result));
-        touch();
-    });
+    running.operation->run<T>(
+        make(*device, *running.operation), [this, &running, finished = std::move(finished)](Result<T> result) {
+            finished(running, std::move(result));
+            touch();
+        });
     touch();
 }
 
-void EngineCore::beginSimple(DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished)
+void EngineCore::beginSimple(
+    DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished)
 {
     begin<void>(
         id, title, make,
@@ -245,12 +255,14 @@ void EngineCore::beginSimple(DeviceId id, const char *title, const std::function
 void EngineCore::readParameters(DeviceId id)
 {
     begin<std::vector<TransferOutcome>>(
-        id, "Read parameters", [](Device &device, Progress &progress) { return mb::readParameters(device, readable(device), progress); },
+        id, "Read parameters",
+        [](Device &device, Progress &progress) { return mb::readParameters(device, readable(device), progress); },
         [this, id](Running &running, const Result<std::vector<TransferOutcome>> &outcomes) {
             const Device *device = m_session.find(id);
             if (!device || !outcomes)
                 return;
-            const auto failed = std::count_if(outcomes->begin(), outcomes->end(), [](const TransferOutcome &o) { return !o.raw; });
+            const auto failed
+                = std::count_if(outcomes->begin(), outcomes->end(), [](const TransferOutcome &o) { return !o.raw; });
             const auto missing = readable(*device).size() - outcomes->size() + static_cast<std::size_t>(failed);
             if (missing > 0)
                 notice(Severity::Caution, labelOf(*device), std::to_string(missing) + " parameters gave no answer");
@@ -263,7 +275,8 @@ void EngineCore::readParameters(DeviceId id)
 void EngineCore::writeParameters(DeviceId id, std::vector<ParameterChange> changes, Finished finished)
 {
     begin<std::vector<TransferOutcome>>(
-        id, "Write parameters", [changes](Device &device, Progress &progress) { return mb::writeParameters(device, changes, progress); },
+        id, "Write parameters",
+        [changes](Device &device, Progress &progress) { return mb::writeParameters(device, changes, progress); },
         [this, id, finished](Running &, const Result<std::vector<TransferOutcome>> &outcomes) {
             const Device *device = m_session.find(id);
             Result<void> result;
@@ -272,7 +285,8 @@ void EngineCore::writeParameters(DeviceId id, std::vector<ParameterChange> chang
             else if (!outcomes->empty() && !outcomes->back().raw)
                 result = fail(outcomes->back().raw.error());
             if (device && result)
-                notice(Severity::Good, labelOf(*device), std::to_string(outcomes->size()) + " written, read back and equal");
+                notice(Severity::Good, labelOf(*device),
+                    std::to_string(outcomes->size()) + " written, read back and equal");
             else if (device)
                 notice(Severity::Danger, labelOf(*device), result.error().detail);
             answer(finished, result);
@@ -287,7 +301,8 @@ void EngineCore::storeParameters(DeviceId id, Finished finished)
         [this, id, finished](Running &, const Result<bool> &proved) {
             const Device *device = m_session.find(id);
             if (device && proved)
-                notice(*proved ? Severity::Good : Severity::Caution, labelOf(*device), *proved ? "stored, the flash sequence number advanced" : "stored, not verifiable");
+                notice(*proved ? Severity::Good : Severity::Caution, labelOf(*device),
+                    *proved ? "stored, the flash sequence number advanced" : "stored, not verifiable");
             else if (device)
                 notice(Severity::Danger, labelOf(*device), proved.error().detail);
             answer(finished, proved ? Result<void>() : Result<void>(fail(proved.error())));
@@ -297,30 +312,37 @@ void EngineCore::storeParameters(DeviceId id, Finished finished)
 
 void EngineCore::identify(DeviceId id, Finished finished)
 {
-    beginSimple(id, "Identify", [](Device &device, Progress &) { return device.identify(); }, std::move(finished));
+    beginSimple(
+        id, "Identify", [](Device &device, Progress &) { return device.identify(); }, std::move(finished));
 }
 
 void EngineCore::rename(DeviceId id, const std::string &name, Finished finished)
 {
-    beginSimple(id, "Rename", [name](Device &device, Progress &) { return device.rename(name); }, std::move(finished));
+    beginSimple(
+        id, "Rename", [name](Device &device, Progress &) { return device.rename(name); }, std::move(finished));
 }
 
 void EngineCore::renumber(DeviceId id, int address, Finished finished)
 {
-    beginSimple(id, "Assign number", [address](Device &device, Progress &) { return device.renumber(address); }, std::move(finished));
+    beginSimple(
+        id, "Assign number", [address](Device &device, Progress &) { return device.renumber(address); },
+        std::move(finished));
 }
 
 void EngineCore::clearFaults(DeviceId id, Finished finished)
 {
     begin<std::vector<FaultRecord>>(
         id, "Read and clear faults", [](Device &device, Progress &) { return device.clearFaults(); },
-        [finished](Running &, const Result<std::vector<FaultRecord>> &faults) { answer(finished, faults ? Result<void>() : Result<void>(fail(faults.error()))); },
+        [finished](Running &, const Result<std::vector<FaultRecord>> &faults) {
+            answer(finished, faults ? Result<void>() : Result<void>(fail(faults.error())));
+        },
         finished);
 }
 
 void EngineCore::setRate(DeviceId id, ChannelIndex channel, double hertz)
 {
-    beginSimple(id, "Set telemetry rate", [channel, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); }, {});
+    beginSimple(id, "Set telemetry rate",
+        [channel, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); }, {});
 }
 
 void EngineCore::startMotion(DeviceId id, const SetPoint &setPoint, Duration lease, const Finished &finished)
@@ -383,7 +405,9 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
         [this, id, image](Running &running, Result<UpdateReport> report) {
             Device *device = m_session.find(id);
             if (!report)
-                report = UpdateReport {report.error().fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed, {}, {}, 0, 0, false, report.error().detail, report.error().fault};
+                report = UpdateReport{
+                    report.error().fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed, {}, {},
+                    0, 0, false, report.error().detail, report.error().fault};
             running.update = *report;
             if (!device)
                 return;

@@ -72,9 +72,10 @@ private:
 
     /// Starts a job that has the device for itself; refuses when another one has it. The maker runs at once.
     template <class T>
-    void begin(DeviceId id, const char *title, const std::function<Task<T>(Device &, Progress &)> &make, std::function<void(Running &, Result<T>)> finished,
-        const Finished &refused);
-    void beginSimple(DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished);
+    void begin(DeviceId id, const char *title, const std::function<Task<T>(Device &, Progress &)> &make,
+        std::function<void(Running &, Result<T>)> finished, const Finished &refused);
+    void beginSimple(
+        DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished);
     void watch(Link &link);
     void scan(Link &link);
     void scanned(Link &link, const Result<std::vector<Device *>> &devices);
@@ -84,7 +85,10 @@ private:
     void streamChanged(DeviceId id);
     void prune();
     void touch() { m_changed.notify(); }
-    void notice(Severity severity, const std::string &device, const std::string &text) { m_noticed.notify(severity, device, text); }
+    void notice(Severity severity, const std::string &device, const std::string &text)
+    {
+        m_noticed.notify(severity, device, text);
+    }
     [[nodiscard]] bool isQuiet() const;
     [[nodiscard]] bool hasOperation(DeviceId id) const;
     [[nodiscard]] static std::string labelOf(const Device &device);
@@ -100,7 +104,7 @@ private:
     std::uint32_t m_lastOperation = 0;
     Subscription m_sessionChanged;
     Timer m_look;
-    Instant m_lastScan {};
+    Instant m_lastScan{};
     Scope m_scope; ///< last: its tasks use everything above
 };
 

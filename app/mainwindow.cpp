@@ -34,10 +34,11 @@
 namespace mb {
 namespace {
 
-constexpr std::chrono::seconds messageTime {8};
-constexpr std::chrono::seconds footprintTime {1};
+constexpr std::chrono::seconds messageTime{8};
+constexpr std::chrono::seconds footprintTime{1};
 
-QDockWidget *makeDock(QMainWindow &window, const QString &name, const QString &title, QWidget *content, Qt::DockWidgetArea area)
+QDockWidget *makeDock(
+    QMainWindow &window, const QString &name, const QString &title, QWidget *content, Qt::DockWidgetArea area)
 {
     auto *dock = new QDockWidget(title, &window);
     dock->setObjectName(name);
@@ -93,7 +94,8 @@ void MainWindow::buildHeader()
     menu->addAction(tr("Add link…"), this, [this] { askAddLink(m_workbench, *this); });
     menu->addAction(tr("Open the simulated bench"), this, &MainWindow::openSimulation);
     menu->addSeparator();
-    menu->addAction(tr("Switch between dark and light"), this, &MainWindow::switchTheme, QKeySequence(QStringLiteral("Ctrl+T")));
+    menu->addAction(
+        tr("Switch between dark and light"), this, &MainWindow::switchTheme, QKeySequence(QStringLiteral("Ctrl+T")));
     menu->addSeparator();
     menu->addAction(tr("Quit"), this, &QWidget::close, QKeySequence::Quit);
     m_header->setMenu(menu);
@@ -154,7 +156,8 @@ void MainWindow::buildPages()
 
 void MainWindow::buildInspector()
 {
-    m_inspector = makeDock(*this, QStringLiteral("inspectorDock"), tr("Inspector"), new Inspector(m_workbench, m_selection, m_theme, this), Qt::RightDockWidgetArea);
+    m_inspector = makeDock(*this, QStringLiteral("inspectorDock"), tr("Inspector"),
+        new Inspector(m_workbench, m_selection, m_theme, this), Qt::RightDockWidgetArea);
 }
 
 void MainWindow::buildStatus()
@@ -184,8 +187,10 @@ void MainWindow::buildActions()
         connect(shortcut, &QShortcut::activated, this, [this, i] { m_tabs->setCurrentIndex(i); });
         m_tabs->setTabToolTip(i, tr("%1  Ctrl+%2").arg(m_tabs->tabText(i)).arg(i + 1));
     }
-    connect(new QShortcut(QKeySequence(Qt::Key_F9), this), &QShortcut::activated, this, [this] { m_devices->setVisible(!m_devices->isVisible()); });
-    connect(new QShortcut(QKeySequence(Qt::Key_F10), this), &QShortcut::activated, this, [this] { m_inspector->setVisible(!m_inspector->isVisible()); });
+    connect(new QShortcut(QKeySequence(Qt::Key_F9), this), &QShortcut::activated, this,
+        [this] { m_devices->setVisible(!m_devices->isVisible()); });
+    connect(new QShortcut(QKeySequence(Qt::Key_F10), this), &QShortcut::activated, this,
+        [this] { m_inspector->setVisible(!m_inspector->isVisible()); });
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
         if (state == Qt::ApplicationInactive)
             whenDeactivated();
@@ -258,7 +263,12 @@ void MainWindow::followLinks(const Snapshot &shot)
         else
             chip.load = link.load;
         chip.lost = static_cast<qint64>(link.counters.lost);
-        chip.tooltip = open ? tr("%1: %2 frames received, %3 sent, %4 lost, %5 errors").arg(chip.name).arg(link.counters.rx).arg(link.counters.tx).arg(link.counters.lost).arg(link.counters.errors)
+        chip.tooltip = open ? tr("%1: %2 frames received, %3 sent, %4 lost, %5 errors")
+                                  .arg(chip.name)
+                                  .arg(link.counters.rx)
+                                  .arg(link.counters.tx)
+                                  .arg(link.counters.lost)
+                                  .arg(link.counters.errors)
                             : tableText(link.reason);
         chips.push_back(chip);
         simulated = simulated || link.simulated;
@@ -273,21 +283,25 @@ void MainWindow::followConditions(const Snapshot &shot)
     for (const LinkView &link : shot.links) {
         const QString key = QStringLiteral("link ") + QString::fromStdString(link.address);
         if (link.state == LinkState::Lost)
-            m_banners->post(key, BannerKind::Danger, tr("%1 is lost").arg(QString::fromStdString(link.name)), tableText(link.reason));
+            m_banners->post(key, BannerKind::Danger, tr("%1 is lost").arg(QString::fromStdString(link.name)),
+                tableText(link.reason));
         else
             m_banners->clear(key);
     }
     for (const DeviceView &device : shot.devices) {
         const QString key = QStringLiteral("device %1").arg(device.id.value);
         if (device.liveness.foreignMaster)
-            m_banners->post(key, BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)), tr("Arming is off until it stops sending control frames."));
+            m_banners->post(key, BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)),
+                tr("Arming is off until it stops sending control frames."));
         else if (device.identity.state == DeviceState::Duplicate)
-            m_banners->post(key, BannerKind::Caution, tr("Several units answer as %1").arg(titleOf(device)), tr("Control is locked. Assign one of them a new number from the menu of its row."));
+            m_banners->post(key, BannerKind::Caution, tr("Several units answer as %1").arg(titleOf(device)),
+                tr("Control is locked. Assign one of them a new number from the menu of its row."));
         else
             m_banners->clear(key);
     }
     if (m_arming->state() == LampState::Stopped)
-        m_banners->post(QStringLiteral("stopped"), BannerKind::Danger, tr("Stopped: %1").arg(m_arming->reason()), tr("Hold the lamp for 1 s to arm again."));
+        m_banners->post(QStringLiteral("stopped"), BannerKind::Danger, tr("Stopped: %1").arg(m_arming->reason()),
+            tr("Hold the lamp for 1 s to arm again."));
     else
         m_banners->clear(QStringLiteral("stopped"));
     m_header->setNotices(m_banners->count());
@@ -295,10 +309,15 @@ void MainWindow::followConditions(const Snapshot &shot)
 
 void MainWindow::showNotice(const Notice &notice)
 {
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(notice.time.time_since_epoch() + m_workbench.unixOffset());
+    const auto seconds
+        = std::chrono::duration_cast<std::chrono::seconds>(notice.time.time_since_epoch() + m_workbench.unixOffset());
     const QString time = QDateTime::fromSecsSinceEpoch(seconds.count()).toString(QStringLiteral("HH:mm:ss"));
-    m_message->setText(time + QLatin1Char(' ') + (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text);
-    setTone(*m_message, notice.severity == Severity::Danger ? Tone::Danger : notice.severity == Severity::Caution ? Tone::Caution : Tone::Text);
+    m_message->setText(time + QLatin1Char(' ')
+        + (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text);
+    setTone(*m_message,
+        notice.severity == Severity::Danger        ? Tone::Danger
+            : notice.severity == Severity::Caution ? Tone::Caution
+                                                   : Tone::Text);
     if (notice.severity == Severity::Danger)
         m_messageTime.stop();
     else
@@ -315,7 +334,9 @@ void MainWindow::showFootprint()
             lost += device.telemetry->lost({i});
         }
     }
-    m_footprint->setText(tr("samples %1   lost %2   memory %3").arg(formatCount(static_cast<qint64>(samples)), formatCount(static_cast<qint64>(lost)), formatBytes(residentBytes())));
+    m_footprint->setText(tr("samples %1   lost %2   memory %3")
+                             .arg(formatCount(static_cast<qint64>(samples)), formatCount(static_cast<qint64>(lost)),
+                                 formatBytes(residentBytes())));
 }
 
 void MainWindow::whenDeactivated()

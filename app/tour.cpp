@@ -13,7 +13,7 @@
 namespace mb {
 namespace {
 
-constexpr std::chrono::milliseconds pollTime {20};
+constexpr std::chrono::milliseconds pollTime{20};
 constexpr int tuned = 5;
 constexpr int overshooting = 7;
 constexpr int inBootloader = 9;
@@ -35,7 +35,8 @@ void Tour::start()
 {
     if (!m_folder.mkpath(QStringLiteral("."))) {
         std::fprintf(stderr, "motorbench: %s cannot be made\n", qPrintable(m_folder.path()));
-        QMetaObject::invokeMethod(qApp, [] { QCoreApplication::exit(2); }, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            qApp, [] { QCoreApplication::exit(2); }, Qt::QueuedConnection);
         return;
     }
     plan();
@@ -46,37 +47,46 @@ void Tour::start()
 const DeviceView *Tour::device(int address) const
 {
     const auto &devices = m_workbench.snapshot().devices;
-    const auto found = std::find_if(devices.begin(), devices.end(), [address](const DeviceView &d) { return d.identity.address == address; });
+    const auto found = std::find_if(
+        devices.begin(), devices.end(), [address](const DeviceView &d) { return d.identity.address == address; });
     return found == devices.end() ? nullptr : &*found;
 }
 
-void Tour::add(const QString &name, std::function<void()> act, std::function<bool()> done, std::chrono::milliseconds limit)
+void Tour::add(
+    const QString &name, std::function<void()> act, std::function<bool()> done, std::chrono::milliseconds limit)
 {
     m_steps.push_back({name, std::move(act), std::move(done), limit});
 }
 
 void Tour::pause(std::chrono::milliseconds time)
 {
-    add(QStringLiteral("wait"), [] {}, [this, time] { return m_workbench.now() - m_begunAt >= time; }, time + std::chrono::seconds(10));
+    add(
+        QStringLiteral("wait"), [] {}, [this, time] { return m_workbench.now() - m_begunAt >= time; },
+        time + std::chrono::seconds(10));
 }
 
 void Tour::picture(const QString &name)
 {
     // A step for each: a theme takes its time, and the window must be able to renew a motion lease in between.
     const Theme before = m_theme.theme();
-    add(name, [this] { ++m_pictures; }, [] { return true; });
+    add(
+        name, [this] { ++m_pictures; }, [] { return true; });
     for (const bool dark : {true, false}) {
         const Theme theme = dark ? darkTheme(before.bodyPointSize) : lightTheme(before.bodyPointSize);
-        add(name, [this, theme] { m_theme.setTheme(theme); }, [] { return true; });
-        add(name, [this, name, dark] { save(name, dark); }, [] { return true; });
+        add(
+            name, [this, theme] { m_theme.setTheme(theme); }, [] { return true; });
+        add(
+            name, [this, name, dark] { save(name, dark); }, [] { return true; });
     }
-    add(name, [this, before] { m_theme.setTheme(before); }, [] { return true; });
+    add(
+        name, [this, before] { m_theme.setTheme(before); }, [] { return true; });
 }
 
 void Tour::save(const QString &name, bool dark)
 {
     const QString number = QStringLiteral("%1").arg(m_pictures, 2, 10, QLatin1Char('0'));
-    const QString file = QStringLiteral("%1-%2-%3.png").arg(number, name, dark ? QStringLiteral("dark") : QStringLiteral("light"));
+    const QString file
+        = QStringLiteral("%1-%2-%3.png").arg(number, name, dark ? QStringLiteral("dark") : QStringLiteral("light"));
     if (!m_window.grab().save(m_folder.filePath(file))) {
         std::fprintf(stderr, "motorbench: %s cannot be written\n", qPrintable(m_folder.filePath(file)));
         finish(1);
@@ -116,38 +126,48 @@ void Tour::plan()
 
 void Tour::planOverview()
 {
-    add(QStringLiteral("find the bench"), [] {}, [this] {
-        const DeviceView *first = device(tuned);
-        return first && device(overshooting) && device(inBootloader) && first->liveness.heard && !first->identity.serial.empty();
-    });
-    add(QStringLiteral("select"), [this] { m_window.selection().select(device(tuned)->id); }, [] { return true; });
+    add(
+        QStringLiteral("find the bench"), [] {},
+        [this] {
+            const DeviceView *first = device(tuned);
+            return first && device(overshooting) && device(inBootloader) && first->liveness.heard
+                && !first->identity.serial.empty();
+        });
+    add(
+        QStringLiteral("select"), [this] { m_window.selection().select(device(tuned)->id); }, [] { return true; });
     pause(std::chrono::milliseconds(1500));
     picture(QStringLiteral("overview"));
 }
 
 void Tour::planParameters()
 {
-    add(QStringLiteral("read parameters"), [this] { m_window.showPage(PageId::Parameters); }, [this] {
-        const auto &entries = device(tuned)->parameters;
-        return std::all_of(entries.begin(), entries.end(), [](const ParameterStore::Entry &e) { return e.raw.has_value(); });
-    });
+    add(
+        QStringLiteral("read parameters"), [this] { m_window.showPage(PageId::Parameters); },
+        [this] {
+            const auto &entries = device(tuned)->parameters;
+            return std::all_of(
+                entries.begin(), entries.end(), [](const ParameterStore::Entry &e) { return e.raw.has_value(); });
+        });
     pause(std::chrono::milliseconds(300));
     picture(QStringLiteral("parameters"));
 }
 
 void Tour::planMotion()
 {
-    add(QStringLiteral("arm"),
+    add(
+        QStringLiteral("arm"),
         [this] {
             m_window.showPage(PageId::Tune);
             m_window.arming().arm(device(tuned)->id);
         },
         [this] { return m_window.arming().isArmed(device(tuned)->id); });
     pause(std::chrono::milliseconds(1000));
-    add(QStringLiteral("velocity step"), [this] { drive(); }, [this] { return isAtSpeed(); });
+    add(
+        QStringLiteral("velocity step"), [this] { drive(); }, [this] { return isAtSpeed(); });
     pause(std::chrono::milliseconds(1500));
     picture(QStringLiteral("tune"));
-    add(QStringLiteral("plots"),
+    add(
+        QStringLiteral("plots"),
         [this] {
             m_window.showPage(PageId::Plots);
             drive();
@@ -155,16 +175,20 @@ void Tour::planMotion()
         [this] { return isAtSpeed(); });
     pause(std::chrono::milliseconds(1500));
     picture(QStringLiteral("plots"));
-    add(QStringLiteral("bus"), [this] { m_window.showPage(PageId::Bus); }, [] { return true; });
+    add(
+        QStringLiteral("bus"), [this] { m_window.showPage(PageId::Bus); }, [] { return true; });
     pause(std::chrono::milliseconds(1000));
     picture(QStringLiteral("bus"));
-    add(QStringLiteral("stop"), [this] { m_window.arming().stopAll(tr("tour")); }, [this] { return !device(tuned)->liveness.moving; });
+    add(
+        QStringLiteral("stop"), [this] { m_window.arming().stopAll(tr("tour")); },
+        [this] { return !device(tuned)->liveness.moving; });
     picture(QStringLiteral("stopped"));
 }
 
 void Tour::planFirmware()
 {
-    add(QStringLiteral("update"),
+    add(
+        QStringLiteral("update"),
         [this] {
             m_window.selection().select(device(inBootloader)->id);
             m_window.showPage(PageId::Firmware);
@@ -174,22 +198,28 @@ void Tour::planFirmware()
         },
         [this] {
             const OperationView *operation = m_workbench.snapshot().operation(device(inBootloader)->id);
-            const auto &parts = operation ? operation->status.parts : std::map<int, PartState> {};
-            return std::count_if(parts.begin(), parts.end(), [](const auto &part) { return part.second == PartState::Done; }) >= 15;
+            const auto &parts = operation ? operation->status.parts : std::map<int, PartState>{};
+            return std::count_if(parts.begin(), parts.end(), [](const auto &part) {
+                return part.second == PartState::Done;
+            }) >= 15;
         },
         std::chrono::seconds(60));
     picture(QStringLiteral("firmware-running"));
-    add(QStringLiteral("update to the end"), [] {}, [this] {
-        const OperationView *operation = m_workbench.snapshot().operation(device(inBootloader)->id);
-        return operation && operation->update && operation->update->outcome == UpdateOutcome::Done;
-    }, std::chrono::seconds(60));
+    add(
+        QStringLiteral("update to the end"), [] {},
+        [this] {
+            const OperationView *operation = m_workbench.snapshot().operation(device(inBootloader)->id);
+            return operation && operation->update && operation->update->outcome == UpdateOutcome::Done;
+        },
+        std::chrono::seconds(60));
     pause(std::chrono::milliseconds(500));
     picture(QStringLiteral("firmware"));
 }
 
 void Tour::planEnd()
 {
-    add(QStringLiteral("log"), [this] { m_window.showPage(PageId::Log); }, [] { return true; });
+    add(
+        QStringLiteral("log"), [this] { m_window.showPage(PageId::Log); }, [] { return true; });
     pause(std::chrono::milliseconds(200));
     picture(QStringLiteral("log"));
 }

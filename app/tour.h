@@ -34,7 +34,8 @@ private:
     void planFirmware();
     void planEnd();
     /// Waits until `done`.
-    void add(const QString &name, std::function<void()> act, std::function<bool()> done, std::chrono::milliseconds limit = std::chrono::seconds(20));
+    void add(const QString &name, std::function<void()> act, std::function<bool()> done,
+        std::chrono::milliseconds limit = std::chrono::seconds(20));
     /// Lets `time` pass, so that live pages have something to show.
     void pause(std::chrono::milliseconds time);
     /// A picture of the window in the present theme, and one in the other.
@@ -53,7 +54,7 @@ private:
     QDir m_folder;
     std::vector<Step> m_steps;
     std::size_t m_current = 0;
-    Instant m_begunAt {};
+    Instant m_begunAt{};
     QTimer m_poll;
     int m_pictures = 0;
 };

@@ -13,12 +13,9 @@ namespace {
 std::string_view accessName(Access access)
 {
     switch (access) {
-    case Access::ReadOnly:
-        return "ro";
-    case Access::ReadWrite:
-        return "rw";
-    case Access::WriteOnly:
-        return "wo";
+    case Access::ReadOnly: return "ro";
+    case Access::ReadWrite: return "rw";
+    case Access::WriteOnly: return "wo";
     }
     return "";
 }

@@ -5,7 +5,7 @@ namespace mb {
 
 Clock::Key Clock::arm(Instant deadline, std::function<void()> work)
 {
-    const Key key {deadline, ++m_sequence};
+    const Key key{deadline, ++m_sequence};
     m_queue.emplace(key, std::move(work));
     rescheduled();
     return key;

@@ -69,7 +69,7 @@ public:
 
 private:
     Clock &m_clock;
-    Clock::Key m_key {};
+    Clock::Key m_key{};
     bool m_active = false;
 };
 

@@ -57,7 +57,7 @@ public:
     Subscription add(Callback callback)
     {
         auto &entries = m_state->entries;
-        const auto entry = entries.insert(entries.end(), Entry {std::move(callback), true});
+        const auto entry = entries.insert(entries.end(), Entry{std::move(callback), true});
         ++m_state->alive;
         return Subscription([weak = std::weak_ptr<State>(m_state), entry] {
             if (const auto state = weak.lock())

@@ -34,7 +34,7 @@ public:
     AnyPromise &operator=(const AnyPromise &) = delete;
 
     std::suspend_always initial_suspend() noexcept { return {}; }
-    Final final_suspend() noexcept { return Final {*this}; }
+    Final final_suspend() noexcept { return Final{*this}; }
     void unhandled_exception() noexcept { std::terminate(); }
 
     virtual void failWith(const Error &error) noexcept = 0;
@@ -153,12 +153,12 @@ public:
             handle.destroy();
     }
 
-    auto operator co_await() && noexcept { return detail::TaskAwaiter<T, true> {m_handle}; }
+    auto operator co_await() &&noexcept { return detail::TaskAwaiter<T, true>{m_handle}; }
     struct Attempt {
         std::coroutine_handle<promise_type> &handle;
-        auto operator co_await() && noexcept { return detail::TaskAwaiter<T, false> {handle}; }
+        auto operator co_await() &&noexcept { return detail::TaskAwaiter<T, false>{handle}; }
     };
-    [[nodiscard]] Attempt attempt() && noexcept { return Attempt {m_handle}; }
+    [[nodiscard]] Attempt attempt() &&noexcept { return Attempt{m_handle}; }
 
 private:
     std::coroutine_handle<promise_type> m_handle;
@@ -166,7 +166,7 @@ private:
 
 template <class T> Task<T> detail::Promise<T>::get_return_object() noexcept
 {
-    return Task<T> {std::coroutine_handle<Promise>::from_promise(*this)};
+    return Task<T>{std::coroutine_handle<Promise>::from_promise(*this)};
 }
 
 } // namespace mb

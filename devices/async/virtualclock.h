@@ -19,7 +19,7 @@ public:
     bool runUntil(const std::function<bool()> &done, Duration limit = std::chrono::hours(1));
 
 private:
-    Instant m_now {};
+    Instant m_now{};
 };
 
 } // namespace mb

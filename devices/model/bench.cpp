@@ -22,7 +22,7 @@ struct BenchOptions {
 template <class T> bool parse(std::string_view text, T &out)
 {
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), out);
-    return parsed.ec == std::errc {} && parsed.ptr == text.data() + text.size();
+    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size();
 }
 
 Result<BenchOptions> parseOptions(const LinkAddress &address)
@@ -43,7 +43,8 @@ Result<BenchOptions> parseOptions(const LinkAddress &address)
             options.faults.push_back(*fault);
             good = true;
         } else {
-            return fail(Fault::OutOfRange, "unknown option '" + key + "' of a simulated link; seed, loss, bitrate and fault are known");
+            return fail(Fault::OutOfRange,
+                "unknown option '" + key + "' of a simulated link; seed, loss, bitrate and fault are known");
         }
         if (!good)
             return fail(Fault::OutOfRange, "link option " + key + "=" + value + " is out of range");
@@ -62,7 +63,8 @@ Bench::Bench(LinkAddress address, Clock &clock, int bitrate, std::uint64_t seed)
 {
 }
 
-Result<std::unique_ptr<Bench>> Bench::create(const LinkAddress &address, Clock &clock, std::span<const Family *const> families)
+Result<std::unique_ptr<Bench>> Bench::create(
+    const LinkAddress &address, Clock &clock, std::span<const Family *const> families)
 {
     if (address.path != "can")
         return fail(Fault::Unsupported, "this build simulates no devices on sim:" + address.path);
@@ -136,7 +138,8 @@ std::vector<LinkAddress> expandLink(const LinkAddress &address, std::span<const 
         return {address};
     std::vector<LinkAddress> all;
     for (const LinkKind kind : {LinkKind::Can, LinkKind::Serial, LinkKind::Spi}) {
-        const bool any = std::any_of(families.begin(), families.end(), [kind](const Family *f) { return !f->bench.empty() && serves(*f, kind); });
+        const bool any = std::any_of(families.begin(), families.end(),
+            [kind](const Family *f) { return !f->bench.empty() && serves(*f, kind); });
         if (any)
             all.push_back({address.scheme, std::string(toString(kind)), address.options});
     }

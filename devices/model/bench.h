@@ -14,7 +14,8 @@ namespace mb {
 class Bench {
 public:
     /// OutOfRange when an option does not parse; Unsupported when no family has units for such a link.
-    [[nodiscard]] static Result<std::unique_ptr<Bench>> create(const LinkAddress &address, Clock &clock, std::span<const Family *const> families);
+    [[nodiscard]] static Result<std::unique_ptr<Bench>> create(
+        const LinkAddress &address, Clock &clock, std::span<const Family *const> families);
 
     /// The host's end of the bus; the bench outlives it.
     [[nodiscard]] std::unique_ptr<Link> hostLink();
@@ -22,7 +23,8 @@ public:
 
 private:
     Bench(LinkAddress address, Clock &clock, int bitrate, std::uint64_t seed);
-    [[nodiscard]] Result<void> populate(std::span<const Family *const> families, const std::vector<SimulatedFault> &faults);
+    [[nodiscard]] Result<void> populate(
+        std::span<const Family *const> families, const std::vector<SimulatedFault> &faults);
     [[nodiscard]] Result<void> addUnit(const Family &family, SimulatedUnit unit);
 
     LinkAddress m_address;

@@ -36,7 +36,8 @@ void Device::setLiveness(const Liveness &liveness)
 Task<std::int64_t> Device::read(ParameterIndex index)
 {
     if (m_parameters.parameter(index).access == Access::WriteOnly)
-        co_return fail(Fault::Unsupported, std::string(m_parameters.parameter(index).key) + " cannot be read from the device");
+        co_return fail(
+            Fault::Unsupported, std::string(m_parameters.parameter(index).key) + " cannot be read from the device");
     auto task = doRead(index);
     const Result<std::int64_t> raw = co_await std::move(task).attempt();
     if (raw)
@@ -66,7 +67,9 @@ Result<void> Device::mayMove() const
         return fail(Fault::LinkLost, m_link.address().shortName() + ": " + m_link.reason());
     switch (m_identity.state) {
     case DeviceState::Duplicate:
-        return fail(Fault::Unsafe, "several units answer as number " + std::to_string(m_identity.address) + "; control is locked until one has another number");
+        return fail(Fault::Unsafe,
+            "several units answer as number " + std::to_string(m_identity.address)
+                + "; control is locked until one has another number");
     case DeviceState::Unassigned:
         return fail(Fault::Unsafe, "this unit has no number yet; assign one before it is driven");
     case DeviceState::Bootloader:

@@ -24,11 +24,11 @@ struct FaultRecord {
 
 /// Whether the device is heard, and whether it moves.
 struct Liveness {
-    bool heard = false; ///< its telemetry is up to date
-    bool moving = false; ///< its output is on, or its shaft turns
-    std::optional<Mode> mode; ///< as the device reports it
-    bool foreignMaster = false; ///< somebody else sends it control frames
-    bool restarted = false; ///< it was reset or changed its session since it was opened; read it again
+    bool heard = false;              ///< its telemetry is up to date
+    bool moving = false;             ///< its output is on, or its shaft turns
+    std::optional<Mode> mode;        ///< as the device reports it
+    bool foreignMaster = false;      ///< somebody else sends it control frames
+    bool restarted = false;          ///< it was reset or changed its session since it was opened; read it again
     std::vector<std::string> faults; ///< keys of the faults it reports in its telemetry
 
     friend bool operator==(const Liveness &, const Liveness &) = default;
@@ -123,7 +123,7 @@ private:
     Liveness m_liveness;
     Listeners<> m_changed;
     std::string m_busy;
-    Instant m_stoppedAt {};
+    Instant m_stoppedAt{};
 };
 
 } // namespace mb

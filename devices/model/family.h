@@ -11,16 +11,17 @@ namespace mb {
 
 /// What a device of this family can do; each has its clause in the contract test.
 struct Capabilities {
-    bool readback = true; ///< parameters can be read
-    bool watchdog = false; ///< the device stops by itself when nobody commands it
+    bool readback = true;      ///< parameters can be read
+    bool watchdog = false;     ///< the device stops by itself when nobody commands it
     bool versionOnWire = true; ///< the device tells its firmware version
-    bool identify = false; ///< it can blink
+    bool identify = false;     ///< it can blink
     bool rename = false;
     bool renumber = false;
     int axes = 1;
     int gainSlots = 1;
-    std::chrono::milliseconds commandPeriod {20}; ///< between control frames of a running motor
-    std::chrono::seconds storesAfter {0}; ///< flash has what RAM has this long after the last write; 0: only when told to
+    std::chrono::milliseconds commandPeriod{20}; ///< between control frames of a running motor
+    std::chrono::seconds storesAfter{
+        0}; ///< flash has what RAM has this long after the last write; 0: only when told to
 };
 
 /// One decoded frame of `decode` and the Bus page. Names are those of the protocol's tables.
@@ -48,7 +49,7 @@ public:
 
 struct UpdateOptions {
     bool dryRun = false; ///< preflight only
-    bool force = false; ///< write even if the version is the same
+    bool force = false;  ///< write even if the version is the same
     std::string via;
     std::string target;
 };
@@ -59,18 +60,18 @@ enum class UpdateOutcome { Done, UpToDate, Refused, Failed, Cancelled };
 struct UpdateReport {
     UpdateOutcome outcome = UpdateOutcome::Failed;
     std::string from; ///< version before, empty when there was none
-    std::string to; ///< version that the device reports now
-    int pages = 0; ///< written and accepted
+    std::string to;   ///< version that the device reports now
+    int pages = 0;    ///< written and accepted
     int retries = 0;
-    bool verified = false; ///< the device answered with the version of the image
-    std::string evidence; ///< what proves it, or what went wrong and what to do
+    bool verified = false;      ///< the device answered with the version of the image
+    std::string evidence;       ///< what proves it, or what went wrong and what to do
     std::optional<Fault> fault; ///< of Failed
 };
 
 /// What an image would do, without a device.
 struct ImageSummary {
     std::string version;
-    std::vector<int> parts; ///< pages in the order they are written
+    std::vector<int> parts;          ///< pages in the order they are written
     std::optional<int> criticalPart; ///< power must not fail while this one is written
     std::vector<std::string> notes;
 };

@@ -12,7 +12,7 @@ std::optional<int> parseInt(std::string_view text, int base)
 {
     int value = 0;
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value, base);
-    if (parsed.ec != std::errc {} || parsed.ptr != text.data() + text.size() || value < 0)
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || value < 0)
         return std::nullopt;
     return value;
 }
@@ -33,7 +33,8 @@ std::string_view toString(DeviceState state)
 Result<DeviceSelector> DeviceSelector::parse(std::string_view text)
 {
     const auto bad = [text] {
-        return fail(Fault::OutOfRange, "'" + std::string(text) + "' is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5");
+        return fail(Fault::OutOfRange,
+            "'" + std::string(text) + "' is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5");
     };
     const auto slash = text.find_last_of('/');
     if (slash == std::string_view::npos)
@@ -49,7 +50,7 @@ Result<DeviceSelector> DeviceSelector::parse(std::string_view text)
     const auto address = parseInt(device.substr(colon + 1, at == std::string_view::npos ? at : at - colon - 1), 10);
     if (!address)
         return bad();
-    DeviceSelector selector {std::move(*link), std::string(device.substr(0, colon)), *address, std::nullopt};
+    DeviceSelector selector{std::move(*link), std::string(device.substr(0, colon)), *address, std::nullopt};
     if (at != std::string_view::npos) {
         selector.session = parseInt(device.substr(at + 1), 16);
         if (!selector.session)
@@ -62,7 +63,7 @@ std::string DeviceSelector::text() const
 {
     std::string out = link.text() + '/' + family + ':' + std::to_string(address);
     if (session) {
-        std::array<char, 16> hex {};
+        std::array<char, 16> hex{};
         std::snprintf(hex.data(), hex.size(), "@%04x", static_cast<unsigned>(*session));
         out += hex.data();
     }
@@ -71,7 +72,7 @@ std::string DeviceSelector::text() const
 
 DeviceSelector selectorOf(const LinkAddress &link, const Identity &identity)
 {
-    DeviceSelector selector {link, identity.family, identity.address, std::nullopt};
+    DeviceSelector selector{link, identity.family, identity.address, std::nullopt};
     if (identity.state == DeviceState::Duplicate)
         selector.session = identity.session;
     return selector;

@@ -62,7 +62,8 @@ void Operation::ended(const Error *error)
     m_status.state = OperationStatus::State::Done;
     if (error) {
         m_status.error = *error;
-        m_status.state = error->fault == Fault::Cancelled ? OperationStatus::State::Cancelled : OperationStatus::State::Failed;
+        m_status.state
+            = error->fault == Fault::Cancelled ? OperationStatus::State::Cancelled : OperationStatus::State::Failed;
     }
     ++m_revision;
 }

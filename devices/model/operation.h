@@ -14,7 +14,7 @@
 namespace mb {
 
 struct LogLine {
-    Instant time {};
+    Instant time{};
     Severity severity = Severity::Info;
     std::string text;
 };
@@ -27,8 +27,8 @@ struct OperationStatus {
     std::string step;
     int done = 0;
     int total = 0;
-    Instant startedAt {};
-    Instant endedAt {};
+    Instant startedAt{};
+    Instant endedAt{};
     bool mayInterrupt = true;
     std::map<int, PartState> parts;
     std::vector<LogLine> log;

@@ -20,13 +20,13 @@ std::optional<double> parseNumber(std::string text)
     if (text.starts_with("0x") || text.starts_with("0X")) {
         std::uint64_t value = 0;
         const auto parsed = std::from_chars(text.data() + 2, text.data() + text.size(), value, 16);
-        if (parsed.ec != std::errc {} || parsed.ptr != text.data() + text.size() || value > 0xFFFFFFFFULL)
+        if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || value > 0xFFFFFFFFULL)
             return std::nullopt;
         return static_cast<double>(value);
     }
     double value = 0.0;
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (parsed.ec != std::errc {} || parsed.ptr != text.data() + text.size() || !std::isfinite(value))
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !std::isfinite(value))
         return std::nullopt;
     return value;
 }
@@ -52,7 +52,7 @@ std::optional<ParameterIndex> findParameter(std::span<const Parameter> table, st
     const auto found = std::find_if(table.begin(), table.end(), [key](const Parameter &p) { return p.key == key; });
     if (found == table.end())
         return std::nullopt;
-    return ParameterIndex {static_cast<std::uint16_t>(found - table.begin())};
+    return ParameterIndex{static_cast<std::uint16_t>(found - table.begin())};
 }
 
 std::string_view typeName(const Parameter &parameter)
@@ -78,9 +78,13 @@ Result<std::int64_t> toRaw(const Parameter &parameter, double number)
     if (!std::isfinite(number))
         return fail(Fault::OutOfRange, key + " needs a number");
     if (number > parameter.maximum)
-        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is above " + numberText(parameter.maximum) + "; legal is " + rangeText(parameter));
+        return fail(Fault::OutOfRange,
+            key + ": " + numberText(number) + " is above " + numberText(parameter.maximum) + "; legal is "
+                + rangeText(parameter));
     if (number < parameter.minimum)
-        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is below " + numberText(parameter.minimum) + "; legal is " + rangeText(parameter));
+        return fail(Fault::OutOfRange,
+            key + ": " + numberText(number) + " is below " + numberText(parameter.minimum) + "; legal is "
+                + rangeText(parameter));
     if (parameter.one == 1.0 && number != std::floor(number))
         return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is not a whole number");
     const RawRange wire = rangeOf(parameter.type);
@@ -95,7 +99,8 @@ Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text)
             return choice.raw;
     }
     if (parameter.type == WireType::Boolean) {
-        std::transform(word.begin(), word.end(), word.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+        std::transform(word.begin(), word.end(), word.begin(),
+            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
         if (word == "on" || word == "true" || word == "yes" || word == "1")
             return 1;
         if (word == "off" || word == "false" || word == "no" || word == "0")
@@ -110,7 +115,7 @@ Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text)
 
 std::string numberText(double number)
 {
-    std::array<char, 64> buffer {};
+    std::array<char, 64> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number == 0.0 ? 0.0 : number,
         std::abs(number) >= 1e-6 && std::abs(number) < 1e15 ? std::chars_format::fixed : std::chars_format::general);
     return number == 0.0 ? "0" : std::string(buffer.data(), end.ptr);
@@ -123,9 +128,10 @@ std::string toText(const Parameter &parameter, std::int64_t raw)
     const double value = fromFixed(raw, parameter.one);
     if (parameter.one == 1.0)
         return numberText(value);
-    std::array<char, 64> buffer {};
+    std::array<char, 64> buffer{};
     for (int digits = 0; digits < 12; ++digits) {
-        const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
+        const auto end
+            = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
         double back = 0.0;
         std::from_chars(buffer.data(), end.ptr, back);
         if (toFixed(back, parameter.one) == raw)

@@ -43,7 +43,7 @@ enum class Access : std::uint8_t { ReadOnly, ReadWrite, WriteOnly };
 /// What is special about a parameter, for everybody who must not treat it like a setting.
 enum class Nature : std::uint8_t {
     Setting,
-    Live, ///< moves by itself: a read-back may differ from what was written, and it is never restored from a file
+    Live,    ///< moves by itself: a read-back may differ from what was written, and it is never restored from a file
     Counter, ///< reading it through a write clears it; never verified, never restored from a file
 };
 
@@ -63,7 +63,7 @@ struct Parameter {
     std::string_view key; ///< stable, released keys never change (product.md)
     std::uint16_t id = 0; ///< number on the wire
     WireType type = WireType::Int32;
-    double one = 1.0; ///< raw value of 1.0: 65536 for 16.16
+    double one = 1.0;      ///< raw value of 1.0: 65536 for 16.16
     std::string_view unit; ///< empty for a bare number
     double minimum = 0.0;
     double maximum = 0.0;
@@ -74,7 +74,7 @@ struct Parameter {
     std::string_view group; ///< English; widgets translate it
     std::string_view label;
     std::string_view help;
-    std::span<const Choice> choices {};
+    std::span<const Choice> choices{};
 };
 
 /// Every row has a key and an id of its own, a default inside its range, and a range that its wire type can carry.

@@ -30,7 +30,8 @@ Result<std::int64_t> rawFrom(const Parameter &parameter, const QJsonObject &row)
     const std::string key(parameter.key);
     if (raw.isDouble()) {
         const double number = raw.toDouble();
-        if (number != std::floor(number) || number < parameter.minimum * parameter.one - 0.5 || number > parameter.maximum * parameter.one + 0.5)
+        if (number != std::floor(number) || number < parameter.minimum * parameter.one - 0.5
+            || number > parameter.maximum * parameter.one + 0.5)
             return fail(Fault::OutOfRange, key + ": raw value " + numberText(number) + " is out of range");
         return static_cast<std::int64_t>(number);
     }
@@ -117,10 +118,12 @@ std::optional<std::string> familyOf(const QByteArray &bytes)
 
 Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &family)
 {
-    QJsonParseError error {};
+    QJsonParseError error{};
     const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
     if (!document.isObject()) {
-        const std::string why = document.isNull() ? error.errorString().toStdString() + " at byte " + std::to_string(error.offset) : "no object at the top";
+        const std::string why = document.isNull()
+            ? error.errorString().toStdString() + " at byte " + std::to_string(error.offset)
+            : "no object at the top";
         return fail(Fault::OutOfRange, "not a parameter file: " + why);
     }
     const QJsonObject object = document.object();
@@ -130,7 +133,8 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
     file.serial = object.value(QLatin1String("serial")).toString().toStdString();
     file.firmware = object.value(QLatin1String("firmware")).toString().toStdString();
     if (file.family != family.key)
-        return fail(Fault::OutOfRange, "the file is for family '" + file.family + "', the device is a " + std::string(family.key));
+        return fail(Fault::OutOfRange,
+            "the file is for family '" + file.family + "', the device is a " + std::string(family.key));
     const QJsonValue rows = object.value(QLatin1String("parameters"));
     if (!rows.isObject())
         return fail(Fault::OutOfRange, "not a parameter file: it has no \"parameters\"");
@@ -139,7 +143,8 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
         if (auto taken = takeRow(family, row.key(), row.value(), file); !taken)
             return fail(taken.error());
     }
-    std::sort(file.values.begin(), file.values.end(), [](const ParameterChange &a, const ParameterChange &b) { return a.index < b.index; });
+    std::sort(file.values.begin(), file.values.end(),
+        [](const ParameterChange &a, const ParameterChange &b) { return a.index < b.index; });
     return file;
 }
 

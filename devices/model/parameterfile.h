@@ -32,7 +32,7 @@ struct ParameterFile {
     std::string serial;
     std::string firmware;
     std::vector<ParameterChange> values; ///< in table order; raw wins over value where both are given
-    std::vector<std::string> notes; ///< rows that were left out and why: unknown keys, unknown values
+    std::vector<std::string> notes;      ///< rows that were left out and why: unknown keys, unknown values
 };
 
 /// The family that the file says it is for; nothing when it is no such file.

@@ -62,7 +62,7 @@ void ParameterStore::forgetVolatile()
 
 void ParameterStore::forgetAll()
 {
-    std::fill(m_entries.begin(), m_entries.end(), Entry {});
+    std::fill(m_entries.begin(), m_entries.end(), Entry{});
     touch();
 }
 

@@ -10,12 +10,12 @@ namespace mb {
 
 /// How far a value can be trusted, and whether it outlives the power.
 enum class ParameterState : std::uint8_t {
-    Unknown, ///< never read
-    Stored, ///< read from the device, and nothing written since that flash may not have
-    Ram, ///< written and in force, not yet proved to be in flash
+    Unknown,  ///< never read
+    Stored,   ///< read from the device, and nothing written since that flash may not have
+    Ram,      ///< written and in force, not yet proved to be in flash
     Volatile, ///< in force; the device never keeps it
-    Assumed, ///< last written to a device that cannot be asked
-    Failed, ///< the last read had no answer, or an error
+    Assumed,  ///< last written to a device that cannot be asked
+    Failed,   ///< the last read had no answer, or an error
 };
 
 [[nodiscard]] std::string_view toString(ParameterState state);

@@ -14,12 +14,14 @@ std::vector<ParameterIndex> readable(const Device &device)
     return indices;
 }
 
-Task<std::vector<TransferOutcome>> readParameters(Device &device, std::vector<ParameterIndex> indices, Progress &progress)
+Task<std::vector<TransferOutcome>> readParameters(
+    Device &device, std::vector<ParameterIndex> indices, Progress &progress)
 {
     std::vector<TransferOutcome> outcomes;
     const int total = static_cast<int>(indices.size());
     for (const ParameterIndex index : indices) {
-        progress.step("Reading " + std::string(device.parameters().parameter(index).key), static_cast<int>(outcomes.size()), total);
+        progress.step("Reading " + std::string(device.parameters().parameter(index).key),
+            static_cast<int>(outcomes.size()), total);
         auto task = device.read(index);
         Result<std::int64_t> raw = co_await std::move(task).attempt();
         const bool lost = !raw && raw.error().fault == Fault::LinkLost;
@@ -36,7 +38,7 @@ namespace {
 Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
 {
     const Parameter &parameter = device.parameters().parameter(change.index);
-    TransferOutcome outcome {change.index, 0, std::nullopt};
+    TransferOutcome outcome{change.index, 0, std::nullopt};
     auto write = device.write(change.index, change.raw);
     outcome.raw = co_await std::move(write).attempt();
     if (!outcome.raw || parameter.access == Access::WriteOnly || parameter.nature == Nature::Counter)
@@ -50,13 +52,16 @@ Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
     outcome.raw = *back;
     outcome.verified = parameter.nature == Nature::Live || *back == change.raw;
     if (!*outcome.verified)
-        outcome.raw = fail(Fault::BadCheck, std::string(parameter.key) + " was written as " + toText(parameter, change.raw) + " but reads " + toText(parameter, *back));
+        outcome.raw = fail(Fault::BadCheck,
+            std::string(parameter.key) + " was written as " + toText(parameter, change.raw) + " but reads "
+                + toText(parameter, *back));
     co_return outcome;
 }
 
 } // namespace
 
-Task<std::vector<TransferOutcome>> writeParameters(Device &device, std::vector<ParameterChange> changes, Progress &progress)
+Task<std::vector<TransferOutcome>> writeParameters(
+    Device &device, std::vector<ParameterChange> changes, Progress &progress)
 {
     std::vector<TransferOutcome> outcomes;
     const int total = static_cast<int>(changes.size());

@@ -14,7 +14,7 @@ struct ParameterChange {
 
 struct TransferOutcome {
     ParameterIndex index;
-    Result<std::int64_t> raw {0}; ///< what is in force
+    Result<std::int64_t> raw{0};  ///< what is in force
     std::optional<bool> verified; ///< of a write: read back and equal; nothing where it cannot be read back
 };
 
@@ -23,10 +23,12 @@ struct TransferOutcome {
 
 /// Reads one after the other; goes on after an error of one parameter, ends early when the link is lost. Results in the
 /// order of `indices`. The device and the progress outlive the task.
-[[nodiscard]] Task<std::vector<TransferOutcome>> readParameters(Device &device, std::vector<ParameterIndex> indices, Progress &progress);
+[[nodiscard]] Task<std::vector<TransferOutcome>> readParameters(
+    Device &device, std::vector<ParameterIndex> indices, Progress &progress);
 
 /// Writes in the order given; each is read back and compared (never a Counter, and a Live one is not compared).
 /// Ends at the first error, so that nothing half-known goes on; the outcomes tell how far it came.
-[[nodiscard]] Task<std::vector<TransferOutcome>> writeParameters(Device &device, std::vector<ParameterChange> changes, Progress &progress);
+[[nodiscard]] Task<std::vector<TransferOutcome>> writeParameters(
+    Device &device, std::vector<ParameterChange> changes, Progress &progress);
 
 } // namespace mb

@@ -34,7 +34,10 @@ public:
             , family(scanned)
         {
         }
-        void found(const Identity &identity) override { round.m_session.adopt(round.m_link, family, identity, round.seen); }
+        void found(const Identity &identity) override
+        {
+            round.m_session.adopt(round.m_link, family, identity, round.seen);
+        }
         void progress(const std::string &, int, int) override { }
         ScanRound &round;
         const Family &family;
@@ -49,7 +52,8 @@ public:
     void start()
     {
         for (const Family *family : m_session.m_families) {
-            if (!family->scan || std::find(family->links.begin(), family->links.end(), m_link.kind()) == family->links.end())
+            if (!family->scan
+                || std::find(family->links.begin(), family->links.end(), m_link.kind()) == family->links.end())
                 continue;
             m_sinks.push_back(std::make_unique<Sink>(*this, *family));
             ++m_running;
@@ -149,13 +153,15 @@ std::vector<Link *> Session::links() const
 
 Link *Session::findLink(const LinkAddress &address) const
 {
-    const auto open = std::find_if(m_links.begin(), m_links.end(), [&](const OpenLink &o) { return o.link->address() == address; });
+    const auto open
+        = std::find_if(m_links.begin(), m_links.end(), [&](const OpenLink &o) { return o.link->address() == address; });
     return open == m_links.end() ? nullptr : open->link.get();
 }
 
 Bench *Session::bench(const Link &link) const
 {
-    const auto open = std::find_if(m_links.begin(), m_links.end(), [&](const OpenLink &o) { return o.link.get() == &link; });
+    const auto open
+        = std::find_if(m_links.begin(), m_links.end(), [&](const OpenLink &o) { return o.link.get() == &link; });
     return open == m_links.end() ? nullptr : open->bench.get();
 }
 
@@ -185,7 +191,7 @@ Device &Session::adopt(Link &link, const Family &family, const Identity &identit
             match = &entry;
     }
     if (!match) {
-        Entry entry {DeviceId {++m_lastId}, family.open(link, m_clock, identity), nullptr, {}};
+        Entry entry{DeviceId{++m_lastId}, family.open(link, m_clock, identity), nullptr, {}};
         entry.changed = entry.device->changed().add([this] { m_changed.notify(); });
         m_devices.push_back(std::move(entry));
         match = &m_devices.back();
@@ -208,13 +214,18 @@ Task<Device *> Session::connect(DeviceSelector selector)
     std::vector<Device *> fitting;
     for (Device *device : seen) {
         const Identity &identity = device->identity();
-        if (identity.family == selector.family && identity.address == selector.address && (!selector.session || identity.session == selector.session))
+        if (identity.family == selector.family && identity.address == selector.address
+            && (!selector.session || identity.session == selector.session))
             fitting.push_back(device);
     }
     if (fitting.empty())
-        co_return fail(Fault::Timeout, "no " + selector.family + " answers as number " + std::to_string(selector.address) + " on " + selector.link.text());
+        co_return fail(Fault::Timeout,
+            "no " + selector.family + " answers as number " + std::to_string(selector.address) + " on "
+                + selector.link.text());
     if (fitting.size() > 1)
-        co_return fail(Fault::Refused, std::to_string(fitting.size()) + " units answer as number " + std::to_string(selector.address) + "; name one: " + fitting[0]->selector() + " or " + fitting[1]->selector());
+        co_return fail(Fault::Refused,
+            std::to_string(fitting.size()) + " units answer as number " + std::to_string(selector.address)
+                + "; name one: " + fitting[0]->selector() + " or " + fitting[1]->selector());
     co_return fitting.front();
 }
 
@@ -234,13 +245,15 @@ Device *Session::find(DeviceId id) const
 
 DeviceId Session::idOf(const Device &device) const
 {
-    const auto entry = std::find_if(m_devices.begin(), m_devices.end(), [&](const Entry &e) { return e.device.get() == &device; });
-    return entry == m_devices.end() ? DeviceId {} : entry->id;
+    const auto entry
+        = std::find_if(m_devices.begin(), m_devices.end(), [&](const Entry &e) { return e.device.get() == &device; });
+    return entry == m_devices.end() ? DeviceId{} : entry->id;
 }
 
 SetPointStream &Session::stream(Device &device)
 {
-    const auto entry = std::find_if(m_devices.begin(), m_devices.end(), [&](const Entry &e) { return e.device.get() == &device; });
+    const auto entry
+        = std::find_if(m_devices.begin(), m_devices.end(), [&](const Entry &e) { return e.device.get() == &device; });
     if (!entry->stream)
         entry->stream = std::make_unique<SetPointStream>(device, m_clock);
     return *entry->stream;

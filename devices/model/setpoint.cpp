@@ -11,16 +11,16 @@ struct Row {
     std::string_view name;
     std::string_view unit;
 };
-constexpr std::array rows {
-    Row {Mode::Off, "off", ""},
-    Row {Mode::Duty, "duty", ""},
-    Row {Mode::Velocity, "velocity", "counts/s"},
-    Row {Mode::Position, "position", "counts"},
-    Row {Mode::Current, "current", "A"},
-    Row {Mode::Voltage, "voltage", "V"},
-    Row {Mode::Follow, "follow", ""},
-    Row {Mode::RampPosition, "ramp-position", "counts"},
-    Row {Mode::RampVelocity, "ramp-velocity", "counts/s"},
+constexpr std::array rows{
+    Row{Mode::Off, "off", ""},
+    Row{Mode::Duty, "duty", ""},
+    Row{Mode::Velocity, "velocity", "counts/s"},
+    Row{Mode::Position, "position", "counts"},
+    Row{Mode::Current, "current", "A"},
+    Row{Mode::Voltage, "voltage", "V"},
+    Row{Mode::Follow, "follow", ""},
+    Row{Mode::RampPosition, "ramp-position", "counts"},
+    Row{Mode::RampVelocity, "ramp-velocity", "counts/s"},
 };
 
 const Row &rowOf(Mode mode)

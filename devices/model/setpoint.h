@@ -22,14 +22,15 @@ struct SetPoint {
     double target = 0.0;
     int axis = 1; ///< 1…
     int slot = 0; ///< gain set, where the device has several
-    std::optional<bool> brake; ///< override: true brakes, false coasts at zero output; nothing leaves the stored setting
+    std::optional<bool>
+        brake;         ///< override: true brakes, false coasts at zero output; nothing leaves the stored setting
     double ramp = 0.0; ///< greatest change of output in duty per second, 0 = immediate
     bool reverseMotor = false;
     bool reverseSensor = false;
     bool overrideLimits = false; ///< the two flags below replace the device's own enables
     bool disableForwardLimit = false;
     bool disableReverseLimit = false;
-    double velocity = 0.0; ///< of profiled modes, counts/s
+    double velocity = 0.0;     ///< of profiled modes, counts/s
     double acceleration = 0.0; ///< of profiled modes, counts/s²
 
     friend bool operator==(const SetPoint &, const SetPoint &) = default;

@@ -37,7 +37,8 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease)
     m_startedAt = m_clock.now();
     m_next = m_startedAt + m_device.family().capabilities.commandPeriod;
     m_timer.start(m_next, [this] { tick(); });
-    m_lease = std::make_unique<Lease>(m_clock, lease, [this] { finish(End::LeaseExpired, "nobody renewed the motion lease"); });
+    m_lease = std::make_unique<Lease>(
+        m_clock, lease, [this] { finish(End::LeaseExpired, "nobody renewed the motion lease"); });
     m_linkState = m_device.link().stateChanged().add([this](LinkState) { (void)checkDevice(); });
     m_deviceChanged = m_device.changed().add([this] { (void)checkDevice(); });
     m_changed.notify();

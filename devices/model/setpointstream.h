@@ -14,7 +14,7 @@ namespace mb {
 class SetPointStream {
 public:
     enum class End {
-        None, ///< still running, or never started
+        None,    ///< still running, or never started
         Stopped, ///< by stop()
         LeaseExpired,
         LinkLost,
@@ -55,8 +55,8 @@ private:
     bool m_running = false;
     End m_end = End::None;
     std::string m_reason;
-    Instant m_startedAt {};
-    Instant m_next {};
+    Instant m_startedAt{};
+    Instant m_next{};
     Timer m_timer;
     std::unique_ptr<Lease> m_lease;
     Subscription m_linkState;

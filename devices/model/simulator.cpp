@@ -14,26 +14,26 @@ struct FaultRow {
     std::string_view kind;
     Needs needs;
 };
-constexpr std::array faultRows {
-    FaultRow {"drop", Needs::Number},
-    FaultRow {"corrupt", Needs::Number},
-    FaultRow {"delay", Needs::TwoNumbers},
-    FaultRow {"silent", Needs::Number},
-    FaultRow {"power", Needs::Number},
-    FaultRow {"power-page", Needs::Number},
-    FaultRow {"reset", Needs::Number},
-    FaultRow {"busoff", Needs::Number},
-    FaultRow {"encoder-dead", Needs::Number},
-    FaultRow {"encoder-reversed", Needs::Nothing},
-    FaultRow {"brownout", Needs::Number},
-    FaultRow {"stall", Needs::Number},
-    FaultRow {"duplicate", Needs::Nothing},
+constexpr std::array faultRows{
+    FaultRow{"drop", Needs::Number},
+    FaultRow{"corrupt", Needs::Number},
+    FaultRow{"delay", Needs::TwoNumbers},
+    FaultRow{"silent", Needs::Number},
+    FaultRow{"power", Needs::Number},
+    FaultRow{"power-page", Needs::Number},
+    FaultRow{"reset", Needs::Number},
+    FaultRow{"busoff", Needs::Number},
+    FaultRow{"encoder-dead", Needs::Number},
+    FaultRow{"encoder-reversed", Needs::Nothing},
+    FaultRow{"brownout", Needs::Number},
+    FaultRow{"stall", Needs::Number},
+    FaultRow{"duplicate", Needs::Nothing},
 };
 
 bool parseNumber(std::string_view text, double &out)
 {
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), out);
-    return parsed.ec == std::errc {} && parsed.ptr == text.data() + text.size() && out >= 0.0;
+    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size() && out >= 0.0;
 }
 
 } // namespace
@@ -43,7 +43,8 @@ Result<SimulatedFault> SimulatedFault::parse(std::string_view text)
     const auto at = text.find('@');
     SimulatedFault fault;
     fault.kind = text.substr(0, at);
-    const auto row = std::find_if(faultRows.begin(), faultRows.end(), [&](const FaultRow &r) { return r.kind == fault.kind; });
+    const auto row
+        = std::find_if(faultRows.begin(), faultRows.end(), [&](const FaultRow &r) { return r.kind == fault.kind; });
     if (row == faultRows.end())
         return fail(Fault::OutOfRange, "unknown fault '" + fault.kind + "'");
     const auto bad = [text] { return fail(Fault::OutOfRange, "fault '" + std::string(text) + "' does not parse"); };

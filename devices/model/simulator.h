@@ -15,8 +15,9 @@ namespace mb {
 
 /// A fault on demand, product.md "Simulated devices": `drop@3`, `delay@7:50`, `encoder-reversed`.
 struct SimulatedFault {
-    std::string kind; ///< drop corrupt delay silent power power-page reset busoff encoder-dead encoder-reversed brownout stall duplicate
-    double at = 0.0; ///< frame number from 1, page, or seconds after the start, by kind
+    std::string
+        kind; ///< drop corrupt delay silent power power-page reset busoff encoder-dead encoder-reversed brownout stall duplicate
+    double at = 0.0;       ///< frame number from 1, page, or seconds after the start, by kind
     double argument = 0.0; ///< milliseconds of `delay`
 
     [[nodiscard]] static Result<SimulatedFault> parse(std::string_view text);
@@ -36,8 +37,9 @@ struct SimulatedUnit {
 
 /// Something a test or a bench operator wants to know of a simulated device, with the time it happened.
 struct SimulatorEvent {
-    Instant time {};
-    std::string what; ///< output-on, output-off, halted, fault, reset, bootloader, application, flash-page, power-lost …
+    Instant time{};
+    std::string
+        what; ///< output-on, output-off, halted, fault, reset, bootloader, application, flash-page, power-lost …
     double value = 0.0;
 };
 
@@ -63,7 +65,10 @@ public:
     [[nodiscard]] Listeners<const SimulatorEvent &> &events() { return m_events; }
 
 protected:
-    void emitEvent(Instant time, std::string what, double value = 0.0) { m_events.notify(SimulatorEvent {time, std::move(what), value}); }
+    void emitEvent(Instant time, std::string what, double value = 0.0)
+    {
+        m_events.notify(SimulatorEvent{time, std::move(what), value});
+    }
 
 private:
     Listeners<const SimulatorEvent &> m_events;

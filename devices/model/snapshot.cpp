@@ -13,13 +13,15 @@ const DeviceView *Snapshot::device(DeviceId id) const
 
 const LinkView *Snapshot::link(std::string_view address) const
 {
-    const auto found = std::find_if(links.begin(), links.end(), [address](const LinkView &l) { return l.address == address; });
+    const auto found
+        = std::find_if(links.begin(), links.end(), [address](const LinkView &l) { return l.address == address; });
     return found == links.end() ? nullptr : &*found;
 }
 
 const OperationView *Snapshot::operation(DeviceId device) const
 {
-    const auto found = std::find_if(operations.rbegin(), operations.rend(), [device](const OperationView &o) { return o.device == device; });
+    const auto found = std::find_if(
+        operations.rbegin(), operations.rend(), [device](const OperationView &o) { return o.device == device; });
     return found == operations.rend() ? nullptr : &*found;
 }
 

@@ -44,7 +44,7 @@ struct DeviceView {
     std::string busy; ///< what it does now, in English
     MotionView motion;
     std::shared_ptr<const Telemetry> telemetry;
-    std::vector<double> rates; ///< samples per second, in table order of the channels
+    std::vector<double> rates;                     ///< samples per second, in table order of the channels
     std::vector<ParameterStore::Entry> parameters; ///< in table order
     std::uint64_t parameterRevision = 0;
     std::string mayNotMove; ///< empty when it may be driven
@@ -63,9 +63,9 @@ struct OperationView {
 };
 
 struct Snapshot {
-    Instant time {};
+    Instant time{};
     std::vector<LinkView> links;
-    std::vector<DeviceView> devices; ///< grouped by link, in order of address
+    std::vector<DeviceView> devices;       ///< grouped by link, in order of address
     std::vector<OperationView> operations; ///< oldest first
 
     [[nodiscard]] const DeviceView *device(DeviceId id) const;

@@ -40,15 +40,11 @@ std::string causeOf(int number)
 {
     switch (number) {
     case ENOENT:
-    case ENOTDIR:
-        return "no such file";
+    case ENOTDIR: return "no such file";
     case EACCES:
-    case EPERM:
-        return "no permission to read it";
-    case EISDIR:
-        return "is a directory";
-    default:
-        return "cannot be read (system error " + std::to_string(number) + ")";
+    case EPERM: return "no permission to read it";
+    case EISDIR: return "is a directory";
+    default: return "cannot be read (system error " + std::to_string(number) + ")";
     }
 }
 

@@ -14,7 +14,7 @@ void TrafficLog::append(Direction direction, const CanFrame &frame)
 {
     const std::lock_guard lock(m_mutex);
     ++m_newest;
-    m_ring[m_newest % m_ring.size()] = TrafficRecord {m_newest, direction, frame};
+    m_ring[m_newest % m_ring.size()] = TrafficRecord{m_newest, direction, frame};
 }
 
 std::uint64_t TrafficLog::fetch(std::uint64_t after, std::size_t limit, std::vector<TrafficRecord> &out) const

@@ -7,7 +7,7 @@
 namespace mb {
 namespace {
 
-constexpr std::array schemes {"sim", "socketcan", "qtcan", "serial", "spidev", "unix", "replay"};
+constexpr std::array schemes{"sim", "socketcan", "qtcan", "serial", "spidev", "unix", "replay"};
 
 Result<void> parseOptions(std::string_view text, std::vector<std::pair<std::string, std::string>> &out)
 {
@@ -38,11 +38,14 @@ Result<LinkAddress> LinkAddress::parse(std::string_view text)
 {
     const auto colon = text.find(':');
     if (colon == std::string_view::npos)
-        return fail(Fault::OutOfRange, "'" + std::string(text) + "' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:");
+        return fail(Fault::OutOfRange,
+            "'" + std::string(text) + "' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:");
     LinkAddress address;
     address.scheme = text.substr(0, colon);
     if (std::find(schemes.begin(), schemes.end(), address.scheme) == schemes.end())
-        return fail(Fault::OutOfRange, "unknown link kind '" + address.scheme + "': sim, socketcan, qtcan, serial, spidev, unix and replay are known");
+        return fail(Fault::OutOfRange,
+            "unknown link kind '" + address.scheme
+                + "': sim, socketcan, qtcan, serial, spidev, unix and replay are known");
     const std::string_view rest = text.substr(colon + 1);
     const auto question = rest.find('?');
     address.path = rest.substr(0, question);
@@ -52,7 +55,8 @@ Result<LinkAddress> LinkAddress::parse(std::string_view text)
     }
     if (address.isSimulated()) {
         if (!address.path.empty() && address.path != "can" && address.path != "serial" && address.path != "spi")
-            return fail(Fault::OutOfRange, "there is no simulated link 'sim:" + address.path + "': can, serial and spi are known");
+            return fail(Fault::OutOfRange,
+                "there is no simulated link 'sim:" + address.path + "': can, serial and spi are known");
     } else if (address.path.empty()) {
         return fail(Fault::OutOfRange, "'" + std::string(text) + "' names no interface");
     }

@@ -87,7 +87,7 @@ bool sameContent(const CanFrame &a, const CanFrame &b)
 
 std::string toText(const CanFrame &frame)
 {
-    std::array<char, 16> id {};
+    std::array<char, 16> id{};
     const std::uint32_t shown = frame.error ? frame.id | 0x20000000U : frame.id;
     const bool wide = frame.extended || frame.error;
     std::snprintf(id.data(), id.size(), wide ? "%08X" : "%03X", shown);
@@ -109,7 +109,8 @@ std::optional<CanFrame> canFrameFromText(std::string_view text)
         return std::nullopt;
     CanFrame frame;
     const auto idEnd = text.data() + hash;
-    if (const auto parsed = std::from_chars(text.data(), idEnd, frame.id, 16); parsed.ec != std::errc {} || parsed.ptr != idEnd)
+    if (const auto parsed = std::from_chars(text.data(), idEnd, frame.id, 16);
+        parsed.ec != std::errc{} || parsed.ptr != idEnd)
         return std::nullopt;
     frame.extended = hash == 8;
     if (frame.extended && (frame.id & 0xE0000000U) == 0x20000000U) {
@@ -134,7 +135,7 @@ std::optional<CanFrame> canFrameFromText(std::string_view text)
     for (std::size_t i = 0; i < frame.size; ++i) {
         const char *first = data.data() + 2 * i;
         const auto parsed = std::from_chars(first, first + 2, frame.data[i], 16);
-        if (parsed.ec != std::errc {} || parsed.ptr != first + 2)
+        if (parsed.ec != std::errc{} || parsed.ptr != first + 2)
             return std::nullopt;
     }
     return frame;

@@ -21,8 +21,8 @@ struct CanFrame {
     bool extended = false;
     bool remote = false;
     bool error = false;
-    std::array<std::uint8_t, 8> data {};
-    Instant time {}; ///< when it was on the wire, as exactly as the link knows
+    std::array<std::uint8_t, 8> data{};
+    Instant time{}; ///< when it was on the wire, as exactly as the link knows
 
     [[nodiscard]] std::span<const std::uint8_t> bytes() const { return {data.data(), size}; }
 };

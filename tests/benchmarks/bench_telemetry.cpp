@@ -16,7 +16,7 @@ using namespace std::chrono_literals;
 class FedLink final : public CanLink {
 public:
     explicit FedLink(Clock &clock)
-        : CanLink(LinkAddress {"sim", "can", {}}, clock)
+        : CanLink(LinkAddress{"sim", "can", {}}, clock)
     {
     }
     void feed(const CanFrame &frame) { deliver(frame); }
@@ -42,7 +42,8 @@ void decodeAndStore(benchmark::State &state)
     identity.session = 0x1234;
     const Family &family = *findFamily(families(), "dmc60c");
     const auto device = family.open(link, clock, identity);
-    std::array frames {*canFrameFromText("02061405#0040110000000000"), *canFrameFromText("02061485#01E240FED4000014"), *canFrameFromText("020614C5#4C03FF3B00F6FF1B")};
+    std::array frames{*canFrameFromText("02061405#0040110000000000"), *canFrameFromText("02061485#01E240FED4000014"),
+        *canFrameFromText("020614C5#4C03FF3B00F6FF1B")};
     std::size_t next = 0;
     for (auto _ : state) {
         clock.advance(64us);
@@ -59,7 +60,8 @@ void decodeAndStore(benchmark::State &state)
             state.ResumeTiming();
         }
     }
-    state.counters["frames/s"] = benchmark::Counter(static_cast<double>(state.iterations()) * 64, benchmark::Counter::kIsRate);
+    state.counters["frames/s"]
+        = benchmark::Counter(static_cast<double>(state.iterations()) * 64, benchmark::Counter::kIsRate);
 }
 BENCHMARK(decodeAndStore);
 

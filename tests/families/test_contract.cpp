@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What every family promises (docs/architecture.md). Iterates over the registry: a new folder is tested from its first day.
-#include "support/simulatedsession.h"
 #include "model/parametertransfer.h"
+#include "support/simulatedsession.h"
 
 #include <fstream>
 #include <sstream>
@@ -112,7 +112,8 @@ TEST_P(Contract, EveryModeOfTheFamilyIsAcceptedAndOthersAreUnsupported)
 {
     const Device *device = online();
     ASSERT_NE(device, nullptr);
-    for (const Mode mode : {Mode::Duty, Mode::Velocity, Mode::Position, Mode::Current, Mode::Voltage, Mode::Follow, Mode::RampPosition, Mode::RampVelocity}) {
+    for (const Mode mode : {Mode::Duty, Mode::Velocity, Mode::Position, Mode::Current, Mode::Voltage, Mode::Follow,
+             Mode::RampPosition, Mode::RampVelocity}) {
         const bool offered = std::find(family().modes.begin(), family().modes.end(), mode) != family().modes.end();
         SetPoint setPoint;
         setPoint.mode = mode;
@@ -230,7 +231,8 @@ TEST_P(Contract, CancellingAScanAtEveryStepLeavesNoListener)
         void found(const Identity &) override { }
         void progress(const std::string &, int, int) override { }
     } sink;
-    cancelEverywhere<void>(*bench, [&] { return family().scan(link, bench->clock, sink); }, 5000);
+    cancelEverywhere<void>(
+        *bench, [&] { return family().scan(link, bench->clock, sink); }, 5000);
 }
 
 TEST_P(Contract, CancellingATransferAtEveryStepLeavesNoListener)
@@ -242,13 +244,15 @@ TEST_P(Contract, CancellingATransferAtEveryStepLeavesNoListener)
     auto indices = readable(*device);
     indices.resize(std::min<std::size_t>(indices.size(), 2));
     NoProgress progress;
-    cancelEverywhere<std::vector<TransferOutcome>>(*bench, [&] { return readParameters(*device, indices, progress); }, 5000);
+    cancelEverywhere<std::vector<TransferOutcome>>(
+        *bench, [&] { return readParameters(*device, indices, progress); }, 5000);
 }
 
 TEST_P(Contract, KeysAndChannelsFollowTheNamingOfTheProduct)
 {
     for (const Parameter &parameter : family().parameters) {
-        EXPECT_EQ(parameter.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789._"), std::string_view::npos) << parameter.key;
+        EXPECT_EQ(parameter.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789._"), std::string_view::npos)
+            << parameter.key;
         EXPECT_FALSE(parameter.help.empty()) << parameter.key;
     }
     EXPECT_FALSE(family().channels.empty());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A bus that loses frames: what is read is complete or said to be missing, and what is lost is counted.
-#include "support/simulatedsession.h"
 #include "model/parametertransfer.h"
+#include "support/simulatedsession.h"
 
 #include <cmath>
 
@@ -79,7 +79,7 @@ TEST_P(Dmc60cLoss, LostStatusFramesAreCountedWithinAFewPercent)
     EXPECT_NEAR(lost, expected, 5.0 * std::sqrt(expected));
 }
 
-INSTANTIATE_TEST_SUITE_P(Fractions, Dmc60cLoss, testing::Values(Loss {"0.01", 0.01}, Loss {"0.1", 0.1}),
+INSTANTIATE_TEST_SUITE_P(Fractions, Dmc60cLoss, testing::Values(Loss{"0.01", 0.01}, Loss{"0.1", 0.1}),
     [](const auto &entry) { return std::string(entry.param.fraction < 0.05 ? "OnePercent" : "TenPercent"); });
 
 } // namespace

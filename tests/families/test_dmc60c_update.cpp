@@ -74,9 +74,11 @@ struct UpdateBench {
 const FirmwareImage &demoImage()
 {
     static const FirmwareImage image = [] {
-        const auto bytes = loadFile(std::string(MOTORBENCH_SOURCE_DIR) + "/resources/firmware/dmc60c-demo.hex", 1 << 24);
+        const auto bytes
+            = loadFile(std::string(MOTORBENCH_SOURCE_DIR) + "/resources/firmware/dmc60c-demo.hex", 1 << 24);
         EXPECT_TRUE(bytes);
-        auto parsed = FirmwareImage::fromIntelHex(std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));
+        auto parsed = FirmwareImage::fromIntelHex(
+            std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));
         EXPECT_TRUE(parsed);
         return *parsed;
     }();
@@ -86,7 +88,8 @@ const FirmwareImage &demoImage()
 /// Pages 0, 1 and 30 only: quick, and every rule of the order applies.
 const FirmwareImage &smallImage()
 {
-    static const FirmwareImage image = *FirmwareImage::fromIntelHex(test::smallApplication(0x0119).add(0x1000, {0x12, 0x34, 0x56, 0x00}).text());
+    static const FirmwareImage image
+        = *FirmwareImage::fromIntelHex(test::smallApplication(0x0119).add(0x1000, {0x12, 0x34, 0x56, 0x00}).text());
     return image;
 }
 
@@ -162,7 +165,8 @@ TEST(Dmc60cUpdate, DryRunWritesNothing)
 TEST(Dmc60cUpdate, RefusesAnImageWithoutEntryPointBeforeAnythingIsSent)
 {
     UpdateBench bench("dmc60c:5");
-    const auto image = FirmwareImage::fromIntelHex(":020000040000FA\n:080000000002040000000000F2\n:020000040001F9\n:04EFFC0017010000F9\n:00000001FF\n");
+    const auto image = FirmwareImage::fromIntelHex(
+        ":020000040000FA\n:080000000002040000000000F2\n:020000040001F9\n:04EFFC0017010000F9\n:00000001FF\n");
     ASSERT_TRUE(image);
     const auto report = bench.update(*image);
     ASSERT_TRUE(report);
@@ -238,7 +242,8 @@ TEST(Dmc60cUpdate, SurvivesSingleDropsAndCorruptionsOfAnyReply)
     for (const char *fault : {"drop", "corrupt", "delay"}) {
         for (int frame = 8; frame < 40; frame += 3) {
             const std::string argument = std::string(fault) == "delay" ? ":400" : "";
-            UpdateBench bench("dmc60c:9,state=bootloader,fault=" + std::string(fault) + "@" + std::to_string(frame) + argument);
+            UpdateBench bench(
+                "dmc60c:9,state=bootloader,fault=" + std::string(fault) + "@" + std::to_string(frame) + argument);
             const auto first = bench.update(smallImage());
             if (first && first->outcome == UpdateOutcome::Done)
                 continue;

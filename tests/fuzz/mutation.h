@@ -45,21 +45,11 @@ private:
             if (at < text.size())
                 text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
             break;
-        case 2:
-            text.insert(at, 1, anyByte());
-            break;
-        case 3:
-            text.erase(at, length);
-            break;
-        case 4:
-            text.resize(at);
-            break;
-        case 5:
-            text.insert(at, m_words[below(m_words.size())]);
-            break;
-        case 6:
-            text.insert(below(text.size() + 1), text.substr(at, length * 4));
-            break;
+        case 2: text.insert(at, 1, anyByte()); break;
+        case 3: text.erase(at, length); break;
+        case 4: text.resize(at); break;
+        case 5: text.insert(at, m_words[below(m_words.size())]); break;
+        case 6: text.insert(below(text.size() + 1), text.substr(at, length * 4)); break;
         default:
             if (at < text.size())
                 text[at] = "0123456789ABCDEF"[below(16)];

@@ -36,7 +36,7 @@ struct SimulatedSession {
     {
         auto found = run(clock, session.scan(*link));
         EXPECT_TRUE(found) << (found ? "" : found.error().detail);
-        return found.value_or(std::vector<Device *> {});
+        return found.value_or(std::vector<Device *>{});
     }
     Device *device(int address)
     {
@@ -58,7 +58,7 @@ struct SimulatedSession {
     {
         const auto found = findParameter(of.parameters().table(), key);
         EXPECT_TRUE(found) << key;
-        return found.value_or(ParameterIndex {});
+        return found.value_or(ParameterIndex{});
     }
 
     VirtualClock clock;

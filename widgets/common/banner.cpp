@@ -14,14 +14,10 @@ namespace {
 QString kindWord(BannerKind kind)
 {
     switch (kind) {
-    case BannerKind::Caution:
-        return QStringLiteral("caution");
-    case BannerKind::Danger:
-        return QStringLiteral("danger");
-    case BannerKind::Ok:
-        return QStringLiteral("ok");
-    case BannerKind::Info:
-        return QStringLiteral("info");
+    case BannerKind::Caution: return QStringLiteral("caution");
+    case BannerKind::Danger: return QStringLiteral("danger");
+    case BannerKind::Ok: return QStringLiteral("ok");
+    case BannerKind::Info: return QStringLiteral("info");
     }
     return {};
 }
@@ -29,14 +25,10 @@ QString kindWord(BannerKind kind)
 GlyphState kindGlyph(BannerKind kind)
 {
     switch (kind) {
-    case BannerKind::Caution:
-        return GlyphState::Warning;
-    case BannerKind::Danger:
-        return GlyphState::Fault;
-    case BannerKind::Ok:
-        return GlyphState::Done;
-    case BannerKind::Info:
-        return GlyphState::Busy;
+    case BannerKind::Caution: return GlyphState::Warning;
+    case BannerKind::Danger: return GlyphState::Fault;
+    case BannerKind::Ok: return GlyphState::Done;
+    case BannerKind::Info: return GlyphState::Busy;
     }
     return GlyphState::Warning;
 }

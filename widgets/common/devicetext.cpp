@@ -100,7 +100,7 @@ QString lineOf(const DeviceView &device)
     case GlyphState::Gone: word = DeviceText::tr("no answer"); break;
     case GlyphState::Fault: word = faultText(device.liveness.faults.front()); break;
     default: {
-        const auto velocity = liveValue(device, "velocity", device.telemetry->last({}).value_or(Point {}).time);
+        const auto velocity = liveValue(device, "velocity", device.telemetry->last({}).value_or(Point{}).time);
         word = velocity ? formatValue(*velocity, 0, DeviceText::tr("counts/s")) : DeviceText::tr("online");
         break;
     }
@@ -120,7 +120,7 @@ QString badgeOf(const DeviceView &device)
 
 QString tooltipOf(const DeviceView &device)
 {
-    QStringList lines {QString::fromStdString(device.selector)};
+    QStringList lines{QString::fromStdString(device.selector)};
     if (!device.identity.serial.empty())
         lines += DeviceText::tr("Serial number %1").arg(QString::fromStdString(device.identity.serial));
     if (!device.identity.detail.empty())

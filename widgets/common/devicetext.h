@@ -36,6 +36,7 @@ namespace mb {
 [[nodiscard]] QString tooltipOf(const DeviceView &device);
 
 /// The newest committed value of a channel by key; nothing when it was never seen or is older than `staleAfter`.
-[[nodiscard]] std::optional<double> liveValue(const DeviceView &device, std::string_view channel, Instant now, Duration staleAfter = std::chrono::seconds(2));
+[[nodiscard]] std::optional<double> liveValue(
+    const DeviceView &device, std::string_view channel, Instant now, Duration staleAfter = std::chrono::seconds(2));
 
 } // namespace mb

@@ -143,36 +143,22 @@ Shape shapeOf(GlyphState state)
     switch (state) {
     case GlyphState::Online:
     case GlyphState::InRam:
-    case GlyphState::Recording:
-        return disc();
-    case GlyphState::Moving:
-        return chevrons();
-    case GlyphState::Bootloader:
-        return triangle();
-    case GlyphState::Duplicate:
-        return halfDisc();
-    case GlyphState::Unassigned:
-        return question();
+    case GlyphState::Recording: return disc();
+    case GlyphState::Moving: return chevrons();
+    case GlyphState::Bootloader: return triangle();
+    case GlyphState::Duplicate: return halfDisc();
+    case GlyphState::Unassigned: return question();
     case GlyphState::Fault:
-    case GlyphState::OutOfRange:
-        return cross();
-    case GlyphState::Gone:
-        return ring(3.9);
+    case GlyphState::OutOfRange: return cross();
+    case GlyphState::Gone: return ring(3.9);
     case GlyphState::Stored:
-    case GlyphState::Done:
-        return tick();
-    case GlyphState::Edited:
-        return dashedRing();
-    case GlyphState::Assumed:
-        return square();
-    case GlyphState::Volatile:
-        return dash();
-    case GlyphState::Busy:
-        return play();
-    case GlyphState::Waiting:
-        return clock();
-    case GlyphState::Warning:
-        return warning();
+    case GlyphState::Done: return tick();
+    case GlyphState::Edited: return dashedRing();
+    case GlyphState::Assumed: return square();
+    case GlyphState::Volatile: return dash();
+    case GlyphState::Busy: return play();
+    case GlyphState::Waiting: return clock();
+    case GlyphState::Warning: return warning();
     }
     return {};
 }

@@ -15,20 +15,13 @@ namespace {
 QString toneWord(Tone tone)
 {
     switch (tone) {
-    case Tone::Text:
-        return QStringLiteral("text");
-    case Tone::Dim:
-        return QStringLiteral("dim");
-    case Tone::Faint:
-        return QStringLiteral("faint");
-    case Tone::Accent:
-        return QStringLiteral("accent");
-    case Tone::Ok:
-        return QStringLiteral("ok");
-    case Tone::Caution:
-        return QStringLiteral("caution");
-    case Tone::Danger:
-        return QStringLiteral("danger");
+    case Tone::Text: return QStringLiteral("text");
+    case Tone::Dim: return QStringLiteral("dim");
+    case Tone::Faint: return QStringLiteral("faint");
+    case Tone::Accent: return QStringLiteral("accent");
+    case Tone::Ok: return QStringLiteral("ok");
+    case Tone::Caution: return QStringLiteral("caution");
+    case Tone::Danger: return QStringLiteral("danger");
     }
     return {};
 }
@@ -36,24 +29,15 @@ QString toneWord(Tone tone)
 QString roleWord(TextRole role)
 {
     switch (role) {
-    case TextRole::Body:
-        return QStringLiteral("body");
-    case TextRole::Emphasis:
-        return QStringLiteral("emphasis");
-    case TextRole::Caption:
-        return QStringLiteral("caption");
-    case TextRole::Section:
-        return QStringLiteral("section");
-    case TextRole::Title:
-        return QStringLiteral("title");
-    case TextRole::Large:
-        return QStringLiteral("value");
-    case TextRole::Stop:
-        return QStringLiteral("stop");
-    case TextRole::Verdict:
-        return QStringLiteral("verdict");
-    case TextRole::Raw:
-        return QStringLiteral("raw");
+    case TextRole::Body: return QStringLiteral("body");
+    case TextRole::Emphasis: return QStringLiteral("emphasis");
+    case TextRole::Caption: return QStringLiteral("caption");
+    case TextRole::Section: return QStringLiteral("section");
+    case TextRole::Title: return QStringLiteral("title");
+    case TextRole::Large: return QStringLiteral("value");
+    case TextRole::Stop: return QStringLiteral("stop");
+    case TextRole::Verdict: return QStringLiteral("verdict");
+    case TextRole::Raw: return QStringLiteral("raw");
     }
     return {};
 }

@@ -46,14 +46,10 @@ double Lamp::holdProgress() const
 QString Lamp::word() const
 {
     switch (m_status.state) {
-    case LampState::Safe:
-        return tr("SAFE");
-    case LampState::Armed:
-        return tr("ARMED");
-    case LampState::Moving:
-        return tr("MOVING");
-    case LampState::Stopped:
-        return tr("STOPPED");
+    case LampState::Safe: return tr("SAFE");
+    case LampState::Armed: return tr("ARMED");
+    case LampState::Moving: return tr("MOVING");
+    case LampState::Stopped: return tr("STOPPED");
     }
     return {};
 }
@@ -73,13 +69,10 @@ QString Lamp::detail() const
     if (!m_status.detail.isEmpty())
         return m_status.detail;
     switch (m_status.state) {
-    case LampState::Safe:
-        return m_status.armable ? tr("hold to arm") : tr("nothing to arm");
-    case LampState::Stopped:
-        return tr("hold to re-arm");
+    case LampState::Safe: return m_status.armable ? tr("hold to arm") : tr("nothing to arm");
+    case LampState::Stopped: return tr("hold to re-arm");
     case LampState::Armed:
-    case LampState::Moving:
-        break;
+    case LampState::Moving: break;
     }
     return {};
 }

@@ -41,27 +41,22 @@ Tone glyphTone(GlyphState state)
     switch (state) {
     case GlyphState::Online:
     case GlyphState::Stored:
-    case GlyphState::Done:
-        return Tone::Ok;
+    case GlyphState::Done: return Tone::Ok;
     case GlyphState::Moving:
     case GlyphState::Bootloader:
     case GlyphState::Duplicate:
     case GlyphState::Unassigned:
     case GlyphState::InRam:
-    case GlyphState::Warning:
-        return Tone::Caution;
+    case GlyphState::Warning: return Tone::Caution;
     case GlyphState::Fault:
     case GlyphState::OutOfRange:
-    case GlyphState::Recording:
-        return Tone::Danger;
+    case GlyphState::Recording: return Tone::Danger;
     case GlyphState::Edited:
-    case GlyphState::Busy:
-        return Tone::Accent;
+    case GlyphState::Busy: return Tone::Accent;
     case GlyphState::Gone:
     case GlyphState::Assumed:
     case GlyphState::Volatile:
-    case GlyphState::Waiting:
-        return Tone::Faint;
+    case GlyphState::Waiting: return Tone::Faint;
     }
     return Tone::Faint;
 }
@@ -75,42 +70,24 @@ QString glyphWord(GlyphState state)
 {
     const auto word = [](const char *text) { return QCoreApplication::translate("mb::StateGlyph", text); };
     switch (state) {
-    case GlyphState::Online:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "online"));
-    case GlyphState::Moving:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "moving"));
-    case GlyphState::Bootloader:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "in bootloader"));
-    case GlyphState::Duplicate:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "2 ×"));
-    case GlyphState::Unassigned:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "number 0"));
-    case GlyphState::Fault:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "fault"));
-    case GlyphState::Gone:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "no answer"));
-    case GlyphState::Stored:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "stored"));
-    case GlyphState::InRam:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "RAM, not in flash"));
-    case GlyphState::Edited:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "edited"));
-    case GlyphState::OutOfRange:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "out of range"));
-    case GlyphState::Assumed:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "assumed"));
-    case GlyphState::Volatile:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "volatile"));
-    case GlyphState::Busy:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "busy"));
-    case GlyphState::Done:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "done"));
-    case GlyphState::Waiting:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "waiting"));
-    case GlyphState::Warning:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "warning"));
-    case GlyphState::Recording:
-        return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "recording"));
+    case GlyphState::Online: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "online"));
+    case GlyphState::Moving: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "moving"));
+    case GlyphState::Bootloader: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "in bootloader"));
+    case GlyphState::Duplicate: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "2 ×"));
+    case GlyphState::Unassigned: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "number 0"));
+    case GlyphState::Fault: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "fault"));
+    case GlyphState::Gone: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "no answer"));
+    case GlyphState::Stored: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "stored"));
+    case GlyphState::InRam: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "RAM, not in flash"));
+    case GlyphState::Edited: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "edited"));
+    case GlyphState::OutOfRange: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "out of range"));
+    case GlyphState::Assumed: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "assumed"));
+    case GlyphState::Volatile: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "volatile"));
+    case GlyphState::Busy: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "busy"));
+    case GlyphState::Done: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "done"));
+    case GlyphState::Waiting: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "waiting"));
+    case GlyphState::Warning: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "warning"));
+    case GlyphState::Recording: return word(QT_TRANSLATE_NOOP("mb::StateGlyph", "recording"));
     }
     return {};
 }

@@ -48,20 +48,13 @@ int Theme::u(double n) const
 QColor Theme::tone(Tone tone) const
 {
     switch (tone) {
-    case Tone::Text:
-        return text;
-    case Tone::Dim:
-        return dim;
-    case Tone::Faint:
-        return faint;
-    case Tone::Accent:
-        return accent;
-    case Tone::Ok:
-        return ok;
-    case Tone::Caution:
-        return caution;
-    case Tone::Danger:
-        return danger;
+    case Tone::Text: return text;
+    case Tone::Dim: return dim;
+    case Tone::Faint: return faint;
+    case Tone::Accent: return accent;
+    case Tone::Ok: return ok;
+    case Tone::Caution: return caution;
+    case Tone::Danger: return danger;
     }
     return text;
 }

@@ -100,12 +100,9 @@ QSize ValueLabel::sizeHint() const
     const int heading = caption.horizontalAdvance(m_caption);
     const int line = QFontMetrics(valueFont()).height();
     switch (m_look) {
-    case Look::Card:
-        return {std::max(value, heading), caption.height() + line};
-    case Look::Line:
-        return {heading + theme.u(6) + value, std::max(line, theme.u(24))};
-    case Look::Row:
-        return {heading + theme.u(12) + value, std::max(line, theme.u(24))};
+    case Look::Card: return {std::max(value, heading), caption.height() + line};
+    case Look::Line: return {heading + theme.u(6) + value, std::max(line, theme.u(24))};
+    case Look::Row: return {heading + theme.u(12) + value, std::max(line, theme.u(24))};
     }
     return {};
 }
@@ -122,12 +119,9 @@ void ValueLabel::paintEvent(QPaintEvent *)
     const bool known = m_value != UnknownMark;
     const QColor color = m_stale || !isEnabled() ? theme.faint : known ? theme.tone(m_tone) : theme.dim;
     switch (m_look) {
-    case Look::Card:
-        return paintCard(painter, color);
-    case Look::Line:
-        return paintLine(painter, color);
-    case Look::Row:
-        return paintRow(painter, color);
+    case Look::Card: return paintCard(painter, color);
+    case Look::Line: return paintLine(painter, color);
+    case Look::Row: return paintRow(painter, color);
     }
 }
 

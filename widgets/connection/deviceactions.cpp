@@ -4,8 +4,8 @@
 #include "widgets/common/devicetext.h"
 
 #include <QApplication>
-#include <QCoreApplication>
 #include <QClipboard>
+#include <QCoreApplication>
 #include <QInputDialog>
 #include <QMenu>
 
@@ -40,7 +40,8 @@ constexpr int lastNumber = 63;
 
 bool isTaken(const Snapshot &shot, const std::string &link, int number)
 {
-    return std::any_of(shot.devices.begin(), shot.devices.end(), [&](const DeviceView &d) { return d.link == link && d.identity.address == number; });
+    return std::any_of(shot.devices.begin(), shot.devices.end(),
+        [&](const DeviceView &d) { return d.link == link && d.identity.address == number; });
 }
 
 int firstFree(const Snapshot &shot, const std::string &link)
@@ -65,9 +66,11 @@ void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId id, QWidget &p
         workbench.identify(id, reportTo(workbench, label, DeviceActions::tr("blinks for 5 s")));
     });
     identify->setEnabled(can.identify && running);
-    QAction *rename = menu.addAction(DeviceActions::tr("Rename…"), &parent, [&workbench, id, &parent] { askRename(workbench, id, parent); });
+    QAction *rename = menu.addAction(
+        DeviceActions::tr("Rename…"), &parent, [&workbench, id, &parent] { askRename(workbench, id, parent); });
     rename->setEnabled(can.rename);
-    QAction *renumber = menu.addAction(DeviceActions::tr("Assign another number…"), &parent, [&workbench, id, &parent] { askRenumber(workbench, id, parent); });
+    QAction *renumber = menu.addAction(DeviceActions::tr("Assign another number…"), &parent,
+        [&workbench, id, &parent] { askRenumber(workbench, id, parent); });
     renumber->setEnabled(can.renumber);
     QAction *clear = menu.addAction(DeviceActions::tr("Read and clear faults"), &parent, [&workbench, id, label] {
         workbench.clearFaults(id, reportTo(workbench, label, DeviceActions::tr("faults read and cleared")));
@@ -75,7 +78,8 @@ void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId id, QWidget &p
     clear->setEnabled(running);
     menu.addSeparator();
     const QString selector = QString::fromStdString(device->selector);
-    menu.addAction(DeviceActions::tr("Copy %1").arg(selector), &parent, [selector] { QApplication::clipboard()->setText(selector); });
+    menu.addAction(DeviceActions::tr("Copy %1").arg(selector), &parent,
+        [selector] { QApplication::clipboard()->setText(selector); });
 }
 
 void askRename(Workbench &workbench, DeviceId id, QWidget &parent)
@@ -84,13 +88,15 @@ void askRename(Workbench &workbench, DeviceId id, QWidget &parent)
     if (!device)
         return;
     const QString label = titleOf(*device);
-    QInputDialog *dialog = ask(parent, DeviceActions::tr("Rename %1").arg(label), DeviceActions::tr("Name, 1 … 64 characters (some tools show only 28):"));
+    QInputDialog *dialog = ask(parent, DeviceActions::tr("Rename %1").arg(label),
+        DeviceActions::tr("Name, 1 … 64 characters (some tools show only 28):"));
     dialog->setTextValue(QString::fromStdString(device->identity.name));
-    QObject::connect(dialog, &QInputDialog::textValueSelected, &workbench, [&workbench, id, label](const QString &text) {
-        const QString name = text.left(64);
-        if (!name.isEmpty())
-            workbench.rename(id, name, reportTo(workbench, label, DeviceActions::tr("renamed to %1").arg(name)));
-    });
+    QObject::connect(
+        dialog, &QInputDialog::textValueSelected, &workbench, [&workbench, id, label](const QString &text) {
+            const QString name = text.left(64);
+            if (!name.isEmpty())
+                workbench.rename(id, name, reportTo(workbench, label, DeviceActions::tr("renamed to %1").arg(name)));
+        });
     dialog->open();
 }
 
@@ -101,16 +107,20 @@ void askRenumber(Workbench &workbench, DeviceId id, QWidget &parent)
         return;
     const QString label = titleOf(*device);
     const int free = firstFree(workbench.snapshot(), device->link);
-    QInputDialog *dialog = ask(parent, DeviceActions::tr("Number of %1").arg(label), DeviceActions::tr("New number, 1 … %1. %2 is the next free one on this link:").arg(lastNumber).arg(free));
+    QInputDialog *dialog = ask(parent, DeviceActions::tr("Number of %1").arg(label),
+        DeviceActions::tr("New number, 1 … %1. %2 is the next free one on this link:").arg(lastNumber).arg(free));
     dialog->setInputMode(QInputDialog::IntInput);
     dialog->setIntRange(1, lastNumber);
     dialog->setIntValue(free);
-    QObject::connect(dialog, &QInputDialog::intValueSelected, &workbench, [&workbench, id, label, link = device->link](int number) {
-        if (isTaken(workbench.snapshot(), link, number))
-            workbench.report(Severity::Danger, label, DeviceActions::tr("number %1 is taken on this link; nothing was sent").arg(number));
-        else
-            workbench.renumber(id, number, reportTo(workbench, label, DeviceActions::tr("answers as number %1 now").arg(number)));
-    });
+    QObject::connect(
+        dialog, &QInputDialog::intValueSelected, &workbench, [&workbench, id, label, link = device->link](int number) {
+            if (isTaken(workbench.snapshot(), link, number))
+                workbench.report(Severity::Danger, label,
+                    DeviceActions::tr("number %1 is taken on this link; nothing was sent").arg(number));
+            else
+                workbench.renumber(
+                    id, number, reportTo(workbench, label, DeviceActions::tr("answers as number %1 now").arg(number)));
+        });
     dialog->open();
 }
 
@@ -122,7 +132,8 @@ void askAddLink(Workbench &workbench, QWidget &parent)
             choices += QString::fromStdString(listing.link.text());
     }
     choices += QStringLiteral("sim:");
-    QInputDialog *dialog = ask(parent, DeviceActions::tr("Add a link"), DeviceActions::tr("Link address, such as socketcan:can0 or sim:can?loss=0.01:"));
+    QInputDialog *dialog = ask(parent, DeviceActions::tr("Add a link"),
+        DeviceActions::tr("Link address, such as socketcan:can0 or sim:can?loss=0.01:"));
     dialog->setComboBoxItems(choices);
     dialog->setComboBoxEditable(true);
     QObject::connect(dialog, &QInputDialog::textValueSelected, &workbench, [&workbench](const QString &text) {

@@ -101,7 +101,8 @@ void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
     const bool boot = device.identity.state == DeviceState::Bootloader;
     m_badge->setText(ordinary ? device.liveness.mode ? modeText(*device.liveness.mode) : QString() : glyphWord(state));
     m_badge->setVisible(!m_badge->text().isEmpty());
-    setStyleProperty(*m_badge, "badge", ordinary && !device.liveness.moving ? QStringLiteral("neutral") : QStringLiteral("caution"));
+    setStyleProperty(
+        *m_badge, "badge", ordinary && !device.liveness.moving ? QStringLiteral("neutral") : QStringLiteral("caution"));
     m_live->setVisible(!boot);
     m_note->setVisible(boot);
     m_update->setVisible(boot && device.family->update != nullptr);
@@ -114,7 +115,10 @@ void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
     }
     showFoot(device);
     const bool fault = state == GlyphState::Fault;
-    setEdge(selected ? std::optional(Tone::Accent) : fault ? std::optional(Tone::Danger) : ordinary ? std::nullopt : std::optional(Tone::Caution));
+    setEdge(selected   ? std::optional(Tone::Accent)
+            : fault    ? std::optional(Tone::Danger)
+            : ordinary ? std::nullopt
+                       : std::optional(Tone::Caution));
 }
 
 void DeviceCard::showValues(const DeviceView &device, Instant now)

@@ -34,7 +34,7 @@ private:
 
     const ThemeSource &m_theme;
     QWidget *m_live = nullptr;
-    std::array<ValueLabel *, 3> m_values {};
+    std::array<ValueLabel *, 3> m_values{};
     QLabel *m_range = nullptr;
     Sparkline *m_sparkline = nullptr;
     QWidget *m_note = nullptr;

@@ -45,7 +45,8 @@ void DeviceDelegate::paintLink(QPainter &painter, const QStyleOptionViewItem &op
     painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, detail);
     row.setRight(row.right() - painter.fontMetrics().horizontalAdvance(detail) - theme.u(6));
     const QString line = index.data(DeviceModel::LineRole).toString();
-    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, painter.fontMetrics().elidedText(line, Qt::ElideRight, row.width()));
+    painter.drawText(
+        row, Qt::AlignLeft | Qt::AlignVCenter, painter.fontMetrics().elidedText(line, Qt::ElideRight, row.width()));
 }
 
 int DeviceDelegate::paintBadge(QPainter &painter, const QRect &row, const QString &text, const QFont &font) const
@@ -75,17 +76,21 @@ void DeviceDelegate::paintDevice(QPainter &painter, const QStyleOptionViewItem &
     QRect row = option.rect.adjusted(theme.u(4), 0, -theme.u(10), 0);
     const auto state = static_cast<GlyphState>(index.data(DeviceModel::GlyphRole).toInt());
     const int glyph = theme.u(12);
-    paintGlyph(painter, QRectF(row.left(), row.center().y() - glyph / 2.0, glyph, glyph), state, glyphColor(state, theme));
+    paintGlyph(
+        painter, QRectF(row.left(), row.center().y() - glyph / 2.0, glyph, glyph), state, glyphColor(state, theme));
     row.setLeft(row.left() + glyph + theme.u(10));
     row.setRight(row.right() - paintBadge(painter, row, index.data(DeviceModel::BadgeRole).toString(), option.font));
     const auto draw = [&](TextRole role, const QColor &color, const QString &text, const QRect &box, int vertical) {
         painter.setFont(theme.font(role, option.font));
         painter.setPen(color);
-        painter.drawText(box, Qt::AlignLeft | vertical, painter.fontMetrics().elidedText(text, Qt::ElideRight, box.width()));
+        painter.drawText(
+            box, Qt::AlignLeft | vertical, painter.fontMetrics().elidedText(text, Qt::ElideRight, box.width()));
     };
     const int middle = row.center().y() + 1;
-    draw(TextRole::Body, theme.text, index.data().toString(), QRect(row.left(), row.top(), row.width(), middle - row.top() + theme.u(1)), Qt::AlignBottom);
-    draw(TextRole::Caption, theme.dim, index.data(DeviceModel::LineRole).toString(), QRect(row.left(), middle + theme.u(1), row.width(), row.bottom() - middle), Qt::AlignTop);
+    draw(TextRole::Body, theme.text, index.data().toString(),
+        QRect(row.left(), row.top(), row.width(), middle - row.top() + theme.u(1)), Qt::AlignBottom);
+    draw(TextRole::Caption, theme.dim, index.data(DeviceModel::LineRole).toString(),
+        QRect(row.left(), middle + theme.u(1), row.width(), row.bottom() - middle), Qt::AlignTop);
 }
 
 } // namespace mb

@@ -105,7 +105,8 @@ void DeviceLine::follow()
     m_glyph->setState(glyphOf(*device));
     showWhole(*m_title, titleOf(*device));
     m_name->setText(QString::fromStdString(device->identity.name));
-    const auto known = [](const std::string &text) { return text.empty() ? QString(UnknownMark) : QString::fromStdString(text); };
+    const auto known
+        = [](const std::string &text) { return text.empty() ? QString(UnknownMark) : QString::fromStdString(text); };
     m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity.serial), known(device->identity.firmware)));
     const Instant now = m_workbench.now();
     const auto show = [&](ValueLabel *label, std::string_view channel, double factor, int decimals) {

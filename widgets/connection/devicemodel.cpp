@@ -8,7 +8,7 @@
 namespace mb {
 namespace {
 
-constexpr quintptr linkMark = ~quintptr {0};
+constexpr quintptr linkMark = ~quintptr{0};
 
 } // namespace
 
@@ -29,8 +29,8 @@ void DeviceModel::setFilter(const QString &text)
 bool DeviceModel::passes(const DeviceView &device) const
 {
     const auto has = [this](const QString &text) { return text.contains(m_filter, Qt::CaseInsensitive); };
-    return m_filter.isEmpty() || has(titleOf(device)) || has(QString::fromStdString(device.identity.name)) || has(QString::fromStdString(device.identity.serial))
-        || has(badgeOf(device));
+    return m_filter.isEmpty() || has(titleOf(device)) || has(QString::fromStdString(device.identity.name))
+        || has(QString::fromStdString(device.identity.serial)) || has(badgeOf(device));
 }
 
 void DeviceModel::follow()
@@ -59,7 +59,8 @@ void DeviceModel::followLinks(const Snapshot &shot)
         endRemoveRows();
     }
     for (const LinkView &link : shot.links) {
-        const bool known = std::any_of(m_rows.begin(), m_rows.end(), [&](const LinkRow &row) { return row.address == link.address; });
+        const bool known = std::any_of(
+            m_rows.begin(), m_rows.end(), [&](const LinkRow &row) { return row.address == link.address; });
         if (known)
             continue;
         const int row = static_cast<int>(m_rows.size());
@@ -88,7 +89,8 @@ void DeviceModel::followDevices(int row, const Snapshot &shot)
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         if (i < link.devices.size() && link.devices[i] == wanted[i])
             continue;
-        if (const auto old = std::find(link.devices.begin(), link.devices.end(), wanted[i]); old != link.devices.end()) {
+        if (const auto old = std::find(link.devices.begin(), link.devices.end(), wanted[i]);
+            old != link.devices.end()) {
             const int from = static_cast<int>(old - link.devices.begin());
             beginRemoveRows(parent, from, from);
             link.devices.erase(old);
@@ -164,11 +166,14 @@ QVariant DeviceModel::linkData(const LinkView &link, int role) const
     switch (role) {
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole: return QString::fromStdString(link.name);
-    case Qt::ToolTipRole: return QString::fromStdString(link.reason.empty() ? link.address : link.address + '\n' + link.reason);
+    case Qt::ToolTipRole:
+        return QString::fromStdString(link.reason.empty() ? link.address : link.address + '\n' + link.reason);
     case LineRole:
         if (link.state == LinkState::Lost)
             return tr("lost");
-        return link.bitrate >= 1'000'000 ? tr("%1 Mbit/s").arg(link.bitrate / 1e6) : link.bitrate > 0 ? tr("%1 kbit/s").arg(link.bitrate / 1e3) : QString();
+        return link.bitrate >= 1'000'000 ? tr("%1 Mbit/s").arg(link.bitrate / 1e6)
+            : link.bitrate > 0           ? tr("%1 kbit/s").arg(link.bitrate / 1e3)
+                                         : QString();
     case DetailRole: return link.scanning ? tr("scanning") : tr("%1 %").arg(qRound(link.load * 100));
     case DeviceRole: return 0U;
     default: return {};

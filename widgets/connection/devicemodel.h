@@ -14,7 +14,7 @@ class DeviceModel final : public QAbstractItemModel {
 public:
     enum Role {
         GlyphRole = Qt::UserRole, ///< int of GlyphState
-        LineRole, ///< second line
+        LineRole,                 ///< second line
         BadgeRole,
         DeviceRole, ///< quint32, 0 on a link row
         DetailRole, ///< right-hand text of a link row: load

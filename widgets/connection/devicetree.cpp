@@ -5,8 +5,8 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/searchfield.h"
-#include "widgets/connection/devicedelegate.h"
 #include "widgets/connection/deviceactions.h"
+#include "widgets/connection/devicedelegate.h"
 
 #include <QHBoxLayout>
 #include <QMenu>
@@ -76,7 +76,8 @@ void DeviceTree::buildHead(QVBoxLayout &column)
 
 void DeviceTree::buildTree(QVBoxLayout &column)
 {
-    m_empty = new EmptyState(m_theme, Symbol::Plug, tr("No device yet"), tr("Devices appear here by themselves as soon as a link answers."), this);
+    m_empty = new EmptyState(m_theme, Symbol::Plug, tr("No device yet"),
+        tr("Devices appear here by themselves as soon as a link answers."), this);
     column.addWidget(m_empty);
     m_view = new QTreeView(this);
     m_view->setObjectName(QStringLiteral("deviceTree"));

@@ -70,11 +70,12 @@ void Inspector::buildLive(QVBoxLayout &column)
 {
     column.addWidget(separatorLine(Qt::Horizontal, this));
     column.addWidget(new SectionLabel(tr("Live"), this));
-    const auto add = [&](const QString &caption, const QString &unit, std::string_view channel, double factor, int decimals) {
-        ValueLabel *label = addRow(column, caption);
-        label->setUnit(unit);
-        m_live.push_back({channel, factor, decimals, label});
-    };
+    const auto add
+        = [&](const QString &caption, const QString &unit, std::string_view channel, double factor, int decimals) {
+              ValueLabel *label = addRow(column, caption);
+              label->setUnit(unit);
+              m_live.push_back({channel, factor, decimals, label});
+          };
     add(tr("position"), tr("counts"), "position", 1.0, 0);
     add(tr("velocity"), tr("counts/s"), "velocity", 1.0, 0);
     add(tr("current"), QStringLiteral("A"), "current", 1.0, 2);
@@ -112,7 +113,8 @@ void Inspector::follow()
     if (!isVisible())
         return;
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
-    m_identify->setEnabled(device && device->family->capabilities.identify && device->identity.state != DeviceState::Bootloader);
+    m_identify->setEnabled(
+        device && device->family->capabilities.identify && device->identity.state != DeviceState::Bootloader);
     m_read->setEnabled(device && device->identity.state == DeviceState::Online);
     if (!device) {
         m_title->setText(tr("No device selected"));
@@ -122,7 +124,9 @@ void Inspector::follow()
     m_title->setText(titleOf(*device));
     const LinkView *link = m_workbench.snapshot().link(device->link);
     const QString linkName = link ? QString::fromStdString(link->name) : QString();
-    m_subtitle->setText(device->identity.name.empty() ? linkName : QString::fromStdString(device->identity.name) + QStringLiteral(" · ") + linkName);
+    m_subtitle->setText(device->identity.name.empty()
+            ? linkName
+            : QString::fromStdString(device->identity.name) + QStringLiteral(" · ") + linkName);
     for (const LiveRow &row : m_live) {
         if (const auto value = liveValue(*device, row.channel, m_workbench.now()))
             row.label->setValue(formatNumber(*value * row.factor, row.decimals));
@@ -138,7 +142,9 @@ void Inspector::follow()
     text(m_serial, device->identity.serial);
     text(m_firmware, device->identity.firmware);
     text(m_bootloader, device->identity.bootloader);
-    text(m_session, device->identity.session ? QString::number(*device->identity.session, 16).toUpper().toStdString() : std::string());
+    text(m_session,
+        device->identity.session ? QString::number(*device->identity.session, 16).toUpper().toStdString()
+                                 : std::string());
     showParameters(*device);
 }
 

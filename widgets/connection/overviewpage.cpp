@@ -88,8 +88,10 @@ QWidget *OverviewPage::buildDoctor(QWidget *parent)
 QWidget *OverviewPage::buildTry(QWidget *parent)
 {
     auto *card = new Card(m_theme, tr("Try with simulated motors"), parent);
-    auto *text = textLabel(tr("A bench of simulated controllers with real bus timing: #5 a CIM that is tuned well, #7 a 775pro that overshoots about 20 %, "
-                              "#9 a unit that waits in its bootloader for firmware. Everything works as on a real bus, and nothing can move."),
+    auto *text = textLabel(tr("A bench of simulated controllers with real bus timing: #5 a CIM that is tuned well, #7 "
+                              "a 775pro that overshoots about 20 %, "
+                              "#9 a unit that waits in its bootloader for firmware. Everything works as on a real bus, "
+                              "and nothing can move."),
         TextRole::Body, Tone::Dim, card);
     text->setWordWrap(true);
     card->body().addWidget(text);
@@ -158,9 +160,11 @@ void OverviewPage::followDoctor()
         m_doctor->addWidget(row);
     };
     for (const LinkListing &listing : m_workbench.listings())
-        addRow(listing.openable ? GlyphState::Done : GlyphState::Warning, QString::fromStdString(listing.link.text()), tableText(listing.detail));
+        addRow(listing.openable ? GlyphState::Done : GlyphState::Warning, QString::fromStdString(listing.link.text()),
+            tableText(listing.detail));
     if (m_workbench.listings().empty())
-        addRow(GlyphState::Gone, tr("No interface found"), tr("Plug in a CAN adapter at any time; it appears here and is opened by itself once it is up."));
+        addRow(GlyphState::Gone, tr("No interface found"),
+            tr("Plug in a CAN adapter at any time; it appears here and is opened by itself once it is up."));
 }
 
 OverviewPage::LinkCard OverviewPage::makeLinkCard(const LinkView &link)
@@ -203,7 +207,8 @@ void OverviewPage::followLinks(const Snapshot &shot)
         }
         const LinkCard &card = entry->second;
         const QString rate = link.bitrate > 0 ? tr("%1 kbit/s").arg(link.bitrate / 1000) : QString();
-        card.card->setTitle(QString::fromStdString(link.name), link.state == LinkState::Open ? rate : QString::fromStdString(link.reason));
+        card.card->setTitle(QString::fromStdString(link.name),
+            link.state == LinkState::Open ? rate : QString::fromStdString(link.reason));
         card.card->setEdge(link.state == LinkState::Open ? std::nullopt : std::optional(Tone::Danger));
         card.load->setValue(formatNumber(link.load * 100, 0));
         card.errors->setValue(formatCount(static_cast<qint64>(link.counters.errors)));

@@ -183,7 +183,9 @@ QWidget *FirmwarePage::buildSide(QWidget *parent)
     inner->addWidget(new SectionLabel(tr("Flash pages"), panel));
     m_map = new PageMap(m_theme, panel);
     inner->addWidget(m_map);
-    auto *legend = textLabel(tr("In the order they are written. Green: written. Amber edge: sent again. Dashed: not in the image. Red: must not be cut."), TextRole::Caption, Tone::Dim, panel);
+    auto *legend = textLabel(tr("In the order they are written. Green: written. Amber edge: sent again. Dashed: not in "
+                                "the image. Red: must not be cut."),
+        TextRole::Caption, Tone::Dim, panel);
     legend->setWordWrap(true);
     inner->addWidget(legend);
     m_notes = textLabel({}, TextRole::Caption, Tone::Dim, panel);

@@ -13,9 +13,9 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMimeData>
-#include <QUrl>
 #include <QProgressBar>
 #include <QTableWidget>
+#include <QUrl>
 
 namespace mb {
 namespace {
@@ -37,7 +37,8 @@ void FirmwarePage::loadImage(const QString &path)
         inspectImage();
         return;
     }
-    auto image = FirmwareImage::fromIntelHex(std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));
+    auto image
+        = FirmwareImage::fromIntelHex(std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));
     if (image)
         m_image = std::make_shared<const FirmwareImage>(std::move(*image));
     else
@@ -60,13 +61,16 @@ void FirmwarePage::inspectImage()
     if (!m_imageError.isEmpty())
         m_imageDetail->setText(m_imageError);
     else if (m_summary)
-        m_imageDetail->setText(tr("version %1 · pages: %2").arg(QString::fromStdString(m_summary->version)).arg(m_summary->parts.size()));
+        m_imageDetail->setText(
+            tr("version %1 · pages: %2").arg(QString::fromStdString(m_summary->version)).arg(m_summary->parts.size()));
     else
-        m_imageDetail->setText(m_path.isEmpty() ? tr("Open an Intel HEX file, or drop it here") : tr("select a device to check it"));
+        m_imageDetail->setText(
+            m_path.isEmpty() ? tr("Open an Intel HEX file, or drop it here") : tr("select a device to check it"));
     setTone(*m_imageDetail, m_imageError.isEmpty() ? Tone::Dim : Tone::Danger);
-    m_map->setParts(m_summary ? m_summary->parts : std::vector<int> {}, m_summary ? m_summary->criticalPart : std::nullopt);
+    m_map->setParts(
+        m_summary ? m_summary->parts : std::vector<int>{}, m_summary ? m_summary->criticalPart : std::nullopt);
     QStringList notes;
-    for (const std::string &note : m_summary ? m_summary->notes : std::vector<std::string> {})
+    for (const std::string &note : m_summary ? m_summary->notes : std::vector<std::string>{})
         notes += tableText(note);
     m_notes->setText(notes.join(QLatin1Char('\n')));
     follow();
@@ -87,8 +91,8 @@ const OperationView *FirmwarePage::updateOf(const DeviceView *device) const
 bool FirmwarePage::canStart() const
 {
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
-    return device && device->family->update && m_image && m_summary && device->busy.empty() && !device->liveness.moving && !device->liveness.foreignMaster
-        && device->identity.state != DeviceState::Duplicate;
+    return device && device->family->update && m_image && m_summary && device->busy.empty() && !device->liveness.moving
+        && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate;
 }
 
 void FirmwarePage::startUpdate()
@@ -116,9 +120,11 @@ void FirmwarePage::follow()
     }
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
     const OperationView *operation = updateOf(device);
-    m_deviceName->setText(device ? titleOf(*device) + QLatin1Char(' ') + QString::fromStdString(device->identity.name) : tr("no device selected"));
+    m_deviceName->setText(device ? titleOf(*device) + QLatin1Char(' ') + QString::fromStdString(device->identity.name)
+                                 : tr("no device selected"));
     if (device) {
-        const QString now = device->identity.firmware.empty() ? tr("none") : QString::fromStdString(device->identity.firmware);
+        const QString now
+            = device->identity.firmware.empty() ? tr("none") : QString::fromStdString(device->identity.firmware);
         m_versions->setText(m_summary ? tr("%1 → %2").arg(now, QString::fromStdString(m_summary->version)) : now);
     } else {
         m_versions->clear();
@@ -139,9 +145,13 @@ void FirmwarePage::followChecks(const DeviceView *device, const OperationView *o
 {
     const bool image = m_summary.has_value();
     setCheck(m_checks[0], image, image ? tr("image fits this family") : tr("no usable image"));
-    setCheck(m_checks[1], device && !device->liveness.moving, device && device->liveness.moving ? tr("motor is moving") : tr("motor stopped"));
+    setCheck(m_checks[1], device && !device->liveness.moving,
+        device && device->liveness.moving ? tr("motor is moving") : tr("motor stopped"));
     const bool alone = device && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate;
-    setCheck(m_checks[2], alone, alone ? tr("no other master, number unique") : device ? tr("another master, or a number taken twice") : tr("no device"));
+    setCheck(m_checks[2], alone,
+        alone        ? tr("no other master, number unique")
+            : device ? tr("another master, or a number taken twice")
+                     : tr("no device"));
     const auto supply = device ? liveValue(*device, "bus_voltage", m_workbench.now()) : std::nullopt;
     const bool strong = !supply || *supply >= lowSupply;
     m_checks[3].glyph->setState(!supply ? GlyphState::Assumed : strong ? GlyphState::Done : GlyphState::Warning);
@@ -151,7 +161,9 @@ void FirmwarePage::followChecks(const DeviceView *device, const OperationView *o
     const bool boot = device && device->identity.state == DeviceState::Bootloader;
     m_start->setText(boot ? tr("Run the update again") : tr("Update"));
     m_cancel->setEnabled(running && operation->status.mayInterrupt);
-    m_cancel->setToolTip(running && !operation->status.mayInterrupt ? tr("Page 0 is being written: it must not be cut") : tr("The unit then waits in its bootloader; the update can be run again"));
+    m_cancel->setToolTip(running && !operation->status.mayInterrupt
+            ? tr("Page 0 is being written: it must not be cut")
+            : tr("The unit then waits in its bootloader; the update can be run again"));
 }
 
 QString FirmwarePage::remaining(const OperationStatus &status) const
@@ -160,7 +172,8 @@ QString FirmwarePage::remaining(const OperationStatus &status) const
     if (status.done < 2 || status.total == 0)
         return {};
     const double perPage = elapsed / status.done;
-    return tr("%1 s a page, about %2 s left").arg(formatNumber(perPage, 2), formatNumber(perPage * (status.total - status.done), 0));
+    return tr("%1 s a page, about %2 s left")
+        .arg(formatNumber(perPage, 2), formatNumber(perPage * (status.total - status.done), 0));
 }
 
 QString FirmwarePage::result(const UpdateReport &report)
@@ -197,7 +210,7 @@ void FirmwarePage::followProgress(const OperationView *operation)
         return;
     }
     const double seconds = std::chrono::duration<double>(status.endedAt - status.startedAt).count();
-    const UpdateReport report = operation->update.value_or(UpdateReport {});
+    const UpdateReport report = operation->update.value_or(UpdateReport{});
     m_step->setText(result(report));
     m_rate->setText(tr("%1 s, pages sent again: %2").arg(formatNumber(seconds, 1)).arg(report.retries));
     const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
@@ -206,13 +219,14 @@ void FirmwarePage::followProgress(const OperationView *operation)
 
 QString FirmwarePage::timeOf(Instant time) const
 {
-    const auto unixTime = std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch() + m_workbench.unixOffset());
+    const auto unixTime
+        = std::chrono::duration_cast<std::chrono::milliseconds>(time.time_since_epoch() + m_workbench.unixOffset());
     return QDateTime::fromMSecsSinceEpoch(unixTime.count()).toString(QStringLiteral("HH:mm:ss.zzz"));
 }
 
 void FirmwarePage::followLog(const OperationView *operation)
 {
-    const OperationId id = operation ? operation->id : OperationId {};
+    const OperationId id = operation ? operation->id : OperationId{};
     if (id != m_shownOperation) {
         m_shownOperation = id;
         m_shownLines = 0;
@@ -227,9 +241,10 @@ void FirmwarePage::followLog(const OperationView *operation)
         m_log->insertRow(row);
         auto *time = new QTableWidgetItem(timeOf(line.time));
         time->setForeground(m_theme.theme().dim);
-        const GlyphState state = line.severity == Severity::Good ? GlyphState::Done : line.severity == Severity::Caution ? GlyphState::Warning
-            : line.severity == Severity::Danger                                                                          ? GlyphState::Fault
-                                                                                                                         : GlyphState::Volatile;
+        const GlyphState state = line.severity == Severity::Good ? GlyphState::Done
+            : line.severity == Severity::Caution                 ? GlyphState::Warning
+            : line.severity == Severity::Danger                  ? GlyphState::Fault
+                                                                 : GlyphState::Volatile;
         auto *text = new QTableWidgetItem(glyphIcon(state, m_theme.theme()), tableText(line.text));
         m_log->setItem(row, 0, time);
         m_log->setItem(row, 1, text);
@@ -243,15 +258,19 @@ void FirmwarePage::followSafety(const OperationView *operation)
     const bool critical = running && !operation->status.mayInterrupt;
     const char *kind = critical ? "danger" : "ok";
     setStyleProperty(*m_safety, "banner", QString::fromLatin1(kind));
-    m_safetyTitle->setText(critical ? tr("Do not unplug") : running ? tr("Safe to unplug") : tr("Nothing is written now"));
+    m_safetyTitle->setText(critical ? tr("Do not unplug")
+            : running               ? tr("Safe to unplug")
+                                    : tr("Nothing is written now"));
     setTone(*m_safetyTitle, critical ? Tone::Danger : Tone::Ok);
     m_safetyText->setText(critical ? tr("Page 0 holds the reset vector. A cut now cannot be repaired over the bus.")
-                                   : tr("A unit that is cut stays in its bootloader and can be updated again. Only page 0, the last, must not be interrupted."));
+                                   : tr("A unit that is cut stays in its bootloader and can be updated again. Only "
+                                        "page 0, the last, must not be interrupted."));
 }
 
 void FirmwarePage::askImage()
 {
-    auto *dialog = new QFileDialog(this, tr("Open a firmware image"), QFileInfo(m_path).path(), tr("Intel HEX (*.hex *.ihex);;All files (*)"));
+    auto *dialog = new QFileDialog(
+        this, tr("Open a firmware image"), QFileInfo(m_path).path(), tr("Intel HEX (*.hex *.ihex);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &FirmwarePage::loadImage);
@@ -263,7 +282,8 @@ void FirmwarePage::askSaveLog()
     QString text;
     for (int row = 0; row < m_log->rowCount(); ++row)
         text += m_log->item(row, 0)->text() + QLatin1Char('\t') + m_log->item(row, 1)->text() + QLatin1Char('\n');
-    auto *dialog = new QFileDialog(this, tr("Save the log of the update"), QStringLiteral("update.log"), tr("Text (*.log *.txt)"));
+    auto *dialog = new QFileDialog(
+        this, tr("Save the log of the update"), QStringLiteral("update.log"), tr("Text (*.log *.txt)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     connect(dialog, &QFileDialog::fileSelected, this, [this, text](const QString &path) {

@@ -76,7 +76,7 @@ private:
     QLabel *m_imageDetail = nullptr;
     QLabel *m_deviceName = nullptr;
     QLabel *m_versions = nullptr;
-    std::array<Check, 4> m_checks {};
+    std::array<Check, 4> m_checks{};
     CommandButton *m_start = nullptr;
     CommandButton *m_cancel = nullptr;
     QLabel *m_step = nullptr;

@@ -47,7 +47,8 @@ void PageMap::setStates(const std::map<int, PartState> &states)
             m_repeated[part] = true;
     }
     m_states = states;
-    const auto done = std::count_if(states.begin(), states.end(), [](const auto &entry) { return entry.second == PartState::Done; });
+    const auto done = std::count_if(
+        states.begin(), states.end(), [](const auto &entry) { return entry.second == PartState::Done; });
     setAccessibleDescription(tr("%1 of %2 pages written").arg(done).arg(m_parts.size()));
     update();
 }
@@ -77,7 +78,8 @@ QRectF PageMap::cell(std::size_t place) const
     const int count = columns(width());
     const int row = static_cast<int>(place) / count;
     const int column = static_cast<int>(place) % count;
-    return {column * (theme.u(cellWidth) + theme.u(gap)) + 0.5, row * (theme.u(cellHeight) + theme.u(gap)) + 0.5, theme.u(cellWidth) - 1.0, theme.u(cellHeight) - 1.0};
+    return {column * (theme.u(cellWidth) + theme.u(gap)) + 0.5, row * (theme.u(cellHeight) + theme.u(gap)) + 0.5,
+        theme.u(cellWidth) - 1.0, theme.u(cellHeight) - 1.0};
 }
 
 PartState PageMap::stateOf(int part) const
@@ -96,9 +98,15 @@ void PageMap::paintCell(QPainter &painter, std::size_t place) const
     QColor text = theme.dim;
     QPen edge(theme.line, 1);
     switch (state) {
-    case PartState::Done: fill = theme.ok; text = theme.dark ? theme.onArmed : theme.onFill; break;
+    case PartState::Done:
+        fill = theme.ok;
+        text = theme.dark ? theme.onArmed : theme.onFill;
+        break;
     case PartState::Active:
-    case PartState::Repeated: fill = theme.accent; text = theme.dark ? theme.onArmed : theme.onFill; break;
+    case PartState::Repeated:
+        fill = theme.accent;
+        text = theme.dark ? theme.onArmed : theme.onFill;
+        break;
     case PartState::Absent:
         fill = Qt::transparent;
         edge = QPen(theme.outline, 1, Qt::DashLine);
@@ -137,7 +145,10 @@ QString PageMap::word(int part) const
     switch (stateOf(part)) {
     case PartState::Waiting: return tr("page %1: waiting").arg(part) + critical;
     case PartState::Active: return tr("page %1: being written").arg(part) + critical;
-    case PartState::Done: return (m_repeated.count(part) > 0 ? tr("page %1: written after it was sent again") : tr("page %1: written")).arg(part) + critical;
+    case PartState::Done:
+        return (m_repeated.count(part) > 0 ? tr("page %1: written after it was sent again") : tr("page %1: written"))
+                   .arg(part)
+            + critical;
     case PartState::Repeated: return tr("page %1: sent again").arg(part) + critical;
     case PartState::Absent: return tr("page %1: not in the image").arg(part);
     }

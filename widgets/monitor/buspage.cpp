@@ -21,7 +21,7 @@
 namespace mb {
 namespace {
 
-constexpr std::chrono::milliseconds tickTime {50};
+constexpr std::chrono::milliseconds tickTime{50};
 
 } // namespace
 
@@ -99,7 +99,7 @@ void BusPage::buildTable(QVBoxLayout &column)
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setWordWrap(false);
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    const std::array<int, FrameModel::ColumnCount> widths {86, 68, 40, 96, 140, 44, 440, 190};
+    const std::array<int, FrameModel::ColumnCount> widths{86, 68, 40, 96, 140, 44, 440, 190};
     for (int i = 0; i < FrameModel::ColumnCount; ++i)
         m_table->setColumnWidth(i, theme.u(widths[static_cast<std::size_t>(i)]));
     m_table->horizontalHeader()->setStretchLastSection(true);
@@ -109,10 +109,11 @@ void BusPage::buildTable(QVBoxLayout &column)
     split->setStretchFactor(0, 1);
     split->setSizes({theme.u(900), theme.u(300)});
     column.addWidget(split, 1);
-    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex &current) {
-        if (current.isValid())
-            m_detail->show(m_model->row(current.row()));
-    });
+    connect(
+        m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex &current) {
+            if (current.isValid())
+                m_detail->show(m_model->row(current.row()));
+        });
     // Looking back must not be scrolled away: the view stops following, the log goes on.
     connect(m_table->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] {
         const QScrollBar *bar = m_table->verticalScrollBar();
@@ -170,8 +171,9 @@ void BusPage::followLinks()
 
 void BusPage::applyFilter()
 {
-    static const std::array directions {QString(), QStringLiteral(" dir:rx"), QStringLiteral(" dir:tx")};
-    const FrameFilter filter(m_filter->text() + directions[static_cast<std::size_t>(std::max(m_direction->current(), 0))]);
+    static const std::array directions{QString(), QStringLiteral(" dir:rx"), QStringLiteral(" dir:tx")};
+    const FrameFilter filter(
+        m_filter->text() + directions[static_cast<std::size_t>(std::max(m_direction->current(), 0))]);
     m_problem->setText(filter.problem());
     m_problem->setVisible(!filter.problem().isEmpty());
     m_model->setFilter(filter);
@@ -190,11 +192,14 @@ void BusPage::tick()
         return;
     const LinkCounters &counters = shot.links[current].counters;
     const std::uint64_t frames = counters.rx + counters.tx;
-    if (m_rateAt != Instant {})
-        m_rate = static_cast<double>(frames - std::min(frames, m_rateFrames)) / std::chrono::duration<double>(now - m_rateAt).count();
+    if (m_rateAt != Instant{})
+        m_rate = static_cast<double>(frames - std::min(frames, m_rateFrames))
+            / std::chrono::duration<double>(now - m_rateAt).count();
     m_rateAt = now;
     m_rateFrames = frames;
-    m_state->setText(tr("load %1 %   %2 frames/s   lost %3").arg(formatNumber(shot.links[current].load * 100, 0), formatNumber(m_rate, 0), formatCount(static_cast<qint64>(counters.lost))));
+    m_state->setText(tr("load %1 %   %2 frames/s   lost %3")
+                         .arg(formatNumber(shot.links[current].load * 100, 0), formatNumber(m_rate, 0),
+                             formatCount(static_cast<qint64>(counters.lost))));
     const auto shown = m_model->rowCount();
     m_filter->setResult(m_filter->text().isEmpty() ? QString() : tr("%1 shown").arg(formatCount(shown)));
 }

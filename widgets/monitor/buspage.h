@@ -53,7 +53,7 @@ private:
     QLabel *m_problem = nullptr;
     std::vector<std::string> m_shownLinks;
     bool m_paused = false;
-    Instant m_rateAt {};
+    Instant m_rateAt{};
     std::uint64_t m_rateFrames = 0;
     double m_rate = 0.0;
     QTimer m_tick;

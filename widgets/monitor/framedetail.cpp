@@ -37,11 +37,13 @@ FrameDetail::FrameDetail(const ThemeSource &theme, QWidget *parent)
     m_fields->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_fields->setShowGrid(false);
     auto *copy = new CommandButton(theme, Symbol::Copy, tr("Copy as candump text"), this);
-    for (QWidget *widget : {static_cast<QWidget *>(m_message), static_cast<QWidget *>(m_id), static_cast<QWidget *>(m_bytes)})
+    for (QWidget *widget :
+        {static_cast<QWidget *>(m_message), static_cast<QWidget *>(m_id), static_cast<QWidget *>(m_bytes)})
         column->addWidget(widget);
     column->addWidget(m_fields, 1);
     column->addWidget(copy);
-    connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(QString::fromStdString(toText(m_row.record.frame))); });
+    connect(copy, &QPushButton::clicked, this,
+        [this] { QApplication::clipboard()->setText(QString::fromStdString(toText(m_row.record.frame))); });
 }
 
 void FrameDetail::show(const FrameRow &row)
@@ -49,9 +51,13 @@ void FrameDetail::show(const FrameRow &row)
     m_row = row;
     m_message->setText(row.decoded ? qt(row.decoded->message) : tr("Unknown frame"));
     const QString direction = row.record.direction == Direction::Sent ? tr("sent") : tr("received");
-    m_id->setText(row.decoded ? tr("%1 · %2 %3 · %4").arg(hexId(row.record.frame), qt(row.family->title)).arg(row.decoded->address).arg(direction) : tr("%1 · %2").arg(hexId(row.record.frame), direction));
+    m_id->setText(row.decoded ? tr("%1 · %2 %3 · %4")
+                                    .arg(hexId(row.record.frame), qt(row.family->title))
+                                    .arg(row.decoded->address)
+                                    .arg(direction)
+                              : tr("%1 · %2").arg(hexId(row.record.frame), direction));
     m_bytes->setText(hexBytes(row.record.frame));
-    const auto &fields = row.decoded ? row.decoded->fields : std::vector<DecodedField> {};
+    const auto &fields = row.decoded ? row.decoded->fields : std::vector<DecodedField>{};
     m_fields->setRowCount(static_cast<int>(fields.size()));
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const QString unit = fields[i].unit.empty() ? QString() : QLatin1Char(' ') + qt(fields[i].unit);

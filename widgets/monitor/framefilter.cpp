@@ -16,7 +16,8 @@ struct FrameText {
 
 bool wildcard(const QString &pattern, const QString &text)
 {
-    const QRegularExpression expression(QRegularExpression::wildcardToRegularExpression(pattern), QRegularExpression::CaseInsensitiveOption);
+    const QRegularExpression expression(
+        QRegularExpression::wildcardToRegularExpression(pattern), QRegularExpression::CaseInsensitiveOption);
     return expression.match(text).hasMatch();
 }
 
@@ -33,7 +34,8 @@ QString hexBytes(const CanFrame &frame)
         return FrameText::tr("remote");
     QString text;
     for (const std::uint8_t byte : frame.bytes())
-        text += (text.isEmpty() ? QString() : QStringLiteral(" ")) + QStringLiteral("%1").arg(byte, 2, 16, QLatin1Char('0')).toUpper();
+        text += (text.isEmpty() ? QString() : QStringLiteral(" "))
+            + QStringLiteral("%1").arg(byte, 2, 16, QLatin1Char('0')).toUpper();
     return text;
 }
 
@@ -104,7 +106,9 @@ bool FrameFilter::holds(const Term &term, const FrameRow &row)
     case Key::Device: return row.decoded && wildcard(term.pattern, QString::number(row.decoded->address));
     case Key::Id: return wildcard(term.pattern + QLatin1Char('*'), hexId(row.record.frame));
     case Key::Family: return row.family && wildcard(term.pattern, qt(row.family->key));
-    case Key::Direction: return wildcard(term.pattern, row.record.direction == Direction::Sent ? QStringLiteral("tx") : QStringLiteral("rx"));
+    case Key::Direction:
+        return wildcard(
+            term.pattern, row.record.direction == Direction::Sent ? QStringLiteral("tx") : QStringLiteral("rx"));
     }
     return false;
 }

@@ -62,7 +62,7 @@ void FrameModel::setFilter(const FrameFilter &filter)
 
 FrameRow FrameModel::decode(const TrafficRecord &record)
 {
-    FrameRow row {record, 0.0, nullptr, std::nullopt};
+    FrameRow row{record, 0.0, nullptr, std::nullopt};
     const auto [last, isNew] = m_last.try_emplace(record.frame.id, record.frame.time);
     if (!isNew)
         row.sinceSame = seconds(record.frame.time - last->second);
@@ -144,7 +144,10 @@ QString FrameModel::text(const FrameRow &row, int column) const
     case Id: return hexId(frame);
     case Message: return frame.error ? tr("error frame") : row.decoded ? qt(row.decoded->message) : tr("unknown");
     case Address: return row.decoded ? QString::number(row.decoded->address) : QString(UnknownMark);
-    case Decoded: return row.decoded ? fieldsLine(*row.decoded) : frame.error ? tr("class %1").arg(hexId(frame)) : tr("no decoder knows this identifier");
+    case Decoded:
+        return row.decoded ? fieldsLine(*row.decoded)
+            : frame.error  ? tr("class %1").arg(hexId(frame))
+                           : tr("no decoder knows this identifier");
     case Data: return hexBytes(frame);
     default: return {};
     }
@@ -174,7 +177,9 @@ QVariant FrameModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole: return text(frame, column);
     case Qt::ForegroundRole: return color(frame, column);
     case Qt::TextAlignmentRole:
-        return static_cast<int>(column == Time || column == Delta || column == Address ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
+        return static_cast<int>(column == Time || column == Delta || column == Address
+                ? Qt::AlignRight | Qt::AlignVCenter
+                : Qt::AlignLeft | Qt::AlignVCenter);
     case Qt::FontRole:
         if (column == Message && frame.decoded)
             return m_theme.theme().font(TextRole::Emphasis, {});
@@ -188,7 +193,9 @@ QVariant FrameModel::headerData(int section, Qt::Orientation orientation, int ro
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::TextAlignmentRole)
-        return static_cast<int>(section == Time || section == Delta || section == Address ? Qt::AlignRight | Qt::AlignVCenter : Qt::AlignLeft | Qt::AlignVCenter);
+        return static_cast<int>(section == Time || section == Delta || section == Address
+                ? Qt::AlignRight | Qt::AlignVCenter
+                : Qt::AlignLeft | Qt::AlignVCenter);
     if (role != Qt::DisplayRole)
         return {};
     switch (section) {

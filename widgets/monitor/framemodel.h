@@ -27,7 +27,10 @@ public:
     /// Yields whether anything was added.
     bool fetch();
     void clear();
-    [[nodiscard]] const FrameRow &row(int index) const { return m_rows[m_shown[static_cast<std::size_t>(index)] - m_firstRow]; }
+    [[nodiscard]] const FrameRow &row(int index) const
+    {
+        return m_rows[m_shown[static_cast<std::size_t>(index)] - m_firstRow];
+    }
     [[nodiscard]] std::uint64_t seen() const { return m_seen; }
     [[nodiscard]] std::uint64_t skipped() const { return m_skipped; }
 
@@ -45,10 +48,10 @@ private:
     const ThemeSource &m_theme;
     std::shared_ptr<const TrafficLog> m_log;
     std::vector<const Family *> m_families;
-    Instant m_origin {};
+    Instant m_origin{};
     FrameFilter m_filter;
-    std::deque<FrameRow> m_rows; ///< everything kept
-    std::uint64_t m_firstRow = 0; ///< number of m_rows.front()
+    std::deque<FrameRow> m_rows;       ///< everything kept
+    std::uint64_t m_firstRow = 0;      ///< number of m_rows.front()
     std::deque<std::uint64_t> m_shown; ///< numbers of the rows that pass
     std::map<std::uint32_t, Instant> m_last;
     std::uint64_t m_fetched = 0;

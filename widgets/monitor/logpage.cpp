@@ -87,7 +87,8 @@ void LogPage::buildTable()
     auto *filter = new NoticeFilter(this);
     filter->setSourceModel(m_model);
     m_states = new QStackedWidget(this);
-    m_states->addWidget(new EmptyState(m_theme, Symbol::Log, tr("Nothing yet"), tr("Actions and faults appear here."), m_states));
+    m_states->addWidget(
+        new EmptyState(m_theme, Symbol::Log, tr("Nothing yet"), tr("Actions and faults appear here."), m_states));
     m_table = new QTableView(m_states);
     m_table->setAccessibleName(tr("Log lines"));
     m_table->setModel(filter);
@@ -108,7 +109,7 @@ void LogPage::buildTable()
         m_table->scrollToBottom();
     });
     const auto apply = [this, filter] {
-        constexpr std::array least {Severity::Info, Severity::Caution, Severity::Danger};
+        constexpr std::array least{Severity::Info, Severity::Caution, Severity::Danger};
         filter->set(m_search->text(), least[static_cast<std::size_t>(std::max(m_severity->current(), 0))]);
     };
     connect(m_search, &QLineEdit::textChanged, filter, apply);
@@ -120,18 +121,21 @@ QString LogPage::text() const
 {
     QString all;
     for (const Notice &notice : m_workbench.notices())
-        all += m_model->timeText(notice) + QLatin1Char('\t') + notice.device + QLatin1Char('\t') + notice.text + QLatin1Char('\n');
+        all += m_model->timeText(notice) + QLatin1Char('\t') + notice.device + QLatin1Char('\t') + notice.text
+            + QLatin1Char('\n');
     return all;
 }
 
 void LogPage::askSave()
 {
-    auto *dialog = new QFileDialog(this, tr("Save the log"), QStringLiteral("motorbench.log"), tr("Text (*.log *.txt)"));
+    auto *dialog
+        = new QFileDialog(this, tr("Save the log"), QStringLiteral("motorbench.log"), tr("Text (*.log *.txt)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
         const auto saved = saveFile(path.toStdString(), text().toUtf8());
-        m_workbench.report(saved ? Severity::Good : Severity::Danger, {}, saved ? tr("log saved to %1").arg(path) : errorText(saved.error()));
+        m_workbench.report(saved ? Severity::Good : Severity::Danger, {},
+            saved ? tr("log saved to %1").arg(path) : errorText(saved.error()));
     });
     dialog->open();
 }

@@ -47,7 +47,8 @@ int NoticeModel::columnCount(const QModelIndex &parent) const
 
 QString NoticeModel::timeText(const Notice &notice) const
 {
-    const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(notice.time.time_since_epoch() + m_workbench.unixOffset());
+    const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(
+        notice.time.time_since_epoch() + m_workbench.unixOffset());
     return QDateTime::fromMSecsSinceEpoch(time.count()).toString(QStringLiteral("HH:mm:ss.zzz"));
 }
 

@@ -24,7 +24,6 @@ public:
     [[nodiscard]] QString timeText(const Notice &notice) const;
 
 private:
-
     Workbench &m_workbench;
     const ThemeSource &m_theme;
     std::vector<Notice> m_notices;

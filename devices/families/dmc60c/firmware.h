@@ -12,6 +12,7 @@ namespace mb::dmc60c {
 /// interruption: it asks the device where it stands first, and starts again at page 30 whenever the device may have
 /// restarted. Never reports Done before the device has answered with the version of the file. Device, image and progress
 /// outlive the task.
-[[nodiscard]] Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress);
+[[nodiscard]] Task<UpdateReport> update(
+    Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress);
 
 } // namespace mb::dmc60c

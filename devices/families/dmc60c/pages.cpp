@@ -136,12 +136,9 @@ Result<Application> applicationFrom(const FirmwareImage &image)
 std::uint32_t pageCrc(CrcVariant variant, std::span<const std::uint8_t> bytes)
 {
     switch (variant) {
-    case CrcVariant::A:
-        return Crc32{0, 0}.of(bytes);
-    case CrcVariant::B:
-        return Crc32{}.of(bytes);
-    case CrcVariant::C:
-        break;
+    case CrcVariant::A: return Crc32{0, 0}.of(bytes);
+    case CrcVariant::B: return Crc32{}.of(bytes);
+    case CrcVariant::C: break;
     }
     return crc32HalfFlushed(bytes);
 }

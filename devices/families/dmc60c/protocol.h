@@ -33,7 +33,7 @@ constexpr std::uint32_t control = 0x02060000U;
 
 enum class ImageType : std::uint16_t { Application = 0, Bootloader = 1, AuxiliaryBootloader = 2 };
 constexpr std::uint16_t noApplication = 0xFFFFU; ///< fwverApp without a valid application
-constexpr std::uint32_t productDmc60c = 0x602U; ///< pdid bits 31…20
+constexpr std::uint32_t productDmc60c = 0x602U;  ///< pdid bits 31…20
 
 /// 3: vendor commands.
 enum class Command : std::uint16_t {
@@ -97,7 +97,7 @@ enum class ControlMode : std::uint8_t {
 };
 
 constexpr std::int32_t fullDuty = 32767; ///< 100 %; −32768 is full reverse, so 32768 must never be sent
-constexpr int velocityPerSecond = 10; ///< the wire counts per 100 ms
+constexpr int velocityPerSecond = 10;    ///< the wire counts per 100 ms
 
 /// 6.1, 5 and 8: times.
 constexpr auto loopPeriod = std::chrono::microseconds(500);

@@ -223,17 +223,12 @@ std::int32_t Drive::demand(Instant at)
         m_error = m_command.target - duty;
         return duty;
     }
-    case ControlMode::VoltageCompensated:
-        return compensated();
-    case ControlMode::Follower:
-        m_error = 0;
-        return at - m_masterAt < heartbeat ? m_masterDuty : 0;
+    case ControlMode::VoltageCompensated: return compensated();
+    case ControlMode::Follower: m_error = 0; return at - m_masterAt < heartbeat ? m_masterDuty : 0;
     case ControlMode::Velocity:
     case ControlMode::Position:
-    case ControlMode::Current:
-        return closedLoop();
-    case ControlMode::NoDrive:
-        break;
+    case ControlMode::Current: return closedLoop();
+    case ControlMode::NoDrive: break;
     }
     return 0;
 }

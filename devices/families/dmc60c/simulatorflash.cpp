@@ -48,12 +48,9 @@ std::vector<std::uint8_t> ConfigImage::descriptors() const
 std::uint32_t pageCrc(CrcVariant variant, std::span<const std::uint8_t> bytes)
 {
     switch (variant) {
-    case CrcVariant::A:
-        return augmentedCrc(bytes, 32);
-    case CrcVariant::B:
-        return Crc32{}.of(bytes);
-    case CrcVariant::C:
-        return augmentedCrc(bytes, 16);
+    case CrcVariant::A: return augmentedCrc(bytes, 32);
+    case CrcVariant::B: return Crc32{}.of(bytes);
+    case CrcVariant::C: return augmentedCrc(bytes, 16);
     }
     return 0;
 }

@@ -16,19 +16,13 @@ constexpr std::uint8_t terminalQea = 4; ///< terc: without the loop-back the tes
 std::size_t textLimit(Command command)
 {
     switch (command) {
-    case Command::SetDevName:
-        return maxNameLength;
+    case Command::SetDevName: return maxNameLength;
     case Command::SetManName:
-    case Command::SetProdName:
-        return 28;
-    case Command::SetManDate:
-        return 20;
-    case Command::SetHardwareVer:
-        return 8;
-    case Command::SetSN:
-        return 12;
-    default:
-        return 0;
+    case Command::SetProdName: return 28;
+    case Command::SetManDate: return 20;
+    case Command::SetHardwareVer: return 8;
+    case Command::SetSN: return 12;
+    default: return 0;
     }
 }
 
@@ -47,17 +41,14 @@ void VendorPort::command(std::span<const std::uint8_t> bytes)
     const int second = readU16le(bytes, 6);
     const bool boot = m_board.isInBootloader();
     switch (code) {
-    case Command::SetDevNumber:
-        return setNumber(first);
+    case Command::SetDevNumber: return setNumber(first);
     case Command::SetDevName:
     case Command::SetManName:
     case Command::SetProdName:
     case Command::SetManDate:
     case Command::SetHardwareVer:
-    case Command::SetSN:
-        return beginText(code, static_cast<std::size_t>(first));
-    case Command::GetDescriptors:
-        return sendBlock(m_board.config().descriptors());
+    case Command::SetSN: return beginText(code, static_cast<std::size_t>(first));
+    case Command::GetDescriptors: return sendBlock(m_board.config().descriptors());
     case Command::GetFwver: {
         std::array<std::uint8_t, 6> version{};
         writeU16le(version, 0, static_cast<std::uint16_t>(boot ? ImageType::Bootloader : ImageType::Application));
@@ -65,17 +56,13 @@ void VendorPort::command(std::span<const std::uint8_t> bytes)
         writeU16le(version, 4, bootloaderVersion);
         return sendBlock(version);
     }
-    case Command::EnterBootloader:
-        return boot ? reply(CommandStatus::InBootloader) : m_board.restart(true);
-    case Command::SoftReset:
-        return m_board.restart(false);
-    case Command::EraseWriteFlashPage:
-        return boot ? beginPage(first, second) : reply(CommandStatus::NotSupported);
+    case Command::EnterBootloader: return boot ? reply(CommandStatus::InBootloader) : m_board.restart(true);
+    case Command::SoftReset: return m_board.restart(false);
+    case Command::EraseWriteFlashPage: return boot ? beginPage(first, second) : reply(CommandStatus::NotSupported);
     case Command::FlashLEDs:
     case Command::GetFlashSeqnum:
     case Command::J1ShortTest:
-    case Command::J1OpenTest:
-        break;
+    case Command::J1OpenTest: break;
     }
     if (boot)
         return reply(CommandStatus::NotSupported);
@@ -85,20 +72,16 @@ void VendorPort::command(std::span<const std::uint8_t> bytes)
 void VendorPort::applicationCommand(Command code)
 {
     switch (code) {
-    case Command::FlashLEDs:
-        m_board.note("leds", 5.0);
-        return reply(CommandStatus::NoError);
+    case Command::FlashLEDs: m_board.note("leds", 5.0); return reply(CommandStatus::NoError);
     case Command::GetFlashSeqnum: {
         std::array<std::uint8_t, 4> number{};
         writeU32le(number, 0, m_board.config().sequence);
         return sendBlock(number);
     }
-    case Command::J1ShortTest:
-        return m_board.stall(pinTestTime, [this] { reply(CommandStatus::TestPassed); });
+    case Command::J1ShortTest: return m_board.stall(pinTestTime, [this] { reply(CommandStatus::TestPassed); });
     case Command::J1OpenTest:
         return m_board.stall(pinTestTime, [this] { m_board.sendStatus(CommandStatus::TestFailed, terminalQea, 0); });
-    default:
-        return reply(CommandStatus::NotSupported);
+    default: return reply(CommandStatus::NotSupported);
     }
 }
 

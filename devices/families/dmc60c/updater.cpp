@@ -49,7 +49,9 @@ UpdateReport Updater::failed(const Error &error) const
 {
     UpdateReport report = m_report;
     report.fault = error.fault;
-    report.outcome = m_touched ? UpdateOutcome::Failed : error.fault == Fault::Unsafe ? UpdateOutcome::Refused : UpdateOutcome::Failed;
+    report.outcome = m_touched         ? UpdateOutcome::Failed
+        : error.fault == Fault::Unsafe ? UpdateOutcome::Refused
+                                       : UpdateOutcome::Failed;
     report.evidence = error.detail;
     if (m_touched)
         report.evidence += "; the unit waits in its bootloader, run the update again";
@@ -71,7 +73,8 @@ Task<UpdateReport> Updater::run(UpdateOptions options)
     }
     if (options.dryRun) {
         m_report.outcome = UpdateOutcome::Done;
-        m_report.evidence = "dry run: " + std::to_string(m_application.pages.size()) + " pages would be written, version " + versionText(m_application.version);
+        m_report.evidence = "dry run: " + std::to_string(m_application.pages.size())
+            + " pages would be written, version " + versionText(m_application.version);
         co_return m_report;
     }
     auto writing = writeAll();
@@ -121,13 +124,16 @@ Task<FirmwareVersions> Updater::versions()
 Task<std::vector<Updater::Unit>> Updater::enumerate(Duration window)
 {
     const int number = m_device.identity().address;
-    CanInbox inbox(m_link, m_clock, [number](const CanFrame &frame) { return (frame.id & id::messageMask) == id::enumResponse && deviceOf(frame) == number; });
+    CanInbox inbox(m_link, m_clock, [number](const CanFrame &frame) {
+        return (frame.id & id::messageMask) == id::enumResponse && deviceOf(frame) == number;
+    });
     if (const auto sent = m_link.send(encodeEnumerate()); !sent)
         co_return fail(sent.error());
     std::vector<Unit> units;
     const auto unitOf = [&units](std::uint16_t session) -> Unit & {
-        const auto known = std::find_if(units.begin(), units.end(), [session](const Unit &u) { return u.session == session; });
-        return known != units.end() ? *known : units.emplace_back(Unit {session, {}, {}});
+        const auto known
+            = std::find_if(units.begin(), units.end(), [session](const Unit &u) { return u.session == session; });
+        return known != units.end() ? *known : units.emplace_back(Unit{session, {}, {}});
     };
     const Instant end = m_clock.now() + window;
     while (m_clock.now() < end) {
@@ -139,7 +145,7 @@ Task<std::vector<Updater::Unit>> Updater::enumerate(Duration window)
         if (const auto first = decodeEnumResponse0(*frame))
             unitOf(first->session).productId = first->productId;
         else if (const auto second = decodeEnumResponse1(*frame))
-            unitOf(second->session).versions = FirmwareVersions {second->image, second->application, second->bootloader};
+            unitOf(second->session).versions = FirmwareVersions{second->image, second->application, second->bootloader};
     }
     std::erase_if(units, [](const Unit &u) { return !u.versions; });
     co_return units;
@@ -152,7 +158,8 @@ Task<Updater::Unit> Updater::findAgain(Duration limit)
         auto round = enumerate(enumWindow);
         const std::vector<Unit> units = co_await std::move(round);
         if (units.size() > 1)
-            co_return fail(Fault::Unsafe, "several units answer as number " + std::to_string(m_device.identity().address));
+            co_return fail(
+                Fault::Unsafe, "several units answer as number " + std::to_string(m_device.identity().address));
         if (units.size() == 1) {
             takeSession(units.front().session);
             co_return units.front();
@@ -170,13 +177,17 @@ Task<void> Updater::preflight(bool force)
     auto finding = findAgain(1s);
     const Unit unit = co_await std::move(finding);
     if (unit.productId && (*unit.productId >> 20U) != productDmc60c)
-        co_return fail(Fault::Unsafe, "the image is for product 602, this unit is product " + std::to_string(*unit.productId >> 28U) + std::to_string((*unit.productId >> 24U) & 0xFU)
-                + std::to_string((*unit.productId >> 20U) & 0xFU) + "; nothing was written");
+        co_return fail(Fault::Unsafe,
+            "the image is for product 602, this unit is product " + std::to_string(*unit.productId >> 28U)
+                + std::to_string((*unit.productId >> 24U) & 0xFU) + std::to_string((*unit.productId >> 20U) & 0xFU)
+                + "; nothing was written");
     auto asking = versions();
     const FirmwareVersions now = co_await std::move(asking);
     m_report.from = versionText(now.application);
-    m_progress.log(Severity::Good, "image " + versionText(m_application.version) + " of " + std::to_string(m_application.pages.size()) + " pages, unit "
-            + (m_report.from.empty() ? std::string("without application") : "runs " + m_report.from) + ", bootloader " + versionText(now.bootloader));
+    m_progress.log(Severity::Good,
+        "image " + versionText(m_application.version) + " of " + std::to_string(m_application.pages.size())
+            + " pages, unit " + (m_report.from.empty() ? std::string("without application") : "runs " + m_report.from)
+            + ", bootloader " + versionText(now.bootloader));
     m_upToDate = !force && !isInBootloader(now) && now.application == m_application.version;
     for (int number = lastPage; number >= firstPage; --number)
         m_progress.part(number, PartState::Absent);
@@ -210,8 +221,10 @@ Task<void> Updater::writeAll()
         if (end == PageEnd::Written)
             co_return {};
         if (++m_restarts > mostRestarts)
-            co_return fail(Fault::Refused, "the device restarted " + std::to_string(m_restarts) + " times during the update");
-        m_progress.log(Severity::Caution, "the device may have restarted: once more from page " + std::to_string(lastPage));
+            co_return fail(
+                Fault::Refused, "the device restarted " + std::to_string(m_restarts) + " times during the update");
+        m_progress.log(
+            Severity::Caution, "the device may have restarted: once more from page " + std::to_string(lastPage));
         auto finding = findAgain(findLimit);
         co_await std::move(finding);
     }
@@ -257,19 +270,22 @@ bool Updater::nextVariant(const Page &page)
     if (m_variantKnown || m_variant == CrcVariant::C)
         return false;
     m_variant = m_variant == CrcVariant::A ? CrcVariant::B : CrcVariant::C;
-    repeat(page, std::string("CRC refused, nothing was erased; trying variant ") + (m_variant == CrcVariant::B ? "B" : "C"));
+    repeat(page,
+        std::string("CRC refused, nothing was erased; trying variant ") + (m_variant == CrcVariant::B ? "B" : "C"));
     return true;
 }
 
 Task<Updater::PageEnd> Updater::writePage(const Page &page)
 {
-    const VendorCommand command {Command::EraseWriteFlashPage, static_cast<std::uint16_t>(ImageType::Application), static_cast<std::uint16_t>(page.number)};
+    const VendorCommand command{Command::EraseWriteFlashPage, static_cast<std::uint16_t>(ImageType::Application),
+        static_cast<std::uint16_t>(page.number)};
     int failedWrites = 0;
     m_gap = {};
     for (int tries = 0; tries < pageTries;) {
-        auto writing = send(command, transferOf(page), Attempts {1, pageTimeout}, m_gap);
+        auto writing = send(command, transferOf(page), Attempts{1, pageTimeout}, m_gap);
         const Result<VendorReply> reply = co_await std::move(writing).attempt();
-        m_touched = m_touched || !reply || reply->status == CommandStatus::NoError || reply->status == CommandStatus::FlashWriteFailed;
+        m_touched = m_touched || !reply || reply->status == CommandStatus::NoError
+            || reply->status == CommandStatus::FlashWriteFailed;
         if (!reply && reply.error().fault != Fault::Timeout)
             co_return fail(reply.error());
         if (!reply) {
@@ -285,7 +301,11 @@ Task<Updater::PageEnd> Updater::writePage(const Page &page)
         switch (reply->status) {
         case CommandStatus::NoError:
             if (!m_variantKnown)
-                m_progress.log(Severity::Good, std::string("page ") + std::to_string(page.number) + " accepted with CRC variant " + (m_variant == CrcVariant::A ? "A" : m_variant == CrcVariant::B ? "B" : "C"));
+                m_progress.log(Severity::Good,
+                    std::string("page ") + std::to_string(page.number) + " accepted with CRC variant "
+                        + (m_variant == CrcVariant::A        ? "A"
+                                : m_variant == CrcVariant::B ? "B"
+                                                             : "C"));
             m_variantKnown = true;
             co_return PageEnd::Written;
         case CommandStatus::CrcMismatch:
@@ -298,7 +318,10 @@ Task<Updater::PageEnd> Updater::writePage(const Page &page)
             continue;
         case CommandStatus::FlashWriteFailed:
             if (++failedWrites >= failedWriteTries)
-                co_return fail(Fault::Refused, "page " + std::to_string(page.number) + " cannot be written: its flash failed the device's own check " + std::to_string(failedWrites) + " times");
+                co_return fail(Fault::Refused,
+                    "page " + std::to_string(page.number)
+                        + " cannot be written: its flash failed the device's own check " + std::to_string(failedWrites)
+                        + " times");
             repeat(page, "the device could not verify its flash");
             continue;
         case CommandStatus::DataRcvMore:
@@ -306,11 +329,13 @@ Task<Updater::PageEnd> Updater::writePage(const Page &page)
             m_gap = slowGap;
             repeat(page, "the byte count was out of step");
             continue;
-        case CommandStatus::BadParameter: co_return fail(Fault::Refused, "the bootloader refuses page " + std::to_string(page.number));
+        case CommandStatus::BadParameter:
+            co_return fail(Fault::Refused, "the bootloader refuses page " + std::to_string(page.number));
         default: co_return PageEnd::Restart; // NotSupported: the application runs; InBootloader, AckReset: it was reset
         }
     }
-    co_return fail(Fault::Timeout, "page " + std::to_string(page.number) + " was not accepted in " + std::to_string(pageTries) + " tries");
+    co_return fail(Fault::Timeout,
+        "page " + std::to_string(page.number) + " was not accepted in " + std::to_string(pageTries) + " tries");
 }
 
 Task<Updater::PageEnd> Updater::afterSilence(const Page &page, bool &again)
@@ -322,7 +347,8 @@ Task<Updater::PageEnd> Updater::afterSilence(const Page &page, bool &again)
     if (!now || !isInBootloader(*now))
         co_return PageEnd::Restart;
     if (page.number == firstPage && now->application == m_application.version) {
-        m_progress.log(Severity::Info, "page 0: its status was lost, but the version is there; it is not written again");
+        m_progress.log(
+            Severity::Info, "page 0: its status was lost, but the version is there; it is not written again");
         co_return PageEnd::Written;
     }
     repeat(page, "no status within 2 s");
@@ -334,7 +360,7 @@ Task<void> Updater::leaveBootloader()
 {
     const int total = static_cast<int>(m_application.pages.size());
     m_progress.step("Restart", total, total);
-    auto resetting = send({Command::SoftReset}, {}, Attempts {1, 3s}, {});
+    auto resetting = send({Command::SoftReset}, {}, Attempts{1, 3s}, {});
     const Result<VendorReply> reply = co_await std::move(resetting).attempt();
     if (reply) {
         if (const auto good = check(Command::SoftReset, *reply); !good)
@@ -361,8 +387,12 @@ Task<void> Updater::verify()
         now = co_await std::move(again);
     }
     if (isInBootloader(now) || now.application != m_application.version)
-        co_return fail(Fault::BadCheck, "the device answers with " + (now.application == noApplication ? std::string("no application") : "version " + versionText(now.application))
-                + (isInBootloader(now) ? " in its bootloader" : "") + " instead of " + versionText(m_application.version));
+        co_return fail(Fault::BadCheck,
+            "the device answers with "
+                + (now.application == noApplication ? std::string("no application")
+                                                    : "version " + versionText(now.application))
+                + (isInBootloader(now) ? " in its bootloader" : "") + " instead of "
+                + versionText(m_application.version));
     m_report.to = versionText(now.application);
     Identity identity = m_device.identity();
     identity.state = identity.address == 0 ? DeviceState::Unassigned : DeviceState::Online;

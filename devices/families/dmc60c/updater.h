@@ -34,7 +34,8 @@ private:
     /// Waits for the unit to answer an enumeration, up to `limit`; takes over its session.
     [[nodiscard]] Task<Unit> findAgain(Duration limit);
     [[nodiscard]] Task<FirmwareVersions> versions();
-    [[nodiscard]] Task<VendorReply> send(VendorCommand command, std::vector<std::uint8_t> data, Attempts attempts, Duration gap);
+    [[nodiscard]] Task<VendorReply> send(
+        VendorCommand command, std::vector<std::uint8_t> data, Attempts attempts, Duration gap);
     [[nodiscard]] Task<void> preflight(bool force);
     [[nodiscard]] Task<void> enterBootloader();
     [[nodiscard]] Task<void> writeAll();
@@ -60,7 +61,7 @@ private:
     bool m_variantKnown = false;
     bool m_touched = false; ///< page 30 was sent: the old application may be gone
     bool m_upToDate = false;
-    Duration m_gap {};
+    Duration m_gap{};
     int m_restarts = 0;
     UpdateReport m_report;
 };

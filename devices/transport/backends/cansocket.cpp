@@ -132,20 +132,15 @@ std::optional<std::uint32_t> droppedFrames(int descriptor)
 std::string socketFailure(const std::string &name, int cause)
 {
     switch (cause) {
-    case ENETDOWN:
-        return ::if_nametoindex(name.c_str()) != 0 ? name + " was switched off" : name + " is gone";
+    case ENETDOWN: return ::if_nametoindex(name.c_str()) != 0 ? name + " was switched off" : name + " is gone";
     case ENODEV:
-    case ENXIO:
-        return name + " is gone";
+    case ENXIO: return name + " is gone";
     case EPIPE:
     case ECONNRESET:
-    case ENOTCONN:
-        return "the other end of " + name + " closed it";
+    case ENOTCONN: return "the other end of " + name + " closed it";
     case EPERM:
-    case EACCES:
-        return "no permission to use " + name + "; allow CAN sockets in the container or sandbox";
-    default:
-        return name + " failed: " + std::strerror(cause);
+    case EACCES: return "no permission to use " + name + "; allow CAN sockets in the container or sandbox";
+    default: return name + " failed: " + std::strerror(cause);
     }
 }
 
