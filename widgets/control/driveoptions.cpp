@@ -24,15 +24,22 @@ DriveOptions::DriveOptions(const ThemeSource &theme, QWidget *parent)
     auto *form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
     form->setVerticalSpacing(theme.theme().u(4));
+    form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    const auto label = [this](const QString &text) { // as tall as the field beside it
+        auto *words = new QLabel(text, this);
+        words->setMinimumHeight(m_theme.theme().u(32));
+        return words;
+    };
     m_ramp = new QLineEdit(QStringLiteral("0"), this);
     m_ramp->setAlignment(Qt::AlignRight);
     m_ramp->setFixedWidth(theme.theme().u(88));
     m_ramp->setAccessibleName(tr("Ramp of the output, duty per second"));
     m_ramp->setToolTip(tr("Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %."));
     auto *rampRow = new QHBoxLayout;
+    rampRow->setSpacing(theme.theme().u(8));
     rampRow->addWidget(m_ramp);
     rampRow->addWidget(textLabel(tr("duty/s, 0 = none"), TextRole::Caption, Tone::Dim, this), 1);
-    form->addRow(tr("Ramp"), rampRow);
+    form->addRow(label(tr("Ramp")), rampRow);
     m_fault = wrappedLabel({}, TextRole::Caption, Tone::Danger, this);
     m_fault->hide();
     form->addRow(m_fault);
@@ -40,7 +47,7 @@ DriveOptions::DriveOptions(const ThemeSource &theme, QWidget *parent)
     m_brake->addItems({tr("as the device is set"), tr("brake"), tr("coast")});
     m_brake->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_brake->setAccessibleName(tr("At zero output"));
-    form->addRow(tr("At zero"), m_brake);
+    form->addRow(label(tr("At zero")), m_brake);
     m_reverseMotor = addFlag(tr("Reverse motor"), tr("Forward output turns the motor the other way. Changing it disarms."));
     m_reverseSensor = addFlag(tr("Reverse sensor"), tr("The encoder counts the other way. Changing it disarms."));
     m_override = addFlag(tr("Override limits"), tr("The two below replace the device's own settings for limit switches. Changing it disarms."));

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int fieldWidth = 104;
 constexpr int nameWidth = 22;
-constexpr int boundNameWidth = 104;
+constexpr int boundNameWidth = 108;
 
 GlyphState glyphOf(const ParameterStore::Entry &entry)
 {
@@ -48,7 +48,7 @@ GainRow::GainRow(const ThemeSource &theme, Kind kind, StagedEdits &edits, Parame
 {
     auto *grid = new QGridLayout(this);
     grid->setContentsMargins(0, theme.theme().u(4), 0, theme.theme().u(4));
-    grid->setHorizontalSpacing(theme.theme().u(6));
+    grid->setHorizontalSpacing(theme.theme().u(4));
     grid->setVerticalSpacing(theme.theme().u(2));
     grid->setColumnStretch(2, 1);
     buildFirstLine(*grid);
@@ -73,7 +73,6 @@ void GainRow::buildFirstLine(QGridLayout &grid)
     setTextRole(*name, gain ? TextRole::Emphasis : TextRole::Body);
     name->setToolTip(tableText(m_parameter.help));
     name->setWordWrap(!gain);
-    name->setFixedWidth(theme.u(gain ? nameWidth : boundNameWidth));
     m_field = new QLineEdit(this);
     m_field->setFixedWidth(theme.u(fieldWidth));
     m_field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -84,9 +83,18 @@ void GainRow::buildFirstLine(QGridLayout &grid)
     m_glyph = new StateGlyph(m_theme, GlyphState::Gone, this);
     m_word = textLabel({}, TextRole::Caption, Tone::Dim, this);
     m_revert = new IconButton(m_theme, Symbol::Undo, tr("Revert %1").arg(tableText(m_parameter.label)), this);
-    grid.addWidget(name, 0, 0);
+    auto *left = new QWidget(this);
+    left->setFixedWidth(theme.u(gain ? nameWidth : boundNameWidth));
+    auto *names = new QVBoxLayout(left);
+    names->setContentsMargins(0, 0, 0, 0);
+    names->setSpacing(0);
+    names->addWidget(name);
+    if (gain)
+        grid.addWidget(m_unit, 0, 2);
+    else
+        names->addWidget(m_unit);
+    grid.addWidget(left, 0, 0);
     grid.addWidget(m_field, 0, 1);
-    grid.addWidget(m_unit, 0, 2);
     grid.addWidget(m_glyph, 0, 3);
     grid.addWidget(m_word, 0, 4);
     grid.addWidget(m_revert, 0, 5);
@@ -97,7 +105,7 @@ void GainRow::buildSecondLine(QGridLayout &grid)
     const Theme &theme = m_theme.theme();
     m_detail = new QWidget(this);
     auto *inner = new QGridLayout(m_detail);
-    inner->setContentsMargins(theme.u(nameWidth + 6), 0, 0, 0);
+    inner->setContentsMargins(theme.u(nameWidth + 4), 0, 0, 0);
     inner->setHorizontalSpacing(theme.u(10));
     inner->setVerticalSpacing(0);
     m_slider = new LogSlider(m_theme, m_detail);
@@ -120,6 +128,7 @@ void GainRow::buildSecondLine(QGridLayout &grid)
 void GainRow::setUnit(const QString &unit)
 {
     m_unit->setText(unit);
+    m_unit->setVisible(!unit.isEmpty());
     m_field->setToolTip(unit);
 }
 

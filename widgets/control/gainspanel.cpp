@@ -22,8 +22,9 @@ GainsPanel::GainsPanel(const ThemeSource &theme, QWidget *parent)
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(gap);
     auto *head = new QHBoxLayout;
-    head->addWidget(new SectionLabel(tr("Gains"), this));
-    auto *hint = new ElidedLabel(tr("G focuses · ← → 2 % · Shift 0.2 %"), this);
+    m_title = new SectionLabel(tr("Gains"), this);
+    head->addWidget(m_title);
+    auto *hint = new ElidedLabel(tr("G · ← → 2 % · Shift 0.2 %"), this);
     setTextRole(*hint, TextRole::Caption);
     setTone(*hint, Tone::Dim);
     hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -86,6 +87,7 @@ void GainsPanel::rebuild()
     m_column->insertWidget(m_column->count() - 1, m_content);
     for (GainRow *row : m_rows)
         row->setUnit(gainUnit(*m_family, m_edits->parameter(row->index()), m_mode));
+    m_title->setText(m_family->capabilities.gainSlots > 1 ? tr("Gains, slot %1").arg(m_slot) : tr("Gains"));
     showBounds(m_boundsShown);
     explain();
 }

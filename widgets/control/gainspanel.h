@@ -47,6 +47,7 @@ private:
     int m_slot = -1;
     DisplayUnits m_units;
     std::vector<GainRow *> m_rows;
+    SectionLabel *m_title = nullptr;
     QVBoxLayout *m_column = nullptr;
     QWidget *m_content = nullptr;
     QWidget *m_bounds = nullptr;

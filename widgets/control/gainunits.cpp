@@ -27,7 +27,7 @@ struct LoopScale {
     double velocityTime = 0.0; ///< velocities are counts per so many seconds
     const char *velocityError = nullptr;
 };
-constexpr std::array scales {LoopScale {"dmc60c", 32767.0, 500e-6, 0.1, QT_TRANSLATE_NOOP("GainText", "count/100 ms")}};
+constexpr std::array scales {LoopScale {"dmc60c", 32767.0, 500e-6, 0.1, QT_TRANSLATE_NOOP("GainText", "count/100\u00A0ms")}};
 
 const LoopScale *scaleOf(const Family &family)
 {
@@ -104,9 +104,9 @@ QString gainUnit(const Family &family, const Parameter &parameter, Mode mode)
     const QString error = mode == Mode::Velocity ? GainText::tr(scale->velocityError) : mode == Mode::Position ? GainText::tr("count") : GainText::tr("A");
     const std::string_view name = gainName(parameter);
     if (name == "i")
-        return GainText::tr("throttle per %1·loop").arg(error);
+        return GainText::tr("throttle per %1 · loop").arg(error);
     if (name == "d")
-        return GainText::tr("throttle per %1/loop").arg(error);
+        return GainText::tr("throttle per %1 / loop").arg(error);
     return GainText::tr("throttle per %1").arg(error);
 }
 

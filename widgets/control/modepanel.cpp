@@ -3,10 +3,11 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/segmented.h"
 
 #include <QButtonGroup>
-#include <QComboBox>
 #include <QGridLayout>
+#include <QLabel>
 #include <QToolButton>
 
 #include <algorithm>
@@ -39,18 +40,9 @@ ModePanel::ModePanel(QWidget *parent)
     grid->setVerticalSpacing(4);
     m_group = new QButtonGroup(this);
     m_slots = new QWidget(this);
-    auto *row = new QHBoxLayout(m_slots);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    m_edited = new QComboBox(m_slots);
-    m_edited->setAccessibleName(tr("Gain slot that is edited"));
-    m_running = new QComboBox(m_slots);
-    m_running->setAccessibleName(tr("Gain slot that runs"));
-    m_running->setToolTip(tr("The slot of the next run. Changing it disarms."));
-    for (QComboBox *box : {m_edited, m_running}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-        row->addWidget(box, 1);
-    }
+    m_slotRow = new QHBoxLayout(m_slots);
+    m_slotRow->setContentsMargins(0, 0, 0, 0);
+    m_slotRow->setSpacing(8);
     column->addWidget(m_buttons);
     column->addWidget(m_slots);
     connect(m_group, &QButtonGroup::idClicked, this, [this](int id) {
@@ -59,14 +51,6 @@ ModePanel::ModePanel(QWidget *parent)
             return;
         m_mode = mode;
         Q_EMIT modeChanged(mode);
-    });
-    connect(m_edited, qOverload<int>(&QComboBox::activated), this, [this](int slot) {
-        updateSlots();
-        Q_EMIT editedSlotChanged(slot);
-    });
-    connect(m_running, qOverload<int>(&QComboBox::activated), this, [this](int slot) {
-        updateSlots();
-        Q_EMIT runningSlotChanged(slot);
     });
 }
 
@@ -105,33 +89,42 @@ void ModePanel::rebuild()
         grid.addWidget(button, i / perLine, place);
         grid.setColumnStretch(place, 1);
     }
-    const int slotCount = m_family->capabilities.gainSlots;
-    for (QComboBox *box : {m_edited, m_running}) {
-        box->clear();
-        for (int slot = 0; slot < slotCount; ++slot)
-            box->addItem(QString());
-    }
-    m_slots->setVisible(slotCount > 1);
+    rebuildSlots();
     show(m_mode, 0, 0);
+}
+
+void ModePanel::rebuildSlots()
+{
+    while (QLayoutItem *item = m_slotRow->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+    const int count = m_family->capabilities.gainSlots;
+    m_edited = new Segmented(tr("Gain slot that is edited"), m_slots);
+    m_running = new Segmented(tr("Gain slot that runs"), m_slots);
+    m_running->setToolTip(tr("The slot of the next run. Changing it disarms."));
+    for (int slot = 0; slot < count; ++slot) {
+        m_edited->addSegment(QString::number(slot));
+        m_running->addSegment(QString::number(slot));
+    }
+    m_slotRow->addWidget(new QLabel(tr("Editing slot"), m_slots));
+    m_slotRow->addWidget(m_edited);
+    m_slotRow->addStretch(1);
+    m_slotRow->addWidget(new QLabel(tr("running"), m_slots));
+    m_slotRow->addWidget(m_running);
+    m_slots->setVisible(count > 1);
+    connect(m_edited, &Segmented::currentChanged, this, &ModePanel::editedSlotChanged);
+    connect(m_running, &Segmented::currentChanged, this, &ModePanel::runningSlotChanged);
 }
 
 int ModePanel::editedSlot() const
 {
-    return std::max(m_edited->currentIndex(), 0);
+    return std::max(m_edited ? m_edited->current() : 0, 0);
 }
 
 int ModePanel::runningSlot() const
 {
-    return std::max(m_running->currentIndex(), 0);
-}
-
-void ModePanel::updateSlots()
-{
-    for (int slot = 0; slot < m_edited->count(); ++slot) {
-        m_edited->setItemText(slot, slot == runningSlot() ? tr("Editing slot %1").arg(slot) : tr("Editing slot %1, inactive").arg(slot));
-        m_running->setItemText(slot, tr("running slot %1").arg(slot));
-    }
-    m_edited->setToolTip(m_edited->currentText());
+    return std::max(m_running ? m_running->current() : 0, 0);
 }
 
 void ModePanel::show(Mode mode, int edited, int running)
@@ -141,9 +134,21 @@ void ModePanel::show(Mode mode, int edited, int running)
         m_mode = mode;
         m_group->button(static_cast<int>(found - m_modes.begin()))->setChecked(true);
     }
-    m_edited->setCurrentIndex(edited);
-    m_running->setCurrentIndex(running);
-    updateSlots();
+    const QSignalBlocker quietEdited(m_edited);
+    const QSignalBlocker quietRunning(m_running);
+    m_edited->setCurrent(edited);
+    m_running->setCurrent(running);
+}
+
+void ModePanel::chainAfter(QWidget *before)
+{
+    for (QWidget *box : {m_buttons, m_slots}) {
+        const auto buttons = box->findChildren<QAbstractButton *>();
+        for (QAbstractButton *button : buttons) {
+            setTabOrder(before, button);
+            before = button;
+        }
+    }
 }
 
 } // namespace mb

@@ -8,11 +8,11 @@
 #include <vector>
 
 class QButtonGroup;
-class QComboBox;
-class QGridLayout;
-class QLabel;
+class QHBoxLayout;
 
 namespace mb {
+
+class Segmented;
 
 /// What the drive is to do: one of the modes of its family, and the gain slots that are edited and that run.
 class ModePanel : public QWidget {
@@ -27,6 +27,8 @@ public:
     [[nodiscard]] int runningSlot() const;
     /// Without a signal.
     void show(Mode mode, int edited, int running);
+    /// Puts the buttons behind `before` in the order of Tab: they are made anew for each family.
+    void chainAfter(QWidget *before);
 
 Q_SIGNALS:
     void modeChanged(mb::Mode mode);
@@ -35,7 +37,7 @@ Q_SIGNALS:
 
 private:
     void rebuild();
-    void updateSlots();
+    void rebuildSlots();
 
     const Family *m_family = nullptr;
     Mode m_mode = Mode::Velocity;
@@ -43,8 +45,9 @@ private:
     QButtonGroup *m_group = nullptr;
     QWidget *m_buttons = nullptr;
     QWidget *m_slots = nullptr;
-    QComboBox *m_edited = nullptr;
-    QComboBox *m_running = nullptr;
+    QHBoxLayout *m_slotRow = nullptr;
+    Segmented *m_edited = nullptr;
+    Segmented *m_running = nullptr;
 };
 
 } // namespace mb

@@ -194,15 +194,16 @@ void SetPointPanel::reset()
 
 QString SetPointPanel::shown(double target) const
 {
-    const double number = target * m_unit.scale;
-    const double rounded = std::round(number * 1e6) / 1e6;
-    return editText(rounded);
+    constexpr double digits = 1e3; // of what is shown; what is meant stays exact
+    return editText(std::round(target * m_unit.scale * digits) / digits);
 }
 
 std::optional<double> SetPointPanel::target() const
 {
     if (!fault().isEmpty())
         return std::nullopt;
+    if (const auto kept = m_ranges.find(m_mode); kept != m_ranges.end() && m_field->text() == shown(kept->second.target))
+        return kept->second.target; // the field rounds
     const auto number = parseNumber(m_field->text(), limit() * m_unit.scale);
     return number ? std::optional(*number / m_unit.scale) : std::nullopt;
 }
@@ -218,8 +219,8 @@ QString SetPointPanel::fault() const
         const bool legal = *number == std::floor(*number) && *number >= 1.0 && *number <= greatestFollowed;
         return legal ? QString() : tr("%1 is no device number. Enter the number of the device to follow.").arg(text);
     }
-    constexpr double rounding = 1e-9;
-    if (std::abs(*number) > limit() * m_unit.scale * (1.0 + rounding))
+    constexpr double rounding = 0.0005; // the limit is shown with three decimals
+    if (std::abs(*number) > limit() * m_unit.scale + rounding)
         return tr("%1 is beyond the range of ± %2. Enter less, or widen the range.").arg(text, most);
     return m_options->fault();
 }
@@ -295,7 +296,7 @@ void SetPointPanel::showPresent(std::optional<double> present)
     m_present = present;
     const int decimals = m_unit.scale == 1.0 && m_mode != Mode::Current && m_mode != Mode::Voltage ? 0 : 1;
     m_now->setText(m_mode == Mode::Follow ? QString() : tr("now %1").arg(present ? formatValue(*present * m_unit.scale, decimals, m_unit.text) : QString(UnknownMark)));
-    if (!startsAtPresent(m_mode) || !present || range().touched || m_field->hasFocus())
+    if (!startsAtPresent(m_mode) || !present || range().touched)
         return;
     const double whole = std::round(*present);
     if (std::abs(whole) > limit()) { // somewhere else than expected: no reason to refuse it

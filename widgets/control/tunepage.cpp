@@ -13,6 +13,7 @@
 
 #include <QHBoxLayout>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QStackedWidget>
 
@@ -41,11 +42,11 @@ TunePage::TunePage(Workbench &workbench, Selection &selection, Arming &arming, c
     auto *grid = new QGridLayout(content);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setSpacing(0);
-    m_plot = new TunePlot(workbench, theme, content);
     grid->addWidget(buildCommands(), 0, 0, 1, 3);
     grid->addWidget(separatorLine(Qt::Horizontal, content), 1, 0, 1, 3);
     grid->addWidget(buildColumn(), 2, 0);
     grid->addWidget(separatorLine(Qt::Vertical, content), 2, 1);
+    m_plot = new TunePlot(workbench, theme, content);
     grid->addWidget(m_plot, 2, 2);
     grid->setColumnStretch(2, 1);
     grid->setRowStretch(2, 1);
@@ -118,6 +119,10 @@ QWidget *TunePage::buildColumn()
     inner->addWidget(m_gains);
     inner->addStretch(1);
     scroll->setWidget(panels);
+    connect(scroll->verticalScrollBar(), &QScrollBar::rangeChanged, inner, [inner](int, int last) { // the bar takes the place of the margin
+        const QMargins now = inner->contentsMargins();
+        inner->setContentsMargins(now.left(), now.top(), last > 0 ? 0 : now.left(), now.bottom());
+    });
     all->addWidget(scroll, 1);
     all->addWidget(separatorLine(Qt::Horizontal, column));
     all->addWidget(buildWriteRow());

@@ -78,6 +78,7 @@ void TunePage::followDevice(const DeviceView &view)
     if (m_shown != view.id) {
         m_shown = view.id;
         m_modes->setFamily(*view.family);
+        m_modes->chainAfter(m_run);
         m_modes->show(chosen.mode, chosen.editedSlot, chosen.runningSlot);
         chosen.mode = m_modes->mode();
         m_setPoint->reset();

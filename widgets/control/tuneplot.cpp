@@ -202,7 +202,7 @@ void TunePlot::rebuild(const DeviceView &device)
     }
     for (int i = 0; i < strip; ++i) {
         StripStyle style;
-        style.stretch = i == 0 ? 3.0 : 1.0;
+        style.stretch = i == 0 ? 2.4 : 1.0;
         m_stack->setStrip(i, style);
     }
     const LinkView *link = m_workbench.snapshot().link(device.link);

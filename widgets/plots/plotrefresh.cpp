@@ -72,14 +72,16 @@ bool PlotStack::followPresent(double now)
 
 void PlotStack::fetch()
 {
+    const int width = m_strips.empty() ? 0 : m_strips.front()->rect->width();
+    m_timeTicker->setTickCount(std::clamp(width / m_theme.theme().u(96), 2, 8)); // labels never touch
     for (const auto &strip : m_strips)
         strip->rect->axis(QCPAxis::atBottom)->setRange(m_from, m_to);
     for (auto &[id, trace] : m_traces) {
         if (!trace.visible || !trace.source)
             continue;
-        const int width = trace.plottable->keyAxis()->axisRect()->width();
+        const int columns = trace.plottable->keyAxis()->axisRect()->width();
         const double ratio = m_plot->devicePixelRatioF();
-        fetchTrace(trace, m_from, m_to, std::max(1, static_cast<int>(std::lround(width * ratio))));
+        fetchTrace(trace, m_from, m_to, std::max(1, static_cast<int>(std::lround(columns * ratio))));
     }
     for (std::size_t i = 0; i < m_strips.size(); ++i)
         updateStrip(static_cast<int>(i), m_to);

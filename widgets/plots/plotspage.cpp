@@ -153,7 +153,7 @@ QWidget *PlotsPage::buildSide()
     column->addWidget(separatorLine(Qt::Horizontal, side));
     m_signals = new SignalList(m_theme, side);
     column->addWidget(m_signals, 2);
-    auto *hint = textLabel(tr("A and B: L toggles · drag or ← → · 0 fits · + − zooms"), TextRole::Caption, Tone::Dim, side);
+    auto *hint = textLabel(tr("L cursors · 0 fits · + − zooms · P pauses"), TextRole::Caption, Tone::Dim, side);
     hint->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(8));
     column->addWidget(separatorLine(Qt::Horizontal, side));
     column->addWidget(hint);

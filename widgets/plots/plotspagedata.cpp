@@ -119,6 +119,17 @@ void PlotsPage::followRates()
         if (device && trace.source)
             trace.source->follow(place < device->rates.size() ? device->rates[place] : 0.0, m_workbench.now());
     }
+    double rate = 0.0;
+    std::uint64_t lost = 0;
+    std::uint64_t all = 0;
+    for (const Trace &trace : m_traces) {
+        rate += trace.source->rate();
+        lost += trace.source->lost();
+        all += trace.source->lost() + trace.source->telemetry().size(trace.signal.channel);
+    }
+    const QString foot = tr("%1 signals, %2 samples/s, %3 of %4 lost").arg(formatCount(static_cast<qint64>(m_traces.size())), formatNumber(rate), formatCount(static_cast<qint64>(lost)), formatCount(static_cast<qint64>(all)));
+    for (const Trace &trace : m_traces)
+        trace.source->setFootText(foot);
 }
 
 void PlotsPage::showRows()

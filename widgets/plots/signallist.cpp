@@ -3,6 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/plots/displayunits.h"
 
 #include <QHBoxLayout>
 #include <QListWidget>
@@ -99,7 +100,7 @@ void SignalList::setDevices(const std::vector<DeviceView> &devices)
             item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
             item->setData(DeviceRole, device.id.value);
             item->setData(ChannelRole, i);
-            item->setData(UnitRole, tableText(device.family->channels[i].unit));
+            item->setData(UnitRole, shownUnit(device.family->channels[i].quantity, device.family->channels[i].unit, {}).text);
             item->setToolTip(item->text());
             item->setCheckState(m_chosen.contains(signalOf(*item)) ? Qt::Checked : Qt::Unchecked);
         }

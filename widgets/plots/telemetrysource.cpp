@@ -58,6 +58,8 @@ std::optional<double> TelemetrySource::latest() const
 
 QString TelemetrySource::foot() const
 {
+    if (!m_footText.isEmpty())
+        return m_footText;
     const std::uint64_t missing = lost();
     if (m_foot == Foot::Never || (m_foot == Foot::WhenLossy && missing == 0))
         return {};

@@ -27,6 +27,8 @@ public:
     void setScale(double scale) { m_scale = scale; }
     /// Hides what is older: a set-point of another mode has another unit.
     void setSince(Instant since) { m_since = since; }
+    /// Says this in the foot line instead of rate and loss of its own; sources that say the same are named once.
+    void setFootText(const QString &text) { m_footText = text; }
     /// What only the page knows: samples per second, and the present.
     void follow(double rate, Instant now);
 
@@ -45,6 +47,7 @@ private:
     std::shared_ptr<const Telemetry> m_telemetry;
     ChannelIndex m_channel;
     Foot m_foot;
+    QString m_footText;
     double m_scale = 1.0;
     double m_rate = 0.0;
     Instant m_since{};

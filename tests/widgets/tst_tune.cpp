@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tunebench.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/control/driveoptions.h"
+#include "widgets/control/gainspanel.h"
+#include "widgets/control/modepanel.h"
+#include "widgets/control/setpointpanel.h"
+#include "widgets/control/tuneplot.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTest>
+
+using namespace mb;
+using namespace mb::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+constexpr int atOnce = 0; ///< row of the list of slew times
+
+QString s(const char *text)
+{
+    return QString::fromUtf8(text);
+}
+
+void type(QLineEdit *field, const char *text)
+{
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, s(text));
+}
+
+void pick(QComboBox *box, int row)
+{
+    box->setCurrentIndex(row);
+    Q_EMIT box->activated(row);
+}
+
+void click(TuneBench &bench, const char *name)
+{
+    auto *button = bench.find<QAbstractButton>(name);
+    QVERIFY2(button, name);
+    button->click();
+}
+
+/// A button of one of the two choices of slots.
+QAbstractButton *slot(TuneBench &bench, const char *choice, int number)
+{
+    const auto *row = bench.find<QWidget>(choice);
+    const auto buttons = row->findChildren<QAbstractButton *>();
+    return buttons.at(number);
+}
+
+QString problemOf(TuneBench &bench)
+{
+    return bench.page->status().cause + s(" | ") + bench.page->status().remedy;
+}
+
+} // namespace
+
+class TestTune : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void anEditedGainGoesOutWithItsRawValue();
+    void gainsGoOutInAnOrderThatIsNeverLivelier();
+    void aGainOutOfRangeIsSaidAndNotWritten();
+    void theSliderStagesAndRevertBringsBack();
+    void editsOfAnotherSlotStayStaged();
+    void runIsRefusedWhenNotArmed();
+    void runSendsTheSetPointWithSlotRampAndFlags();
+    void aSetPointOfTheHandStartsWhereTheMotorIsAndMovesSlowly();
+    void theSliderSteersAMotorThatMoves();
+    void enterNeverStartsAMotor();
+    void writeAndRunWaitsForTheGains();
+    void gainsThatWereNotWrittenStartNothing();
+    void disarmedDuringTheWriteStartsNothing();
+    void stopMotionStaysArmed();
+    void nonsenseIsRefusedWithAMessage_data();
+    void nonsenseIsRefusedWithAMessage();
+    void positionStartsAtThePresentPosition();
+    void whatChangesTheMeaningOfASetPointDisarms_data();
+    void whatChangesTheMeaningOfASetPointDisarms();
+    void theEditedSlotDoesNotDisarm();
+    void aRunFromElsewhereIsShown();
+};
+
+void TestTune::anEditedGainGoesOutWithItsRawValue()
+{
+    TuneBench bench;
+    QVERIFY(!bench.find<QAbstractButton>("Write gains") || !bench.page->findChild<CommandButton *>(s("writeGains"))->isEnabled());
+    type(bench.find<QLineEdit>("P"), "1,2531");
+    auto *button = bench.page->findChild<CommandButton *>(s("writeGains"));
+    QCOMPARE(button->text(), s("Write P to slot 0"));
+    QVERIFY(button->isEnabled());
+    button->click();
+    const auto writes = bench.workbench.callsOf("writeParameters");
+    QCOMPARE(writes.size(), 1U);
+    QCOMPARE(writes[0].changes.size(), 1U);
+    QCOMPARE(writes[0].changes[0].index.value, named("slot0.p").value);
+    QCOMPARE(writes[0].changes[0].raw, 82123);
+    writes[0].finished({});
+    bench.device().parameters[named("slot0.p").value] = {82123, ParameterState::Ram};
+    ++bench.device().parameterRevision;
+    bench.workbench.publish();
+    QVERIFY(!button->isEnabled());
+    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+}
+
+void TestTune::gainsGoOutInAnOrderThatIsNeverLivelier()
+{
+    TuneBench bench;
+    type(bench.find<QLineEdit>("I"), "0.01");
+    type(bench.find<QLineEdit>("P"), "0.5");
+    type(bench.find<QLineEdit>("D"), "3");
+    bench.page->write();
+    const auto writes = bench.workbench.callsOf("writeParameters");
+    QCOMPARE(writes.size(), 1U);
+    QCOMPARE(writes[0].changes.size(), 3U);
+    QCOMPARE(writes[0].changes[0].index.value, named("slot0.p").value); // lowered: first
+    QCOMPARE(writes[0].changes[1].index.value, named("slot0.d").value);
+    QCOMPARE(writes[0].changes[2].index.value, named("slot0.i").value); // raised: last
+}
+
+void TestTune::aGainOutOfRangeIsSaidAndNotWritten()
+{
+    TuneBench bench;
+    bench.arm();
+    type(bench.find<QLineEdit>("P"), "40000");
+    QVERIFY(!bench.page->findChild<CommandButton *>(s("writeGains"))->isEnabled());
+    QVERIFY(!bench.page->status().mayRun);
+    bench.page->write();
+    bench.page->run();
+    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+}
+
+void TestTune::theSliderStagesAndRevertBringsBack()
+{
+    TuneBench bench;
+    auto *slider = bench.find<QSlider>("P, one decade either way");
+    slider->setFocus();
+    QTest::keyClick(slider, Qt::Key_Right);
+    const double raised = *bench.page->gainsPanel().row("p")->number();
+    QVERIFY(std::abs(raised / 1.165 - 1.02) < 1e-3);
+    QTest::keyClick(slider, Qt::Key_Left, Qt::ShiftModifier);
+    QVERIFY(std::abs(*bench.page->gainsPanel().row("p")->number() / 1.165 - 1.02 / 1.002) < 1e-3);
+    click(bench, "Revert P");
+    QCOMPARE(*bench.page->gainsPanel().row("p")->number(), static_cast<double>(rawOf("slot0.p", 1.165)) / 65536.0);
+    QVERIFY(bench.page->gainsPanel().toWrite().empty());
+}
+
+void TestTune::editsOfAnotherSlotStayStaged()
+{
+    TuneBench bench;
+    type(bench.find<QLineEdit>("P"), "2");
+    slot(bench, "Gain slot that is edited", 1)->click();
+    QVERIFY(bench.page->gainsPanel().toWrite().empty());
+    QCOMPARE(*bench.page->gainsPanel().row("f")->number(), 0.5);
+    slot(bench, "Gain slot that is edited", 0)->click();
+    QCOMPARE(*bench.page->gainsPanel().row("p")->number(), 2.0);
+}
+
+void TestTune::runIsRefusedWhenNotArmed()
+{
+    TuneBench bench;
+    bench.workbench.publish();
+    auto *run = bench.page->findChild<CommandButton *>(s("run"));
+    QVERIFY(!run->isEnabled());
+    QVERIFY2(run->toolTip().contains(s("Hold the lamp")), qPrintable(run->toolTip()));
+    QTest::keyClick(bench.page.get(), Qt::Key_F5);
+    bench.page->run();
+    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QVERIFY(bench.workbench.callsOf("report").back().text.find("Not armed") != std::string::npos);
+}
+
+void TestTune::runSendsTheSetPointWithSlotRampAndFlags()
+{
+    TuneBench bench;
+    slot(bench, "Gain slot that runs", 1)->click();
+    pick(bench.find<QComboBox>("How fast the set-point moves"), atOnce);
+    pick(bench.find<QComboBox>("At zero output"), 2);
+    type(bench.find<QLineEdit>("Ramp of the output, duty per second"), "2.5");
+    for (const char *flag : {"Reverse sensor", "Override limits", "Reverse limit off"})
+        bench.find<QCheckBox>(flag)->setChecked(true);
+    type(bench.find<QLineEdit>("Set-point"), "-60000");
+    bench.arm();
+    QTest::keyClick(bench.page.get(), Qt::Key_F5);
+    const auto starts = bench.workbench.callsOf("startMotion");
+    QCOMPARE(starts.size(), 1U);
+    SetPoint expected;
+    expected.mode = Mode::Velocity;
+    expected.target = -60000.0;
+    expected.slot = 1;
+    expected.brake = false;
+    expected.ramp = 2.5;
+    expected.reverseSensor = true;
+    expected.overrideLimits = true;
+    expected.disableReverseLimit = true;
+    QVERIFY(starts[0].setPoint == expected);
+}
+
+void TestTune::aSetPointOfTheHandStartsWhereTheMotorIsAndMovesSlowly()
+{
+    TuneBench bench;
+    bench.pass(1.0, 0.0);
+    type(bench.find<QLineEdit>("Set-point"), "60000");
+    bench.arm();
+    bench.page->run();
+    QCOMPARE(bench.workbench.callsOf("startMotion").at(0).setPoint.target, 0.0);
+    bench.workbench.time += 100ms;
+    QTRY_VERIFY(!bench.workbench.callsOf("updateMotion").empty());
+    // The full range of ± 100 000 takes 1 s.
+    QCOMPARE(bench.workbench.callsOf("updateMotion").at(0).setPoint.target, 20000.0);
+    bench.workbench.time += 1s;
+    QTRY_COMPARE(bench.workbench.callsOf("updateMotion").back().setPoint.target, 60000.0);
+    bench.workbench.time += 1s;
+    const std::size_t sent = bench.workbench.callsOf("updateMotion").size();
+    bench.page->run(); // what is there already is sent once more, and not again and again
+    QCOMPARE(bench.workbench.callsOf("updateMotion").size(), sent + 1);
+}
+
+void TestTune::theSliderSteersAMotorThatMoves()
+{
+    TuneBench bench;
+    pick(bench.find<QComboBox>("How fast the set-point moves"), atOnce);
+    auto *slider = bench.find<QSlider>("Set-point, slider");
+    slider->setValue(200);
+    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    bench.arm();
+    slider->setValue(250);
+    QVERIFY(bench.workbench.callsOf("startMotion").empty()); // armed is not moving
+    bench.page->run();
+    QCOMPARE(bench.workbench.callsOf("startMotion").at(0).setPoint.target, 25000.0);
+    bench.confirmMotion();
+    slider->setValue(-500);
+    QCOMPARE(bench.workbench.callsOf("updateMotion").at(0).setPoint.target, -50000.0);
+    QCOMPARE(bench.find<QLineEdit>("Set-point")->text(), s("-50000"));
+}
+
+void TestTune::enterNeverStartsAMotor()
+{
+    TuneBench bench;
+    pick(bench.find<QComboBox>("How fast the set-point moves"), atOnce);
+    bench.arm();
+    type(bench.find<QLineEdit>("Set-point"), "1000\r");
+    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    bench.page->run();
+    bench.confirmMotion();
+    type(bench.find<QLineEdit>("Set-point"), "2000\r");
+    QCOMPARE(bench.workbench.callsOf("updateMotion").at(0).setPoint.target, 2000.0);
+}
+
+void TestTune::writeAndRunWaitsForTheGains()
+{
+    TuneBench bench;
+    bench.arm();
+    type(bench.find<QLineEdit>("P"), "2");
+    auto *run = bench.page->findChild<CommandButton *>(s("run"));
+    QCOMPARE(run->text(), s("Write and run"));
+    run->click();
+    QCOMPARE(bench.workbench.callsOf("writeParameters").size(), 1U);
+    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QVERIFY(!run->isEnabled());
+    bench.workbench.callsOf("writeParameters").at(0).finished({});
+    QCOMPARE(bench.workbench.callsOf("startMotion").size(), 1U);
+}
+
+void TestTune::gainsThatWereNotWrittenStartNothing()
+{
+    TuneBench bench;
+    bench.arm();
+    type(bench.find<QLineEdit>("P"), "2");
+    bench.page->run();
+    bench.workbench.callsOf("writeParameters").at(0).finished(fail(Fault::BadCheck, "slot0.p reads 1"));
+    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QVERIFY(bench.workbench.callsOf("report").back().text.find("slot0.p reads 1") != std::string::npos);
+    QCOMPARE(bench.page->gainsPanel().stagedNames(), QStringList {s("P")});
+}
+
+void TestTune::disarmedDuringTheWriteStartsNothing()
+{
+    TuneBench bench;
+    bench.arm();
+    type(bench.find<QLineEdit>("P"), "2");
+    bench.page->run();
+    bench.arming.stopAll(s("test"));
+    bench.workbench.callsOf("writeParameters").at(0).finished({});
+    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QVERIFY2(problemOf(bench).startsWith(s("Stopped: test")), qPrintable(problemOf(bench)));
+}
+
+void TestTune::stopMotionStaysArmed()
+{
+    TuneBench bench;
+    bench.arm();
+    bench.page->run();
+    bench.confirmMotion();
+    bench.page->halt();
+    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), 1U);
+    QVERIFY(bench.arming.state() == LampState::Armed);
+}
+
+void TestTune::nonsenseIsRefusedWithAMessage_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("message");
+    QTest::newRow("empty") << s("") << s("No set-point");
+    QTest::newRow("words") << s("fast") << s("\"fast\" is no number");
+    QTest::newRow("nan") << s("nan") << s("\"nan\" is no number");
+    QTest::newRow("infinite") << s("inf") << s("\"inf\" is no number");
+    QTest::newRow("overflow") << s("1e999") << s("is no number");
+    QTest::newRow("beyond the range") << s("-100001") << s("beyond the range");
+}
+
+void TestTune::nonsenseIsRefusedWithAMessage()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, message);
+    TuneBench bench;
+    bench.arm();
+    auto *field = bench.find<QLineEdit>("Set-point");
+    field->setText(text);
+    Q_EMIT field->textEdited(text);
+    QVERIFY2(problemOf(bench).contains(message), qPrintable(problemOf(bench)));
+    QVERIFY(!bench.page->findChild<CommandButton *>(s("run"))->isEnabled());
+    bench.page->run();
+    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QCOMPARE(field->property("state").toString(), s("error"));
+}
+
+void TestTune::positionStartsAtThePresentPosition()
+{
+    TuneBench bench;
+    bench.pass(1.0, 50000.0);
+    const double present = bench.recording.telemetry()->last(*bench.recording.telemetry()->find("position"))->value;
+    QVERIFY(present > 40000.0); // beyond the usual range: no reason to refuse it
+    click(bench, "Position mode");
+    bench.workbench.publish();
+    QCOMPARE(bench.find<QLineEdit>("Set-point")->text(), QString::number(present, 'f', 0));
+    pick(bench.find<QComboBox>("How fast the set-point moves"), atOnce);
+    type(bench.find<QLineEdit>("Set-point"), "1000");
+    bench.arm();
+    bench.page->run();
+    QCOMPARE(bench.workbench.callsOf("startMotion").at(0).setPoint.target, present); // not a jump, even at once
+    QTRY_COMPARE(bench.workbench.callsOf("updateMotion").size(), 1U);
+    QCOMPARE(bench.workbench.callsOf("updateMotion").at(0).setPoint.target, 1000.0);
+}
+
+void TestTune::whatChangesTheMeaningOfASetPointDisarms_data()
+{
+    QTest::addColumn<int>("what");
+    QTest::newRow("mode") << 0;
+    QTest::newRow("running slot") << 1;
+    QTest::newRow("motor direction") << 2;
+    QTest::newRow("sensor direction") << 3;
+    QTest::newRow("limits") << 4;
+    QTest::newRow("device") << 5;
+}
+
+void TestTune::whatChangesTheMeaningOfASetPointDisarms()
+{
+    QFETCH(int, what);
+    TuneBench bench;
+    bench.arm();
+    bench.page->run();
+    bench.confirmMotion();
+    QVERIFY(bench.arming.isMoving());
+    switch (what) {
+    case 0: click(bench, "Duty mode"); break;
+    case 1: slot(bench, "Gain slot that runs", 1)->click(); break;
+    case 2: bench.find<QCheckBox>("Reverse motor")->setChecked(true); break;
+    case 3: bench.find<QCheckBox>("Reverse sensor")->setChecked(true); break;
+    case 4: bench.find<QCheckBox>("Override limits")->setChecked(true); break;
+    default: bench.selection.select({2}); break;
+    }
+    QVERIFY(bench.arming.state() == LampState::Safe);
+    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), 1U);
+}
+
+void TestTune::theEditedSlotDoesNotDisarm()
+{
+    TuneBench bench;
+    bench.arm();
+    slot(bench, "Gain slot that is edited", 1)->click();
+    QVERIFY(bench.arming.isArmed({1}));
+    type(bench.find<QLineEdit>("P"), "2");
+    QCOMPARE(bench.page->findChild<CommandButton *>(s("run"))->text(), s("Run")); // the slot that runs is not edited
+    bench.page->run();
+    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+    QCOMPARE(bench.workbench.callsOf("startMotion").at(0).setPoint.slot, 0);
+}
+
+void TestTune::aRunFromElsewhereIsShown()
+{
+    TuneBench bench;
+    bench.arm();
+    SetPoint setPoint;
+    setPoint.mode = Mode::Velocity;
+    setPoint.target = 60000.0;
+    bench.arming.run(setPoint);
+    bench.confirmMotion();
+    QCOMPARE(bench.find<QLineEdit>("Set-point")->text(), s("60000"));
+    QVERIFY2(problemOf(bench).contains(s("Moving | velocity 60\u202F000\u00A0counts/s, slot 0")), qPrintable(problemOf(bench)));
+    QCOMPARE(bench.workbench.callsOf("updateMotion").size(), 0U);
+}
+
+QTEST_MAIN(TestTune)
+#include "tst_tune.moc"
