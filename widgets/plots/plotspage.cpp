@@ -10,8 +10,8 @@
 #include "widgets/plots/tracelist.h"
 
 #include <QComboBox>
-#include <QFileDialog>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
@@ -124,7 +124,12 @@ void PlotsPage::buildView(QHBoxLayout &row)
     });
     connect(fit, &QToolButton::clicked, m_stack, &PlotStack::fit);
     connect(new QShortcut(QKeySequence(Qt::Key_0), this), &QShortcut::activated, m_stack, &PlotStack::fit);
-    connect(save, &QPushButton::clicked, this, &PlotsPage::chooseExport);
+    connect(save, &QPushButton::clicked, this, [this, save] {
+        auto *menu = new QMenu(save);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        m_stack->fillMenu(*menu);
+        menu->popup(save->mapToGlobal(QPoint(0, save->height())));
+    });
 }
 
 QWidget *PlotsPage::buildSide()
@@ -165,18 +170,6 @@ QWidget *PlotsPage::buildSide()
     });
     connect(&m_theme, &ThemeSource::changed, side, [this, side] { side->setFixedWidth(m_theme.theme().u(sideWidth)); });
     return side;
-}
-
-void PlotsPage::chooseExport()
-{
-    QString filter;
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export the plot"), tr("plot.png"), tr("Picture (*.png);;Drawing (*.svg);;Document (*.pdf);;Table (*.csv)"), &filter);
-    if (path.isEmpty())
-        return;
-    if (m_stack->exportTo(path))
-        m_workbench.report(Severity::Good, {}, tr("plot written to %1").arg(path));
-    else
-        m_workbench.report(Severity::Danger, {}, tr("%1 cannot be written. Choose another folder, and a name that ends in png, svg, pdf or csv.").arg(path));
 }
 
 void PlotsPage::showEvent(QShowEvent *event)

@@ -60,7 +60,6 @@ private:
     void rebuild();
     void choose(const Signal &signal, bool on);
     void showRows();
-    void chooseExport();
     void tick();
     [[nodiscard]] std::uint64_t revision() const;
 

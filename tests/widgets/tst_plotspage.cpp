@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tunebench.h"
+#include "widgets/plots/plotspage.h"
+#include "widgets/plots/plotstack.h"
+#include "widgets/plots/tracelist.h"
+#include "widgets/common/numberformat.h"
+
+#include <QComboBox>
+#include <QListWidget>
+#include <QSignalSpy>
+#include <QStackedWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace mb;
+using namespace mb::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+QString s(const char *text)
+{
+    return QString::fromUtf8(text);
+}
+
+ChannelIndex channel(const char *key)
+{
+    return *findChannel(dmc60c().channels, key);
+}
+
+struct PlotsBench {
+    FakeWorkbench workbench;
+    Selection selection;
+    ThemeSource theme {darkTheme()};
+    Recording recording {workbench.time};
+    std::unique_ptr<PlotsPage> page;
+
+    PlotsBench()
+    {
+        workbench.shot.devices.push_back(tunableDrive(recording.telemetry(), 1, 5));
+        workbench.shot.devices.push_back(tunableDrive(std::make_shared<Telemetry>(dmc60c().channels), 2, 7));
+        selection.select({1});
+        page = std::make_unique<PlotsPage>(workbench, selection, theme, nullptr);
+        page->resize(1208, 760);
+        page->show();
+    }
+    void pass(double seconds, double velocity)
+    {
+        recording.run(seconds, velocity);
+        workbench.time = recording.now();
+        workbench.publish();
+    }
+    [[nodiscard]] TraceList &traces() const { return *page->findChild<TraceList *>(); }
+    [[nodiscard]] QStringList names() const
+    {
+        QStringList names;
+        for (const auto &row : traces().rows())
+            names << row.name;
+        return names;
+    }
+    [[nodiscard]] int strips() const { return page->stack().plot().axisRectCount(); }
+};
+
+} // namespace
+
+class TestPlotsPage : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theSelectedDeviceIsPlottedByDefault();
+    void theDefaultsFollowTheSelectionUntilSomebodyChooses();
+    void oneStripForEachUnit();
+    void aDoubleClickAddsAndASecondRemoves();
+    void aTraceCanBeRemovedFromItsRow();
+    void whatIsRecordedIsShownWithRateAndLoss();
+    void aDeviceThatGoesTakesItsTraces();
+    void nothingIsDrawnWhenNothingIsNew();
+    void nothingIsDrawnWhileHidden();
+    void keysPauseAndFit();
+    void whatIsVisibleCanBeExported();
+    void withoutDevicesThePageSaysWhatToDo();
+    void scrollingShowsWhatAFreshLookWouldShow();
+};
+
+void TestPlotsPage::theSelectedDeviceIsPlottedByDefault()
+{
+    PlotsBench bench;
+    QCOMPARE(bench.names(), QStringList({s("#5 velocity"), s("#5 position"), s("#5 current"), s("#5 duty")}));
+}
+
+void TestPlotsPage::theDefaultsFollowTheSelectionUntilSomebodyChooses()
+{
+    PlotsBench bench;
+    bench.selection.select({2});
+    QCOMPARE(bench.names().first(), s("#7 velocity"));
+    bench.page->addSignal({{1}, channel("temperature")});
+    bench.selection.select({1});
+    QCOMPARE(bench.names().size(), 5);
+    QCOMPARE(bench.names().first(), s("#7 velocity"));
+}
+
+void TestPlotsPage::oneStripForEachUnit()
+{
+    PlotsBench bench;
+    QCOMPARE(bench.strips(), 4);
+    bench.page->addSignal({{2}, channel("velocity")}); // counts/s are there already
+    QCOMPARE(bench.strips(), 4);
+    bench.page->addSignal({{2}, channel("bus_voltage")});
+    QCOMPARE(bench.strips(), 5);
+    bench.page->removeSignal({{1}, channel("position")});
+    QCOMPARE(bench.strips(), 4);
+    bench.page->addSignal({{2}, {200}}); // no such channel
+    bench.page->addSignal({{9}, {0}});   // no such device
+    QCOMPARE(bench.page->traceCount(), 5U);
+}
+
+void TestPlotsPage::aDoubleClickAddsAndASecondRemoves()
+{
+    PlotsBench bench;
+    QListWidget &list = bench.page->signalList().list();
+    const auto found = list.findItems(s("#7 temperature"), Qt::MatchExactly);
+    QCOMPARE(found.size(), 1);
+    Q_EMIT list.itemActivated(found.first());
+    QVERIFY(bench.names().contains(s("#7 temperature")));
+    QCOMPARE(found.first()->checkState(), Qt::Checked);
+    found.first()->setCheckState(Qt::Unchecked); // the box does the same
+    QVERIFY(!bench.names().contains(s("#7 temperature")));
+}
+
+void TestPlotsPage::aTraceCanBeRemovedFromItsRow()
+{
+    PlotsBench bench;
+    for (auto *button : bench.traces().findChildren<QAbstractButton *>()) {
+        if (button->accessibleName() == s("Remove #5 position")) {
+            button->click();
+            break;
+        }
+    }
+    QCOMPARE(bench.names(), QStringList({s("#5 velocity"), s("#5 current"), s("#5 duty")}));
+    const auto found = bench.page->signalList().list().findItems(s("#5 position"), Qt::MatchExactly);
+    QCOMPARE(found.first()->checkState(), Qt::Unchecked);
+}
+
+void TestPlotsPage::whatIsRecordedIsShownWithRateAndLoss()
+{
+    PlotsBench bench;
+    bench.pass(1.0, 60000.0);
+    bench.recording.telemetry()->lost(channel("velocity"), 84);
+    bench.pass(1.0, 60000.0);
+    const auto row = bench.traces().rows().at(0);
+    QCOMPARE(row.rate, s("100 Hz"));
+    QCOMPARE(row.lost, s("84 lost"));
+    QVERIFY(row.lossy);
+    QVERIFY2(row.value.endsWith(s("counts/s")), qPrintable(row.value));
+    QVERIFY(!bench.traces().rows().at(1).lossy);
+    QTRY_VERIFY2(bench.page->stack().summary().contains(s("1 gap")), qPrintable(bench.page->stack().summary()));
+    bench.workbench.time += 10s; // silent: what it was is not what it is
+    bench.workbench.publish();
+    QCOMPARE(bench.traces().rows().at(0).value, QString(UnknownMark));
+}
+
+void TestPlotsPage::aDeviceThatGoesTakesItsTraces()
+{
+    PlotsBench bench;
+    bench.page->addSignal({{2}, channel("velocity")});
+    bench.workbench.shot.devices.erase(bench.workbench.shot.devices.begin());
+    bench.workbench.publish();
+    QCOMPARE(bench.names(), QStringList({s("#7 velocity")}));
+    bench.workbench.shot.devices.clear();
+    bench.workbench.publish();
+    QCOMPARE(bench.page->traceCount(), 0U);
+}
+
+void TestPlotsPage::nothingIsDrawnWhenNothingIsNew()
+{
+    PlotsBench bench;
+    bench.pass(1.0, 1000.0);
+    QSignalSpy drawn(&bench.page->stack().plot(), &QCustomPlot::afterReplot);
+    QTRY_VERIFY(drawn.count() > 0);
+    QTest::qWait(50);
+    drawn.clear();
+    QTest::qWait(200); // a dozen ticks
+    QCOMPARE(drawn.count(), 0);
+    bench.pass(0.1, 1000.0);
+    QTRY_VERIFY(drawn.count() > 0);
+}
+
+void TestPlotsPage::nothingIsDrawnWhileHidden()
+{
+    PlotsBench bench;
+    QTRY_VERIFY(!bench.page->stack().plot().visibleRegion().isEmpty());
+    QTest::qWait(50); // the layout has settled
+    bench.page->hide();
+    QSignalSpy drawn(&bench.page->stack().plot(), &QCustomPlot::afterReplot);
+    bench.pass(1.0, 1000.0);
+    QTest::qWait(100);
+    QCOMPARE(drawn.count(), 0);
+    bench.page->show();
+    QTRY_VERIFY(drawn.count() > 0);
+}
+
+void TestPlotsPage::keysPauseAndFit()
+{
+    PlotsBench bench;
+    QApplication::setActiveWindow(bench.page.get());
+    QVERIFY(bench.page->stack().isLive());
+    QTest::keyClick(bench.page.get(), Qt::Key_P);
+    QVERIFY(!bench.page->stack().isLive());
+    QTest::keyClick(bench.page.get(), Qt::Key_P);
+    QVERIFY(bench.page->stack().isLive());
+    auto *window = bench.page->findChild<QComboBox *>();
+    window->setCurrentIndex(0);
+    Q_EMIT window->activated(0);
+    QCOMPARE(bench.page->stack().window(), 2.0);
+}
+
+void TestPlotsPage::whatIsVisibleCanBeExported()
+{
+    PlotsBench bench;
+    bench.pass(2.0, 60000.0);
+    QTRY_VERIFY(bench.page->stack().range().second > plotKey(bench.workbench.time) - 0.1);
+    QTemporaryDir directory;
+    QVERIFY(bench.page->stack().exportTo(directory.filePath(s("plot.csv"))));
+    QFile file(directory.filePath(s("plot.csv")));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray table = file.readAll();
+    QVERIFY2(table.contains("#5 velocity"), table.left(200));
+    QVERIFY2(table.count('\n') > 150, QByteArray::number(table.count('\n')) + table.right(60));
+}
+
+void TestPlotsPage::withoutDevicesThePageSaysWhatToDo()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    ThemeSource theme {lightTheme()};
+    PlotsPage page(workbench, selection, theme, nullptr);
+    page.show();
+    QCOMPARE(page.findChild<QStackedWidget *>()->currentIndex(), 0);
+    workbench.shot.devices.push_back(tunableDrive(std::make_shared<Telemetry>(dmc60c().channels)));
+    workbench.publish();
+    QCOMPARE(page.findChild<QStackedWidget *>()->currentIndex(), 1);
+    selection.select({1});
+    QCOMPARE(page.traceCount(), 4U);
+}
+
+void TestPlotsPage::scrollingShowsWhatAFreshLookWouldShow()
+{
+    Recording recording {Instant(1000s)};
+    const TelemetrySource kept(recording.telemetry(), channel("velocity"));
+    std::vector<PlotPoint> scrolled;
+    std::vector<PlotPoint> fresh;
+    for (int i = 0; i < 40; ++i) {
+        recording.run(0.21, i % 2 == 0 ? 60000.0 : 0.0);
+        if (i % 7 == 3)
+            recording.telemetry()->lost(channel("velocity"), 1);
+        const double to = std::ceil(plotKey(recording.now()) * 100.0) / 100.0;
+        kept.columns(to - 5.0, to, 200, scrolled);
+        const TelemetrySource other(recording.telemetry(), channel("velocity"));
+        other.columns(to - 5.0, to, 200, fresh);
+        QCOMPARE(scrolled.size(), fresh.size());
+        for (std::size_t p = 0; p < fresh.size(); ++p) {
+            QCOMPARE(scrolled[p].key, fresh[p].key);
+            QVERIFY(scrolled[p].value == fresh[p].value || (std::isnan(scrolled[p].value) && std::isnan(fresh[p].value)));
+        }
+    }
+}
+
+QTEST_MAIN(TestPlotsPage)
+#include "tst_plotspage.moc"
