@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What ends a motion, and what may begin one: the real window against a simulated motor.
+#include "windowbench.h"
+
+#include "widgets/common/searchfield.h"
+#include "widgets/control/tunepage.h"
+#include "widgets/parameters/parameterspage.h"
+
+#include <QWindow>
+
+using namespace mb;
+using namespace mb::test;
+
+class StopTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init();
+    void cleanup() { m_bench.reset(); }
+    void everyStopKeyStopsTheMotor_data();
+    void everyStopKeyStopsTheMotor();
+    void spaceIsTextWhereTextIsEditedAndEscStillStops();
+    void theButtonStopsOnPress();
+    void closingTheWindowStops();
+    void aWindowThatHangsStopsTheMotor();
+    void nothingMovesUnarmed();
+    void holdingTheLampArms();
+    void lettingTheLampGoEarlyDoesNotArm();
+    void aUnitInItsBootloaderCannotBeArmed();
+
+private:
+    void drive();
+    /// The motor stands because somebody said STOP, not because the lease ran out.
+    void verifyStopped(const QString &reason);
+
+    std::unique_ptr<WindowBench> m_bench;
+};
+
+void StopTest::init()
+{
+    m_bench = std::make_unique<WindowBench>();
+    QTRY_VERIFY_WITH_TIMEOUT(m_bench->isFound(), patience);
+    m_bench->select(WindowBench::tuned);
+    m_bench->window().showPage(PageId::Tune);
+}
+
+void StopTest::drive()
+{
+    m_bench->arming().arm(m_bench->device(WindowBench::tuned)->id);
+    m_bench->run();
+    QTRY_VERIFY_WITH_TIMEOUT(m_bench->isOutputOn(), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(m_bench->device(WindowBench::tuned)->motion.running, patience);
+}
+
+void StopTest::verifyStopped(const QString &reason)
+{
+    QTRY_VERIFY_WITH_TIMEOUT(!m_bench->isOutputOn(), patience);
+    QCOMPARE(m_bench->arming().state(), LampState::Stopped);
+    QCOMPARE(m_bench->arming().reason(), reason);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_bench->device(WindowBench::tuned)->motion.running, patience);
+    QVERIFY(m_bench->device(WindowBench::tuned)->motion.end == SetPointStream::End::Stopped);
+    m_bench->run(); // latched
+    QCOMPARE(m_bench->arming().state(), LampState::Stopped);
+}
+
+void StopTest::everyStopKeyStopsTheMotor_data()
+{
+    QTest::addColumn<int>("key");
+    QTest::addColumn<QString>("name");
+    QTest::newRow("Esc") << static_cast<int>(Qt::Key_Escape) << QStringLiteral("Esc");
+    QTest::newRow("Pause") << static_cast<int>(Qt::Key_Pause) << QStringLiteral("Pause");
+    QTest::newRow("Space") << static_cast<int>(Qt::Key_Space) << QStringLiteral("Space");
+}
+
+void StopTest::everyStopKeyStopsTheMotor()
+{
+    QFETCH(int, key);
+    QFETCH(QString, name);
+    drive();
+    QTest::keyPress(m_bench->window().windowHandle(), static_cast<Qt::Key>(key));
+    verifyStopped(name);
+}
+
+void StopTest::spaceIsTextWhereTextIsEditedAndEscStillStops()
+{
+    auto &field = *m_bench->page<ParametersPage>(PageId::Parameters).findChild<SearchField *>();
+    QTRY_VERIFY_WITH_TIMEOUT(field.isVisible(), patience);
+    drive();
+    field.setFocus();
+    QVERIFY(field.hasFocus());
+    QTest::keyClick(m_bench->window().windowHandle(), Qt::Key_Space);
+    QCOMPARE(field.text(), QStringLiteral(" "));
+    QVERIFY(m_bench->arming().isMoving());
+    QVERIFY(m_bench->isOutputOn());
+    QTest::keyPress(m_bench->window().windowHandle(), Qt::Key_Escape);
+    verifyStopped(QStringLiteral("Esc"));
+}
+
+void StopTest::theButtonStopsOnPress()
+{
+    drive();
+    QTest::mousePress(&m_bench->part<StopButton>(), Qt::LeftButton);
+    verifyStopped(QStringLiteral("button"));
+}
+
+void StopTest::closingTheWindowStops()
+{
+    drive();
+    m_bench->window().close();
+    QTRY_VERIFY_WITH_TIMEOUT(!m_bench->isOutputOn(), patience);
+    QCOMPARE(m_bench->arming().state(), LampState::Safe);
+}
+
+void StopTest::aWindowThatHangsStopsTheMotor()
+{
+    drive();
+    const Instant limit = m_bench->engine().now() + std::chrono::milliseconds(patience);
+    while (m_bench->isOutputOn() && m_bench->engine().now() < limit) { } // no event of the window is served here
+    QVERIFY(!m_bench->isOutputOn());
+    QTRY_COMPARE_WITH_TIMEOUT(m_bench->arming().state(), LampState::Stopped, patience);
+    QVERIFY(m_bench->device(WindowBench::tuned)->motion.end == SetPointStream::End::LeaseExpired);
+    QVERIFY2(!m_bench->isOutputOn(), "a window that comes back must not start the motor again");
+}
+
+void StopTest::nothingMovesUnarmed()
+{
+    m_bench->run();
+    qobject_cast<TunePage *>(m_bench->window().page(PageId::Tune))->run();
+    const auto before = m_bench->engine().snapshot().time;
+    QTRY_VERIFY_WITH_TIMEOUT(m_bench->engine().snapshot().time > before + std::chrono::milliseconds(200), patience);
+    QVERIFY(!m_bench->isOutputOn());
+    QCOMPARE(m_bench->arming().state(), LampState::Safe);
+    QVERIFY(m_bench->device(WindowBench::tuned)->motion.end == SetPointStream::End::None);
+}
+
+void StopTest::holdingTheLampArms()
+{
+    auto &lamp = m_bench->part<Lamp>();
+    lamp.setHoldMilliseconds(50);
+    QTRY_VERIFY_WITH_TIMEOUT(lamp.status().armable, patience);
+    QTest::mousePress(&lamp, Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(m_bench->arming().state(), LampState::Armed, patience);
+    QTest::mouseRelease(&lamp, Qt::LeftButton);
+    QVERIFY(m_bench->arming().isArmed(m_bench->device(WindowBench::tuned)->id));
+    QVERIFY(!m_bench->isOutputOn());
+    QTest::mousePress(&lamp, Qt::LeftButton);
+    QCOMPARE(m_bench->arming().state(), LampState::Safe);
+}
+
+void StopTest::lettingTheLampGoEarlyDoesNotArm()
+{
+    auto &lamp = m_bench->part<Lamp>();
+    QCOMPARE(lamp.holdMilliseconds(), 1000);
+    lamp.setHoldMilliseconds(600'000);
+    QTRY_VERIFY_WITH_TIMEOUT(lamp.status().armable, patience);
+    QTest::mousePress(&lamp, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(lamp.holdProgress() > 0.0, patience);
+    QTest::mouseRelease(&lamp, Qt::LeftButton);
+    QCOMPARE(lamp.holdProgress(), 0.0);
+    QCOMPARE(m_bench->arming().state(), LampState::Safe);
+}
+
+void StopTest::aUnitInItsBootloaderCannotBeArmed()
+{
+    m_bench->select(WindowBench::inBootloader);
+    m_bench->arming().arm(m_bench->device(WindowBench::inBootloader)->id);
+    QCOMPARE(m_bench->arming().state(), LampState::Safe);
+    QVERIFY(!m_bench->part<Lamp>().status().armable);
+}
+
+QTEST_MAIN(StopTest)
+#include "tst_stop.moc"

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole program against simulated controllers: find, edit, plot, update.
+#include "windowbench.h"
+
+#include "widgets/common/stateglyph.h"
+#include "widgets/connection/devicetree.h"
+#include "widgets/firmware/firmwarepage.h"
+#include "widgets/parameters/parameterspage.h"
+#include "widgets/plots/plotspage.h"
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QTemporaryDir>
+#include <QTreeView>
+
+using namespace mb;
+using namespace mb::test;
+
+class WindowTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theScanFillsTheTree();
+    void aTypedGainReachesTheDevice();
+    void thePlotShowsSamplesOfTheDevice();
+    void anUpdateEndsVerified();
+    void anImageThatIsNoneStartsNothing();
+};
+
+void WindowTest::theScanFillsTheTree()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    const QAbstractItemModel &model = *bench.part<DeviceTree>().findChild<QTreeView *>()->model();
+    QCOMPARE(model.rowCount(), 1);
+    const QModelIndex link = model.index(0, 0);
+    QCOMPARE(link.data().toString(), QStringLiteral("sim:can"));
+    QTRY_COMPARE_WITH_TIMEOUT(model.rowCount(link), 3, patience);
+    const auto row = [&model, link](int at, int role) { return model.index(at, 0, link).data(role); };
+    QCOMPARE(row(0, Qt::DisplayRole).toString(), QStringLiteral("DMC60C #5"));
+    QCOMPARE(row(1, Qt::DisplayRole).toString(), QStringLiteral("DMC60C #7"));
+    QCOMPARE(row(2, Qt::DisplayRole).toString(), QStringLiteral("DMC60C #9"));
+    QTRY_VERIFY_WITH_TIMEOUT(row(0, DeviceModel::LineRole).toString().contains(QStringLiteral(" · ")), patience);
+    QCOMPARE(row(0, DeviceModel::GlyphRole).toInt(), static_cast<int>(GlyphState::Online));
+    QCOMPARE(row(2, DeviceModel::GlyphRole).toInt(), static_cast<int>(GlyphState::Bootloader));
+    QCOMPARE(row(2, DeviceModel::BadgeRole).toString(), QStringLiteral("boot"));
+    QVERIFY(row(0, DeviceModel::BadgeRole).toString() != QStringLiteral("boot"));
+}
+
+void WindowTest::aTypedGainReachesTheDevice()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    auto &page = bench.page<ParametersPage>(PageId::Parameters);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isRead(WindowBench::tuned), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(page.model().edits(), patience);
+    const auto gain = findParameter(page.model().family()->parameters, "slot1.p").value();
+    page.view().setFocus();
+    page.view().goTo(gain);
+    QTest::keyClick(&page.view(), Qt::Key_Return);
+    auto *field = page.view().viewport()->findChild<QLineEdit *>();
+    QVERIFY(field);
+    QTest::keyClicks(field, QStringLiteral("2.75"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(page.model().edits()->count(), 1);
+    const std::int64_t wanted = static_cast<std::int64_t>(2.75 * 65536);
+    QVERIFY(bench.parameter(WindowBench::tuned, "slot1.p").raw != wanted);
+    page.write();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.parameter(WindowBench::tuned, "slot1.p").raw == wanted, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.model().edits()->count(), 0, patience);
+
+    const DeviceId id = bench.device(WindowBench::tuned)->id; // what the program knows is not asked again
+    const std::uint64_t revision = bench.device(WindowBench::tuned)->parameterRevision;
+    bench.engine().post([id](EngineCore &core) {
+        core.session().find(id)->parameters().forgetAll();
+        core.readParameters(id);
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(bench.device(WindowBench::tuned)->parameterRevision > revision, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isRead(WindowBench::tuned), patience);
+    QVERIFY(bench.parameter(WindowBench::tuned, "slot1.p").raw == wanted);
+}
+
+void WindowTest::thePlotShowsSamplesOfTheDevice()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    auto &page = bench.page<PlotsPage>(PageId::Plots);
+    QTRY_VERIFY_WITH_TIMEOUT(page.traceCount() == 4, patience);
+    const auto samples = [&bench] { return bench.device(WindowBench::tuned)->telemetry->size({}); };
+    QTRY_VERIFY_WITH_TIMEOUT(samples() > 100, patience);
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("seen.csv"));
+    const auto drawn = [&page, &path] {
+        QFile file(path);
+        return page.stack().exportTo(path) && file.open(QIODevice::ReadOnly) ? file.readAll().count('\n') : 0;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(drawn() > 50, patience);
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray head = file.readLine();
+    QVERIFY2(head.startsWith("time_s,") && head.count(',') == 4, head.constData());
+    for (const DeviceView &device : bench.engine().snapshot().devices)
+        QCOMPARE(device.telemetry->lost({}), 0U);
+}
+
+void WindowTest::anUpdateEndsVerified()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::inBootloader);
+    auto &page = bench.page<FirmwarePage>(PageId::Firmware);
+    page.loadImage(QStringLiteral(":/firmware/dmc60c-demo.hex"));
+    QTRY_VERIFY_WITH_TIMEOUT(page.canStart(), patience);
+    page.startUpdate();
+    const auto report = [&bench]() -> const UpdateReport * {
+        const OperationView *update = bench.engine().snapshot().operation(bench.device(WindowBench::inBootloader)->id);
+        return update && update->update ? &*update->update : nullptr;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(report(), 2 * patience);
+    QVERIFY(report()->outcome == UpdateOutcome::Done);
+    QVERIFY(report()->verified);
+    const auto says = [&page](const QString &start) {
+        const auto labels = page.findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(), [&](const QLabel *l) { return l->text().startsWith(start); });
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(says(QStringLiteral("Verified: ")), patience);
+    const auto *progress = page.findChild<QProgressBar *>();
+    QCOMPARE(progress->value(), progress->maximum());
+    QCOMPARE(progress->maximum(), 31);
+    const auto now = [&bench] { return bench.device(WindowBench::inBootloader)->identity; };
+    QTRY_VERIFY_WITH_TIMEOUT(now().state == DeviceState::Online, patience);
+    QCOMPARE(QString::fromStdString(now().firmware), QStringLiteral("1.25"));
+}
+
+void WindowTest::anImageThatIsNoneStartsNothing()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::inBootloader);
+    auto &page = bench.page<FirmwarePage>(PageId::Firmware);
+    for (const QString &path : {QStringLiteral(":/style.qss"), QStringLiteral("/"), QStringLiteral("/no/such/file")}) {
+        page.loadImage(path);
+        QVERIFY(!page.canStart());
+        page.startUpdate();
+    }
+    page.loadImage(QStringLiteral(":/firmware/dmc60c-demo.hex"));
+    QVERIFY(page.canStart());
+    page.loadImage(QStringLiteral(":/style.qss"));
+    QVERIFY2(!page.canStart(), "the image before must not be written in place of the bad one");
+    const auto before = bench.engine().snapshot().time;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.engine().snapshot().time > before + std::chrono::milliseconds(200), patience);
+    QVERIFY(!bench.engine().snapshot().operation(bench.device(WindowBench::inBootloader)->id));
+}
+
+QTEST_MAIN(WindowTest)
+#include "tst_window.moc"

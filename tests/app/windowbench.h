@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/application.h"
+#include "model/registry.h"
+#include "widgets/common/headerbar.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <future>
+
+namespace mb::test {
+
+/// Of one wait for something that takes milliseconds on an idle machine.
+constexpr int patience = 30000;
+
+/// The program as `motorbench --demo` runs it: engine thread, window, stop keys, three simulated controllers.
+class WindowBench {
+public:
+    static constexpr int tuned = 5;
+    static constexpr int inBootloader = 9;
+
+    explicit WindowBench(double fontScale = 1.0)
+        : m_application(*qApp, options(fontScale))
+    {
+        m_application.start();
+        QApplication::setActiveWindow(&window());
+    }
+    [[nodiscard]] MainWindow &window() { return m_application.window(); }
+    [[nodiscard]] Arming &arming() { return window().arming(); }
+    [[nodiscard]] Engine &engine() { return m_application.engine(); }
+    template <class T> [[nodiscard]] T &part() { return *window().findChild<T *>(); }
+    template <class T> [[nodiscard]] T &page(PageId id)
+    {
+        window().showPage(id);
+        return *qobject_cast<T *>(window().page(id));
+    }
+
+    [[nodiscard]] const DeviceView *device(int address)
+    {
+        const auto &all = engine().snapshot().devices;
+        const auto found
+            = std::find_if(all.begin(), all.end(), [=](const DeviceView &d) { return d.identity.address == address; });
+        return found == all.end() ? nullptr : &*found;
+    }
+    /// All three have answered and told who they are, and the one that can move may be armed.
+    [[nodiscard]] bool isFound()
+    {
+        const auto &all = engine().snapshot().devices;
+        const DeviceView *unit = device(tuned);
+        return all.size() == 3 && unit && unit->liveness.heard && unit->mayNotMove.empty()
+            && std::all_of(all.begin(), all.end(), [](const DeviceView &d) { return !d.identity.serial.empty(); });
+    }
+    void select(int address) { window().selection().select(device(address)->id); }
+    [[nodiscard]] const ParameterStore::Entry &parameter(int address, std::string_view key)
+    {
+        const DeviceView *view = device(address);
+        return view->parameters[findParameter(view->family->parameters, key).value().value];
+    }
+    [[nodiscard]] bool isRead(int address)
+    {
+        const auto &all = device(address)->parameters;
+        return std::all_of(all.begin(), all.end(), [](const ParameterStore::Entry &e) { return e.raw.has_value(); });
+    }
+
+    /// The answer of the engine thread; the window stands still meanwhile.
+    template <class T> [[nodiscard]] T ask(const std::function<T(EngineCore &)> &question)
+    {
+        auto answer = std::make_shared<std::promise<T>>();
+        auto coming = answer->get_future();
+        engine().post([answer, question](EngineCore &core) { answer->set_value(question(core)); });
+        return coming.get();
+    }
+    /// The truth, not what the device says: whether the bridge of the simulated controller drives its motor.
+    [[nodiscard]] bool isOutputOn()
+    {
+        return ask<bool>([](EngineCore &core) {
+            for (const Link *link : core.session().links()) {
+                for (const Simulator *unit : core.session().bench(*link)->simulators()) {
+                    if (unit->isOutputOn())
+                        return true;
+                }
+            }
+            return false;
+        });
+    }
+    void run(double duty = 0.3)
+    {
+        SetPoint setPoint;
+        setPoint.mode = Mode::Duty;
+        setPoint.target = duty;
+        arming().run(setPoint);
+    }
+
+private:
+    static Options options(double fontScale)
+    {
+        Options options;
+        options.demo = true;
+        options.size = QStringLiteral("1280x800");
+        options.language = QStringLiteral("en");
+        options.fontScale = fontScale;
+        return options;
+    }
+
+    Application m_application;
+};
+
+} // namespace mb::test
