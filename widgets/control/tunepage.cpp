@@ -9,6 +9,7 @@
 #include "widgets/control/modepanel.h"
 #include "widgets/control/ratekeeper.h"
 #include "widgets/control/setpointpanel.h"
+#include "widgets/control/steptable.h"
 #include "widgets/control/tuneplot.h"
 
 #include <QHBoxLayout>
@@ -46,8 +47,7 @@ TunePage::TunePage(Workbench &workbench, Selection &selection, Arming &arming, c
     grid->addWidget(separatorLine(Qt::Horizontal, content), 1, 0, 1, 3);
     grid->addWidget(buildColumn(), 2, 0);
     grid->addWidget(separatorLine(Qt::Vertical, content), 2, 1);
-    m_plot = new TunePlot(workbench, theme, content);
-    grid->addWidget(m_plot, 2, 2);
+    grid->addWidget(buildLive(), 2, 2);
     grid->setColumnStretch(2, 1);
     grid->setRowStretch(2, 1);
     m_stack->addWidget(m_empty);
@@ -63,6 +63,22 @@ TunePage::TunePage(Workbench &workbench, Selection &selection, Arming &arming, c
 TunePage::~TunePage()
 {
     m_gains->clear(); // before the edits that it shows
+}
+
+QWidget *TunePage::buildLive()
+{
+    auto *live = new QWidget(this);
+    auto *column = new QVBoxLayout(live);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_plot = new TunePlot(m_workbench, m_theme, live);
+    m_steps = new StepTable(m_theme, live);
+    column->addWidget(m_plot, 1);
+    column->addWidget(separatorLine(Qt::Horizontal, live));
+    column->addWidget(m_steps);
+    connect(m_steps, &StepTable::showRequested, m_plot, &TunePlot::showStep);
+    connect(m_steps, &StepTable::useRequested, this, &TunePage::useGains);
+    return live;
 }
 
 QWidget *TunePage::buildCommands()

@@ -5,6 +5,7 @@
 #include "widgets/common/stateglyph.h"
 #include "widgets/control/arming.h"
 #include "widgets/control/setpointslew.h"
+#include "widgets/control/steplog.h"
 #include "widgets/parameters/stagededits.h"
 #include "widgets/plots/displayunits.h"
 
@@ -27,6 +28,7 @@ class ModePanel;
 class RateKeeper;
 class SetPointPanel;
 class StateGlyph;
+class StepTable;
 class TunePlot;
 
 /// Moves one motor and tunes its loop: mode, set-point and gains at the left, what happens at the right. Every motion goes
@@ -61,6 +63,7 @@ public:
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     /// What a person has chosen for one device.
@@ -70,7 +73,9 @@ private:
         int runningSlot = 0;
         DisplayUnits units;
         std::unique_ptr<StagedEdits> edits;
+        StepLog steps;
     };
+    QWidget *buildLive();
     QWidget *buildCommands();
     QWidget *buildColumn();
     QWidget *buildWriteRow();
@@ -82,6 +87,8 @@ private:
     void selectionChanged();
     void follow();
     void followDevice(const DeviceView &view);
+    void followSteps(const DeviceView &view, bool anyway);
+    void useGains(const StepRecord &record);
     void followGains(const DeviceView &view);
     void followForeignRun(const DeviceView &view);
     [[nodiscard]] Status liveStatus(const DeviceView &view, const QString &name) const;
@@ -129,6 +136,7 @@ private:
     CommandButton *m_write = nullptr;
     CommandButton *m_revert = nullptr;
     TunePlot *m_plot = nullptr;
+    StepTable *m_steps = nullptr;
 };
 
 } // namespace mb

@@ -11,6 +11,7 @@
 #include "widgets/control/modepanel.h"
 #include "widgets/control/ratekeeper.h"
 #include "widgets/control/setpointpanel.h"
+#include "widgets/control/steptable.h"
 #include "widgets/control/tuneplot.h"
 
 #include <QStackedWidget>
@@ -86,8 +87,12 @@ void TunePage::followDevice(const DeviceView &view)
         m_setPoint->setUnits(chosen.units);
         m_plot->setUnits(chosen.units);
         m_gains->setUnits(chosen.units);
+        m_steps->setUnits(chosen.units);
+        m_plot->choose(view, chosen.mode);
+        followSteps(view, true);
     }
     m_plot->choose(view, chosen.mode);
+    followSteps(view, false);
     m_plot->follow(view);
     m_setPoint->showPresent(present(view));
     followForeignRun(view);
@@ -115,6 +120,35 @@ void TunePage::followGains(const DeviceView &view)
     chosen.edits->setEntries(view.parameters);
     m_gains->choose(*view.family, *chosen.edits, chosen.mode, chosen.editedSlot);
     m_gains->refresh(view, reading);
+}
+
+void TunePage::followSteps(const DeviceView &view, bool anyway)
+{
+    StepLog &log = m_choices.at(view.id).steps;
+    if (!log.follow(view, m_workbench.now()) && !anyway)
+        return;
+    m_steps->setRecords(view.family, log.records());
+    const auto &records = log.records();
+    const auto last = std::find_if(records.rbegin(), records.rend(), [](const StepRecord &record) { return record.finished; });
+    m_plot->markStep(last == records.rend() ? nullptr : &*last);
+}
+
+/// The gains of a step come back as edits of the slot that is edited: seen, and written like any other.
+void TunePage::useGains(const StepRecord &record)
+{
+    const DeviceView *view = device();
+    Choice *chosen = choice();
+    if (!view || !chosen)
+        return;
+    const GainSet set = gainSet(*view->family, record.mode, chosen->editedSlot);
+    std::vector<ParameterChange> changes;
+    for (std::size_t i = 0; i < std::min(set.gains.size(), record.gains.size()); ++i) {
+        if (record.gains[i])
+            changes.push_back({set.gains[i], *record.gains[i]});
+    }
+    chosen->edits->stageAll(changes, tr("Gains of step #%1").arg(record.number));
+    ++m_editRevision;
+    follow();
 }
 
 void TunePage::readOnce(const DeviceView &view)

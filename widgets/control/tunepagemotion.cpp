@@ -7,6 +7,7 @@
 #include "widgets/control/modepanel.h"
 #include "widgets/control/ratekeeper.h"
 #include "widgets/control/setpointpanel.h"
+#include "widgets/control/steptable.h"
 #include "widgets/control/tuneplot.h"
 
 #include <QPointer>
@@ -23,6 +24,13 @@ void TunePage::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
     m_rates->follow({});
+}
+
+void TunePage::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    constexpr int roomy = 760;
+    m_steps->setRows(height() > m_theme.theme().u(roomy) ? 4 : 3);
 }
 
 SetPoint TunePage::wanted() const
@@ -78,6 +86,7 @@ void TunePage::unitsChosen(const DisplayUnits &units)
         chosen->units = units;
     m_setPoint->setUnits(units);
     m_gains->setUnits(units);
+    m_steps->setUnits(units);
     follow();
 }
 

@@ -25,7 +25,7 @@ namespace {
 constexpr std::chrono::milliseconds tickTime {16};
 constexpr std::array windows {2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 1800.0};
 constexpr int usualWindow = 2;
-constexpr int sideWidth = 320;
+constexpr int sideWidth = 300;
 
 } // namespace
 
