@@ -71,6 +71,7 @@ Snapshot EngineCore::snapshot()
 void EngineCore::openLink(const LinkAddress &address, const Finished &finished)
 {
     for (const LinkAddress &one : expandLink(address, m_session.families())) {
+        m_closedByHand.erase(one.text());
         auto link = m_session.openLink(one);
         if (!link) {
             notice(Severity::Danger, one.shortName(), link.error().detail);
@@ -99,6 +100,7 @@ void EngineCore::closeLink(const std::string &address)
         m_streams.erase(id);
         std::erase_if(m_operations, [id](const Running &running) { return running.device == id; });
     }
+    m_closedByHand.insert(address);
     m_watched.erase(link);
     m_session.closeLink(*link);
 }
@@ -193,7 +195,8 @@ void EngineCore::refreshRestarted()
 void EngineCore::openByItself()
 {
     for (const LinkListing &listing : listLinks()) {
-        if (listing.kind != LinkKind::Can || !listing.openable || m_session.findLink(listing.link))
+        if (listing.kind != LinkKind::Can || !listing.openable || m_session.findLink(listing.link)
+            || m_closedByHand.count(listing.link.text()) > 0)
             continue;
         if (auto link = m_session.openLink(listing.link)) {
             watch(**link);

@@ -9,6 +9,7 @@
 #include <list>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 namespace mb {
@@ -100,6 +101,7 @@ private:
     Session m_session;
     std::map<const Link *, Watched> m_watched;
     std::map<DeviceId, Subscription> m_streams;
+    std::set<std::string> m_closedByHand; ///< not opened again by themselves
     std::list<Running> m_operations;
     std::uint32_t m_lastOperation = 0;
     Subscription m_sessionChanged;

@@ -91,7 +91,7 @@ void MainWindow::buildHeader()
     column->addWidget(m_stripe);
     setMenuWidget(top);
     auto *menu = new QMenu(this);
-    menu->addAction(tr("Add link…"), this, [this] { askAddLink(m_workbench, *this); });
+    menu->addAction(tr("Add link…"), this, &MainWindow::addLink);
     menu->addAction(tr("Open the simulated bench"), this, &MainWindow::openSimulation);
     menu->addSeparator();
     menu->addAction(
@@ -112,8 +112,14 @@ void MainWindow::buildDevices()
     auto *tree = new DeviceTree(m_workbench, m_selection, m_theme, this);
     m_devices = makeDock(*this, QStringLiteral("devicesDock"), tr("Devices"), tree, Qt::LeftDockWidgetArea);
     connect(tree, &DeviceTree::collapseRequested, m_devices, &QWidget::hide);
-    connect(tree, &DeviceTree::addLinkRequested, this, [this] { askAddLink(m_workbench, *this); });
+    connect(tree, &DeviceTree::addLinkRequested, this, &MainWindow::addLink);
     connect(tree, &DeviceTree::simulateRequested, this, &MainWindow::openSimulation);
+    connect(tree, &DeviceTree::closeLinkRequested, this, [this](const QString &address) {
+        m_settings.removeLink(address);
+        if (address.startsWith(QLatin1String("sim:")))
+            m_settings.removeLink(QStringLiteral("sim:")); // which stood for this one too
+        m_workbench.closeLink(address.toStdString());
+    });
 }
 
 void MainWindow::addPage(QWidget *page, const QString &title)
@@ -149,7 +155,7 @@ void MainWindow::buildPages()
     addPage(new LogPage(m_workbench, m_theme, m_pages), tr("Log"));
     connect(m_tabs, &QTabBar::currentChanged, this, &MainWindow::followPages);
     connect(overview, &OverviewPage::simulateRequested, this, &MainWindow::openSimulation);
-    connect(overview, &OverviewPage::addLinkRequested, this, [this] { askAddLink(m_workbench, *this); });
+    connect(overview, &OverviewPage::addLinkRequested, this, &MainWindow::addLink);
     connect(overview, &OverviewPage::updateRequested, this, [this] { showPage(PageId::Firmware); });
     connect(m_banners, &BannerStack::allRequested, this, [this] { showPage(PageId::Log); });
 }
@@ -216,6 +222,11 @@ void MainWindow::followPages()
     m_pages->currentWidget()->setFocus();
     m_line->setVisible(ofDevice && m_workbench.snapshot().device(m_selection.device()));
     m_inspector->setVisible(id == PageId::Overview && !m_workbench.snapshot().devices.empty());
+}
+
+void MainWindow::addLink()
+{
+    askAddLink(m_workbench, *this, [this](const QString &address) { m_settings.addLink(address); });
 }
 
 void MainWindow::openSimulation()

@@ -50,6 +50,7 @@ private:
     void buildStatus();
     void buildActions();
     void addPage(QWidget *page, const QString &title);
+    void addLink();
     void openSimulation();
     void switchTheme();
     void follow();

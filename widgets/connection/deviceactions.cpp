@@ -124,7 +124,7 @@ void askRenumber(Workbench &workbench, DeviceId id, QWidget &parent)
     dialog->open();
 }
 
-void askAddLink(Workbench &workbench, QWidget &parent)
+void askAddLink(Workbench &workbench, QWidget &parent, std::function<void(const QString &)> opened)
 {
     QStringList choices;
     for (const LinkListing &listing : workbench.listings()) {
@@ -136,12 +136,17 @@ void askAddLink(Workbench &workbench, QWidget &parent)
         DeviceActions::tr("Link address, such as socketcan:can0 or sim:can?loss=0.01:"));
     dialog->setComboBoxItems(choices);
     dialog->setComboBoxEditable(true);
-    QObject::connect(dialog, &QInputDialog::textValueSelected, &workbench, [&workbench](const QString &text) {
+    QObject::connect(dialog, &QInputDialog::textValueSelected, &workbench, [&workbench, opened](const QString &text) {
         const auto address = LinkAddress::parse(text.trimmed().toStdString());
-        if (address)
-            workbench.openLink(*address, {});
-        else
+        if (!address) {
             workbench.report(Severity::Danger, {}, errorText(address.error()));
+            return;
+        }
+        workbench.openLink(
+            *address, [opened, whole = QString::fromStdString(address->text())](const Result<void> &done) {
+                if (done && opened)
+                    opened(whole);
+            });
     });
     dialog->open();
 }

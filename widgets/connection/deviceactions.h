@@ -3,6 +3,8 @@
 
 #include "widgets/common/workbench.h"
 
+#include <functional>
+
 class QMenu;
 class QWidget;
 
@@ -16,6 +18,7 @@ void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId device, QWidge
 void askRename(Workbench &workbench, DeviceId device, QWidget &parent);
 void askRenumber(Workbench &workbench, DeviceId device, QWidget &parent);
 /// Asks for a link address, with those that can be opened to choose from, and opens it.
-void askAddLink(Workbench &workbench, QWidget &parent);
+/// `opened` gets the address once it is open, so that it can be remembered.
+void askAddLink(Workbench &workbench, QWidget &parent, std::function<void(const QString &)> opened);
 
 } // namespace mb

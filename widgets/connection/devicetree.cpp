@@ -151,8 +151,9 @@ void DeviceTree::showMenu(const QPoint &position)
     } else {
         menu->addAction(tr("Scan again"), this, [this] { m_workbench.scan(); });
         if (index.isValid()) {
-            const std::string address = m_workbench.snapshot().links[static_cast<std::size_t>(index.row())].address;
-            menu->addAction(tr("Close this link"), this, [this, address] { m_workbench.closeLink(address); });
+            const QString address
+                = QString::fromStdString(m_workbench.snapshot().links[static_cast<std::size_t>(index.row())].address);
+            menu->addAction(tr("Close this link"), this, [this, address] { Q_EMIT closeLinkRequested(address); });
         }
     }
     menu->popup(m_view->viewport()->mapToGlobal(position));

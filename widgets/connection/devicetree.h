@@ -28,6 +28,7 @@ public:
 Q_SIGNALS:
     void addLinkRequested();
     void simulateRequested();
+    void closeLinkRequested(const QString &address);
     void collapseRequested();
 
 private:
