@@ -126,7 +126,7 @@ TEST(Dmc60cUpdate, TakesAtMostATenthLongerThanBusAndFlashNeed)
     const double needed = 31 * (frames + 0.0231 + 0.054);
     const double taken = std::chrono::duration<double>(bench.clock.now() - begin).count() - 0.45; // the scan
     std::printf("[ measured ] update of 31 pages: %.3f s, bus and flash need %.3f s\n", taken, needed);
-    EXPECT_LE(taken, 1.1 * needed + 0.6); // entering and leaving the bootloader are restarts of the device
+    EXPECT_LE(taken, 1.1 * needed);
 }
 
 TEST(Dmc60cUpdate, FindsTheCrcVariantOnTheFirstPage)
@@ -220,10 +220,13 @@ TEST(Dmc60cUpdate, AProgramThatDiesInAnyPageLeavesAUnitThatIsFoundInItsBootloade
 
 TEST(Dmc60cUpdate, RunsAgainToSuccessAfterThePowerWasCutAtSeededFrames)
 {
+    // Every frame of a soak, forty seeded ones otherwise. Frames are those addressed to the unit, from the scan on.
+    constexpr int most = 3 * 514 + 40;
+    const bool all = std::getenv("MOTORBENCH_SOAK") != nullptr;
     std::mt19937 random(7);
-    const int cuts = std::getenv("MOTORBENCH_SOAK") ? 400 : 40;
+    const int cuts = all ? most : 40;
     for (int i = 0; i < cuts; ++i) {
-        const int frame = static_cast<int>(random() % (3 * 514)) + 5;
+        const int frame = all ? i + 1 : static_cast<int>(random() % most) + 1;
         UpdateBench bench("dmc60c:5,fault=power@" + std::to_string(frame));
         const auto first = bench.update(smallImage());
         if (first && first->outcome == UpdateOutcome::Done)
@@ -232,8 +235,12 @@ TEST(Dmc60cUpdate, RunsAgainToSuccessAfterThePowerWasCutAtSeededFrames)
         for (const SimulatorEvent &event : bench.log)
             bricked = bricked || event.what == "bricked";
         bench.clock.advance(1s);
-        if (!bricked)
-            expectDone(bench.update(smallImage()), "frame " + std::to_string(frame));
+        if (bricked)
+            continue;
+        const auto again = bench.update(smallImage());
+        if (again && again->outcome == UpdateOutcome::UpToDate)
+            continue; // the cut came after page 0: the new version was there, only its proof was missing
+        expectDone(again, "frame " + std::to_string(frame));
     }
 }
 
