@@ -110,11 +110,15 @@ Application::~Application() = default;
 void Application::translate(const QString &language)
 {
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
-    if (m_translator.load(locale, QStringLiteral("motorbench"), QStringLiteral("_"), QStringLiteral(":/translations")))
+    const QString folder = QStringLiteral(":/translations");
+    if (m_translator.load(locale, QStringLiteral("motorbench"), QStringLiteral("_"), folder)) {
+        if (m_qtTranslator.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
+                QLibraryInfo::location(QLibraryInfo::TranslationsPath)))
+            m_qt.installTranslator(&m_qtTranslator);
         m_qt.installTranslator(&m_translator);
-    if (m_qtTranslator.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
-            QLibraryInfo::location(QLibraryInfo::TranslationsPath)))
-        m_qt.installTranslator(&m_qtTranslator);
+    } else if (m_translator.load(QStringLiteral("motorbench_en"), folder)) { // English has plural forms too
+        m_qt.installTranslator(&m_translator);
+    }
 }
 
 void Application::dress(const QString &theme, double fontScale)

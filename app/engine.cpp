@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine.h"
 
+#include "widgets/common/devicetext.h"
+
 #include <QSocketNotifier>
 #include <QThread>
 
@@ -24,7 +26,7 @@ struct Engine::Room {
         QObject::connect(&arrivals, &QSocketNotifier::activated, &arrivals, [this] { engine.m_toEngine.drain(); });
         noticed = core.noticed().add([this](Severity severity, const std::string &device, const std::string &text) {
             engine.m_toWindow.post([to = &engine, severity, device, text] {
-                to->report(severity, QString::fromStdString(device), QString::fromStdString(text));
+                to->report(severity, QString::fromStdString(device), tableText(text));
             });
         });
         publish();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/devicetext.h"
 
+#include "widgets/common/devicephrases.h"
 #include "widgets/common/numberformat.h"
 
 #include <QCoreApplication>
@@ -16,12 +17,12 @@ struct DeviceText {
 
 QString tableText(std::string_view english)
 {
-    return QCoreApplication::translate("table", std::string(english).c_str());
+    return devicePhrase(english);
 }
 
 QString errorText(const Error &error)
 {
-    const QString detail = QCoreApplication::translate("error", error.detail.c_str());
+    const QString detail = tableText(error.detail);
     switch (error.fault) {
     case Fault::Timeout: return DeviceText::tr("No answer: %1").arg(detail);
     case Fault::Refused: return DeviceText::tr("The device refused: %1").arg(detail);
@@ -124,9 +125,9 @@ QString tooltipOf(const DeviceView &device)
     if (!device.identity.serial.empty())
         lines += DeviceText::tr("Serial number %1").arg(QString::fromStdString(device.identity.serial));
     if (!device.identity.detail.empty())
-        lines += QCoreApplication::translate("error", device.identity.detail.c_str());
+        lines += tableText(device.identity.detail);
     if (!device.mayNotMove.empty())
-        lines += QCoreApplication::translate("error", device.mayNotMove.c_str());
+        lines += tableText(device.mayNotMove);
     return lines.join(QLatin1Char('\n'));
 }
 

@@ -18,7 +18,7 @@ namespace mb {
     return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
 }
 
-/// Texts of parameter and channel tables, which are English in the family's folder.
+/// What the library says, which is English: labels and helps of tables, steps, causes. See devicephrases.h.
 [[nodiscard]] QString tableText(std::string_view english);
 [[nodiscard]] QString errorText(const Error &error);
 /// "over-current" for the key over_current.

@@ -97,7 +97,7 @@ void LogPage::buildTable()
     m_table->setShowGrid(false);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setColumnWidth(NoticeModel::Time, theme.u(110));
+    m_table->setColumnWidth(NoticeModel::Time, theme.u(124));
     m_table->setColumnWidth(NoticeModel::Glyph, theme.u(32));
     m_table->setColumnWidth(NoticeModel::Device, theme.u(140));
     m_table->horizontalHeader()->setStretchLastSection(true);

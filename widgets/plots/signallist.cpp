@@ -53,7 +53,11 @@ private:
 QString signalName(const DeviceView &device, ChannelIndex channel)
 {
     const QString label = tableText(device.family->channels[channel.value].label);
-    return QStringLiteral("#%1 %2").arg(device.identity.address).arg(label.left(1).toLower() + label.mid(1));
+    //: Translate as "capital" where a noun has a capital letter in the middle of a line too.
+    const bool small = SignalList::tr("small") == QLatin1String("small");
+    return QStringLiteral("#%1 %2")
+        .arg(device.identity.address)
+        .arg(small ? label.left(1).toLower() + label.mid(1) : label);
 }
 
 SignalList::SignalList(const ThemeSource &theme, QWidget *parent)

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/channels.h"
 
+#include <QtGlobal>
+
 #include <array>
 
 namespace mb::dmc60c {
 namespace {
 
 constexpr std::array<Channel, 9> table{{
-    {"position", "counts", "Position", Quantity::Position},
-    {"velocity", "counts/s", "Velocity", Quantity::Velocity},
-    {"current", "A", "Current", Quantity::Current},
-    {"duty", "fraction", "Duty", Quantity::Duty},
-    {"setpoint", "", "Set-point", Quantity::SetPoint}, // unit of the mode in use, as the next
-    {"error", "", "Loop error", Quantity::Error},
-    {"bus_voltage", "V", "Supply", Quantity::Voltage},
-    {"temperature", "°C", "Temperature", Quantity::Temperature},
-    {"analog1", "V", "Analog input", Quantity::Voltage},
+    {"position", "counts", QT_TRANSLATE_NOOP("table", "Position"), Quantity::Position},
+    {"velocity", "counts/s", QT_TRANSLATE_NOOP("table", "Velocity"), Quantity::Velocity},
+    {"current", "A", QT_TRANSLATE_NOOP("table", "Current"), Quantity::Current},
+    {"duty", "fraction", QT_TRANSLATE_NOOP("table", "Duty"), Quantity::Duty},
+    {"setpoint", "", QT_TRANSLATE_NOOP("table", "Set-point"), Quantity::SetPoint}, // unit of the mode, as the next
+    {"error", "", QT_TRANSLATE_NOOP("table", "Loop error"), Quantity::Error},
+    {"bus_voltage", "V", QT_TRANSLATE_NOOP("table", "Supply"), Quantity::Voltage},
+    {"temperature", "°C", QT_TRANSLATE_NOOP("table", "Temperature"), Quantity::Temperature},
+    {"analog1", "V", QT_TRANSLATE_NOOP("table", "Analog input"), Quantity::Voltage},
 }};
 
 static_assert(checkChannels(table));

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/devicephrases.h"
+
+#include "widgets/common/devicetext.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mb {
+namespace {
+
+// One without placeholders is found wherever it stands; of the others the first that fits is taken.
+// clang-format off
+constexpr auto phrases = std::to_array<const char *>({
+    // links
+    QT_TRANSLATE_NOOP("table", "%1 is switched off; bring it up: %2"),
+    QT_TRANSLATE_NOOP("table", "%1 is bus-off: check wiring, termination and bit rate, then: %2"),
+    QT_TRANSLATE_NOOP("table", "no permission to open CAN sockets here; allow them in the container or sandbox"),
+    QT_TRANSLATE_NOOP("table", "this kernel has no CAN support; load it: %1"),
+    QT_TRANSLATE_NOOP("table", "CAN sockets cannot be opened: %1"),
+    QT_TRANSLATE_NOOP("table", "the kernel does not list its interfaces: %1"),
+    QT_TRANSLATE_NOOP("table", "there is no CAN interface; plug in an adapter"),
+    QT_TRANSLATE_NOOP("table", "there is no CAN interface %1"),
+    QT_TRANSLATE_NOOP("table", "%1 is a network interface, but not one for CAN"),
+    QT_TRANSLATE_NOOP("table", "%1 was switched off"),
+    QT_TRANSLATE_NOOP("table", "%1 is gone"),
+    QT_TRANSLATE_NOOP("table", "the other end of %1 closed it"),
+    QT_TRANSLATE_NOOP("table", "no permission to use %1; allow CAN sockets in the container or sandbox"),
+    QT_TRANSLATE_NOOP("table", "no permission to use %1; become a member of its group: %2"),
+    QT_TRANSLATE_NOOP("table", "there is no CAN plugin %1; installed are: %2"),
+    QT_TRANSLATE_NOOP("table", "%1 was disconnected"),
+    QT_TRANSLATE_NOOP("table", "bus-off: the adapter left the bus after too many errors; check wiring, termination and bit rate"),
+    QT_TRANSLATE_NOOP("table", "bus-off: the controller left the bus after too many errors; check wiring, termination and bit rate"),
+    QT_TRANSLATE_NOOP("table", "bus-off: %1 left the bus after too many errors; check wiring, termination and bit rate"),
+    QT_TRANSLATE_NOOP("table", "%1, listen-only: nothing can be sent"),
+    QT_TRANSLATE_NOOP("table", "virtual"),
+    QT_TRANSLATE_NOOP("table", "%1; %2 links are not supported yet"),
+    QT_TRANSLATE_NOOP("table", "%1 links are not supported yet"),
+    QT_TRANSLATE_NOOP("table", "socketcan links have no option '%1'"),
+    QT_TRANSLATE_NOOP("table", "unknown link kind '%1': sim, socketcan, qtcan, serial, spidev, unix and replay are known"),
+    QT_TRANSLATE_NOOP("table", "'%1' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:"),
+    QT_TRANSLATE_NOOP("table", "'%1' names no interface"),
+    QT_TRANSLATE_NOOP("table", "link option '%1' is not KEY=VALUE"),
+    QT_TRANSLATE_NOOP("table", "link option %1 is out of range"),
+    QT_TRANSLATE_NOOP("table", "%1 is not open"),
+    QT_TRANSLATE_NOOP("table", "the link is not open"),
+    QT_TRANSLATE_NOOP("table", "is back"),
+    // motion
+    QT_TRANSLATE_NOOP("table", "several units answer as number %1; control is locked until one has another number"),
+    QT_TRANSLATE_NOOP("table", "several units answer as number %1"),
+    QT_TRANSLATE_NOOP("table", "this unit has no number yet; assign one before it is driven"),
+    QT_TRANSLATE_NOOP("table", "no application runs in this unit; update its firmware first"),
+    QT_TRANSLATE_NOOP("table", "another master drives %1; stop it there first"),
+    QT_TRANSLATE_NOOP("table", "another master sends control frames to this device"),
+    QT_TRANSLATE_NOOP("table", "nobody renewed the motion lease"),
+    QT_TRANSLATE_NOOP("table", "the motor was stopped; arm again"),
+    QT_TRANSLATE_NOOP("table", "the device restarted"),
+    QT_TRANSLATE_NOOP("table", "the device is not heard any more"),
+    QT_TRANSLATE_NOOP("table", "the device is gone"),
+    QT_TRANSLATE_NOOP("table", "the device is busy with something else"),
+    QT_TRANSLATE_NOOP("table", "firmware update"),
+    QT_TRANSLATE_NOOP("table", "stopped: %1"),
+    QT_TRANSLATE_NOOP("table", "follow needs the number of a device"),
+    QT_TRANSLATE_NOOP("table", "a device cannot follow itself"),
+    QT_TRANSLATE_NOOP("table", "the ramp must be 0 (immediate) or a positive number of duty per second"),
+    // identity
+    QT_TRANSLATE_NOOP("table", "This unit has no number yet; assign one from 1 to 62."),
+    QT_TRANSLATE_NOOP("table", "This unit has no number and no application; assign a number, then update its firmware."),
+    QT_TRANSLATE_NOOP("table", "The bootloader runs; restart the unit or update its firmware."),
+    QT_TRANSLATE_NOOP("table", "No application runs; update its firmware."),
+    QT_TRANSLATE_NOOP("table", "Number %1 is used by %2 units; give each its own before one is driven."),
+    QT_TRANSLATE_NOOP("table", "Product %1 is not known to be a DMC60C."),
+    QT_TRANSLATE_NOOP("table", "the unit restarted: what is volatile was lost, its parameters are read again"),
+    QT_TRANSLATE_NOOP("table", "number %1 is used by another unit"),
+    QT_TRANSLATE_NOOP("table", "a device number is 1 … 63"),
+    QT_TRANSLATE_NOOP("table", "a name has 1 to 64 characters"),
+    QT_TRANSLATE_NOOP("table", "a name may hold Latin-1 characters only"),
+    // operations and parameters
+    QT_TRANSLATE_NOOP("table", "Identify"),
+    QT_TRANSLATE_NOOP("table", "Rename"),
+    QT_TRANSLATE_NOOP("table", "Look at the restarted unit"),
+    QT_TRANSLATE_NOOP("table", "Read parameters"),
+    QT_TRANSLATE_NOOP("table", "Write parameters"),
+    QT_TRANSLATE_NOOP("table", "Store to flash"),
+    QT_TRANSLATE_NOOP("table", "Assign number"),
+    QT_TRANSLATE_NOOP("table", "Read and clear faults"),
+    QT_TRANSLATE_NOOP("table", "Set telemetry rate"),
+    QT_TRANSLATE_NOOP("table", "Update firmware"),
+    QT_TRANSLATE_NOOP("table", "Reading %1"),
+    QT_TRANSLATE_NOOP("table", "Read"),
+    QT_TRANSLATE_NOOP("table", "Writing %1"),
+    QT_TRANSLATE_NOOP("table", "Written"),
+    QT_TRANSLATE_NOOP("table", "%1 parameters gave no answer"),
+    QT_TRANSLATE_NOOP("table", "all %1 read"),
+    QT_TRANSLATE_NOOP("table", "%1 written, read back and equal"),
+    QT_TRANSLATE_NOOP("table", "stored, the flash sequence number advanced"),
+    QT_TRANSLATE_NOOP("table", "stored, not verifiable"),
+    QT_TRANSLATE_NOOP("table", "Waiting until the device has written its flash"),
+    QT_TRANSLATE_NOOP("table", "the device did not write its flash within 20 s"),
+    QT_TRANSLATE_NOOP("table", "the device restarted before its flash was proved to be written; read it again"),
+    QT_TRANSLATE_NOOP("table", "the position is written only while the output is off; stop the motor first"),
+    QT_TRANSLATE_NOOP("table", "%1 was %2 and is not known to be cleared"),
+    QT_TRANSLATE_NOOP("table", "%1 was written as %2 but reads %3"),
+    QT_TRANSLATE_NOOP("table", "%1 cannot be read from the device"),
+    QT_TRANSLATE_NOOP("table", "%1 is read-only"),
+    QT_TRANSLATE_NOOP("table", "%1 is above %2; legal is %3"),
+    QT_TRANSLATE_NOOP("table", "%1 is below %2; legal is %3"),
+    QT_TRANSLATE_NOOP("table", "this firmware does not know the parameter"),
+    QT_TRANSLATE_NOOP("table", "the device refused the value"),
+    QT_TRANSLATE_NOOP("table", "no answer"),
+    QT_TRANSLATE_NOOP("table", "the device answers '%1'"),
+    QT_TRANSLATE_NOOP("table", "%1 to number %2"),
+    // files
+    QT_TRANSLATE_NOOP("table", "%1 cannot be written: %2"),
+    QT_TRANSLATE_NOOP("table", "%1 cannot be read: %2"),
+    QT_TRANSLATE_NOOP("table", "%1 does not exist"),
+    QT_TRANSLATE_NOOP("table", "%1 is a directory"),
+    QT_TRANSLATE_NOOP("table", "%1 is larger than %2 bytes"),
+    QT_TRANSLATE_NOOP("table", "not a parameter file: %1"),
+    QT_TRANSLATE_NOOP("table", "no object at the top"),
+    QT_TRANSLATE_NOOP("table", "unknown key %1"),
+    QT_TRANSLATE_NOOP("table", "%1 was unknown when the file was written"),
+    QT_TRANSLATE_NOOP("table", "the file is for family '%1', the device is a %2"),
+    QT_TRANSLATE_NOOP("table", "the file is empty"),
+    QT_TRANSLATE_NOOP("table", "the end-of-file record is missing, the file may be cut off"),
+    QT_TRANSLATE_NOOP("table", "the file holds no data"),
+    QT_TRANSLATE_NOOP("table", "something follows the end-of-file record"),
+    QT_TRANSLATE_NOOP("table", "%1 where a record begins with a colon, is this an Intel HEX file?"),
+    QT_TRANSLATE_NOOP("table", "checksum is %1, %2 is needed"),
+    QT_TRANSLATE_NOOP("table", "line %1: %2"),
+    QT_TRANSLATE_NOOP("table", "no data in page 0 (0x00000-0x00FFF), the file is not a whole application"),
+    QT_TRANSLATE_NOOP("table", "no data in page 30 (0x1E000-0x1EFFF), where the version is"),
+    QT_TRANSLATE_NOOP("table", "not sent: %1 for %2"),
+    QT_TRANSLATE_NOOP("table", "not sent: %1 outside the controller's flash"),
+    QT_TRANSLATE_NOOP("table", "%1 bytes"),
+    QT_TRANSLATE_NOOP("table", "pages 31-34 (configuration and descriptors)"),
+    QT_TRANSLATE_NOOP("table", "pages 35-42 (bootloader and flash configuration)"),
+    QT_TRANSLATE_NOOP("table", "the user-ID words"),
+    // firmware
+    QT_TRANSLATE_NOOP("table", "Preflight"),
+    QT_TRANSLATE_NOOP("table", "Enter bootloader"),
+    QT_TRANSLATE_NOOP("table", "All pages written"),
+    QT_TRANSLATE_NOOP("table", "Restart"),
+    QT_TRANSLATE_NOOP("table", "Page %1"),
+    QT_TRANSLATE_NOOP("table", "image %1 of %2 pages, unit %3, bootloader %4"),
+    QT_TRANSLATE_NOOP("table", "without application"),
+    QT_TRANSLATE_NOOP("table", "runs %1"),
+    QT_TRANSLATE_NOOP("table", "in bootloader %1, session kept"),
+    QT_TRANSLATE_NOOP("table", "the device may have restarted: once more from page %1"),
+    QT_TRANSLATE_NOOP("table", "the device restarted %1 times during the update"),
+    QT_TRANSLATE_NOOP("table", "CRC refused, nothing was erased; trying variant %1"),
+    QT_TRANSLATE_NOOP("table", "page %1 accepted with CRC variant %2"),
+    QT_TRANSLATE_NOOP("table", "page 0: its status was lost, but the version is there; it is not written again"),
+    QT_TRANSLATE_NOOP("table", "page %1: %2, sent again"),
+    QT_TRANSLATE_NOOP("table", "arrived damaged, nothing was erased"),
+    QT_TRANSLATE_NOOP("table", "the device could not verify its flash"),
+    QT_TRANSLATE_NOOP("table", "the byte count was out of step"),
+    QT_TRANSLATE_NOOP("table", "no status within 2 s"),
+    QT_TRANSLATE_NOOP("table", "page %1 cannot be written: its flash failed the device's own check %2 times"),
+    QT_TRANSLATE_NOOP("table", "the bootloader refuses page %1"),
+    QT_TRANSLATE_NOOP("table", "page %1 was not accepted in %2 tries"),
+    QT_TRANSLATE_NOOP("table", "restarted, the application answers"),
+    QT_TRANSLATE_NOOP("table", "the answer to the reset was lost; found again by enumeration"),
+    QT_TRANSLATE_NOOP("table", "%1; the unit waits in its bootloader, run the update again"),
+    QT_TRANSLATE_NOOP("table", "the device already runs %1"),
+    QT_TRANSLATE_NOOP("table", "the device answers with version %1 instead of %2"),
+    QT_TRANSLATE_NOOP("table", "the device answers with version %1"),
+    QT_TRANSLATE_NOOP("table", "the image is for product 602, this unit is product %1; nothing was written"),
+    QT_TRANSLATE_NOOP("table", "the unit does not answer an enumeration"),
+    QT_TRANSLATE_NOOP("table", "firmware: %1"),
+    // any cause behind what it happened to
+    QT_TRANSLATE_NOOP("table", "%1: %2"),
+});
+// clang-format on
+
+/// Where the next placeholder is; the length of the phrase without one.
+std::size_t placeholder(std::string_view phrase)
+{
+    for (std::size_t i = 0; i + 1 < phrase.size(); ++i) {
+        if (phrase[i] == '%' && phrase[i + 1] >= '1' && phrase[i + 1] <= '9')
+            return i;
+    }
+    return phrase.size();
+}
+
+/// What stands for the placeholders, which are numbered in their order; nothing if the text does not fit.
+std::optional<std::vector<std::string_view>> valuesIn(std::string_view text, std::string_view phrase)
+{
+    std::vector<std::string_view> values;
+    std::size_t mark = placeholder(phrase);
+    if (!text.starts_with(phrase.substr(0, mark)))
+        return std::nullopt;
+    text.remove_prefix(mark);
+    while (mark < phrase.size()) {
+        phrase.remove_prefix(mark + 2);
+        mark = placeholder(phrase);
+        const std::string_view words = phrase.substr(0, mark);
+        const bool last = mark == phrase.size();
+        const std::size_t end = !last ? text.find(words)
+            : text.ends_with(words)   ? text.size() - words.size()
+                                      : std::string_view::npos;
+        if (end == std::string_view::npos || end == 0)
+            return std::nullopt;
+        values.push_back(text.substr(0, end));
+        text.remove_prefix(end + words.size());
+    }
+    return text.empty() ? std::optional(values) : std::nullopt;
+}
+
+QString filled(const QString &phrase, const QStringList &values)
+{
+    QString text;
+    for (int i = 0; i < phrase.size(); ++i) {
+        const bool marked = phrase[i] == QLatin1Char('%') && i + 1 < phrase.size();
+        const int which = marked ? phrase[i + 1].digitValue() : 0;
+        const bool fits = which >= 1 && which <= values.size();
+        text += fits ? values[which - 1] : QString(phrase[i]);
+        i += fits ? 1 : 0;
+    }
+    return text;
+}
+
+} // namespace
+
+QString devicePhrase(std::string_view english)
+{
+    const std::string whole(english);
+    if (QString text = QCoreApplication::translate("table", whole.c_str()); text != qt(english))
+        return text;
+    for (const char *phrase : phrases) {
+        const auto values = valuesIn(english, phrase);
+        if (!values)
+            continue;
+        QStringList translated;
+        for (const std::string_view value : *values)
+            translated += devicePhrase(value);
+        return filled(QCoreApplication::translate("table", phrase), translated);
+    }
+    return qt(english);
+}
+
+} // namespace mb
