@@ -153,7 +153,7 @@ void HeaderBar::updateFolded()
 {
     const auto sick
         = std::find_if(m_links.begin(), m_links.end(), [](const LinkChip *chip) { return !chip->status().healthy; });
-    m_folded->setTitle(tr("%n links", nullptr, static_cast<int>(m_links.size())));
+    m_folded->setTitle(m_links.size() == 1 ? tr("1 link") : tr("%n links", nullptr, static_cast<int>(m_links.size())));
     m_folded->setGlyph(sick == m_links.end() ? GlyphState::Online : (*sick)->status().state);
     m_folded->setEdge(sick == m_links.end() ? std::nullopt : std::optional(Tone::Caution));
     m_folded->setAccessibleName(tr("Links"));
@@ -163,17 +163,20 @@ void HeaderBar::updateFolding()
 {
     const int gap = m_theme.theme().u(8);
     int needed = m_name->sizeHint().width() + m_lamp->sizeHint().width() + m_stop->sizeHint().width() + 5 * gap;
+    int chips = 0;
     for (const LinkChip *chip : m_links)
-        needed += chip->sizeHint().width() + gap;
+        chips += chip->sizeHint().width() + gap;
+    needed += chips;
     needed += m_recording->isHidden() ? 0 : m_recording->sizeHint().width() + gap;
     // "no alarms" gives way first, then the links; a notice stays.
     const int notices = m_noticeCount >= 0 ? m_notices->sizeHint().width() + gap : 0;
     m_notices->setVisible(m_noticeCount > 0 || (m_noticeCount == 0 && needed + notices <= width()));
     needed += m_noticeCount > 0 ? notices : 0;
-    const bool fold = needed > width() && m_links.size() > 1;
+    const bool fold = needed > width() && !m_links.empty();
     for (LinkChip *chip : m_links)
         chip->setVisible(!fold);
-    m_folded->setVisible(fold);
+    // The lamp and STOP keep their width, whatever that costs.
+    m_folded->setVisible(fold && needed - chips + m_folded->sizeHint().width() + gap <= width());
 }
 
 void HeaderBar::setNotices(int count)
