@@ -100,7 +100,8 @@ void SetPointStream::tick()
         return;
     }
     m_next += m_device.family().capabilities.commandPeriod;
-    m_next = std::max(m_next, m_clock.now()); // after a stall one frame, not a burst
+    if (m_next <= m_clock.now()) // after a stall one frame, not a burst
+        m_next = m_clock.now() + m_device.family().capabilities.commandPeriod;
     m_timer.start(m_next, [this] { tick(); });
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace mb {
 namespace {
@@ -33,7 +34,7 @@ constexpr std::array faultRows{
 bool parseNumber(std::string_view text, double &out)
 {
     const auto parsed = std::from_chars(text.data(), text.data() + text.size(), out);
-    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size() && out >= 0.0;
+    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size() && std::isfinite(out) && out >= 0.0;
 }
 
 } // namespace

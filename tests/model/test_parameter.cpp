@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/parameter.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace mb {
+namespace {
+
+Parameter row(WireType type, double one, double minimum, double maximum)
+{
+    Parameter p;
+    p.key = "test.row";
+    p.type = type;
+    p.one = one;
+    p.minimum = minimum;
+    p.maximum = maximum;
+    return p;
+}
+
+const Parameter gain = row(WireType::Fixed16x16, 65536.0, -32768.0, 32767.5);
+const Parameter whole = row(WireType::Uint16, 1.0, 10.0, 500.0);
+const Parameter flag = row(WireType::Boolean, 1.0, 0.0, 1.0);
+
+TEST(Parameter, TakesNumbersAsPeopleTypeThem)
+{
+    EXPECT_EQ(parseRaw(gain, "1.5"), 98304);
+    EXPECT_EQ(parseRaw(gain, " 1,5 "), 98304);
+    EXPECT_EQ(parseRaw(gain, "+1.5"), 98304);
+    EXPECT_EQ(parseRaw(gain, "-0.25"), -16384);
+    EXPECT_EQ(parseRaw(gain,
+                  "\xE2\x88\x92"
+                  "0.25"),
+        -16384);
+    EXPECT_EQ(parseRaw(gain, "1e-1"), 6554) << "the nearest raw value";
+    EXPECT_EQ(parseRaw(whole, "0x1F"), 31);
+}
+
+TEST(Parameter, TakesEveryWordForOnAndOff)
+{
+    for (const char *word : {"on", "true", "yes", "1", "ON", "True"})
+        EXPECT_EQ(parseRaw(flag, word), 1) << word;
+    for (const char *word : {"off", "false", "no", "0", "OFF"})
+        EXPECT_EQ(parseRaw(flag, word), 0) << word;
+    for (const char *word : {"", "2", "maybe", "on off"})
+        EXPECT_FALSE(parseRaw(flag, word)) << word;
+}
+
+TEST(Parameter, RefusesWhatIsNoNumber)
+{
+    for (const char *text :
+        {"", " ", "abc", "1.5x", "1 5", "--1", "1.2.3", "nan", "inf", "-inf", "0x", "0xG", "0x1FFFFFFFF", "1e400"}) {
+        const auto raw = parseRaw(gain, text);
+        ASSERT_FALSE(raw) << text;
+        EXPECT_EQ(raw.error().fault, Fault::OutOfRange);
+    }
+}
+
+TEST(Parameter, RefusesWhatIsOutOfRangeAndNamesTheRange)
+{
+    const auto above = parseRaw(whole, "501");
+    ASSERT_FALSE(above);
+    EXPECT_NE(above.error().detail.find("10 … 500"), std::string::npos) << above.error().detail;
+    EXPECT_FALSE(parseRaw(whole, "9"));
+    EXPECT_FALSE(parseRaw(whole, "20.5")) << "not a whole number";
+    EXPECT_EQ(parseRaw(whole, "10"), 10);
+    EXPECT_EQ(parseRaw(whole, "500"), 500);
+    EXPECT_FALSE(toRaw(gain, std::numeric_limits<double>::quiet_NaN()));
+    EXPECT_FALSE(toRaw(gain, std::numeric_limits<double>::infinity()));
+}
+
+TEST(Parameter, ShowsATextThatComesBackAsTheSameRawValue)
+{
+    std::int64_t raw = 1;
+    for (int i = 0; i < 2000; ++i) {
+        raw = (raw * 1103515245 + 12345) % 2147483647;
+        const std::int64_t value = raw % 2 == 0 ? raw : -raw;
+        if (static_cast<double>(value) / gain.one <= gain.maximum) {
+            EXPECT_EQ(parseRaw(gain, toText(gain, value)), value) << toText(gain, value);
+        }
+    }
+    EXPECT_EQ(toText(gain, 98304), "1.5");
+    EXPECT_EQ(toText(gain, 6554), "0.1") << "the shortest, not 0.100006";
+    EXPECT_EQ(toText(flag, 1), "on");
+}
+
+TEST(Parameter, TakesAChoiceByItsName)
+{
+    static constexpr std::array choices{Choice{3, "slow"}, Choice{7, "fast"}};
+    Parameter p = row(WireType::Uint8, 1.0, 0.0, 7.0);
+    p.choices = choices;
+    EXPECT_EQ(parseRaw(p, "fast"), 7);
+    EXPECT_EQ(parseRaw(p, "3"), 3);
+    EXPECT_FALSE(parseRaw(p, "middling"));
+}
+
+TEST(Parameter, WritesNumbersWithADotAndWithoutNoise)
+{
+    EXPECT_EQ(numberText(0.0), "0");
+    EXPECT_EQ(numberText(-0.0), "0");
+    EXPECT_EQ(numberText(0.1), "0.1");
+    EXPECT_EQ(numberText(123456789.0), "123456789");
+    EXPECT_EQ(numberText(-2.5), "-2.5");
+}
+
+} // namespace
+} // namespace mb

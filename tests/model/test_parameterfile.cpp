@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/parameterfile.h"
+#include "support/simulatedsession.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QTemporaryDir>
+
+namespace mb {
+namespace {
+
+const Family &family()
+{
+    return *findFamily(families(), "dmc60c");
+}
+
+QByteArray file(const QByteArray &rows, const QByteArray &name = "dmc60c")
+{
+    return "{\"family\":\"" + name
+        + "\",\"device\":\"sim:can/dmc60c:5\",\"serial\":\"S\",\"firmware\":null,\"parameters\":{" + rows + "}}";
+}
+
+std::int64_t taken(const ParameterFile &parsed, std::string_view key)
+{
+    for (const ParameterChange &change : parsed.values) {
+        if (family().parameters[change.index.value].key == key)
+            return change.raw;
+    }
+    ADD_FAILURE() << key << " was not taken";
+    return 0;
+}
+
+TEST(ParameterFile, TakesValuesAndRawValuesInTableOrder)
+{
+    const auto parsed = parseParameterFile(
+        file("\"slot0.i\":{\"raw\":32768},\"current_limit.enabled\":{\"value\":true},\"slot0.p\":{\"value\":1.5}"),
+        family());
+    ASSERT_TRUE(parsed) << parsed.error().detail;
+    ASSERT_EQ(parsed->values.size(), 3U);
+    EXPECT_TRUE(std::is_sorted(parsed->values.begin(), parsed->values.end(),
+        [](const ParameterChange &a, const ParameterChange &b) { return a.index < b.index; }));
+    EXPECT_EQ(taken(*parsed, "slot0.p"), 98304);
+    EXPECT_EQ(taken(*parsed, "slot0.i"), 32768);
+    EXPECT_EQ(taken(*parsed, "current_limit.enabled"), 1);
+    EXPECT_EQ(parsed->device, "sim:can/dmc60c:5");
+    EXPECT_TRUE(parsed->firmware.empty());
+}
+
+TEST(ParameterFile, BelievesTheRawValueWhereBothAreGiven)
+{
+    const auto parsed = parseParameterFile(file("\"slot0.p\":{\"raw\":1,\"value\":7}"), family());
+    ASSERT_TRUE(parsed);
+    EXPECT_EQ(taken(*parsed, "slot0.p"), 1);
+}
+
+TEST(ParameterFile, NotesWhatItLeavesOut)
+{
+    const auto parsed
+        = parseParameterFile(file("\"no.such\":{\"raw\":1},\"slot0.p\":{\"raw\":null,\"value\":null}"), family());
+    ASSERT_TRUE(parsed);
+    EXPECT_TRUE(parsed->values.empty());
+    EXPECT_EQ(parsed->notes.size(), 2U);
+}
+
+TEST(ParameterFile, RefusesTheWholeFileForOneBadRow)
+{
+    const QByteArray good = "\"slot0.i\":{\"raw\":1},";
+    for (const char *row : {"\"slot0.p\":{\"value\":1e9}", "\"slot0.p\":{\"raw\":1e300}", "\"slot0.p\":{\"raw\":1.5}",
+             "\"slot0.p\":{\"raw\":-99999999999}", "\"slot0.p\":{\"value\":\"1\"}", "\"slot0.p\":{\"value\":true}",
+             "\"current_limit.enabled\":{\"value\":1}", "\"current_limit.enabled\":{\"raw\":2}", "\"slot0.p\":7",
+             "\"slot0.p\":[]", "\"slot0.p\":{\"raw\":\"x\",\"value\":{}}"}) {
+        const auto parsed = parseParameterFile(file(good + row), family());
+        ASSERT_FALSE(parsed) << row;
+        EXPECT_EQ(parsed.error().fault, Fault::OutOfRange) << row;
+        EXPECT_FALSE(parsed.error().detail.empty());
+        EXPECT_EQ(parsed.error().detail.find('\n'), std::string::npos);
+    }
+}
+
+TEST(ParameterFile, RefusesWhatIsNoParameterFileOfThisFamily)
+{
+    for (const QByteArray &bytes : {QByteArray(), QByteArray("nonsense"), QByteArray("[]"), QByteArray("{}"),
+             QByteArray("{\"family\":\"dmc60c\"}"), QByteArray("{\"family\":\"dmc60c\",\"parameters\":[]}"),
+             file("", "supermodified"), file("").chopped(1), QByteArray("\0\xFF\xFE", 3),
+             QByteArray("{\"family\":5,\"parameters\":{}}")}) {
+        const auto parsed = parseParameterFile(bytes, family());
+        ASSERT_FALSE(parsed) << bytes.constData();
+        EXPECT_EQ(parsed.error().fault, Fault::OutOfRange);
+        EXPECT_EQ(parsed.error().detail.find('\n'), std::string::npos);
+    }
+    EXPECT_EQ(familyOf(file("", "supermodified")), "supermodified");
+    EXPECT_FALSE(familyOf("{\"family\":5}"));
+    EXPECT_FALSE(familyOf("nonsense"));
+}
+
+TEST(ParameterFile, ComesBackAsItWasSaved)
+{
+    test::SimulatedSession bench;
+    bench.scan();
+    Device &device = *bench.device(5);
+    NoProgress progress;
+    ASSERT_TRUE(test::run(bench.clock, readParameters(device, readable(device), progress)));
+    const QByteArray saved = QJsonDocument(parametersToJson(device, readable(device))).toJson();
+    const auto parsed = parseParameterFile(saved, device.family());
+    ASSERT_TRUE(parsed) << parsed.error().detail;
+    EXPECT_EQ(parsed->values.size(), readable(device).size());
+    for (const ParameterChange &change : parsed->values)
+        EXPECT_EQ(change.raw, device.parameters().entry(change.index).raw)
+            << device.parameters().parameter(change.index).key;
+    EXPECT_TRUE(differences(device, *parsed).empty());
+}
+
+TEST(ParameterFile, RestoresSettingsOnlyThatDifferAndSurviveAPowerCycle)
+{
+    test::SimulatedSession bench;
+    bench.scan();
+    Device &device = *bench.device(5);
+    ParameterFile all;
+    for (const ParameterIndex index : readable(device)) {
+        const Parameter &p = device.parameters().parameter(index);
+        device.parameters().setRead(index, 0);
+        all.values.push_back({index, p.maximum > 0.0 ? 1 : 0});
+    }
+    const auto wanted = differences(device, all);
+    EXPECT_FALSE(wanted.empty());
+    for (const ParameterDifference &difference : wanted) {
+        const Parameter &p = device.parameters().parameter(difference.index);
+        EXPECT_TRUE(p.persistent && p.access != Access::ReadOnly && p.nature == Nature::Setting) << p.key;
+        EXPECT_EQ(difference.from, 0);
+    }
+    device.parameters().setFailed(wanted.front().index);
+    EXPECT_FALSE(differences(device, all).front().from) << "what was not read is not known";
+}
+
+TEST(ParameterFile, SavesAllOrNothing)
+{
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath(QStringLiteral("a.json")).toStdString();
+    ASSERT_TRUE(saveFile(path, "one"));
+    EXPECT_EQ(loadFile(path, 3).value_or(QByteArray()), "one");
+    EXPECT_FALSE(loadFile(path, 2)) << "larger than the limit";
+    EXPECT_FALSE(loadFile(folder.path().toStdString(), 100)) << "a folder";
+    EXPECT_FALSE(loadFile(path + ".none", 100));
+    EXPECT_FALSE(saveFile(folder.filePath(QStringLiteral("no/such/folder.json")).toStdString(), "x"));
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1) << "nothing temporary stays";
+}
+
+} // namespace
+} // namespace mb

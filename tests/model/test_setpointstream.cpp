@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/virtualclock.h"
+#include "model/family.h"
+#include "model/registry.h"
+#include "model/setpointstream.h"
+#include "transport/backends/virtualcan.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using End = SetPointStream::End;
+
+constexpr std::uint32_t controlOfFive = 0x02060005U;
+
+/// Virtual time that can also stand still for the program while the world goes on.
+class StallingClock final : public Clock {
+public:
+    [[nodiscard]] Instant now() const override { return m_now; }
+    [[nodiscard]] Duration unixOffset() const override { return {}; }
+    void advance(Duration time)
+    {
+        const Instant end = m_now + time;
+        while (hasWork() && nextDeadline() <= end) {
+            m_now = std::max(m_now, nextDeadline());
+            runNext();
+        }
+        m_now = end;
+    }
+    /// Nothing is served for this long.
+    void stall(Duration time) { m_now += time; }
+
+private:
+    Instant m_now{};
+};
+
+struct FirstFound final : ScanSink {
+    void found(const Identity &identity) override { last = identity; }
+    void progress(const std::string &, int, int) override { }
+    Identity last;
+};
+
+/// A simulated controller number 5, the host that drives it, and somebody else on the same bus.
+class Stream : public testing::Test {
+protected:
+    Stream()
+    {
+        EXPECT_TRUE(host.open() && box.open() && other.open());
+        unit = std::move(*family.simulate(box, clock, *SimulatedUnit::parse("dmc60c:5")));
+        heard = other.received().add([this](const CanFrame &frame) {
+            if (frame.id == controlOfFive)
+                control.push_back(frame);
+        });
+        FirstFound sink;
+        auto scan = family.scan(host, clock, sink);
+        scan.start();
+        clock.advance(1s);
+        EXPECT_TRUE(scan.isFinished());
+        device = family.open(host, clock, sink.last);
+        stream = std::make_unique<SetPointStream>(*device, clock);
+        clock.advance(500ms);
+        EXPECT_TRUE(device->liveness().heard);
+    }
+    static SetPoint duty(double target)
+    {
+        SetPoint setPoint;
+        setPoint.mode = Mode::Duty;
+        setPoint.target = target;
+        return setPoint;
+    }
+    void drive(Duration lease = 10s)
+    {
+        ASSERT_TRUE(stream->start(duty(0.3), lease));
+        clock.advance(100ms);
+        ASSERT_TRUE(unit->isOutputOn());
+    }
+    [[nodiscard]] static bool isStop(const CanFrame &frame) { return frame.data[0] == 0x0F; }
+    /// The stream ended so, its last frame was a stop, and it stays quiet.
+    void expectEnded(End end)
+    {
+        EXPECT_FALSE(stream->isRunning());
+        EXPECT_EQ(stream->end(), end) << toString(stream->end());
+        EXPECT_FALSE(stream->reason().empty());
+        EXPECT_FALSE(stream->update(duty(0.5))) << "it never starts again by itself";
+        stream->renew();
+        clock.advance(200ms);
+        EXPECT_FALSE(unit->isOutputOn());
+        const std::size_t sent = control.size();
+        clock.advance(2s);
+        EXPECT_EQ(control.size(), sent);
+    }
+
+    const Family &family = *findFamily(families(), "dmc60c");
+    StallingClock clock;
+    VirtualCanBus bus{clock, 1'000'000, 1};
+    LinkAddress address{*LinkAddress::parse("sim:can")};
+    VirtualCanLink host{address, bus};
+    VirtualCanLink box{address, bus};
+    VirtualCanLink other{address, bus};
+    std::unique_ptr<Simulator> unit;
+    std::vector<CanFrame> control; ///< as the bus saw them
+    Subscription heard;
+    std::unique_ptr<Device> device;
+    std::unique_ptr<SetPointStream> stream;
+};
+
+TEST_F(Stream, SendsOneFrameEveryPeriod)
+{
+    drive();
+    control.clear();
+    clock.advance(1s);
+    const double expected = 1.0 / std::chrono::duration<double>(family.capabilities.commandPeriod).count();
+    EXPECT_NEAR(static_cast<double>(control.size()), expected, 1.0);
+}
+
+TEST_F(Stream, StopsWhenAskedAtOnce)
+{
+    drive();
+    stream->stop();
+    clock.advance(2ms);
+    EXPECT_FALSE(unit->isOutputOn());
+    ASSERT_FALSE(control.empty());
+    EXPECT_TRUE(isStop(control.back()));
+    expectEnded(End::Stopped);
+}
+
+TEST_F(Stream, StopsWhenNobodyRenewsTheLease)
+{
+    drive(250ms);
+    for (int i = 0; i < 10; ++i) {
+        stream->renew();
+        clock.advance(200ms);
+    }
+    EXPECT_TRUE(stream->isRunning());
+    clock.advance(49ms);
+    EXPECT_TRUE(stream->isRunning());
+    clock.advance(2ms);
+    EXPECT_FALSE(unit->isOutputOn());
+    EXPECT_TRUE(isStop(control.back()));
+    expectEnded(End::LeaseExpired);
+}
+
+TEST_F(Stream, StopsWhenAnotherMasterSendsControlFrames)
+{
+    drive();
+    for (int i = 0; i < 20 && stream->isRunning(); ++i) {
+        CanFrame foreign = control.back();
+        ASSERT_TRUE(other.send(foreign));
+        clock.advance(20ms);
+    }
+    EXPECT_EQ(stream->end(), End::ForeignMaster);
+    EXPECT_TRUE(isStop(control.back()));
+    expectEnded(End::ForeignMaster);
+    EXPECT_FALSE(stream->start(duty(0.1), 1s).has_value() && device->liveness().foreignMaster);
+}
+
+TEST_F(Stream, RefusesToStartWhileAnotherMasterDrives)
+{
+    drive();
+    const CanFrame foreign = control.back();
+    stream->stop();
+    clock.advance(1s);
+    for (int i = 0; i < 10; ++i) {
+        ASSERT_TRUE(other.send(foreign));
+        clock.advance(20ms);
+    }
+    const std::size_t before = control.size();
+    const auto started = stream->start(duty(0.3), 1s);
+    ASSERT_FALSE(started);
+    EXPECT_EQ(started.error().fault, Fault::Unsafe);
+    clock.advance(5ms);
+    EXPECT_EQ(control.size(), before) << "nothing was sent";
+}
+
+TEST_F(Stream, EndsWhenTheLinkIsBusOffAndTheDeviceStopsByItself)
+{
+    drive();
+    bus.forceBusOff(host);
+    EXPECT_EQ(stream->end(), End::LinkLost);
+    clock.advance(124ms);
+    EXPECT_FALSE(unit->isOutputOn());
+    expectEnded(End::LinkLost);
+    EXPECT_FALSE(stream->start(duty(0.3), 1s));
+}
+
+TEST_F(Stream, DoesNotGoOnWhenTheLinkIsBack)
+{
+    drive();
+    bus.forceBusOff(host);
+    clock.advance(300ms);
+    ASSERT_TRUE(host.open());
+    const std::size_t before = control.size();
+    clock.advance(1s);
+    EXPECT_EQ(control.size(), before);
+    EXPECT_FALSE(unit->isOutputOn());
+}
+
+TEST_F(Stream, StopsWhenTheDeviceIsNotHeardAnyMore)
+{
+    drive();
+    clock.advance(1s);
+    unit->setPowered(false);
+    clock.advance(500ms);
+    EXPECT_EQ(stream->end(), End::DeviceSilent);
+    expectEnded(End::DeviceSilent);
+}
+
+TEST_F(Stream, DoesNotDriveADeviceThatCameBackFromAPowerCycle)
+{
+    drive();
+    clock.advance(1s);
+    unit->setPowered(false);
+    clock.advance(200ms); // as long as a lost supply takes to come back
+    unit->setPowered(true);
+    clock.advance(3s);
+    EXPECT_FALSE(stream->isRunning());
+    EXPECT_TRUE(stream->end() == End::DeviceRestarted || stream->end() == End::DeviceSilent) << toString(stream->end());
+    expectEnded(stream->end());
+}
+
+TEST_F(Stream, KeepsTheOldTargetWhenTheNewOneIsNotLegal)
+{
+    drive();
+    for (const double target :
+        {1.5, -2.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+        EXPECT_FALSE(stream->update(duty(target))) << target;
+    EXPECT_TRUE(stream->isRunning());
+    EXPECT_EQ(stream->setPoint().target, 0.3);
+    EXPECT_TRUE(stream->update(duty(-0.2)));
+    EXPECT_EQ(stream->setPoint().target, -0.2);
+}
+
+TEST_F(Stream, SendsNothingForAnIllegalFirstTarget)
+{
+    EXPECT_FALSE(stream->start(duty(1.5), 1s));
+    clock.advance(100ms);
+    EXPECT_TRUE(control.empty());
+    EXPECT_FALSE(stream->isRunning());
+}
+
+TEST_F(Stream, MakesNoBurstAfterAStall)
+{
+    drive();
+    clock.advance(7ms);
+    clock.stall(300ms);
+    control.clear();
+    clock.advance(15ms);
+    EXPECT_LE(control.size(), 1U) << "fifteen periods went by";
+    clock.advance(200ms);
+    for (std::size_t i = 1; i < control.size(); ++i)
+        EXPECT_GE(control[i].time - control[i - 1].time, 15ms);
+}
+
+TEST_F(Stream, EndsAStallThatIsLongerThanTheLeaseInAStop)
+{
+    drive(250ms);
+    clock.stall(400ms);
+    control.clear();
+    clock.advance(50ms);
+    ASSERT_FALSE(control.empty());
+    EXPECT_TRUE(isStop(control.back()));
+    expectEnded(End::LeaseExpired);
+}
+
+TEST_F(Stream, StopsTheMotorWithItsOwnEnd)
+{
+    drive();
+    stream.reset();
+    clock.advance(5ms);
+    EXPECT_FALSE(unit->isOutputOn());
+    EXPECT_TRUE(isStop(control.back()));
+}
+
+} // namespace
+} // namespace mb
