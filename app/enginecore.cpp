@@ -376,6 +376,8 @@ void EngineCore::updateMotion(DeviceId id, const SetPoint &setPoint, const Finis
 {
     if (Device *device = m_session.find(id))
         answer(finished, m_session.stream(*device).update(setPoint));
+    else
+        answer(finished, fail(Fault::Timeout, "the device is gone"));
 }
 
 void EngineCore::renewMotion(DeviceId id)

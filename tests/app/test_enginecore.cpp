@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/enginecore.h"
+#include "async/virtualclock.h"
+#include "model/registry.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Core : public testing::Test {
+protected:
+    void open(const char *address)
+    {
+        core.openLink(*LinkAddress::parse(address), [this](const Result<void> &result) { opened = result; });
+        clock.advance(2s);
+        ASSERT_TRUE(opened && *opened);
+    }
+    Device *device(int address)
+    {
+        for (Device *candidate : core.session().devices()) {
+            if (candidate->identity().address == address)
+                return candidate;
+        }
+        return nullptr;
+    }
+    DeviceId id(int address) { return core.session().idOf(*device(address)); }
+    Simulator *unit(const char *name)
+    {
+        for (const Link *link : core.session().links()) {
+            for (Simulator *candidate : core.session().bench(*link)->simulators()) {
+                if (candidate->name() == name)
+                    return candidate;
+            }
+        }
+        return nullptr;
+    }
+    [[nodiscard]] bool said(const std::string &part) const
+    {
+        return std::any_of(
+            lines.begin(), lines.end(), [&part](const std::string &l) { return l.find(part) != std::string::npos; });
+    }
+    int scansWithin(Duration time)
+    {
+        int scans = 0;
+        bool before = core.snapshot().links.front().scanning;
+        for (const Instant end = clock.now() + time; clock.now() < end; clock.advance(5ms)) {
+            const bool scanning = core.snapshot().links.front().scanning;
+            scans += scanning && !before ? 1 : 0;
+            before = scanning;
+        }
+        return scans;
+    }
+    [[nodiscard]] static SetPoint duty(double target)
+    {
+        SetPoint setPoint;
+        setPoint.mode = Mode::Duty;
+        setPoint.target = target;
+        return setPoint;
+    }
+    EngineCore::Finished into(std::optional<Result<void>> &place)
+    {
+        return [&place](Result<void> result) { place = std::move(result); };
+    }
+    [[nodiscard]] std::size_t unknown(int address)
+    {
+        const auto entries = device(address)->parameters().entries();
+        return static_cast<std::size_t>(
+            std::count_if(entries.begin(), entries.end(), [](const ParameterStore::Entry &e) { return !e.raw; }));
+    }
+
+    VirtualClock clock;
+    EngineCore core{clock, families(), false};
+    std::optional<Result<void>> opened;
+    std::vector<std::string> lines;
+    Subscription listening
+        = core.noticed().add([this](Severity, const std::string &, const std::string &text) { lines.push_back(text); });
+};
+
+TEST_F(Core, ShowsWhatItFoundInASnapshot)
+{
+    open("sim:can");
+    const Snapshot shot = core.snapshot();
+    ASSERT_EQ(shot.links.size(), 1U);
+    EXPECT_TRUE(shot.links[0].simulated);
+    EXPECT_FALSE(shot.links[0].scanning);
+    ASSERT_EQ(shot.devices.size(), 3U);
+    EXPECT_EQ(shot.devices[0].identity.address, 5);
+    EXPECT_TRUE(shot.devices[0].mayNotMove.empty());
+    EXPECT_FALSE(shot.devices[2].mayNotMove.empty());
+    EXPECT_GT(shot.links[0].traffic->newest(), 100U);
+}
+
+TEST_F(Core, TellsWhyALinkDoesNotOpen)
+{
+    core.openLink(*LinkAddress::parse("sim:can?loss=7"), into(opened));
+    ASSERT_TRUE(opened);
+    EXPECT_FALSE(*opened);
+    EXPECT_EQ(lines.size(), 1U);
+    EXPECT_TRUE(core.snapshot().links.empty());
+}
+
+TEST_F(Core, OpensALostLinkAgainAndSaysSo)
+{
+    open("sim:can?fault=busoff@3");
+    const auto state = [this] { return core.session().links().front()->state(); };
+    EXPECT_TRUE(clock.runUntil([&] { return state() == LinkState::Lost; }, 5s));
+    EXPECT_TRUE(said("bus-off"));
+    clock.advance(3s);
+    EXPECT_EQ(state(), LinkState::Open);
+    EXPECT_TRUE(said("is back"));
+    EXPECT_TRUE(device(5)->liveness().heard);
+    EXPECT_EQ(core.session().devices().size(), 3U);
+}
+
+TEST_F(Core, ScansAgainOnlyWhileNothingMoves)
+{
+    open("sim:can");
+    EXPECT_GE(scansWithin(20s), 3);
+    core.startMotion(id(5), duty(0.3), 60s, into(opened));
+    ASSERT_TRUE(*opened);
+    clock.advance(500ms);
+    EXPECT_EQ(scansWithin(20s), 0);
+    core.stopAll();
+    clock.advance(10s);
+    EXPECT_GE(scansWithin(20s), 3);
+}
+
+TEST_F(Core, RefusesASecondJobWhileOneHasTheDevice)
+{
+    open("sim:can");
+    std::optional<Result<void>> first;
+    std::optional<Result<void>> second;
+    std::optional<Result<void>> elsewhere;
+    core.identify(id(5), into(first));
+    core.identify(id(5), into(second));
+    core.identify(id(7), into(elsewhere));
+    ASSERT_TRUE(second) << "refused at once";
+    ASSERT_FALSE(*second);
+    EXPECT_EQ(second->error().fault, Fault::Unsafe);
+    clock.advance(5s);
+    ASSERT_TRUE(first && elsewhere);
+    EXPECT_TRUE(*first);
+    EXPECT_TRUE(*elsewhere);
+    second.reset();
+    core.identify(id(5), into(second));
+    clock.advance(5s);
+    ASSERT_TRUE(second);
+    EXPECT_TRUE(*second) << "it is free again";
+}
+
+TEST_F(Core, AnswersForADeviceThatIsGone)
+{
+    open("sim:can");
+    const DeviceId gone = id(5);
+    core.closeLink("sim:can");
+    std::optional<Result<void>> job;
+    std::optional<Result<void>> motion;
+    std::optional<Result<void>> change;
+    core.identify(gone, into(job));
+    core.startMotion(gone, duty(0.1), 1s, into(motion));
+    core.updateMotion(gone, duty(0.1), into(change));
+    for (const auto *answer : {&job, &motion, &change}) {
+        ASSERT_TRUE(*answer) << "every order is answered";
+        EXPECT_FALSE(**answer);
+    }
+    core.renewMotion(gone);
+    core.stopMotion(gone);
+    clock.advance(1s);
+}
+
+TEST_F(Core, ReadsARestartedUnitAgain)
+{
+    open("sim:can");
+    core.readParameters(id(7));
+    clock.advance(2s);
+    ASSERT_EQ(unknown(7), 0U);
+    unit("dmc60c:7")->setPowered(false);
+    clock.advance(1s);
+    unit("dmc60c:7")->setPowered(true);
+    EXPECT_TRUE(clock.runUntil([this] { return unknown(7) > 0; }, 10s))
+        << "what was read before is not believed any more";
+    clock.advance(5s);
+    EXPECT_TRUE(said("restarted"));
+    EXPECT_EQ(unknown(7), 0U);
+    EXPECT_FALSE(device(7)->liveness().restarted);
+    EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                  [](const std::string &l) { return l.find("restarted") != std::string::npos; }),
+        1);
+}
+
+TEST_F(Core, EndsAMotionThatNobodyRenewsAndSaysSo)
+{
+    open("sim:can");
+    core.startMotion(id(5), duty(0.3), 500ms, {});
+    clock.advance(400ms);
+    core.renewMotion(id(5));
+    clock.advance(400ms);
+    EXPECT_TRUE(unit("dmc60c:5")->isOutputOn());
+    clock.advance(200ms);
+    EXPECT_FALSE(unit("dmc60c:5")->isOutputOn());
+    EXPECT_TRUE(said("nobody renewed"));
+    EXPECT_EQ(core.snapshot().device(id(5))->motion.end, SetPointStream::End::LeaseExpired);
+}
+
+TEST_F(Core, ClosingALinkStopsItsMotorsAndEndsItsJobs)
+{
+    open("sim:can");
+    core.startMotion(id(5), duty(0.3), 60s, {});
+    core.readParameters(id(7));
+    core.scanAll();
+    core.closeLink("sim:can");
+    EXPECT_TRUE(core.snapshot().links.empty());
+    EXPECT_TRUE(core.snapshot().devices.empty());
+    EXPECT_TRUE(core.snapshot().operations.empty());
+    clock.advance(10s);
+    open("sim:can");
+    EXPECT_EQ(core.snapshot().devices.size(), 3U);
+}
+
+TEST_F(Core, DoesNotLetAnythingElseTalkToAUnitDuringAnUpdate)
+{
+    open("sim:can");
+    core.update(id(7), std::make_shared<FirmwareImage>(), {});
+    std::optional<Result<void>> motion;
+    core.startMotion(id(7), duty(0.1), 1s, into(motion));
+    clock.advance(30s);
+    ASSERT_TRUE(motion);
+    const Snapshot shot = core.snapshot();
+    const OperationView *operation = shot.operation(id(7));
+    ASSERT_TRUE(operation && operation->update);
+    EXPECT_NE(operation->update->outcome, UpdateOutcome::Done) << "an empty image is no success";
+    EXPECT_FALSE(operation->update->verified);
+    EXPECT_TRUE(device(7)->busy().empty());
+}
+
+} // namespace
+} // namespace mb

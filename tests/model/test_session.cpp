@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/simulatedsession.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using test::SimulatedSession;
+
+Result<Device *> connect(SimulatedSession &bench, const char *selector)
+{
+    return test::run(bench.clock, bench.session.connect(*DeviceSelector::parse(selector)));
+}
+
+TEST(Session, FindsTheBenchInOrderAndTellsOfIt)
+{
+    SimulatedSession bench;
+    int told = 0;
+    const auto listening = bench.session.changed().add([&told] { ++told; });
+    const auto seen = bench.scan();
+    ASSERT_EQ(seen.size(), 3U);
+    std::vector<int> addresses;
+    for (const Device *device : seen)
+        addresses.push_back(device->identity().address);
+    EXPECT_EQ(addresses, (std::vector{5, 7, 9}));
+    EXPECT_EQ(bench.device(9)->identity().state, DeviceState::Bootloader);
+    EXPECT_GE(told, 3);
+}
+
+TEST(Session, KeepsDevicesAndTheirNamesAcrossScans)
+{
+    SimulatedSession bench;
+    const auto first = bench.scan();
+    const DeviceId id = bench.session.idOf(*first[0]);
+    EXPECT_EQ(bench.scan(), first);
+    EXPECT_EQ(bench.session.devices().size(), 3U);
+    EXPECT_EQ(bench.session.find(id), first[0]);
+    EXPECT_EQ(bench.session.find({12345}), nullptr);
+}
+
+TEST(Session, KeepsADeviceThatDoesNotAnswerAndDoesNotHearIt)
+{
+    SimulatedSession bench;
+    bench.scan();
+    bench.clock.advance(500ms);
+    ASSERT_TRUE(bench.device(7)->liveness().heard);
+    bench.simulator("dmc60c:7")->setPowered(false);
+    EXPECT_EQ(bench.scan().size(), 2U);
+    bench.clock.advance(500ms);
+    ASSERT_TRUE(bench.device(7));
+    EXPECT_FALSE(bench.device(7)->liveness().heard);
+}
+
+TEST(Session, TakesAUnitAfterAPowerCycleForTheSame)
+{
+    SimulatedSession bench;
+    bench.scan();
+    Device *before = bench.device(7);
+    const auto session = before->identity().session;
+    bench.simulator("dmc60c:7")->setPowered(false);
+    bench.clock.advance(1s);
+    bench.simulator("dmc60c:7")->setPowered(true);
+    bench.clock.advance(1s);
+    bench.scan();
+    EXPECT_EQ(bench.session.devices().size(), 3U);
+    EXPECT_EQ(bench.device(7), before);
+    EXPECT_NE(before->identity().session, session);
+}
+
+TEST(Session, OpensALinkOnce)
+{
+    SimulatedSession bench;
+    const auto again = bench.session.openLink(*LinkAddress::parse("sim:can"));
+    ASSERT_TRUE(again);
+    EXPECT_EQ(*again, bench.link);
+    EXPECT_EQ(bench.session.links().size(), 1U);
+    const auto other = bench.session.openLink(*LinkAddress::parse("sim:can?seed=2"));
+    ASSERT_TRUE(other);
+    EXPECT_NE(*other, bench.link);
+    EXPECT_TRUE(bench.session.bench(**other));
+}
+
+TEST(Session, RefusesALinkThatCannotBe)
+{
+    SimulatedSession bench;
+    for (const char *address : {"sim:can?loss=2", "sim:can?loss=nan", "sim:can?colour=red", "sim:can?fault=melt@1",
+             "sim:can?fault=busoff@inf", "sim:can?bitrate=0", "sim:can?seed=x", "socketcan:nosuchcan9"}) {
+        const auto opened = bench.session.openLink(*LinkAddress::parse(address));
+        ASSERT_FALSE(opened) << address;
+        EXPECT_FALSE(opened.error().detail.empty());
+    }
+    EXPECT_EQ(bench.session.links().size(), 1U);
+}
+
+TEST(Session, ConnectsToExactlyTheDeviceThatWasNamed)
+{
+    SimulatedSession bench;
+    const auto device = connect(bench, "sim:can/dmc60c:7");
+    ASSERT_TRUE(device);
+    EXPECT_EQ((*device)->identity().address, 7);
+    const auto missing = connect(bench, "sim:can/dmc60c:33");
+    ASSERT_FALSE(missing);
+    EXPECT_EQ(missing.error().fault, Fault::Timeout);
+    EXPECT_FALSE(connect(bench, "sim:can/abstractdc:7"));
+    EXPECT_FALSE(connect(bench, "sim:can/dmc60c:7@0001"));
+}
+
+TEST(Session, WantsTheSessionWhereANumberIsTakenTwice)
+{
+    SimulatedSession bench("sim:can?fault=duplicate");
+    const auto refused = connect(bench, "sim:can?fault=duplicate/dmc60c:5");
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Refused);
+    std::set<Device *> found;
+    for (Device *device : bench.session.devices()) {
+        if (device->identity().address != 5)
+            continue;
+        EXPECT_EQ(device->identity().state, DeviceState::Duplicate);
+        EXPECT_FALSE(device->mayMove());
+        EXPECT_NE(refused.error().detail.find(device->selector()), std::string::npos) << "the error names both";
+        const auto connected = connect(bench, device->selector().c_str());
+        ASSERT_TRUE(connected) << connected.error().detail;
+        EXPECT_EQ(*connected, device);
+        found.insert(*connected);
+    }
+    EXPECT_EQ(found.size(), 2U);
+}
+
+class Driven : public testing::Test {
+protected:
+    Driven()
+    {
+        bench.scan();
+        bench.clock.advance(500ms);
+        SetPoint setPoint;
+        setPoint.mode = Mode::Duty;
+        setPoint.target = 0.3;
+        EXPECT_TRUE(bench.session.stream(*bench.device(5)).start(setPoint, 60s));
+        bench.clock.advance(200ms);
+        EXPECT_TRUE(bench.simulator("dmc60c:5")->isOutputOn());
+    }
+    SimulatedSession bench;
+};
+
+TEST_F(Driven, StopsEverythingWithoutWaiting)
+{
+    bench.session.stopAll();
+    EXPECT_FALSE(bench.session.stream(*bench.device(5)).isRunning());
+    bench.clock.advance(3ms);
+    EXPECT_FALSE(bench.simulator("dmc60c:5")->isOutputOn());
+}
+
+TEST_F(Driven, HasOneStreamForADevice)
+{
+    EXPECT_EQ(&bench.session.stream(*bench.device(5)), &bench.session.stream(*bench.device(5)));
+    EXPECT_NE(&bench.session.stream(*bench.device(5)), &bench.session.stream(*bench.device(7)));
+}
+
+TEST_F(Driven, SendsAStopBeforeItClosesTheLink)
+{
+    std::vector<CanFrame> sent;
+    const auto tap = bench.link->traffic().add([&sent](const Traffic &traffic) {
+        if (traffic.can && traffic.direction == Direction::Sent)
+            sent.push_back(*traffic.can);
+    });
+    bench.session.closeLink(*bench.link);
+    ASSERT_FALSE(sent.empty());
+    EXPECT_EQ(sent.back().id, 0x02060005U);
+    EXPECT_EQ(sent.back().data[0], 0x0F);
+    EXPECT_TRUE(bench.session.devices().empty());
+    EXPECT_TRUE(bench.session.links().empty());
+    bench.clock.advance(1s); // nothing of the link is armed any more, or this crashes
+}
+
+TEST_F(Driven, LeavesAlonePureListeners)
+{
+    const auto before = bench.link->counters().tx;
+    bench.session.stream(*bench.device(7)).stop();
+    bench.clock.advance(5ms);
+    EXPECT_TRUE(bench.simulator("dmc60c:5")->isOutputOn()) << "a stop for one device is for that device";
+    EXPECT_GT(bench.link->counters().tx, before);
+}
+
+} // namespace
+} // namespace mb
