@@ -38,8 +38,8 @@ DeviceView viewOf(Session &session, Device &device)
     const SetPointStream &stream = session.stream(device);
     view.motion = {stream.isRunning(), stream.setPoint(), stream.end(), stream.reason()};
     view.telemetry = device.telemetry();
-    for (std::uint16_t i = 0; i < view.family->channels.size(); ++i)
-        view.rates.push_back(device.telemetry()->rate({i}));
+    for (std::size_t i = 0; i < view.family->channels.size(); ++i)
+        view.rates.push_back(device.telemetry()->rate({static_cast<std::uint16_t>(i)}));
     view.parameters.assign(device.parameters().entries().begin(), device.parameters().entries().end());
     view.parameterRevision = device.parameters().revision();
     if (auto allowed = device.mayMove(); !allowed)

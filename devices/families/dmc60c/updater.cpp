@@ -2,7 +2,6 @@
 #include "families/dmc60c/updater.h"
 
 #include "async/sleep.h"
-#include "wire/bytes.h"
 
 #include <algorithm>
 
@@ -11,17 +10,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int pageTries = 4; ///< 7.6: the page, and three times again
-constexpr int failedWriteTries = 3;
 constexpr int mostRestarts = 3;
-constexpr Duration slowGap = 225us; ///< 7.5: after a time-out, between the frames of a page
-constexpr Duration pageTimeout = 2s;
 constexpr Duration findLimit = 5s;
-
-bool isInBootloader(const FirmwareVersions &versions)
-{
-    return versions.image != ImageType::Application;
-}
 
 } // namespace
 
@@ -228,132 +218,6 @@ Task<void> Updater::writeAll()
         auto finding = findAgain(findLimit);
         co_await std::move(finding);
     }
-}
-
-Task<Updater::PageEnd> Updater::writePages()
-{
-    m_report.pages = 0;
-    const int total = static_cast<int>(m_application.pages.size());
-    for (const Page &page : m_application.pages) {
-        m_progress.step("Page " + std::to_string(page.number), m_report.pages, total);
-        m_progress.part(page.number, PartState::Active);
-        m_progress.mayInterrupt(page.number != firstPage);
-        auto writing = writePage(page);
-        const Result<PageEnd> end = co_await std::move(writing).attempt();
-        m_progress.mayInterrupt(true);
-        if (!end || *end == PageEnd::Restart)
-            co_return end;
-        m_progress.part(page.number, PartState::Done);
-        ++m_report.pages;
-    }
-    m_progress.step("All pages written", total, total);
-    co_return PageEnd::Written;
-}
-
-std::vector<std::uint8_t> Updater::transferOf(const Page &page) const
-{
-    std::vector<std::uint8_t> bytes(pageTransferSize);
-    std::copy(page.bytes.begin(), page.bytes.end(), bytes.begin());
-    writeU32le(bytes, pageSize, pageCrc(m_variant, page.bytes));
-    return bytes;
-}
-
-void Updater::repeat(const Page &page, const std::string &why)
-{
-    ++m_report.retries;
-    m_progress.part(page.number, PartState::Repeated);
-    m_progress.log(Severity::Caution, "page " + std::to_string(page.number) + ": " + why + ", sent again");
-}
-
-bool Updater::nextVariant(const Page &page)
-{
-    if (m_variantKnown || m_variant == CrcVariant::C)
-        return false;
-    m_variant = m_variant == CrcVariant::A ? CrcVariant::B : CrcVariant::C;
-    repeat(page,
-        std::string("CRC refused, nothing was erased; trying variant ") + (m_variant == CrcVariant::B ? "B" : "C"));
-    return true;
-}
-
-Task<Updater::PageEnd> Updater::writePage(const Page &page)
-{
-    const VendorCommand command{Command::EraseWriteFlashPage, static_cast<std::uint16_t>(ImageType::Application),
-        static_cast<std::uint16_t>(page.number)};
-    int failedWrites = 0;
-    m_gap = {};
-    for (int tries = 0; tries < pageTries;) {
-        auto writing = send(command, transferOf(page), Attempts{1, pageTimeout}, m_gap);
-        const Result<VendorReply> reply = co_await std::move(writing).attempt();
-        m_touched = m_touched || !reply || reply->status == CommandStatus::NoError
-            || reply->status == CommandStatus::FlashWriteFailed;
-        if (!reply && reply.error().fault != Fault::Timeout)
-            co_return fail(reply.error());
-        if (!reply) {
-            ++tries;
-            bool again = false;
-            auto asking = afterSilence(page, again);
-            const PageEnd end = co_await std::move(asking);
-            if (!again)
-                co_return end;
-            m_gap = slowGap;
-            continue;
-        }
-        switch (reply->status) {
-        case CommandStatus::NoError:
-            if (!m_variantKnown)
-                m_progress.log(Severity::Good,
-                    std::string("page ") + std::to_string(page.number) + " accepted with CRC variant "
-                        + (m_variant == CrcVariant::A        ? "A"
-                                : m_variant == CrcVariant::B ? "B"
-                                                             : "C"));
-            m_variantKnown = true;
-            co_return PageEnd::Written;
-        case CommandStatus::CrcMismatch:
-            if (nextVariant(page))
-                continue;
-            if (!m_variantKnown)
-                m_variant = CrcVariant::A; // all were refused: a damaged transfer is likelier than a fourth variant
-            ++tries;
-            repeat(page, "arrived damaged, nothing was erased");
-            continue;
-        case CommandStatus::FlashWriteFailed:
-            if (++failedWrites >= failedWriteTries)
-                co_return fail(Fault::Refused,
-                    "page " + std::to_string(page.number)
-                        + " cannot be written: its flash failed the device's own check " + std::to_string(failedWrites)
-                        + " times");
-            repeat(page, "the device could not verify its flash");
-            continue;
-        case CommandStatus::DataRcvMore:
-            ++tries;
-            m_gap = slowGap;
-            repeat(page, "the byte count was out of step");
-            continue;
-        case CommandStatus::BadParameter:
-            co_return fail(Fault::Refused, "the bootloader refuses page " + std::to_string(page.number));
-        default: co_return PageEnd::Restart; // NotSupported: the application runs; InBootloader, AckReset: it was reset
-        }
-    }
-    co_return fail(Fault::Timeout,
-        "page " + std::to_string(page.number) + " was not accepted in " + std::to_string(pageTries) + " tries");
-}
-
-Task<Updater::PageEnd> Updater::afterSilence(const Page &page, bool &again)
-{
-    auto asking = versions();
-    const Result<FirmwareVersions> now = co_await std::move(asking).attempt();
-    if (!now && now.error().fault == Fault::LinkLost)
-        co_return fail(now.error());
-    if (!now || !isInBootloader(*now))
-        co_return PageEnd::Restart;
-    if (page.number == firstPage && now->application == m_application.version) {
-        m_progress.log(
-            Severity::Info, "page 0: its status was lost, but the version is there; it is not written again");
-        co_return PageEnd::Written;
-    }
-    repeat(page, "no status within 2 s");
-    again = true;
-    co_return PageEnd::Restart;
 }
 
 Task<void> Updater::leaveBootloader()

@@ -30,6 +30,8 @@ private:
         Restart, ///< the device may have restarted: begin again at page 30
     };
 
+    enum class Verdict { Written, Again, Restart };
+
     [[nodiscard]] Task<std::vector<Unit>> enumerate(Duration window);
     /// Waits for the unit to answer an enumeration, up to `limit`; takes over its session.
     [[nodiscard]] Task<Unit> findAgain(Duration limit);
@@ -41,8 +43,10 @@ private:
     [[nodiscard]] Task<void> writeAll();
     [[nodiscard]] Task<PageEnd> writePages();
     [[nodiscard]] Task<PageEnd> writePage(const Page &page);
-    /// What to do after `tries` attempts at a page when no status came.
-    [[nodiscard]] Task<PageEnd> afterSilence(const Page &page, bool &again);
+    /// What the status of a page means, 7.6.
+    [[nodiscard]] Result<Verdict> judge(const Page &page, CommandStatus status);
+    [[nodiscard]] Verdict afterMismatch(const Page &page);
+    [[nodiscard]] Task<Verdict> afterSilence(const Page &page);
     [[nodiscard]] Task<void> leaveBootloader();
     [[nodiscard]] Task<void> verify();
     [[nodiscard]] bool nextVariant(const Page &page);
@@ -50,6 +54,10 @@ private:
     void repeat(const Page &page, const std::string &why);
     [[nodiscard]] UpdateReport failed(const Error &error) const;
     void takeSession(std::uint16_t session);
+    [[nodiscard]] static bool isInBootloader(const FirmwareVersions &versions)
+    {
+        return versions.image != ImageType::Application;
+    }
 
     Device &m_device;
     CanLink &m_link;
@@ -62,6 +70,8 @@ private:
     bool m_touched = false; ///< page 30 was sent: the old application may be gone
     bool m_upToDate = false;
     Duration m_gap{};
+    int m_tries = 0; ///< of the present page
+    int m_failedWrites = 0;
     int m_restarts = 0;
     UpdateReport m_report;
 };
