@@ -309,6 +309,63 @@
     </message>
 </context>
 <context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+</context>
+<context>
     <name>SourceText</name>
     <message>
         <source>%1 Hz, %2 of %3 lost</source>
@@ -608,6 +665,10 @@
     <message>
         <source>Write the staged changes  Ctrl+S</source>
         <translation>Vorgemerkte Änderungen schreiben  Strg+S</translation>
+    </message>
+    <message>
+        <source>Ctrl+S</source>
+        <translation>Strg+S</translation>
     </message>
 </context>
 <context>
@@ -1311,7 +1372,7 @@
     </message>
     <message>
         <source>I zone, allowable error, ramp, output limits</source>
-        <translation>I-Zone, zulässige Abweichung, Rampe, Grenzen</translation>
+        <translation>I-Zone, Toleranz, Rampe, Grenzen</translation>
     </message>
     <message>
         <source>No loop runs in %1 mode: these gains act in velocity, position and current.</source>
@@ -2214,6 +2275,18 @@
         <source>%1 parameters exported to %2</source>
         <translation>%1 Parameter exportiert nach %2</translation>
     </message>
+    <message>
+        <source>Ctrl+Z</source>
+        <translation>Strg+Z</translation>
+    </message>
+    <message>
+        <source>Ctrl+Y</source>
+        <translation>Strg+Y</translation>
+    </message>
+    <message>
+        <source>Ctrl+F</source>
+        <translation>Strg+F</translation>
+    </message>
 </context>
 <context>
     <name>mb::PlotStack</name>
@@ -2425,7 +2498,7 @@
     </message>
     <message>
         <source>L cursors · 0 fits · + − zooms · P pauses</source>
-        <translation>L Cursor · 0 einpassen · + − Zoom · P anhalten</translation>
+        <translation>L Cursor · 0 alles · + − Zoom · P Pause</translation>
     </message>
     <message>
         <source>DEMO</source>

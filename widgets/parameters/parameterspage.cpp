@@ -81,9 +81,9 @@ QWidget *ParametersPage::buildHead()
     row->setContentsMargins(t.u(12), t.u(8), t.u(12), t.u(4));
     m_status = new ReadStatus(m_theme, head);
     m_undo = new IconButton(m_theme, Symbol::Undo, tr("Undo the last edit"), head);
-    m_undo->setKeyHint(QStringLiteral("Ctrl+Z"));
+    m_undo->setKeyHint(tr("Ctrl+Z"));
     m_redo = new IconButton(m_theme, Symbol::Redo, tr("Redo the edit"), head);
-    m_redo->setKeyHint(QStringLiteral("Ctrl+Y"));
+    m_redo->setKeyHint(tr("Ctrl+Y"));
     m_read = new CommandButton(m_theme, Symbol::Refresh, tr("Read all"), head);
     m_read->setKeyHint(QStringLiteral("F5"));
     m_import = new CommandButton(m_theme, Symbol::Import, tr("Import…"), head);
@@ -113,7 +113,7 @@ QWidget *ParametersPage::buildTools()
     auto *row = new WrapLayout(tools);
     row->setContentsMargins(t.u(12), t.u(4), t.u(12), t.u(8));
     m_search = new SearchField(m_theme, tr("Search parameters"), tools);
-    m_search->setKeyHint(QStringLiteral("Ctrl+F"));
+    m_search->setKeyHint(tr("Ctrl+F"));
     m_search->setFixedWidth(t.u(232));
     m_segments = new Segmented(tr("Which parameters"), {tr("All"), tr("Changed"), tr("Edited"), tr("Errors")}, tools);
     auto *comparison = new QWidget(tools);
