@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tunebench.h"
+#include "widgets/common/numberformat.h"
 #include "widgets/plots/plotspage.h"
 #include "widgets/plots/plotstack.h"
 #include "widgets/plots/tracelist.h"
-#include "widgets/common/numberformat.h"
 
 #include <QComboBox>
 #include <QListWidget>
@@ -31,8 +31,8 @@ ChannelIndex channel(const char *key)
 struct PlotsBench {
     FakeWorkbench workbench;
     Selection selection;
-    ThemeSource theme {darkTheme()};
-    Recording recording {workbench.time};
+    ThemeSource theme{darkTheme()};
+    Recording recording{workbench.time};
     std::unique_ptr<PlotsPage> page;
 
     PlotsBench()
@@ -231,7 +231,7 @@ void TestPlotsPage::withoutDevicesThePageSaysWhatToDo()
 {
     FakeWorkbench workbench;
     Selection selection;
-    ThemeSource theme {lightTheme()};
+    ThemeSource theme{lightTheme()};
     PlotsPage page(workbench, selection, theme, nullptr);
     page.show();
     QCOMPARE(page.findChild<QStackedWidget *>()->currentIndex(), 0);
@@ -244,7 +244,7 @@ void TestPlotsPage::withoutDevicesThePageSaysWhatToDo()
 
 void TestPlotsPage::scrollingShowsWhatAFreshLookWouldShow()
 {
-    Recording recording {Instant(1000s)};
+    Recording recording{Instant(1000s)};
     const TelemetrySource kept(recording.telemetry(), channel("velocity"));
     std::vector<PlotPoint> scrolled;
     std::vector<PlotPoint> fresh;
@@ -259,7 +259,8 @@ void TestPlotsPage::scrollingShowsWhatAFreshLookWouldShow()
         QCOMPARE(scrolled.size(), fresh.size());
         for (std::size_t p = 0; p < fresh.size(); ++p) {
             QCOMPARE(scrolled[p].key, fresh[p].key);
-            QVERIFY(scrolled[p].value == fresh[p].value || (std::isnan(scrolled[p].value) && std::isnan(fresh[p].value)));
+            QVERIFY(
+                scrolled[p].value == fresh[p].value || (std::isnan(scrolled[p].value) && std::isnan(fresh[p].value)));
         }
     }
 }

@@ -21,7 +21,7 @@ QString s(const char *text)
     return QString::fromUtf8(text);
 }
 
-constexpr Instant start {100s};
+constexpr Instant start{100s};
 
 /// A second-order step from 100 to 1100, sampled every 5 ms, with white noise of `sigma` of the step.
 std::vector<Point> secondOrder(double damping, double omega, double sigma = 0.0)
@@ -34,7 +34,9 @@ std::vector<Point> secondOrder(double damping, double omega, double sigma = 0.0)
         double z = 0.0;
         if (t > 0.0 && damping < 1.0) {
             const double damped = omega * std::sqrt(1.0 - damping * damping);
-            z = 1.0 - std::exp(-damping * omega * t) * (std::cos(damped * t) + damping * omega / damped * std::sin(damped * t));
+            z = 1.0
+                - std::exp(-damping * omega * t)
+                    * (std::cos(damped * t) + damping * omega / damped * std::sin(damped * t));
         } else if (t > 0.0) {
             z = 1.0 - std::exp(-omega * t) * (1.0 + omega * t);
         }
@@ -133,9 +135,9 @@ void TestSteps::nonsenseInGivesNothingOut()
 {
     const auto samples = secondOrder(0.7, 15.0);
     QVERIFY(!measureStep({}, start, std::nullopt, 1.0).moved);
-    QVERIFY(!measureStep(samples, start, 5.0, 5.0).moved); // no step
+    QVERIFY(!measureStep(samples, start, 5.0, 5.0).moved);                                  // no step
     QVERIFY(!measureStep(std::span(samples).first(42), start, std::nullopt, 1100.0).moved); // too few
-    std::vector<Point> gaps(20, Point {start, std::numeric_limits<double>::quiet_NaN()});
+    std::vector<Point> gaps(20, Point{start, std::numeric_limits<double>::quiet_NaN()});
     QVERIFY(!measureStep(gaps, start, 0.0, 1.0).moved);
 }
 
@@ -143,7 +145,7 @@ namespace {
 
 /// The drive as a snapshot tells of it while a velocity is commanded.
 struct Commanded {
-    Recording recording {Instant(1000s)};
+    Recording recording{Instant(1000s)};
     DeviceView device = tunableDrive(recording.telemetry());
     StepLog log;
 
@@ -216,7 +218,7 @@ void TestSteps::aStepThatIsStoppedIsCutShort()
 
 void TestSteps::whatHappenedBeforeIsNotRecorded()
 {
-    Recording recording {Instant(1000s)};
+    Recording recording{Instant(1000s)};
     recording.setCommanded(true);
     recording.run(4.0, 60000.0);
     DeviceView device = tunableDrive(recording.telemetry());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tunebench.h"
+#include "tunehand.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/control/driveoptions.h"
 #include "widgets/control/gainspanel.h"
@@ -20,62 +20,17 @@ namespace {
 
 constexpr int atOnce = 0; ///< row of the list of slew times
 
-QString s(const char *text)
-{
-    return QString::fromUtf8(text);
-}
-
-void type(QLineEdit *field, const char *text)
-{
-    field->setFocus();
-    field->selectAll();
-    QTest::keyClicks(field, s(text));
-}
-
-void pick(QComboBox *box, int row)
-{
-    box->setCurrentIndex(row);
-    Q_EMIT box->activated(row);
-}
-
-void click(TuneBench &bench, const char *name)
-{
-    auto *button = bench.find<QAbstractButton>(name);
-    QVERIFY2(button, name);
-    button->click();
-}
-
-/// A button of one of the two choices of slots.
-QAbstractButton *slot(TuneBench &bench, const char *choice, int number)
-{
-    const auto *row = bench.find<QWidget>(choice);
-    const auto buttons = row->findChildren<QAbstractButton *>();
-    return buttons.at(number);
-}
-
-QString problemOf(TuneBench &bench)
-{
-    return bench.page->status().cause + s(" | ") + bench.page->status().remedy;
-}
-
 } // namespace
 
 class TestTune : public QObject {
     Q_OBJECT
 private Q_SLOTS:
-    void anEditedGainGoesOutWithItsRawValue();
-    void gainsGoOutInAnOrderThatIsNeverLivelier();
-    void aGainOutOfRangeIsSaidAndNotWritten();
-    void theSliderStagesAndRevertBringsBack();
-    void editsOfAnotherSlotStayStaged();
     void runIsRefusedWhenNotArmed();
     void runSendsTheSetPointWithSlotRampAndFlags();
     void aSetPointOfTheHandStartsWhereTheMotorIsAndMovesSlowly();
+    void theWheelSteersNothingItPasses();
     void theSliderSteersAMotorThatMoves();
     void enterNeverStartsAMotor();
-    void writeAndRunWaitsForTheGains();
-    void gainsThatWereNotWrittenStartNothing();
-    void disarmedDuringTheWriteStartsNothing();
     void stopMotionStaysArmed();
     void nonsenseIsRefusedWithAMessage_data();
     void nonsenseIsRefusedWithAMessage();
@@ -85,82 +40,6 @@ private Q_SLOTS:
     void theEditedSlotDoesNotDisarm();
     void aRunFromElsewhereIsShown();
 };
-
-void TestTune::anEditedGainGoesOutWithItsRawValue()
-{
-    TuneBench bench;
-    QVERIFY(!bench.find<QAbstractButton>("Write gains") || !bench.page->findChild<CommandButton *>(s("writeGains"))->isEnabled());
-    type(bench.find<QLineEdit>("P"), "1,2531");
-    auto *button = bench.page->findChild<CommandButton *>(s("writeGains"));
-    QCOMPARE(button->text(), s("Write P to slot 0"));
-    QVERIFY(button->isEnabled());
-    button->click();
-    const auto writes = bench.workbench.callsOf("writeParameters");
-    QCOMPARE(writes.size(), 1U);
-    QCOMPARE(writes[0].changes.size(), 1U);
-    QCOMPARE(writes[0].changes[0].index.value, named("slot0.p").value);
-    QCOMPARE(writes[0].changes[0].raw, 82123);
-    writes[0].finished({});
-    bench.device().parameters[named("slot0.p").value] = {82123, ParameterState::Ram};
-    ++bench.device().parameterRevision;
-    bench.workbench.publish();
-    QVERIFY(!button->isEnabled());
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
-}
-
-void TestTune::gainsGoOutInAnOrderThatIsNeverLivelier()
-{
-    TuneBench bench;
-    type(bench.find<QLineEdit>("I"), "0.01");
-    type(bench.find<QLineEdit>("P"), "0.5");
-    type(bench.find<QLineEdit>("D"), "3");
-    bench.page->write();
-    const auto writes = bench.workbench.callsOf("writeParameters");
-    QCOMPARE(writes.size(), 1U);
-    QCOMPARE(writes[0].changes.size(), 3U);
-    QCOMPARE(writes[0].changes[0].index.value, named("slot0.p").value); // lowered: first
-    QCOMPARE(writes[0].changes[1].index.value, named("slot0.d").value);
-    QCOMPARE(writes[0].changes[2].index.value, named("slot0.i").value); // raised: last
-}
-
-void TestTune::aGainOutOfRangeIsSaidAndNotWritten()
-{
-    TuneBench bench;
-    bench.arm();
-    type(bench.find<QLineEdit>("P"), "40000");
-    QVERIFY(!bench.page->findChild<CommandButton *>(s("writeGains"))->isEnabled());
-    QVERIFY(!bench.page->status().mayRun);
-    bench.page->write();
-    bench.page->run();
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
-}
-
-void TestTune::theSliderStagesAndRevertBringsBack()
-{
-    TuneBench bench;
-    auto *slider = bench.find<QSlider>("P, one decade either way");
-    slider->setFocus();
-    QTest::keyClick(slider, Qt::Key_Right);
-    const double raised = *bench.page->gainsPanel().row("p")->number();
-    QVERIFY(std::abs(raised / 1.165 - 1.02) < 1e-3);
-    QTest::keyClick(slider, Qt::Key_Left, Qt::ShiftModifier);
-    QVERIFY(std::abs(*bench.page->gainsPanel().row("p")->number() / 1.165 - 1.02 / 1.002) < 1e-3);
-    click(bench, "Revert P");
-    QCOMPARE(*bench.page->gainsPanel().row("p")->number(), static_cast<double>(rawOf("slot0.p", 1.165)) / 65536.0);
-    QVERIFY(bench.page->gainsPanel().toWrite().empty());
-}
-
-void TestTune::editsOfAnotherSlotStayStaged()
-{
-    TuneBench bench;
-    type(bench.find<QLineEdit>("P"), "2");
-    slot(bench, "Gain slot that is edited", 1)->click();
-    QVERIFY(bench.page->gainsPanel().toWrite().empty());
-    QCOMPARE(*bench.page->gainsPanel().row("f")->number(), 0.5);
-    slot(bench, "Gain slot that is edited", 0)->click();
-    QCOMPARE(*bench.page->gainsPanel().row("p")->number(), 2.0);
-}
 
 void TestTune::runIsRefusedWhenNotArmed()
 {
@@ -215,10 +94,27 @@ void TestTune::aSetPointOfTheHandStartsWhereTheMotorIsAndMovesSlowly()
     QCOMPARE(bench.workbench.callsOf("updateMotion").at(0).setPoint.target, 20000.0);
     bench.workbench.time += 1s;
     QTRY_COMPARE(bench.workbench.callsOf("updateMotion").back().setPoint.target, 60000.0);
-    bench.workbench.time += 1s;
-    const std::size_t sent = bench.workbench.callsOf("updateMotion").size();
-    bench.page->run(); // what is there already is sent once more, and not again and again
-    QCOMPARE(bench.workbench.callsOf("updateMotion").size(), sent + 1);
+    bench.confirmMotion();
+    bench.workbench.time += 5s; // a long rest is no reason to jump
+    bench.find<QSlider>("Set-point, slider")->setValue(-1000);
+    QCOMPARE(bench.workbench.callsOf("updateMotion").back().setPoint.target, 60000.0);
+    bench.workbench.time += 100ms;
+    QTRY_COMPARE(bench.workbench.callsOf("updateMotion").back().setPoint.target, 40000.0);
+}
+
+void TestTune::theWheelSteersNothingItPasses()
+{
+    TuneBench bench;
+    auto *slider = bench.find<QSlider>("Set-point, slider");
+    bench.find<QLineEdit>("P")->setFocus();
+    const QPoint middle = slider->rect().center();
+    QWheelEvent passing(
+        middle, slider->mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(slider, &passing);
+    QCOMPARE(slider->value(), 0);
+    slider->setFocus();
+    QApplication::sendEvent(slider, &passing);
+    QVERIFY(slider->value() > 0);
 }
 
 void TestTune::theSliderSteersAMotorThatMoves()
@@ -250,45 +146,6 @@ void TestTune::enterNeverStartsAMotor()
     bench.confirmMotion();
     type(bench.find<QLineEdit>("Set-point"), "2000\r");
     QCOMPARE(bench.workbench.callsOf("updateMotion").at(0).setPoint.target, 2000.0);
-}
-
-void TestTune::writeAndRunWaitsForTheGains()
-{
-    TuneBench bench;
-    bench.arm();
-    type(bench.find<QLineEdit>("P"), "2");
-    auto *run = bench.page->findChild<CommandButton *>(s("run"));
-    QCOMPARE(run->text(), s("Write and run"));
-    run->click();
-    QCOMPARE(bench.workbench.callsOf("writeParameters").size(), 1U);
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
-    QVERIFY(!run->isEnabled());
-    bench.workbench.callsOf("writeParameters").at(0).finished({});
-    QCOMPARE(bench.workbench.callsOf("startMotion").size(), 1U);
-}
-
-void TestTune::gainsThatWereNotWrittenStartNothing()
-{
-    TuneBench bench;
-    bench.arm();
-    type(bench.find<QLineEdit>("P"), "2");
-    bench.page->run();
-    bench.workbench.callsOf("writeParameters").at(0).finished(fail(Fault::BadCheck, "slot0.p reads 1"));
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
-    QVERIFY(bench.workbench.callsOf("report").back().text.find("slot0.p reads 1") != std::string::npos);
-    QCOMPARE(bench.page->gainsPanel().stagedNames(), QStringList {s("P")});
-}
-
-void TestTune::disarmedDuringTheWriteStartsNothing()
-{
-    TuneBench bench;
-    bench.arm();
-    type(bench.find<QLineEdit>("P"), "2");
-    bench.page->run();
-    bench.arming.stopAll(s("test"));
-    bench.workbench.callsOf("writeParameters").at(0).finished({});
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
-    QVERIFY2(problemOf(bench).startsWith(s("Stopped: test")), qPrintable(problemOf(bench)));
 }
 
 void TestTune::stopMotionStaysArmed()
@@ -402,7 +259,8 @@ void TestTune::aRunFromElsewhereIsShown()
     bench.arming.run(setPoint);
     bench.confirmMotion();
     QCOMPARE(bench.find<QLineEdit>("Set-point")->text(), s("60000"));
-    QVERIFY2(problemOf(bench).contains(s("Moving | velocity 60\u202F000\u00A0counts/s, slot 0")), qPrintable(problemOf(bench)));
+    QVERIFY2(problemOf(bench).contains(s("Moving | velocity 60\u202F000\u00A0counts/s, slot 0")),
+        qPrintable(problemOf(bench)));
     QCOMPARE(bench.workbench.callsOf("updateMotion").size(), 0U);
 }
 

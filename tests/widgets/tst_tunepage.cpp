@@ -60,7 +60,8 @@ void TestTunePage::thePlotShowsWhatIsRecorded()
     TuneBench bench;
     bench.recording.setCommanded(true);
     bench.pass(2.0, 60000.0);
-    QTRY_VERIFY2(bench.page->plot().stack().summary().contains(s("Velocity 0\u00A0counts/s to 64")), qPrintable(bench.page->plot().stack().summary()));
+    QTRY_VERIFY2(bench.page->plot().stack().summary().contains(s("Velocity 0\u00A0counts/s to 64")),
+        qPrintable(bench.page->plot().stack().summary()));
     const QString summary = bench.page->plot().stack().summary();
     QVERIFY2(summary.contains(s("Set-point 60\u202F000\u00A0counts/s to 60\u202F000")), qPrintable(summary));
     QVERIFY2(summary.contains(s("Duty")) && summary.contains(s("Current")), qPrintable(summary));
@@ -75,7 +76,8 @@ void TestTunePage::countsBecomeRevolutions()
     Q_EMIT field->textEdited(field->text());
     bench.find<QAbstractButton>("rpm")->click();
     QCOMPARE(field->text(), s("600"));
-    QTRY_VERIFY2(bench.page->plot().stack().summary().contains(s("rpm")), qPrintable(bench.page->plot().stack().summary()));
+    QTRY_VERIFY2(
+        bench.page->plot().stack().summary().contains(s("rpm")), qPrintable(bench.page->plot().stack().summary()));
     auto *counts = bench.find<QLineEdit>("Counts per revolution");
     counts->setText(s("2048"));
     Q_EMIT counts->textEdited(counts->text());
@@ -185,7 +187,8 @@ void TestTunePage::theDeviceKeepsItsChoices()
 void TestTunePage::physicalGainsMatchTheGoldenValues()
 {
     QVERIFY(close(physical("slot0.p", Mode::Velocity, 1.00527897), 0.002));
-    QVERIFY(close(physical("slot0.i", Mode::Velocity, 0.00251320), 0.01) || std::abs(physical("slot0.i", Mode::Velocity, 0.00251320) - 0.01) < 1e-7);
+    QVERIFY(close(physical("slot0.i", Mode::Velocity, 0.00251320), 0.01)
+        || std::abs(physical("slot0.i", Mode::Velocity, 0.00251320) - 0.01) < 1e-7);
     QVERIFY(close(physical("slot0.f", Mode::Velocity, 0.90475107), 0.0018));
     QVERIFY(close(physical("slot0.p", Mode::Position, 5.02639485), 0.1));
     QVERIFY(close(physical("slot0.d", Mode::Position, 1005.27896953), 0.01));
@@ -209,7 +212,7 @@ void TestTunePage::theMeterWarnsBelowFifty()
 void TestTunePage::theSlewIsTheHandsLimit()
 {
     SetPointSlew slew;
-    const Instant start {10s};
+    const Instant start{10s};
     slew.start(100.0, start);
     slew.setRate(50.0);
     slew.setTarget(-100.0);
@@ -227,9 +230,10 @@ void TestTunePage::everyControlHasAName()
 {
     TuneBench bench;
     for (const auto *widget : bench.page->findChildren<QWidget *>()) {
-        const bool control = qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QComboBox *>(widget)
-            || qobject_cast<const QAbstractSlider *>(widget);
-        const bool ours = !widget->objectName().startsWith(s("qt_")) && !widget->inherits("QTableCornerButton") && !qobject_cast<const QScrollBar *>(widget);
+        const bool control = qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QLineEdit *>(widget)
+            || qobject_cast<const QComboBox *>(widget) || qobject_cast<const QAbstractSlider *>(widget);
+        const bool ours = !widget->objectName().startsWith(s("qt_")) && !widget->inherits("QTableCornerButton")
+            && !qobject_cast<const QScrollBar *>(widget);
         const auto *button = qobject_cast<const QAbstractButton *>(widget);
         const bool spoken = !widget->accessibleName().isEmpty() || (button && !button->text().isEmpty());
         if (control && ours)
@@ -255,7 +259,8 @@ void TestTunePage::nothingIsCutAtTwiceTheFont()
         }
         QCoreApplication::processEvents();
         for (const auto *label : bench.page->findChildren<QWidget *>()) {
-            const bool text = qobject_cast<const QAbstractButton *>(label) || (qobject_cast<const QLabel *>(label) && !label->inherits("mb::ElidedLabel"));
+            const bool text = qobject_cast<const QAbstractButton *>(label)
+                || (qobject_cast<const QLabel *>(label) && !label->inherits("mb::ElidedLabel"));
             if (!text || !label->isVisible())
                 continue;
             const QByteArray name = label->property("text").toByteArray();

@@ -32,7 +32,8 @@ public:
         const double damped = omega * std::sqrt(1.0 - damping * damping);
         for (int i = 0; i < steps; ++i) {
             const double t = i / 100.0;
-            const double rest = std::exp(-damping * omega * t) * (std::cos(damped * t) + damping * omega / damped * std::sin(damped * t));
+            const double rest = std::exp(-damping * omega * t)
+                * (std::cos(damped * t) + damping * omega / damped * std::sin(damped * t));
             const double before = m_velocity;
             m_velocity = target + (begin - target) * rest;
             m_position += m_velocity / 100.0;
@@ -71,7 +72,8 @@ inline DeviceView tunableDrive(const std::shared_ptr<Telemetry> &telemetry, std:
     device.link = "sim:can";
     device.telemetry = telemetry;
     device.rates = {100, 100, 50, 100, 100, 100, 10, 10, 10};
-    const auto set = [&device](const char *key, double value) { device.parameters[named(key).value].raw = rawOf(key, value); };
+    const auto set
+        = [&device](const char *key, double value) { device.parameters[named(key).value].raw = rawOf(key, value); };
     set("slot0.p", 1.165);
     set("slot0.i", 0.00346);
     set("slot1.p", 1.6);
@@ -84,8 +86,8 @@ struct TuneBench {
     FakeWorkbench workbench;
     Selection selection;
     ThemeSource theme;
-    Arming arming {workbench};
-    Recording recording {workbench.time};
+    Arming arming{workbench};
+    Recording recording{workbench.time};
     std::unique_ptr<TunePage> page;
 
     explicit TuneBench(const Theme &look = lightTheme(), QSize size = {1208, 760})

@@ -20,44 +20,53 @@ enum Brake { AsDevice, Braked, Coasting };
 DriveOptions::DriveOptions(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
+    , m_form(new QFormLayout(this))
 {
-    auto *form = new QFormLayout(this);
-    form->setContentsMargins(0, 0, 0, 0);
-    form->setVerticalSpacing(theme.theme().u(4));
-    form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    const auto label = [this](const QString &text) { // as tall as the field beside it
-        auto *words = new QLabel(text, this);
-        words->setMinimumHeight(m_theme.theme().u(32));
-        return words;
-    };
-    m_ramp = new QLineEdit(QStringLiteral("0"), this);
-    m_ramp->setAlignment(Qt::AlignRight);
-    m_ramp->setFixedWidth(theme.theme().u(88));
-    m_ramp->setAccessibleName(tr("Ramp of the output, duty per second"));
-    m_ramp->setToolTip(tr("Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 takes 0.5 s from 0 to 100 %."));
-    auto *rampRow = new QHBoxLayout;
-    rampRow->setSpacing(theme.theme().u(8));
-    rampRow->addWidget(m_ramp);
-    rampRow->addWidget(textLabel(tr("duty/s, 0 = none"), TextRole::Caption, Tone::Dim, this), 1);
-    form->addRow(label(tr("Ramp")), rampRow);
-    m_fault = wrappedLabel({}, TextRole::Caption, Tone::Danger, this);
-    m_fault->hide();
-    form->addRow(m_fault);
+    m_form->setContentsMargins(0, 0, 0, 0);
+    m_form->setVerticalSpacing(theme.theme().u(4));
+    m_form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    addRamp();
     m_brake = new QComboBox(this);
     m_brake->addItems({tr("as the device is set"), tr("brake"), tr("coast")});
     m_brake->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_brake->setAccessibleName(tr("At zero output"));
-    form->addRow(label(tr("At zero")), m_brake);
-    m_reverseMotor = addFlag(tr("Reverse motor"), tr("Forward output turns the motor the other way. Changing it disarms."));
+    m_form->addRow(tallLabel(tr("At zero")), m_brake);
+    m_reverseMotor
+        = addFlag(tr("Reverse motor"), tr("Forward output turns the motor the other way. Changing it disarms."));
     m_reverseSensor = addFlag(tr("Reverse sensor"), tr("The encoder counts the other way. Changing it disarms."));
-    m_override = addFlag(tr("Override limits"), tr("The two below replace the device's own settings for limit switches. Changing it disarms."));
+    m_override = addFlag(tr("Override limits"),
+        tr("The two below replace the device's own settings for limit switches. Changing it disarms."));
     m_forwardOff = addFlag(tr("Forward limit off"), tr("The motor runs past the forward limit. Changing it disarms."));
     m_reverseOff = addFlag(tr("Reverse limit off"), tr("The motor runs past the reverse limit. Changing it disarms."));
-    for (QCheckBox *box : {m_reverseMotor, m_reverseSensor, m_override, m_forwardOff, m_reverseOff})
-        form->addRow(box);
-    connect(m_ramp, &QLineEdit::textEdited, this, &DriveOptions::checkRamp);
     connect(m_brake, qOverload<int>(&QComboBox::activated), this, &DriveOptions::changed);
     reset();
+}
+
+/// As tall as the field beside it.
+QLabel *DriveOptions::tallLabel(const QString &text)
+{
+    auto *label = new QLabel(text, this);
+    label->setMinimumHeight(m_theme.theme().u(32));
+    return label;
+}
+
+void DriveOptions::addRamp()
+{
+    m_ramp = new QLineEdit(QStringLiteral("0"), this);
+    m_ramp->setAlignment(Qt::AlignRight);
+    m_ramp->setFixedWidth(m_theme.theme().u(88));
+    m_ramp->setAccessibleName(tr("Ramp of the output, duty per second"));
+    m_ramp->setToolTip(tr("Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 "
+                          "takes 0.5 s from 0 to 100 %."));
+    auto *row = new QHBoxLayout;
+    row->setSpacing(m_theme.theme().u(8));
+    row->addWidget(m_ramp);
+    row->addWidget(textLabel(tr("duty/s, 0 = none"), TextRole::Caption, Tone::Dim, this), 1);
+    m_form->addRow(tallLabel(tr("Ramp")), row);
+    m_fault = wrappedLabel({}, TextRole::Caption, Tone::Danger, this);
+    m_fault->hide();
+    m_form->addRow(m_fault);
+    connect(m_ramp, &QLineEdit::textEdited, this, &DriveOptions::checkRamp);
 }
 
 QCheckBox *DriveOptions::addFlag(const QString &text, const QString &help)
@@ -71,6 +80,7 @@ QCheckBox *DriveOptions::addFlag(const QString &text, const QString &help)
         Q_EMIT polarityChanged();
         Q_EMIT changed();
     });
+    m_form->addRow(box);
     return box;
 }
 
@@ -82,7 +92,9 @@ std::optional<double> DriveOptions::ramp() const
 
 QString DriveOptions::fault() const
 {
-    return ramp() ? QString() : tr("%1 is no ramp. Enter 0 for none, or a positive number of duty per second.").arg(m_ramp->text().isEmpty() ? tr("Nothing") : m_ramp->text());
+    return ramp() ? QString()
+                  : tr("%1 is no ramp. Enter 0 for none, or a positive number of duty per second.")
+                        .arg(m_ramp->text().isEmpty() ? tr("Nothing") : m_ramp->text());
 }
 
 void DriveOptions::checkRamp()

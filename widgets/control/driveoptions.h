@@ -6,8 +6,11 @@
 
 #include <QWidget>
 
+#include <optional>
+
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 
@@ -34,11 +37,14 @@ Q_SIGNALS:
     void polarityChanged();
 
 private:
+    void addRamp();
+    [[nodiscard]] QLabel *tallLabel(const QString &text);
     QCheckBox *addFlag(const QString &text, const QString &help);
     [[nodiscard]] std::optional<double> ramp() const;
     void checkRamp();
 
     const ThemeSource &m_theme;
+    QFormLayout *m_form = nullptr;
     QLineEdit *m_ramp = nullptr;
     QLabel *m_fault = nullptr;
     QComboBox *m_brake = nullptr;

@@ -205,7 +205,8 @@ void GainRow::showState(const ParameterStore::Entry &entry, const StagedEdit *ed
     m_glyph->setState(state);
     m_word->setText(shortWord(state));
     setTone(*m_word, glyphTone(state));
-    const QString was = entry.raw ? tr("edited, was %1").arg(valueWithUnit(m_parameter, *entry.raw)) : tr("edited, was unknown");
+    const QString was
+        = entry.raw ? tr("edited, was %1").arg(valueWithUnit(m_parameter, *entry.raw)) : tr("edited, was unknown");
     m_word->setToolTip(edit ? was : glyphWord(state));
     m_revert->setEnabled(edit != nullptr);
     setStyleProperty(*m_field, "state", illegal ? QStringLiteral("error") : QString());
@@ -225,7 +226,8 @@ void GainRow::showNumbers(std::optional<std::int64_t> raw, bool edited)
         m_slider->showNumber(number);
     }
     m_meter->setSteps(raw ? std::abs(*raw) : 0);
-    m_raw->setText(raw ? tr("raw %1   %2").arg(QString::number(*raw).replace(QLatin1Char('-'), MinusSign), m_physical) : QString());
+    m_raw->setText(raw ? tr("raw %1   %2").arg(QString::number(*raw).replace(QLatin1Char('-'), MinusSign), m_physical)
+                       : QString());
     m_raw->setToolTip(raw ? rawText(m_parameter, *raw) : QString());
 }
 

@@ -102,7 +102,9 @@ void GainsPanel::showBounds(bool shown)
 
 void GainsPanel::explain()
 {
-    m_note->setText(isClosedLoop(m_mode) ? QString() : tr("No loop runs in %1 mode: these gains act in velocity, position and current.").arg(modeText(m_mode)));
+    m_note->setText(isClosedLoop(m_mode)
+            ? QString()
+            : tr("No loop runs in %1 mode: these gains act in velocity, position and current.").arg(modeText(m_mode)));
     m_note->setVisible(!m_note->text().isEmpty());
 }
 
@@ -112,9 +114,13 @@ void GainsPanel::refresh(const DeviceView &device, bool reading)
         return;
     for (GainRow *row : m_rows) {
         const auto number = row->number();
-        const auto physical = number ? siGain(*m_family, m_edits->parameter(row->index()), m_mode, *number, m_units.countsPerRevolution) : std::nullopt;
+        const auto physical = number
+            ? siGain(*m_family, m_edits->parameter(row->index()), m_mode, *number, m_units.countsPerRevolution)
+            : std::nullopt;
         const bool off = !number || *number == 0.0;
-        row->setPhysical(physical && !off ? formatSignificant(physical->value, 3) + QLatin1Char(' ') + physical->unit : off && number ? tr("off") : QString());
+        row->setPhysical(physical && !off ? formatSignificant(physical->value, 3) + QLatin1Char(' ') + physical->unit
+                : off && number           ? tr("off")
+                                          : QString());
         row->setReading(reading);
         row->refresh(device.parameters[row->index().value]);
     }
@@ -133,9 +139,10 @@ QStringList GainsPanel::stagedNames() const
 
 std::vector<ParameterChange> GainsPanel::toWrite() const
 {
-    std::vector<ParameterChange> changes = m_edits ? m_edits->toWrite() : std::vector<ParameterChange> {};
+    std::vector<ParameterChange> changes = m_edits ? m_edits->toWrite() : std::vector<ParameterChange>{};
     const auto elsewhere = [this](const ParameterChange &change) {
-        return std::none_of(m_rows.begin(), m_rows.end(), [&](const GainRow *row) { return row->index() == change.index; });
+        return std::none_of(
+            m_rows.begin(), m_rows.end(), [&](const GainRow *row) { return row->index() == change.index; });
     };
     changes.erase(std::remove_if(changes.begin(), changes.end(), elsewhere), changes.end());
     return changes;
@@ -165,7 +172,8 @@ void GainsPanel::focusFirst()
 
 GainRow *GainsPanel::row(std::string_view name) const
 {
-    const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&](const GainRow *row) { return gainName(m_edits->parameter(row->index())) == name; });
+    const auto found = std::find_if(m_rows.begin(), m_rows.end(),
+        [&](const GainRow *row) { return gainName(m_edits->parameter(row->index())) == name; });
     return found == m_rows.end() ? nullptr : *found;
 }
 

@@ -32,6 +32,7 @@ struct SiGain {
     double value = 0.0;
     QString unit;
 };
-[[nodiscard]] std::optional<SiGain> siGain(const Family &family, const Parameter &parameter, Mode mode, double number, double countsPerRevolution);
+[[nodiscard]] std::optional<SiGain> siGain(
+    const Family &family, const Parameter &parameter, Mode mode, double number, double countsPerRevolution);
 
 } // namespace mb

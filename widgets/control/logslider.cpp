@@ -70,10 +70,12 @@ void LogSlider::paintEvent(QPaintEvent *)
     const double thick = theme.u(3);
     painter.setPen(Qt::NoPen);
     painter.setBrush(isEnabled() ? theme.outline : theme.line);
-    painter.drawRoundedRect(QRectF(xOf(-steps), middle - thick / 2, xOf(steps) - xOf(-steps), thick), thick / 2, thick / 2);
+    painter.drawRoundedRect(
+        QRectF(xOf(-steps), middle - thick / 2, xOf(steps) - xOf(-steps), thick), thick / 2, thick / 2);
     for (int i = -4; i <= 4; ++i) { // quarters of a decade; the centre and the ends are taller
         const double tall = theme.u(i == 0 ? 14 : i % 4 == 0 ? 10 : 7);
-        painter.fillRect(QRectF(std::round(xOf(i * steps / 4)), middle - tall / 2, 1, tall), isEnabled() ? theme.dim : theme.line);
+        painter.fillRect(
+            QRectF(std::round(xOf(i * steps / 4)), middle - tall / 2, 1, tall), isEnabled() ? theme.dim : theme.line);
     }
     const QPointF at(isEnabled() ? xOf(value()) : xOf(-steps), middle);
     const double radius = theme.u(6);
@@ -130,7 +132,9 @@ void LogSlider::keyPressEvent(QKeyEvent *event)
         event->ignore(); // up and down belong to the rows
         return;
     }
-    const double step = event->modifiers() & Qt::ShiftModifier ? fineStep : event->modifiers() & Qt::ControlModifier ? coarseStep : usualStep;
+    const double step = event->modifiers() & Qt::ShiftModifier ? fineStep
+        : event->modifiers() & Qt::ControlModifier             ? coarseStep
+                                                               : usualStep;
     multiply(up ? step : 1.0 / step);
 }
 

@@ -16,7 +16,8 @@
 namespace mb {
 namespace {
 
-constexpr std::array shown {Mode::Velocity, Mode::Position, Mode::Current, Mode::Duty, Mode::Voltage, Mode::Follow, Mode::RampPosition, Mode::RampVelocity};
+constexpr std::array shown{Mode::Velocity, Mode::Position, Mode::Current, Mode::Duty, Mode::Voltage, Mode::Follow,
+    Mode::RampPosition, Mode::RampVelocity};
 constexpr int perLine = 3;
 
 QString titled(const QString &text)
@@ -84,7 +85,10 @@ void ModePanel::rebuild()
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         const int place = i % perLine;
         const bool last = place == perLine - 1 || i == count - 1;
-        setStyleProperty(*button, "segment", place == 0 ? last ? QStringLiteral("only") : QStringLiteral("first") : last ? QStringLiteral("last") : QStringLiteral("middle"));
+        setStyleProperty(*button, "segment",
+            place == 0 ? last ? QStringLiteral("only") : QStringLiteral("first")
+                : last ? QStringLiteral("last")
+                       : QStringLiteral("middle"));
         m_group->addButton(button, i);
         grid.addWidget(button, i / perLine, place);
         grid.setColumnStretch(place, 1);

@@ -7,7 +7,7 @@ namespace mb {
 namespace {
 
 /// Longer than a snapshot takes to tell of an operation that began.
-constexpr std::chrono::milliseconds betweenRequests {100};
+constexpr std::chrono::milliseconds betweenRequests{100};
 
 } // namespace
 
@@ -42,7 +42,8 @@ void RateKeeper::queue(DeviceId device, bool fast)
         const auto channel = findChannel(view->family->channels, wish.channel);
         if (!channel)
             continue;
-        const auto old = std::find_if(m_requests.begin(), m_requests.end(), [&](const Request &r) { return r.device == device && r.channel == *channel; });
+        const auto old = std::find_if(m_requests.begin(), m_requests.end(),
+            [&](const Request &r) { return r.device == device && r.channel == *channel; });
         const double hertz = fast ? wish.hertz : 0.0;
         if (old != m_requests.end())
             old->hertz = hertz;
@@ -60,7 +61,8 @@ void RateKeeper::sendNext()
     const Request next = m_requests.front();
     const DeviceView *view = m_workbench.snapshot().device(next.device);
     const OperationView *operation = m_workbench.snapshot().operation(next.device);
-    const bool busy = view && (!view->busy.empty() || (operation && operation->status.state == OperationStatus::State::Running));
+    const bool busy
+        = view && (!view->busy.empty() || (operation && operation->status.state == OperationStatus::State::Running));
     if (busy)
         return;
     m_requests.pop_front();

@@ -10,7 +10,7 @@
 namespace mb {
 namespace {
 
-constexpr std::array<std::int64_t, 4> limits {10, 50, 500, 5000};
+constexpr std::array<std::int64_t, 4> limits{10, 50, 500, 5000};
 constexpr std::int64_t coarse = 50;
 constexpr std::int64_t useless = 10;
 constexpr std::int64_t thousand = 1000;
@@ -49,9 +49,10 @@ void ResolutionMeter::setSteps(std::int64_t steps)
 {
     m_steps = steps;
     setAccessibleName(m_steps == 0 ? tr("Resolution: off") : tr("Resolution: %1 steps").arg(formatCount(m_steps)));
-    setToolTip(m_steps == 0 ? QString()
-                            : tr("The device knows this value as %1 whole steps: the smallest change is %2 %.")
-                                  .arg(formatCount(m_steps), formatSignificant(100.0 / static_cast<double>(m_steps), 2)));
+    setToolTip(m_steps == 0
+            ? QString()
+            : tr("The device knows this value as %1 whole steps: the smallest change is %2 %.")
+                  .arg(formatCount(m_steps), formatSignificant(100.0 / static_cast<double>(m_steps), 2)));
     update();
 }
 

@@ -11,38 +11,15 @@
 #include <QPushButton>
 #include <QSlider>
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace mb {
 namespace {
 
 constexpr int sliderSteps = 1000; ///< one side
-constexpr double greatestFollowed = 255.0;
-
-/// Where a mode starts: a hand cannot do much harm within it, and it can be raised.
-double usualLimit(Mode mode)
-{
-    switch (mode) {
-    case Mode::Duty: return 1.0;
-    case Mode::Velocity:
-    case Mode::RampVelocity: return 100000.0;
-    case Mode::Position:
-    case Mode::RampPosition: return 40960.0;
-    case Mode::Current: return 20.0;
-    case Mode::Voltage: return 12.0;
-    default: return greatestFollowed;
-    }
-}
-
-bool startsAtPresent(Mode mode)
-{
-    return mode == Mode::Position || mode == Mode::RampPosition;
-}
 
 /// Seconds for the whole range from one end to the other.
-constexpr std::array slewTimes {0.0, 0.2, 1.0, 5.0};
+constexpr std::array slewTimes{0.0, 0.2, 1.0, 5.0};
 constexpr int usualSlew = 2;
 
 } // namespace
@@ -118,7 +95,8 @@ QWidget *SetPointPanel::buildRange()
     m_limitUnit = textLabel({}, TextRole::Caption, Tone::Dim, m_rangeBox);
     m_slew = new QComboBox(m_rangeBox);
     for (const double time : slewTimes)
-        m_slew->addItem(time == 0.0 ? tr("at once, as a step") : tr("full range in %1").arg(formatDuration(time)));
+        m_slew->addItem(
+            time == 0.0 ? tr("at once, as a step") : tr("full range in %1").arg(formatDuration(time)), time);
     m_slew->setCurrentIndex(usualSlew);
     m_slew->setAccessibleName(tr("How fast the set-point moves"));
     m_slew->setToolTip(tr("This program moves the set-point no faster, whatever is typed."));
@@ -154,182 +132,6 @@ void SetPointPanel::buildOptions()
     connect(m_options, &DriveOptions::changed, this, retitle);
     connect(m_options, &DriveOptions::changed, this, &SetPointPanel::changed);
     connect(m_options, &DriveOptions::polarityChanged, this, &SetPointPanel::polarityChanged);
-}
-
-void SetPointPanel::setMode(Mode mode)
-{
-    if (mode == m_mode)
-        return;
-    m_mode = mode;
-    if (range().limit == 0.0)
-        range().limit = usualLimit(mode);
-    m_present.reset();
-    if (startsAtPresent(mode))
-        range().touched = false;
-    setUnits(m_units);
-}
-
-void SetPointPanel::setUnits(const DisplayUnits &units)
-{
-    m_units = units;
-    m_unit = shownUnit(m_mode, units);
-    m_unitLabel->setText(m_mode == Mode::Follow ? tr("device") : m_unit.text);
-    m_limitUnit->setText(m_unit.text);
-    m_slider->setVisible(m_mode != Mode::Follow);
-    m_rangeBox->setVisible(m_mode != Mode::Follow);
-    showRange();
-    showTarget(range().target);
-    showPresent(m_present);
-}
-
-void SetPointPanel::reset()
-{
-    m_ranges.clear();
-    m_present.reset();
-    m_options->reset();
-    const Mode mode = m_mode;
-    m_mode = Mode::Off;
-    setMode(mode);
-}
-
-QString SetPointPanel::shown(double target) const
-{
-    constexpr double digits = 1e3; // of what is shown; what is meant stays exact
-    return editText(std::round(target * m_unit.scale * digits) / digits);
-}
-
-std::optional<double> SetPointPanel::target() const
-{
-    if (!fault().isEmpty())
-        return std::nullopt;
-    if (const auto kept = m_ranges.find(m_mode); kept != m_ranges.end() && m_field->text() == shown(kept->second.target))
-        return kept->second.target; // the field rounds
-    const auto number = parseNumber(m_field->text(), limit() * m_unit.scale);
-    return number ? std::optional(*number / m_unit.scale) : std::nullopt;
-}
-
-QString SetPointPanel::fault() const
-{
-    const QString text = m_field->text().trimmed();
-    const auto number = parseNumber(text, limit() * m_unit.scale);
-    const QString most = formatValue(limit() * m_unit.scale, m_unit.decimals > 0 ? 1 : 0, m_unit.text);
-    if (!number)
-        return text.isEmpty() ? tr("No set-point. Enter a number up to ± %1.").arg(most) : tr("\"%1\" is no number. Enter one up to ± %2.").arg(text, most);
-    if (m_mode == Mode::Follow) {
-        const bool legal = *number == std::floor(*number) && *number >= 1.0 && *number <= greatestFollowed;
-        return legal ? QString() : tr("%1 is no device number. Enter the number of the device to follow.").arg(text);
-    }
-    constexpr double rounding = 0.0005; // the limit is shown with three decimals
-    if (std::abs(*number) > limit() * m_unit.scale + rounding)
-        return tr("%1 is beyond the range of ± %2. Enter less, or widen the range.").arg(text, most);
-    return m_options->fault();
-}
-
-void SetPointPanel::textTyped()
-{
-    range().touched = true;
-    if (const auto number = target())
-        range().target = *number;
-    showSlider();
-    showFault();
-    Q_EMIT changed();
-}
-
-void SetPointPanel::limitTyped()
-{
-    const auto number = parseNumber(m_limit->text());
-    const bool legal = number && *number > 0.0 && (m_mode != Mode::Duty || *number <= 100.0);
-    setStyleProperty(*m_limit, "state", legal ? QString() : QStringLiteral("error"));
-    if (!legal)
-        return;
-    range().limit = *number / m_unit.scale;
-    showSlider();
-    showFault();
-    Q_EMIT changed();
-}
-
-void SetPointPanel::sliderMoved(int place)
-{
-    range().touched = true;
-    range().target = limit() * place / sliderSteps;
-    if (m_mode == Mode::Position || m_mode == Mode::Velocity)
-        range().target = std::round(range().target);
-    m_field->setText(shown(range().target));
-    showFault();
-    Q_EMIT changed();
-    Q_EMIT targetChosen();
-}
-
-void SetPointPanel::showRange()
-{
-    m_limit->setText(shown(limit()));
-    setStyleProperty(*m_limit, "state", QString());
-    showSlider();
-}
-
-void SetPointPanel::showSlider()
-{
-    const QSignalBlocker quiet(m_slider);
-    const double place = range().target / limit() * sliderSteps;
-    m_slider->setValue(static_cast<int>(std::lround(std::clamp(place, -1.0 * sliderSteps, 1.0 * sliderSteps))));
-}
-
-void SetPointPanel::showFault()
-{
-    const QString text = fault();
-    m_fault->setText(text);
-    m_fault->setVisible(!text.isEmpty());
-    setStyleProperty(*m_field, "state", text.isEmpty() ? QString() : QStringLiteral("error"));
-}
-
-void SetPointPanel::showTarget(double target)
-{
-    range().target = target;
-    m_field->setText(m_mode == Mode::Follow && target == 0.0 ? QString() : shown(target));
-    showSlider();
-    if (m_mode != Mode::Follow || target != 0.0)
-        showFault();
-}
-
-void SetPointPanel::showPresent(std::optional<double> present)
-{
-    m_present = present;
-    const int decimals = m_unit.scale == 1.0 && m_mode != Mode::Current && m_mode != Mode::Voltage ? 0 : 1;
-    m_now->setText(m_mode == Mode::Follow ? QString() : tr("now %1").arg(present ? formatValue(*present * m_unit.scale, decimals, m_unit.text) : QString(UnknownMark)));
-    if (!startsAtPresent(m_mode) || !present || range().touched)
-        return;
-    const double whole = std::round(*present);
-    if (std::abs(whole) > limit()) { // somewhere else than expected: no reason to refuse it
-        range().limit = std::abs(whole) + usualLimit(m_mode);
-        showRange();
-    }
-    if (whole != range().target)
-        showTarget(whole);
-}
-
-double SetPointPanel::limit() const
-{
-    const auto found = m_ranges.find(m_mode);
-    return found == m_ranges.end() || found->second.limit <= 0.0 ? usualLimit(m_mode) : found->second.limit;
-}
-
-double SetPointPanel::slewRate() const
-{
-    const double time = slewTimes.at(static_cast<std::size_t>(std::max(m_slew->currentIndex(), 0)));
-    return time > 0.0 && m_mode != Mode::Follow ? 2.0 * limit() / time : 0.0;
-}
-
-void SetPointPanel::apply(SetPoint &setPoint) const
-{
-    setPoint.mode = m_mode;
-    setPoint.target = target().value_or(0.0);
-    m_options->apply(setPoint);
-}
-
-void SetPointPanel::focusField()
-{
-    m_field->setFocus(Qt::ShortcutFocusReason);
-    m_field->selectAll();
 }
 
 } // namespace mb

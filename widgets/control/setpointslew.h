@@ -24,7 +24,7 @@ private:
     double m_rate = 0.0;
     double m_value = 0.0;
     double m_target = 0.0;
-    Instant m_at {};
+    Instant m_at{};
 };
 
 } // namespace mb

@@ -11,9 +11,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration lookBack = 200ms; ///< for what was there before
+constexpr Duration lookBack = 200ms;  ///< for what was there before
 constexpr Duration rampPause = 150ms; ///< a set-point that changes again within this is still on its way
-constexpr Duration watchTime = 3s; ///< after the set-point has arrived
+constexpr Duration watchTime = 3s;    ///< after the set-point has arrived
 constexpr Duration leastTime = 300ms; ///< less than this says nothing
 constexpr Duration snapshotTime = 500ms;
 constexpr std::size_t mostRecords = 1000;
@@ -49,7 +49,7 @@ bool StepLog::follow(const DeviceView &device, Instant now)
     const auto channel = device.telemetry->find("setpoint");
     if (!channel)
         return false;
-    if (m_seen == Instant {})
+    if (m_seen == Instant{})
         m_seen = now - 1us; // what happened before somebody looked is history
     std::vector<Point> fresh;
     device.telemetry->forEach(*channel, m_seen + 1us, now, [&fresh](const Point &point) { fresh.push_back(point); });

@@ -12,17 +12,17 @@ namespace mb {
 /// One change of a set-point and what became of it.
 struct StepRecord {
     int number = 0;
-    Instant begin {};
-    Instant end {}; ///< of what is measured
+    Instant begin{};
+    Instant end{}; ///< of what is measured
     Mode mode = Mode::Off;
     int slot = 0;
     double from = 0.0; ///< measured before
     double to = 0.0;
     double ramp = 0.0; ///< seconds that the set-point took; 0 is a step
     bool finished = false;
-    bool cut = false; ///< stopped or changed before it could settle
-    std::uint64_t lost = 0; ///< samples that are missing in it
-    std::array<std::optional<std::int64_t>, 4> gains {}; ///< raw P, I, D, F in force when it began
+    bool cut = false;                                   ///< stopped or changed before it could settle
+    std::uint64_t lost = 0;                             ///< samples that are missing in it
+    std::array<std::optional<std::int64_t>, 4> gains{}; ///< raw P, I, D, F in force when it began
     StepMetrics metrics;
     double peakCurrent = 0.0;
 };
@@ -42,8 +42,8 @@ private:
     [[nodiscard]] StepRecord *running();
 
     std::vector<StepRecord> m_records;
-    Instant m_seen {};
-    Instant m_changedAt {};
+    Instant m_seen{};
+    Instant m_changedAt{};
     std::optional<double> m_target; ///< nothing while nobody commands
     bool m_news = false;
 };

@@ -102,7 +102,8 @@ void measure(const std::vector<Normal> &line, StepMetrics &metrics)
     const auto high = crossing(line, riseHigh * final);
     if (low && high)
         metrics.rise = *high - *low;
-    const auto peak = std::max_element(line.begin(), line.end(), [](const Normal &a, const Normal &b) { return a.z < b.z; });
+    const auto peak
+        = std::max_element(line.begin(), line.end(), [](const Normal &a, const Normal &b) { return a.z < b.z; });
     const double over = (peak->z - final) / final;
     metrics.overshoot = over < 2.0 * metrics.noise ? 0.0 : over;
     metrics.band = std::max(usualBand, 3.0 * metrics.noise);
@@ -134,7 +135,8 @@ StepMetrics measureStep(std::span<const Point> samples, Instant start, std::opti
     if (line.size() < leastSamples)
         return metrics;
     measure(line, metrics);
-    const auto peak = std::max_element(line.begin(), line.end(), [](const Normal &a, const Normal &b) { return a.z < b.z; });
+    const auto peak
+        = std::max_element(line.begin(), line.end(), [](const Normal &a, const Normal &b) { return a.z < b.z; });
     metrics.peak = *from + peak->z * height;
     metrics.peakAt = start + std::chrono::duration_cast<Duration>(std::chrono::duration<double>(peak->time));
     return metrics;

@@ -40,25 +40,20 @@ StepTable::StepTable(const ThemeSource &theme, QWidget *parent)
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(theme.theme().u(12), theme.theme().u(4), theme.theme().u(12), theme.theme().u(4));
-    head->setSpacing(theme.theme().u(8));
-    m_count = textLabel({}, TextRole::Caption, Tone::Dim, this);
-    m_show = new CommandButton(theme, tr("Show in plot"), this);
-    m_use = new CommandButton(theme, Symbol::Undo, tr("Use these gains"), this);
-    m_use->setToolTip(tr("Stages the gains of the step that is selected; nothing is written yet."));
-    head->addWidget(new SectionLabel(tr("Steps"), this));
-    head->addWidget(m_count, 1);
-    head->addWidget(m_show);
-    head->addWidget(m_use);
-    column->addLayout(head);
+    column->addLayout(buildHead());
     m_table = new QTableWidget(0, ColumnCount, this);
     column->addWidget(m_table);
     configure();
     connect(m_table, &QTableWidget::itemSelectionChanged, this, &StepTable::updateButtons);
     connect(m_table, &QTableWidget::itemActivated, m_show, &QPushButton::click);
-    connect(m_show, &QPushButton::clicked, this, [this] { if (const StepRecord *record = current()) Q_EMIT showRequested(*record); });
-    connect(m_use, &QPushButton::clicked, this, [this] { if (const StepRecord *record = current()) Q_EMIT useRequested(*record); });
+    connect(m_show, &QPushButton::clicked, this, [this] {
+        if (const StepRecord *record = current())
+            Q_EMIT showRequested(*record);
+    });
+    connect(m_use, &QPushButton::clicked, this, [this] {
+        if (const StepRecord *record = current())
+            Q_EMIT useRequested(*record);
+    });
     connect(&theme, &ThemeSource::changed, this, [this] {
         fitHeight();
         fill();
@@ -66,12 +61,31 @@ StepTable::StepTable(const ThemeSource &theme, QWidget *parent)
     fill();
 }
 
+QHBoxLayout *StepTable::buildHead()
+{
+    const Theme &theme = m_theme.theme();
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(theme.u(12), theme.u(4), theme.u(12), theme.u(4));
+    head->setSpacing(theme.u(8));
+    m_count = textLabel({}, TextRole::Caption, Tone::Dim, this);
+    m_show = new CommandButton(m_theme, tr("Show in plot"), this);
+    m_use = new CommandButton(m_theme, Symbol::Undo, tr("Use these gains"), this);
+    m_use->setToolTip(tr("Stages the gains of the step that is selected; nothing is written yet."));
+    head->addWidget(new SectionLabel(tr("Steps"), this));
+    head->addWidget(m_count, 1);
+    head->addWidget(m_show);
+    head->addWidget(m_use);
+    return head;
+}
+
 void StepTable::configure()
 {
     m_table->setAccessibleName(tr("Steps of this session"));
-    m_table->setHorizontalHeaderLabels({tr("step"), tr("set-point"), tr("P"), tr("I"), tr("D"), tr("F"), tr("over %"), tr("settle"), tr("rise"), tr("error %"), tr("peak A"), tr("note")});
+    m_table->setHorizontalHeaderLabels({tr("step"), tr("set-point"), tr("P"), tr("I"), tr("D"), tr("F"), tr("over %"),
+        tr("settle"), tr("rise"), tr("error %"), tr("peak A"), tr("note")});
     m_table->horizontalHeaderItem(Over)->setToolTip(tr("Overshoot in per cent of the step"));
-    m_table->horizontalHeaderItem(Settle)->setToolTip(tr("Milliseconds until it stays within 2 %, or within the noise"));
+    m_table->horizontalHeaderItem(Settle)->setToolTip(
+        tr("Milliseconds until it stays within 2 %, or within the noise"));
     m_table->horizontalHeaderItem(Rise)->setToolTip(tr("Milliseconds from 10 to 90 %"));
     m_table->horizontalHeaderItem(Steady)->setToolTip(tr("What is missing to the set-point in the end"));
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -85,7 +99,8 @@ void StepTable::configure()
     head.setSectionResizeMode(Note, QHeaderView::Stretch);
     for (int column = GainP; column <= Peak; ++column)
         m_table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_empty = textLabel(tr("Every run appears here with its gains and what became of it."), TextRole::Body, Tone::Faint, m_table->viewport());
+    m_empty = textLabel(tr("Every run appears here with its gains and what became of it."), TextRole::Body, Tone::Faint,
+        m_table->viewport());
     auto *middle = new QVBoxLayout(m_table->viewport());
     middle->addWidget(m_empty, 0, Qt::AlignCenter);
     fitHeight();
@@ -131,11 +146,13 @@ void StepTable::fill()
             m_table->selectRow(row);
     }
     for (std::size_t i = 0; i < 4; ++i) { // a gain that nobody uses needs no column
-        const bool used = std::any_of(m_records.begin(), m_records.end(), [i](const StepRecord &record) { return record.gains[i].value_or(0) != 0; });
+        const bool used = std::any_of(m_records.begin(), m_records.end(),
+            [i](const StepRecord &record) { return record.gains[i].value_or(0) != 0; });
         m_table->setColumnHidden(GainP + static_cast<int>(i), !used && i >= 2);
     }
     m_empty->setVisible(m_records.empty());
-    m_count->setText(m_records.empty() ? QString() : tr("%1 this session, every run is kept").arg(m_records.front().number));
+    m_count->setText(
+        m_records.empty() ? QString() : tr("%1 this session, every run is kept").arg(m_records.front().number));
     updateButtons();
 }
 
@@ -159,13 +176,20 @@ void StepTable::fillRow(int row, const StepRecord &record)
     const int decimals = unit.decimals > 1 ? 1 : 0;
     const StepMetrics &metrics = record.metrics;
     setCell(row, Number, QStringLiteral("#%1").arg(record.number), record.finished ? Tone::Text : Tone::Accent);
-    setCell(row, Step, QStringLiteral("%1 → %2").arg(formatNumber(record.from * unit.scale, decimals), formatNumber(record.to * unit.scale, decimals)));
+    setCell(row, Step,
+        QStringLiteral("%1 → %2").arg(
+            formatNumber(record.from * unit.scale, decimals), formatNumber(record.to * unit.scale, decimals)));
     m_table->item(row, Step)->setToolTip(unit.text);
-    const GainSet set = m_family ? gainSet(*m_family, record.mode, record.slot) : GainSet {};
+    const GainSet set = m_family ? gainSet(*m_family, record.mode, record.slot) : GainSet{};
     for (std::size_t i = 0; i < record.gains.size(); ++i) {
         const bool known = i < set.gains.size() && record.gains[i];
-        const double number = known ? static_cast<double>(*record.gains[i]) / m_family->parameters[set.gains[i].value].one : 0.0;
-        setCell(row, GainP + static_cast<int>(i), !known ? QString(UnknownMark) : number == 0.0 ? QStringLiteral("0") : formatSignificant(number, 4), number == 0.0 ? Tone::Dim : Tone::Text);
+        const double number
+            = known ? static_cast<double>(*record.gains[i]) / m_family->parameters[set.gains[i].value].one : 0.0;
+        setCell(row, GainP + static_cast<int>(i),
+            !known              ? QString(UnknownMark)
+                : number == 0.0 ? QStringLiteral("0")
+                                : formatSignificant(number, 4),
+            number == 0.0 ? Tone::Dim : Tone::Text);
     }
     setCell(row, Over, percentText(metrics.overshoot));
     setCell(row, Settle, millisecondText(metrics.settle));
@@ -192,7 +216,7 @@ void StepTable::fillRow(int row, const StepRecord &record)
 
 const StepRecord *StepTable::current() const
 {
-    const auto rows = m_table->selectionModel() ? m_table->selectionModel()->selectedRows() : QModelIndexList {};
+    const auto rows = m_table->selectionModel() ? m_table->selectionModel()->selectedRows() : QModelIndexList{};
     if (rows.isEmpty() || rows.first().row() >= static_cast<int>(m_records.size()))
         return nullptr;
     return &m_records[static_cast<std::size_t>(rows.first().row())];
@@ -202,7 +226,8 @@ void StepTable::updateButtons()
 {
     const StepRecord *record = current();
     m_show->setEnabled(record);
-    m_use->setEnabled(record && std::any_of(record->gains.begin(), record->gains.end(), [](const auto &raw) { return raw.has_value(); }));
+    m_use->setEnabled(record
+        && std::any_of(record->gains.begin(), record->gains.end(), [](const auto &raw) { return raw.has_value(); }));
 }
 
 } // namespace mb

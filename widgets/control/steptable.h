@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QHBoxLayout;
 class QLabel;
 class QTableWidget;
 
@@ -31,6 +32,7 @@ Q_SIGNALS:
     void useRequested(const mb::StepRecord &record);
 
 private:
+    [[nodiscard]] QHBoxLayout *buildHead();
     void configure();
     void fill();
     void fillRow(int row, const StepRecord &record);

@@ -4,6 +4,7 @@
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/control/calmwheel.h"
 #include "widgets/control/driveoptions.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
@@ -23,12 +24,13 @@ namespace {
 
 constexpr double fastEncoder = 100.0;
 constexpr double fastCurrent = 50.0;
-constexpr std::chrono::milliseconds slewTime {20};
+constexpr std::chrono::milliseconds slewTime{20};
 constexpr int columnWidth = 336;
 
 } // namespace
 
-TunePage::TunePage(Workbench &workbench, Selection &selection, Arming &arming, const ThemeSource &theme, QWidget *parent)
+TunePage::TunePage(
+    Workbench &workbench, Selection &selection, Arming &arming, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
     , m_selection(selection)
@@ -36,7 +38,8 @@ TunePage::TunePage(Workbench &workbench, Selection &selection, Arming &arming, c
     , m_theme(theme)
 {
     setObjectName(QStringLiteral("tunePage"));
-    m_rates = new RateKeeper(workbench, {{"velocity", fastEncoder}, {"position", fastEncoder}, {"current", fastCurrent}}, this);
+    m_rates = new RateKeeper(
+        workbench, {{"velocity", fastEncoder}, {"position", fastEncoder}, {"current", fastCurrent}}, this);
     m_stack = new QStackedWidget(this);
     m_empty = new EmptyState(theme, Symbol::Wave, {}, {}, m_stack);
     auto *content = new QWidget(m_stack);
@@ -134,15 +137,18 @@ QWidget *TunePage::buildColumn()
     inner->addWidget(separatorLine(Qt::Horizontal, panels));
     inner->addWidget(m_gains);
     inner->addStretch(1);
+    (new CalmWheel(panels))->watch(*m_setPoint);
     scroll->setWidget(panels);
-    connect(scroll->verticalScrollBar(), &QScrollBar::rangeChanged, inner, [inner](int, int last) { // the bar takes the place of the margin
-        const QMargins now = inner->contentsMargins();
-        inner->setContentsMargins(now.left(), now.top(), last > 0 ? 0 : now.left(), now.bottom());
-    });
+    connect(scroll->verticalScrollBar(), &QScrollBar::rangeChanged, inner,
+        [inner](int, int last) { // the bar takes the place of the margin
+            const QMargins now = inner->contentsMargins();
+            inner->setContentsMargins(now.left(), now.top(), last > 0 ? 0 : now.left(), now.bottom());
+        });
     all->addWidget(scroll, 1);
     all->addWidget(separatorLine(Qt::Horizontal, column));
     all->addWidget(buildWriteRow());
-    connect(&m_theme, &ThemeSource::changed, column, [this, column] { column->setFixedWidth(m_theme.theme().u(columnWidth)); });
+    connect(&m_theme, &ThemeSource::changed, column,
+        [this, column] { column->setFixedWidth(m_theme.theme().u(columnWidth)); });
     return column;
 }
 

@@ -9,6 +9,7 @@
 #include "widgets/parameters/stagededits.h"
 #include "widgets/plots/displayunits.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <map>
@@ -104,6 +105,7 @@ private:
     [[nodiscard]] std::optional<double> present(const DeviceView &view) const;
     [[nodiscard]] QString describe(const SetPoint &setPoint) const;
     void start();
+    [[nodiscard]] double whereItIs(const DeviceView &view) const;
     void applyTarget();
     void slewTick();
     void send(double target);
@@ -120,6 +122,7 @@ private:
     bool m_writing = false;
     std::uint64_t m_editRevision = 0;
     QString m_rowsShown;
+    SetPoint m_base; ///< what was sent last
     SetPointSlew m_slew;
     QTimer m_slewTimer;
     RateKeeper *m_rates = nullptr;

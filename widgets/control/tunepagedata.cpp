@@ -58,7 +58,7 @@ void TunePage::follow()
     }
     const DeviceView *view = device();
     const bool usable = view && view->identity.state != DeviceState::Bootloader;
-    m_rates->follow(usable && isVisible() && m_arming.isArmed(view->id) ? view->id : DeviceId {});
+    m_rates->follow(usable && isVisible() && m_arming.isArmed(view->id) ? view->id : DeviceId{});
     if (usable)
         followDevice(*view);
     else
@@ -129,7 +129,8 @@ void TunePage::followSteps(const DeviceView &view, bool anyway)
         return;
     m_steps->setRecords(view.family, log.records());
     const auto &records = log.records();
-    const auto last = std::find_if(records.rbegin(), records.rend(), [](const StepRecord &record) { return record.finished; });
+    const auto last
+        = std::find_if(records.rbegin(), records.rend(), [](const StepRecord &record) { return record.finished; });
     m_plot->markStep(last == records.rend() ? nullptr : &*last);
 }
 
@@ -153,7 +154,8 @@ void TunePage::useGains(const StepRecord &record)
 
 void TunePage::readOnce(const DeviceView &view)
 {
-    const bool unknown = std::all_of(view.parameters.begin(), view.parameters.end(), [](const auto &entry) { return entry.state == ParameterState::Unknown; });
+    const bool unknown = std::all_of(view.parameters.begin(), view.parameters.end(),
+        [](const auto &entry) { return entry.state == ParameterState::Unknown; });
     const bool ready = view.liveness.heard && view.busy.empty() && view.family->capabilities.readback;
     if (!unknown || !ready || isRunning(m_workbench.snapshot().operation(view.id)) || !m_asked.insert(view.id).second)
         return;
@@ -163,11 +165,14 @@ void TunePage::readOnce(const DeviceView &view)
 void TunePage::showEmpty(const DeviceView *view)
 {
     if (view) {
-        m_empty->setText(tr("%1 is in its bootloader").arg(titleOf(*view)), tr("It cannot drive a motor until it has firmware. Write an image on the Firmware page."));
+        m_empty->setText(tr("%1 is in its bootloader").arg(titleOf(*view)),
+            tr("It cannot drive a motor until it has firmware. Write an image on the Firmware page."));
         return;
     }
     const bool any = !m_workbench.snapshot().devices.empty();
-    m_empty->setText(any ? tr("Select a device") : tr("No device yet"), any ? tr("Choose one in the list at the left; its loop is tuned here.") : tr("Open a link, or the simulated bench from the menu, to drive a motor."));
+    m_empty->setText(any ? tr("Select a device") : tr("No device yet"),
+        any ? tr("Choose one in the list at the left; its loop is tuned here.")
+            : tr("Open a link, or the simulated bench from the menu, to drive a motor."));
 }
 
 TunePage::Status TunePage::status() const
@@ -179,7 +184,8 @@ TunePage::Status TunePage::status() const
     if (!view->liveness.heard)
         return {GlyphState::Gone, tr("No answer from %1").arg(name), tr("The plot keeps what it has."), false};
     if (m_arming.state() == LampState::Stopped)
-        return {GlyphState::Fault, tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the lamp for 1 s to arm again."), false};
+        return {GlyphState::Fault, tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the lamp for 1 s to arm again."),
+            false};
     if (!view->mayNotMove.empty())
         return {GlyphState::Warning, tr("%1 cannot be armed").arg(name), tableText(view->mayNotMove), false};
     if (!m_setPoint->fault().isEmpty())
@@ -194,11 +200,14 @@ TunePage::Status TunePage::liveStatus(const DeviceView &view, const QString &nam
     if (m_writing)
         return {GlyphState::Busy, tr("Writing gains"), {}, false};
     const OperationView *operation = m_workbench.snapshot().operation(view.id);
-    const bool known = std::any_of(view.parameters.begin(), view.parameters.end(), [](const auto &entry) { return entry.raw.has_value(); });
+    const bool known = std::any_of(
+        view.parameters.begin(), view.parameters.end(), [](const auto &entry) { return entry.raw.has_value(); });
     if (isRunning(operation) && !known)
-        return {GlyphState::Busy, tr("Reading gains"), tr("%1 of %2").arg(operation->status.done).arg(operation->status.total), false};
+        return {GlyphState::Busy, tr("Reading gains"),
+            tr("%1 of %2").arg(operation->status.done).arg(operation->status.total), false};
     if (m_arming.isArmed(view.id) && m_arming.isMoving())
-        return {GlyphState::Moving, tr("Moving"), describe(view.motion.running ? view.motion.setPoint : wanted()), true};
+        return {
+            GlyphState::Moving, tr("Moving"), describe(view.motion.running ? view.motion.setPoint : wanted()), true};
     if (m_arming.isArmed(view.id))
         return {GlyphState::Online, tr("Armed"), tr("F5 runs %1").arg(describe(wanted())), true};
     return {GlyphState::Gone, tr("Not armed"), tr("Hold the lamp for 1 s to arm %1.").arg(name), false};
@@ -207,10 +216,11 @@ TunePage::Status TunePage::liveStatus(const DeviceView &view, const QString &nam
 QString TunePage::describe(const SetPoint &setPoint) const
 {
     const auto chosen = m_choices.find(m_shown);
-    const ShownUnit unit = shownUnit(setPoint.mode, chosen == m_choices.end() ? DisplayUnits {} : chosen->second.units);
+    const ShownUnit unit = shownUnit(setPoint.mode, chosen == m_choices.end() ? DisplayUnits{} : chosen->second.units);
     const double number = setPoint.target * unit.scale;
     const int decimals = number == std::round(number) ? 0 : unit.scale == 1.0 && unit.decimals == 0 ? 0 : 1;
-    const QString target = setPoint.mode == Mode::Follow ? QStringLiteral("#%1").arg(number) : formatValue(number, decimals, unit.text);
+    const QString target
+        = setPoint.mode == Mode::Follow ? QStringLiteral("#%1").arg(number) : formatValue(number, decimals, unit.text);
     const QString what = modeText(setPoint.mode) + QLatin1Char(' ') + target;
     const DeviceView *view = device();
     const bool several = view && view->family->capabilities.gainSlots > 1 && isClosedLoop(setPoint.mode);
@@ -236,11 +246,18 @@ void TunePage::showCommands()
     m_run->setAccessibleDescription(m_run->toolTip());
     m_halt->setEnabled(moving);
     const bool several = view->family->capabilities.gainSlots > 1;
-    const QString names = staged.size() > 3 ? tr("%n value(s)", nullptr, staged.size()) : staged.join(QStringLiteral(", "));
-    m_write->setText(staged.isEmpty() ? tr("Nothing to write") : several ? tr("Write %1 to slot %2").arg(names).arg(chosen.editedSlot) : tr("Write %1").arg(names));
-    const bool free = view->liveness.heard && view->busy.empty() && !m_writing && !isRunning(m_workbench.snapshot().operation(view->id));
+    const QString names
+        = staged.size() > 3 ? tr("%n value(s)", nullptr, staged.size()) : staged.join(QStringLiteral(", "));
+    m_write->setText(staged.isEmpty() ? tr("Nothing to write")
+            : several                 ? tr("Write %1 to slot %2").arg(names).arg(chosen.editedSlot)
+                                      : tr("Write %1").arg(names));
+    const bool free = view->liveness.heard && view->busy.empty() && !m_writing
+        && !isRunning(m_workbench.snapshot().operation(view->id));
     m_write->setEnabled(!staged.isEmpty() && free && !m_gains->hasFault());
-    m_write->setToolTip(m_gains->hasFault() ? tr("A gain is out of range") : staged.isEmpty() ? tr("No gain is edited") : free ? QString() : tr("The device is busy"));
+    m_write->setToolTip(m_gains->hasFault() ? tr("A gain is out of range")
+            : staged.isEmpty()              ? tr("No gain is edited")
+            : free                          ? QString()
+                                            : tr("The device is busy"));
     m_revert->setEnabled(!staged.isEmpty() || m_gains->hasFault());
 }
 

@@ -115,19 +115,21 @@ void TunePage::writeThen(std::function<void()> next)
     const DeviceId target = m_shown;
     const std::vector<ParameterChange> changes = m_gains->toWrite();
     m_writing = true;
-    m_workbench.writeParameters(target, changes, [self = QPointer<TunePage>(this), target, changes, next](const Result<void> &result) {
-        if (!self)
-            return;
-        self->m_writing = false;
-        const auto found = self->m_choices.find(target);
-        if (result && found != self->m_choices.end())
-            found->second.edits->settle(changes);
-        self->follow();
-        if (!result)
-            self->m_workbench.report(Severity::Danger, {}, tr("gains not written: %1").arg(errorText(result.error())));
-        else if (next && self->m_shown == target && self->m_arming.isArmed(target))
-            next();
-    });
+    m_workbench.writeParameters(
+        target, changes, [self = QPointer<TunePage>(this), target, changes, next](const Result<void> &result) {
+            if (!self)
+                return;
+            self->m_writing = false;
+            const auto found = self->m_choices.find(target);
+            if (result && found != self->m_choices.end())
+                found->second.edits->settle(changes);
+            self->follow();
+            if (!result)
+                self->m_workbench.report(
+                    Severity::Danger, {}, tr("gains not written: %1").arg(errorText(result.error())));
+            else if (next && self->m_shown == target && self->m_arming.isArmed(target))
+                next();
+        });
     showCommands();
 }
 
@@ -146,19 +148,30 @@ void TunePage::start()
     const auto target = m_setPoint->target();
     if (!view || !target || !m_arming.isArmed(view->id))
         return;
-    const double rate = m_setPoint->slewRate();
     const bool moving = m_arming.isMoving();
-    const bool sameMode = view->motion.setPoint.mode == m_setPoint->mode();
-    if (!moving || !m_ours || !sameMode)
-        m_slew.start(moving && sameMode ? view->motion.setPoint.target : present(*view).value_or(0.0), m_workbench.now());
-    m_slew.setRate(rate);
+    m_base = wanted();
+    m_slew.setRate(m_setPoint->slewRate());
+    if (!moving || !m_slewTimer.isActive())
+        m_slew.start(whereItIs(*view), m_workbench.now());
     m_slew.setTarget(*target);
     m_setPoint->keepTarget();
+    if (moving && m_slewTimer.isActive())
+        return; // it takes the new target along
     m_ours = true;
-    const bool atPresent = !moving && (rate > 0.0 || m_setPoint->mode() == Mode::Position);
-    send(atPresent && m_setPoint->mode() != Mode::Follow ? m_slew.value() : m_slew.advance(m_workbench.now()));
-    if (!m_slew.isThere())
+    const bool careful = m_base.mode == Mode::Position || m_setPoint->slewRate() > 0.0;
+    send(!moving && careful && m_base.mode != Mode::Follow ? m_slew.value() : m_slew.advance(m_workbench.now()));
+    if (moving || !m_slew.isThere())
         m_slewTimer.start();
+}
+
+/// Where a new set-point starts from.
+double TunePage::whereItIs(const DeviceView &view) const
+{
+    if (m_arming.isMoving() && m_ours)
+        return m_slew.value();
+    if (m_arming.isMoving() && view.motion.setPoint.mode == m_setPoint->mode())
+        return view.motion.setPoint.target;
+    return present(view).value_or(0.0);
 }
 
 void TunePage::applyTarget()
@@ -169,20 +182,17 @@ void TunePage::applyTarget()
 
 void TunePage::slewTick()
 {
-    if (!m_arming.isMoving()) {
-        m_slewTimer.stop();
-        return;
-    }
-    send(m_slew.advance(m_workbench.now()));
-    if (m_slew.isThere())
+    const bool news = !m_slew.isThere() || m_base.target != m_slew.value();
+    if (m_arming.isMoving() && news)
+        send(m_slew.advance(m_workbench.now()));
+    if (!m_arming.isMoving() || m_slew.isThere())
         m_slewTimer.stop();
 }
 
 void TunePage::send(double target)
 {
-    SetPoint setPoint = wanted();
-    setPoint.target = target;
-    m_arming.run(setPoint);
+    m_base.target = target;
+    m_arming.run(m_base);
 }
 
 void TunePage::followForeignRun(const DeviceView &view)

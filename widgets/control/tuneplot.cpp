@@ -20,10 +20,10 @@
 namespace mb {
 namespace {
 
-constexpr std::chrono::milliseconds tickTime {16};
+constexpr std::chrono::milliseconds tickTime{16};
 /// A silent device still scrolls away, slowly.
 constexpr double idleTime = 0.25;
-constexpr std::array windows {5.0, 10.0, 30.0, 60.0};
+constexpr std::array windows{5.0, 10.0, 30.0, 60.0};
 constexpr int usualWindow = 1;
 constexpr double mostCounts = 1e7;
 
@@ -85,7 +85,8 @@ void TunePlot::buildUnits(QHBoxLayout &row)
     m_counts->setFixedWidth(m_theme.theme().u(72));
     m_counts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_counts->setAccessibleName(tr("Counts per revolution"));
-    m_counts->setToolTip(tr("Encoder counts of one turn of the shaft, four for each line. Used for rpm, degrees and gains in physical units."));
+    m_counts->setToolTip(tr("Encoder counts of one turn of the shaft, four for each line. Used for rpm, degrees and "
+                            "gains in physical units."));
     row.addWidget(m_unitChoice);
     row.addWidget(m_counts);
     row.addWidget(textLabel(tr("counts/rev"), TextRole::Caption, Tone::Dim, this));
@@ -113,7 +114,8 @@ void TunePlot::buildView(QHBoxLayout &row)
     cursors->setKeyHint(QStringLiteral("L"));
     auto *fit = new IconButton(m_theme, Symbol::Fit, tr("Fit time and value"), this);
     fit->setKeyHint(QStringLiteral("0"));
-    for (QWidget *widget : {static_cast<QWidget *>(m_window), static_cast<QWidget *>(m_pause), static_cast<QWidget *>(cursors), static_cast<QWidget *>(fit)})
+    for (QWidget *widget : {static_cast<QWidget *>(m_window), static_cast<QWidget *>(m_pause),
+             static_cast<QWidget *>(cursors), static_cast<QWidget *>(fit)})
         row.addWidget(widget);
     connect(m_window, qOverload<int>(&QComboBox::activated), this, [this](int place) {
         m_stack->setWindow(windows.at(static_cast<std::size_t>(place)));
@@ -122,10 +124,14 @@ void TunePlot::buildView(QHBoxLayout &row)
     connect(m_pause, &QToolButton::toggled, this, [this](bool paused) { m_stack->setLive(!paused); });
     connect(m_stack, &PlotStack::liveChanged, m_pause, [this](bool live) { m_pause->setChecked(!live); });
     connect(cursors, &QToolButton::toggled, this, [this](bool shown) { m_stack->setCursorsShown(shown); });
-    connect(m_stack, &PlotStack::cursorsChanged, cursors, [this, cursors] { cursors->setChecked(m_stack->cursorsShown()); });
+    connect(m_stack, &PlotStack::cursorsChanged, cursors,
+        [this, cursors] { cursors->setChecked(m_stack->cursorsShown()); });
     connect(fit, &QToolButton::clicked, m_stack, &PlotStack::fit);
-    connect(m_stack, &PlotStack::exported, this, [this](const QString &path) { m_workbench.report(Severity::Good, {}, tr("plot written to %1").arg(path)); });
-    connect(m_stack, &PlotStack::exportFailed, this, [this](const QString &path) { m_workbench.report(Severity::Danger, {}, tr("%1 cannot be written").arg(path)); });
+    connect(m_stack, &PlotStack::exported, this,
+        [this](const QString &path) { m_workbench.report(Severity::Good, {}, tr("plot written to %1").arg(path)); });
+    connect(m_stack, &PlotStack::exportFailed, this, [this](const QString &path) {
+        m_workbench.report(Severity::Danger, {}, tr("%1 cannot be written").arg(path));
+    });
 }
 
 void TunePlot::countsTyped()
@@ -162,7 +168,7 @@ void TunePlot::choose(const DeviceView &device, Mode mode)
     m_device = device.id;
     m_mode = mode;
     m_telemetry = device.telemetry;
-    m_since = sameDevice ? m_workbench.now() : Instant {}; // set-points of another mode have another unit
+    m_since = sameDevice ? m_workbench.now() : Instant{}; // set-points of another mode have another unit
     rebuild(device);
 }
 
@@ -173,7 +179,8 @@ void TunePlot::addTrace(const DeviceView &device, std::string_view channel, int 
         return;
     const Channel &row = device.family->channels[index->value];
     const ShownUnit unit = shownUnit(row.quantity, row.unit, m_units);
-    auto source = std::make_shared<TelemetrySource>(device.telemetry, *index, main ? TelemetrySource::Foot::Always : TelemetrySource::Foot::WhenLossy);
+    auto source = std::make_shared<TelemetrySource>(
+        device.telemetry, *index, main ? TelemetrySource::Foot::Always : TelemetrySource::Foot::WhenLossy);
     source->setScale(unit.scale);
     m_sources.push_back(source);
     TraceStyle style;
@@ -232,12 +239,16 @@ void TunePlot::markStep(const StepRecord *record)
     const double scale = shownUnit(m_mode, m_units).scale;
     const double half = std::abs(record->to - record->from) * metrics.band * scale;
     const double target = record->to * scale;
-    m_stack->setBands(0, {{target - half, target + half, tr("±%1 % of the step").arg(formatNumber(metrics.band * 100.0, metrics.band > 0.021 ? 1 : 0)), Tone::Ok}});
+    m_stack->setBands(0,
+        {{target - half, target + half,
+            tr("±%1 % of the step").arg(formatNumber(metrics.band * 100.0, metrics.band > 0.021 ? 1 : 0)), Tone::Ok}});
     std::vector<PlotNote> notes;
     if (metrics.overshoot.value_or(0.0) > 0.0)
-        notes.push_back({plotKey(metrics.peakAt), metrics.peak * scale, tr("peak %1 %").arg(formatDifference(*metrics.overshoot * 100.0, 1)), {14, -14}, false});
+        notes.push_back({plotKey(metrics.peakAt), metrics.peak * scale,
+            tr("peak %1 %").arg(formatDifference(*metrics.overshoot * 100.0, 1)), {14, -14}, false});
     if (metrics.settle)
-        notes.push_back({plotKey(record->begin) + *metrics.settle, target, tr("#%1 settles %2").arg(record->number).arg(formatDuration(*metrics.settle)), {10, 40}, true});
+        notes.push_back({plotKey(record->begin) + *metrics.settle, target,
+            tr("#%1 settles %2").arg(record->number).arg(formatDuration(*metrics.settle)), {10, 40}, true});
     m_stack->setNotes(0, std::move(notes));
 }
 

@@ -57,7 +57,7 @@ private:
     DeviceId m_device;
     Mode m_mode = Mode::Off;
     DisplayUnits m_units;
-    Instant m_since {};
+    Instant m_since{};
     std::shared_ptr<const Telemetry> m_telemetry;
     std::vector<std::shared_ptr<TelemetrySource>> m_sources;
     std::optional<StepRecord> m_marked;

@@ -44,21 +44,15 @@ ShownUnit shownUnit(Mode mode, const DisplayUnits &units)
 Quantity quantityOf(Mode mode)
 {
     switch (mode) {
-    case Mode::Duty:
-        return Quantity::Duty;
+    case Mode::Duty: return Quantity::Duty;
     case Mode::Velocity:
-    case Mode::RampVelocity:
-        return Quantity::Velocity;
+    case Mode::RampVelocity: return Quantity::Velocity;
     case Mode::Position:
-    case Mode::RampPosition:
-        return Quantity::Position;
-    case Mode::Current:
-        return Quantity::Current;
-    case Mode::Voltage:
-        return Quantity::Voltage;
+    case Mode::RampPosition: return Quantity::Position;
+    case Mode::Current: return Quantity::Current;
+    case Mode::Voltage: return Quantity::Voltage;
     case Mode::Off:
-    case Mode::Follow:
-        break;
+    case Mode::Follow: break;
     }
     return Quantity::Other;
 }
@@ -66,23 +60,15 @@ Quantity quantityOf(Mode mode)
 TraceRole roleOf(Quantity quantity)
 {
     switch (quantity) {
-    case Quantity::Position:
-        return TraceRole::Position;
-    case Quantity::Velocity:
-        return TraceRole::Velocity;
-    case Quantity::Current:
-        return TraceRole::Current;
-    case Quantity::Duty:
-        return TraceRole::Duty;
-    case Quantity::SetPoint:
-        return TraceRole::Setpoint;
-    case Quantity::Error:
-        return TraceRole::Error;
-    case Quantity::Temperature:
-        return TraceRole::Temperature;
+    case Quantity::Position: return TraceRole::Position;
+    case Quantity::Velocity: return TraceRole::Velocity;
+    case Quantity::Current: return TraceRole::Current;
+    case Quantity::Duty: return TraceRole::Duty;
+    case Quantity::SetPoint: return TraceRole::Setpoint;
+    case Quantity::Error: return TraceRole::Error;
+    case Quantity::Temperature: return TraceRole::Temperature;
     case Quantity::Voltage:
-    case Quantity::Other:
-        break;
+    case Quantity::Other: break;
     }
     return TraceRole::Neutral;
 }

@@ -22,8 +22,8 @@
 namespace mb {
 namespace {
 
-constexpr std::chrono::milliseconds tickTime {16};
-constexpr std::array windows {2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 1800.0};
+constexpr std::chrono::milliseconds tickTime{16};
+constexpr std::array windows{2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 1800.0};
 constexpr int usualWindow = 2;
 constexpr int sideWidth = 300;
 
@@ -37,7 +37,8 @@ PlotsPage::PlotsPage(Workbench &workbench, Selection &selection, const ThemeSour
 {
     setObjectName(QStringLiteral("plotsPage"));
     m_pages = new QStackedWidget(this);
-    m_empty = new EmptyState(theme, Symbol::Wave, tr("No device yet"), tr("Open a link, or the simulated bench from the menu; its signals appear here."), m_pages);
+    m_empty = new EmptyState(theme, Symbol::Wave, tr("No device yet"),
+        tr("Open a link, or the simulated bench from the menu; its signals appear here."), m_pages);
     auto *content = new QWidget(m_pages);
     auto *grid = new QGridLayout(content);
     grid->setContentsMargins(0, 0, 0, 0);
@@ -54,7 +55,6 @@ PlotsPage::PlotsPage(Workbench &workbench, Selection &selection, const ThemeSour
     auto *all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     all->addWidget(m_pages);
-    m_tick.setTimerType(Qt::PreciseTimer);
     m_tick.setInterval(tickTime);
     connect(&m_tick, &QTimer::timeout, this, &PlotsPage::tick);
     connect(&workbench, &Workbench::changed, this, &PlotsPage::follow);
@@ -68,10 +68,14 @@ QWidget *PlotsPage::buildPlots()
     m_stack = new PlotStack(m_theme, m_plots);
     m_stack->setObjectName(QStringLiteral("plotsStack"));
     m_stack->setWindow(windows.at(usualWindow));
-    m_plots->addWidget(new EmptyState(m_theme, Symbol::Wave, tr("Nothing is plotted"), tr("Double click a signal in the list at the right."), m_plots));
+    m_plots->addWidget(new EmptyState(m_theme, Symbol::Wave, tr("Nothing is plotted"),
+        tr("Double click a signal in the list at the right."), m_plots));
     m_plots->addWidget(m_stack);
-    connect(m_stack, &PlotStack::exported, this, [this](const QString &path) { m_workbench.report(Severity::Good, {}, tr("plot written to %1").arg(path)); });
-    connect(m_stack, &PlotStack::exportFailed, this, [this](const QString &path) { m_workbench.report(Severity::Danger, {}, tr("%1 cannot be written").arg(path)); });
+    connect(m_stack, &PlotStack::exported, this,
+        [this](const QString &path) { m_workbench.report(Severity::Good, {}, tr("plot written to %1").arg(path)); });
+    connect(m_stack, &PlotStack::exportFailed, this, [this](const QString &path) {
+        m_workbench.report(Severity::Danger, {}, tr("%1 cannot be written").arg(path));
+    });
     return m_plots;
 }
 
@@ -102,7 +106,8 @@ void PlotsPage::buildView(QHBoxLayout &row)
 {
     m_window = new QComboBox(this);
     for (const double seconds : windows)
-        m_window->addItem(seconds < 60.0 ? tr("window %1 s").arg(formatNumber(seconds)) : tr("window %1 min").arg(formatNumber(seconds / 60.0)));
+        m_window->addItem(seconds < 60.0 ? tr("window %1 s").arg(formatNumber(seconds))
+                                         : tr("window %1 min").arg(formatNumber(seconds / 60.0)));
     m_window->setCurrentIndex(usualWindow);
     m_window->setAccessibleName(tr("Length of the time axis"));
     auto *cursors = new IconButton(m_theme, Symbol::Cursors, tr("Cursors A and B"), this);
@@ -116,7 +121,8 @@ void PlotsPage::buildView(QHBoxLayout &row)
     row.addWidget(cursors);
     row.addWidget(fit);
     row.addWidget(save);
-    connect(m_window, qOverload<int>(&QComboBox::activated), this, [this](int place) { m_stack->setWindow(windows.at(static_cast<std::size_t>(place))); });
+    connect(m_window, qOverload<int>(&QComboBox::activated), this,
+        [this](int place) { m_stack->setWindow(windows.at(static_cast<std::size_t>(place))); });
     connect(cursors, &QToolButton::toggled, m_stack, &PlotStack::setCursorsShown);
     connect(m_stack, &PlotStack::cursorsChanged, this, [this, cursors] {
         cursors->setChecked(m_stack->cursorsShown());
@@ -159,12 +165,15 @@ QWidget *PlotsPage::buildSide()
     m_signals = new SignalList(m_theme, side);
     column->addWidget(m_signals, 2);
     auto *hint = textLabel(tr("L cursors · 0 fits · + − zooms · P pauses"), TextRole::Caption, Tone::Dim, side);
-    hint->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(8));
+    auto *foot = new QHBoxLayout;
+    foot->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(8));
+    foot->addWidget(hint);
     column->addWidget(separatorLine(Qt::Horizontal, side));
-    column->addWidget(hint);
+    column->addLayout(foot);
     connect(m_signals, &SignalList::toggled, this, &PlotsPage::choose);
     connect(m_list, &TraceList::removeRequested, this, [this](int id) {
-        const auto found = std::find_if(m_traces.begin(), m_traces.end(), [id](const Trace &trace) { return trace.id == id; });
+        const auto found
+            = std::find_if(m_traces.begin(), m_traces.end(), [id](const Trace &trace) { return trace.id == id; });
         if (found != m_traces.end())
             choose(Signal(found->signal), false);
     });
@@ -175,6 +184,7 @@ QWidget *PlotsPage::buildSide()
 void PlotsPage::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
+    m_tick.setTimerType(Qt::PreciseTimer);
     m_tick.start();
     m_drawn = 0;
     follow();

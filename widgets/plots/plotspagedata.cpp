@@ -15,7 +15,7 @@ namespace mb {
 namespace {
 
 constexpr double idleTime = 0.25; ///< silent devices scroll away this often
-constexpr std::array<std::string_view, 4> usual {"velocity", "position", "current", "duty"};
+constexpr std::array<std::string_view, 4> usual{"velocity", "position", "current", "duty"};
 
 } // namespace
 
@@ -64,7 +64,8 @@ void PlotsPage::removeSignal(const Signal &signal)
 
 void PlotsPage::choose(const Signal &signal, bool on)
 {
-    const auto found = std::find_if(m_traces.begin(), m_traces.end(), [&](const Trace &trace) { return trace.signal == signal; });
+    const auto found
+        = std::find_if(m_traces.begin(), m_traces.end(), [&](const Trace &trace) { return trace.signal == signal; });
     const DeviceView *device = m_workbench.snapshot().device(signal.device);
     if (on == (found != m_traces.end()) || (on && (!device || signal.channel.value >= device->family->channels.size())))
         return;
@@ -127,7 +128,9 @@ void PlotsPage::followRates()
         lost += trace.source->lost();
         all += trace.source->lost() + trace.source->telemetry().size(trace.signal.channel);
     }
-    const QString foot = tr("%1 signals, %2 samples/s, %3 of %4 lost").arg(formatCount(static_cast<qint64>(m_traces.size())), formatNumber(rate), formatCount(static_cast<qint64>(lost)), formatCount(static_cast<qint64>(all)));
+    const QString foot = tr("%1 signals, %2 samples/s, %3 of %4 lost")
+                             .arg(formatCount(static_cast<qint64>(m_traces.size())), formatNumber(rate),
+                                 formatCount(static_cast<qint64>(lost)), formatCount(static_cast<qint64>(all)));
     for (const Trace &trace : m_traces)
         trace.source->setFootText(foot);
 }
@@ -151,7 +154,9 @@ void PlotsPage::showRows()
         row.value = latest ? formatValue(*latest, decimals, trace.style.unit) : QString(UnknownMark);
         if (m_stack->cursorsShown()) {
             const auto [a, b] = m_stack->cursorKeys();
-            row.cursors = tr("A %1   B %2").arg(formatValue(m_stack->valueAt(trace.id, a), decimals, {}), formatValue(m_stack->valueAt(trace.id, b), decimals, trace.style.unit));
+            row.cursors = tr("A %1   B %2")
+                              .arg(formatValue(m_stack->valueAt(trace.id, a), decimals, {}),
+                                  formatValue(m_stack->valueAt(trace.id, b), decimals, trace.style.unit));
         }
         rows.push_back(row);
     }

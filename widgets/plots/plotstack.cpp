@@ -124,12 +124,12 @@ void PlotStack::styleStrip(Strip &strip, bool last) const
     const int below = theme.u(last ? 26 : 6);
     strip.rect->setAutoMargins(QCP::msLeft);
     strip.rect->setMargins(QMargins(0, theme.u(36), tagMargin(), below));
-    strip.rect->setMinimumMargins(QMargins(theme.u(52), 0, 0, 0));
     strip.decor.keyUnit = last && !m_unixAtZero ? tr("s") : QString();
 }
 
 void PlotStack::updateHeads()
 {
+    const QFontMetrics caption(m_theme.theme().font(TextRole::Caption, font()));
     for (std::size_t i = 0; i < m_strips.size(); ++i) {
         StripDecor &decor = m_strips[i]->decor;
         decor.title = m_strips[i]->style.title;
@@ -146,6 +146,8 @@ void PlotStack::updateHeads()
                 decor.entries.push_back({trace.style.name, trace.plottable->look()});
         }
         decor.unit = units.join(QStringLiteral(", "));
+        const int unit = caption.horizontalAdvance(decor.unit) + m_theme.theme().u(10);
+        m_strips[i]->rect->setMinimumMargins(QMargins(std::max(m_theme.theme().u(52), unit), 0, 0, 0));
     }
     const int right = tagMargin();
     for (const auto &strip : m_strips) {

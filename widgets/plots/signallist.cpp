@@ -7,8 +7,8 @@
 
 #include <QHBoxLayout>
 #include <QListWidget>
-#include <QStyledItemDelegate>
 #include <QPainter>
+#include <QStyledItemDelegate>
 
 namespace mb {
 namespace {
@@ -35,7 +35,8 @@ public:
         painter->save();
         painter->setFont(theme.font(TextRole::Caption, option.font));
         painter->setPen(theme.dim);
-        painter->drawText(option.rect.adjusted(0, 0, -theme.u(8), 0), Qt::AlignRight | Qt::AlignVCenter, index.data(UnitRole).toString());
+        painter->drawText(option.rect.adjusted(0, 0, -theme.u(8), 0), Qt::AlignRight | Qt::AlignVCenter,
+            index.data(UnitRole).toString());
         painter->restore();
     }
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override
@@ -83,7 +84,9 @@ SignalList::SignalList(const ThemeSource &theme, QWidget *parent)
     m_list->setTextElideMode(Qt::ElideRight);
     column->addWidget(m_list, 1);
     connect(m_list, &QListWidget::itemChanged, this, &SignalList::itemChanged);
-    connect(m_list, &QListWidget::itemActivated, this, [](QListWidgetItem *item) { item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked); });
+    connect(m_list, &QListWidget::itemActivated, this, [](QListWidgetItem *item) {
+        item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
+    });
 }
 
 void SignalList::setDevices(const std::vector<DeviceView> &devices)
@@ -104,7 +107,8 @@ void SignalList::setDevices(const std::vector<DeviceView> &devices)
             item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
             item->setData(DeviceRole, device.id.value);
             item->setData(ChannelRole, i);
-            item->setData(UnitRole, shownUnit(device.family->channels[i].quantity, device.family->channels[i].unit, {}).text);
+            item->setData(
+                UnitRole, shownUnit(device.family->channels[i].quantity, device.family->channels[i].unit, {}).text);
             item->setToolTip(item->text());
             item->setCheckState(m_chosen.contains(signalOf(*item)) ? Qt::Checked : Qt::Unchecked);
         }

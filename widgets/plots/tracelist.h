@@ -28,7 +28,8 @@ public:
 
         friend bool operator==(const Row &a, const Row &b)
         {
-            return a.id == b.id && a.name == b.name && a.source == b.source && a.rate == b.rate && a.lost == b.lost && a.value == b.value && a.cursors == b.cursors;
+            return a.id == b.id && a.name == b.name && a.source == b.source && a.rate == b.rate && a.lost == b.lost
+                && a.value == b.value && a.cursors == b.cursors;
         }
     };
 

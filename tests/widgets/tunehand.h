@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tunebench.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QLineEdit>
+#include <QTest>
+
+namespace mb::test {
+
+/// Ways a hand has with the page.
+
+inline QString s(const char *text)
+{
+    return QString::fromUtf8(text);
+}
+
+inline void type(QLineEdit *field, const char *text)
+{
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, s(text));
+}
+
+inline void pick(QComboBox *box, int row)
+{
+    box->setCurrentIndex(row);
+    Q_EMIT box->activated(row);
+}
+
+inline void click(TuneBench &bench, const char *name)
+{
+    auto *button = bench.find<QAbstractButton>(name);
+    QVERIFY2(button, name);
+    button->click();
+}
+
+/// A button of one of the two choices of slots.
+inline QAbstractButton *slot(TuneBench &bench, const char *choice, int number)
+{
+    const auto *row = bench.find<QWidget>(choice);
+    const auto buttons = row->findChildren<QAbstractButton *>();
+    return buttons.at(number);
+}
+
+inline QString problemOf(TuneBench &bench)
+{
+    return bench.page->status().cause + s(" | ") + bench.page->status().remedy;
+}
+
+} // namespace mb::test
