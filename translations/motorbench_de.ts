@@ -3791,10 +3791,6 @@
         <translation>Seite %1 lässt sich nicht schreiben: die Prüfung durch das Gerät schlug %2-mal fehl</translation>
     </message>
     <message>
-        <source>the bootloader refuses page %1</source>
-        <translation>der Bootloader lehnt Seite %1 ab</translation>
-    </message>
-    <message>
         <source>page %1 was not accepted in %2 tries</source>
         <translation>Seite %1 wurde in %2 Versuchen nicht angenommen</translation>
     </message>
@@ -4181,6 +4177,14 @@
     <message>
         <source>Milliseconds between frames. At most 50, because followers stop after 104 ms without one.</source>
         <translation>Millisekunden zwischen Frames. Höchstens 50, weil Folger nach 104 ms ohne Frame anhalten.</translation>
+    </message>
+    <message>
+        <source>the bootloader refuses %1</source>
+        <translation>der Bootloader lehnt %1 ab</translation>
+    </message>
+    <message>
+        <source>page %1</source>
+        <translation>Seite %1</translation>
     </message>
 </context>
 </TS>
