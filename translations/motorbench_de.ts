@@ -257,7 +257,7 @@
     <name>GainText</name>
     <message>
         <source>count/100&#xa0;ms</source>
-        <translation>count/100 ms</translation>
+        <translation>count/100&#xa0;ms</translation>
     </message>
     <message>
         <source>duty/(A·s)</source>
@@ -2296,19 +2296,19 @@
     </message>
     <message>
         <source>Pause view	P</source>
-        <translation>Anzeige anhalten<byte value="x9"/>P</translation>
+        <translation>Anzeige anhalten	P</translation>
     </message>
     <message>
         <source>Back to live	P</source>
-        <translation>Zurück zu live<byte value="x9"/>P</translation>
+        <translation>Zurück zu live	P</translation>
     </message>
     <message>
         <source>Fit time and value	0</source>
-        <translation>Zeit und Wert einpassen<byte value="x9"/>0</translation>
+        <translation>Zeit und Wert einpassen	0</translation>
     </message>
     <message>
         <source>Cursors A and B	L</source>
-        <translation>Cursor A und B<byte value="x9"/>L</translation>
+        <translation>Cursor A und B	L</translation>
     </message>
     <message>
         <source>Copy picture</source>
