@@ -9,8 +9,8 @@ namespace mb {
 namespace {
 
 /// tuning.md 5.2: a set-point held by hand lives 500 ms without renewal.
-constexpr std::chrono::milliseconds leaseTime {500};
-constexpr std::chrono::milliseconds renewalTime {100};
+constexpr std::chrono::milliseconds leaseTime{500};
+constexpr std::chrono::milliseconds renewalTime{100};
 constexpr Duration startTime = std::chrono::seconds(1);
 
 } // namespace
@@ -46,7 +46,8 @@ LampStatus Arming::status(DeviceId candidate) const
             status.detail = tr("%1 cannot be armed").arg(nameOf(candidate));
         break;
     case LampState::Armed:
-        status.remaining = std::chrono::duration_cast<std::chrono::seconds>(std::max(m_armedUntil - m_workbench.now(), Duration::zero()));
+        status.remaining = std::chrono::duration_cast<std::chrono::seconds>(
+            std::max(m_armedUntil - m_workbench.now(), Duration::zero()));
         status.detail = nameOf(m_device);
         break;
     case LampState::Moving: status.detail = nameOf(m_device) + QLatin1Char(' ') + modeText(m_setPoint.mode); break;
@@ -138,7 +139,8 @@ void Arming::renew()
 void Arming::follow()
 {
     if (m_state == LampState::Armed && m_workbench.now() >= m_armedUntil) {
-        m_workbench.report(Severity::Info, nameOf(m_device), tr("disarmed after %1 min without motion").arg(m_armedTime.count() / 60));
+        m_workbench.report(
+            Severity::Info, nameOf(m_device), tr("disarmed after %1 min without motion").arg(m_armedTime.count() / 60));
         enter(LampState::Safe);
         return;
     }

@@ -18,7 +18,10 @@ public:
 
     [[nodiscard]] LampState state() const { return m_state; }
     [[nodiscard]] DeviceId device() const { return m_device; }
-    [[nodiscard]] bool isArmed(DeviceId device) const { return device == m_device && (m_state == LampState::Armed || m_state == LampState::Moving); }
+    [[nodiscard]] bool isArmed(DeviceId device) const
+    {
+        return device == m_device && (m_state == LampState::Armed || m_state == LampState::Moving);
+    }
     [[nodiscard]] bool isMoving() const { return m_state == LampState::Moving; }
     /// For the lamp in the header. `candidate` is the device that holding would arm.
     [[nodiscard]] LampStatus status(DeviceId candidate) const;
@@ -54,9 +57,9 @@ private:
     SetPoint m_setPoint;
     QString m_reason;
     bool m_started = false; ///< a snapshot has shown the motion running
-    Instant m_runAt {};
-    Instant m_armedUntil {};
-    std::chrono::seconds m_armedTime {300};
+    Instant m_runAt{};
+    Instant m_armedUntil{};
+    std::chrono::seconds m_armedTime{300};
     QTimer m_renewal;
 };
 

@@ -214,33 +214,16 @@ bool PlotStack::timeKey(int key)
 {
     const double step = (m_to - m_from) * 0.1;
     switch (key) {
-    case Qt::Key_Plus:
-        zoomTime(0.8, {});
-        return true;
-    case Qt::Key_Minus:
-        zoomTime(1.25, {});
-        return true;
-    case Qt::Key_Left:
-        pan(-step);
-        return true;
-    case Qt::Key_Right:
-        pan(step);
-        return true;
+    case Qt::Key_Plus: zoomTime(0.8, {}); return true;
+    case Qt::Key_Minus: zoomTime(1.25, {}); return true;
+    case Qt::Key_Left: pan(-step); return true;
+    case Qt::Key_Right: pan(step); return true;
     case Qt::Key_Home:
-    case Qt::Key_End:
-        backToLive();
-        return true;
-    case Qt::Key_0:
-        fit();
-        return true;
-    case Qt::Key_P:
-        setLive(!m_live);
-        return true;
-    case Qt::Key_L:
-        setCursorsShown(!cursorsShown());
-        return true;
-    default:
-        return false;
+    case Qt::Key_End: backToLive(); return true;
+    case Qt::Key_0: fit(); return true;
+    case Qt::Key_P: setLive(!m_live); return true;
+    case Qt::Key_L: setCursorsShown(!cursorsShown()); return true;
+    default: return false;
     }
 }
 

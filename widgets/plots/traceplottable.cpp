@@ -38,19 +38,14 @@ TraceMarker markerOf(const TraceLook &look)
     if (look.marker != TraceMarker::Automatic)
         return look.marker;
     switch (look.role) {
-    case TraceRole::Velocity:
-        return TraceMarker::Triangle;
-    case TraceRole::Position:
-        return TraceMarker::Disc;
-    case TraceRole::Current:
-        return TraceMarker::Diamond;
-    case TraceRole::Duty:
-        return TraceMarker::Square;
+    case TraceRole::Velocity: return TraceMarker::Triangle;
+    case TraceRole::Position: return TraceMarker::Disc;
+    case TraceRole::Current: return TraceMarker::Diamond;
+    case TraceRole::Duty: return TraceMarker::Square;
     case TraceRole::Setpoint:
     case TraceRole::Error:
     case TraceRole::Temperature:
-    case TraceRole::Neutral:
-        break;
+    case TraceRole::Neutral: break;
     }
     return TraceMarker::None;
 }
@@ -61,26 +56,19 @@ void paintMarker(QPainter &painter, const QPointF &at, TraceMarker marker, const
     painter.setPen(Qt::NoPen);
     painter.setBrush(color);
     switch (marker) {
-    case TraceMarker::Triangle:
-        painter.drawPolygon(corners(at, {{0, -r * 1.1}, {r, r * 0.8}, {-r, r * 0.8}}));
-        break;
-    case TraceMarker::Disc:
-        painter.drawEllipse(at, r * 0.9, r * 0.9);
-        break;
+    case TraceMarker::Triangle: painter.drawPolygon(corners(at, {{0, -r * 1.1}, {r, r * 0.8}, {-r, r * 0.8}})); break;
+    case TraceMarker::Disc: painter.drawEllipse(at, r * 0.9, r * 0.9); break;
     case TraceMarker::Diamond:
         painter.drawPolygon(corners(at, {{0, -r * 1.15}, {r * 1.15, 0}, {0, r * 1.15}, {-r * 1.15, 0}}));
         break;
-    case TraceMarker::Square:
-        painter.drawRect(QRectF(at.x() - r * 0.8, at.y() - r * 0.8, r * 1.6, r * 1.6));
-        break;
+    case TraceMarker::Square: painter.drawRect(QRectF(at.x() - r * 0.8, at.y() - r * 0.8, r * 1.6, r * 1.6)); break;
     case TraceMarker::HollowSquare:
         painter.setPen(QPen(color, 1.2));
         painter.setBrush(Qt::NoBrush);
         painter.drawRect(QRectF(at.x() - r * 0.9, at.y() - r * 0.9, r * 1.8, r * 1.8));
         break;
     case TraceMarker::None:
-    case TraceMarker::Automatic:
-        break;
+    case TraceMarker::Automatic: break;
     }
 }
 

@@ -99,12 +99,12 @@ Task<Updater::PageEnd> Updater::writePage(const Page &page)
 
 Result<Updater::Verdict> Updater::judge(const Page &page, CommandStatus status)
 {
-    const std::string name = "page " + std::to_string(page.number);
+    const std::string number = std::to_string(page.number);
     switch (status) {
     case CommandStatus::NoError:
         m_touched = true;
         if (!m_variantKnown)
-            m_progress.log(Severity::Good, name + " accepted with CRC variant " + letterOf(m_variant));
+            m_progress.log(Severity::Good, "page " + number + " accepted with CRC variant " + letterOf(m_variant));
         m_variantKnown = true;
         return Verdict::Written;
     case CommandStatus::CrcMismatch: return afterMismatch(page);
@@ -112,8 +112,8 @@ Result<Updater::Verdict> Updater::judge(const Page &page, CommandStatus status)
         m_touched = true;
         if (++m_failedWrites >= failedWriteTries)
             return fail(Fault::Refused,
-                name + " cannot be written: its flash failed the device's own check " + std::to_string(m_failedWrites)
-                    + " times");
+                "page " + number + " cannot be written: its flash failed the device's own check "
+                    + std::to_string(m_failedWrites) + " times");
         repeat(page, "the device could not verify its flash");
         return Verdict::Again;
     case CommandStatus::DataRcvMore:
@@ -121,7 +121,7 @@ Result<Updater::Verdict> Updater::judge(const Page &page, CommandStatus status)
         m_gap = slowGap;
         repeat(page, "the byte count was out of step");
         return Verdict::Again;
-    case CommandStatus::BadParameter: return fail(Fault::Refused, "the bootloader refuses " + name);
+    case CommandStatus::BadParameter: return fail(Fault::Refused, "the bootloader refuses page " + number);
     default: return Verdict::Restart; // NotSupported: the application runs; InBootloader, AckReset: it was reset
     }
 }
