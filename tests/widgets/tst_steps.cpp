@@ -56,9 +56,11 @@ private Q_SLOTS:
     void aLoopThatSettlesInTheWrongPlaceSaysSo();
     void aMotorThatDoesNotMoveHasNoNumbers();
     void oneThatNeverSettlesHasNoSettlingTime();
+    void aLoopThatSwingsHasNoNumbers();
     void nonsenseInGivesNothingOut();
     void everyStepIsRecordedWithItsGains();
     void aRampedSetPointIsOneStep();
+    void holdingThePresentFirstIsPartOfNoStep();
     void aStepThatIsStoppedIsCutShort();
     void whatHappenedBeforeIsNotRecorded();
     void theGainsOfAStepComeBackAsEdits();
@@ -131,6 +133,16 @@ void TestSteps::oneThatNeverSettlesHasNoSettlingTime()
     QVERIFY(!measureStep(samples, start, 0.0, 3000.0).settle);
 }
 
+void TestSteps::aLoopThatSwingsHasNoNumbers()
+{
+    std::vector<Point> samples;
+    for (int i = -20; i < 300; ++i)
+        samples.push_back({start + i * 10ms, i < 0 ? 0.0 : 1000.0 + i * 10.0 * std::sin(i * 0.3)}); // swings ever wider
+    const StepMetrics metrics = measureStep(samples, start, std::nullopt, 1000.0);
+    QVERIFY(metrics.unsteady);
+    QVERIFY(!metrics.rise && !metrics.overshoot && !metrics.settle && !metrics.steadyError);
+}
+
 void TestSteps::nonsenseInGivesNothingOut()
 {
     const auto samples = secondOrder(0.7, 15.0);
@@ -197,6 +209,17 @@ void TestSteps::aRampedSetPointIsOneStep()
     QCOMPARE(drive.log.records().size(), 1U);
     QCOMPARE(drive.log.records()[0].to, 50000.0);
     QVERIFY(std::abs(drive.log.records()[0].ramp - 0.48) < 0.021);
+}
+
+void TestSteps::holdingThePresentFirstIsPartOfNoStep()
+{
+    Commanded drive;
+    drive.run(0.02, 0.0);
+    const Instant before = drive.recording.now();
+    drive.run(4.0, 50000.0);
+    QCOMPARE(drive.log.records().size(), 1U);
+    QCOMPARE(drive.log.records()[0].ramp, 0.0);
+    QVERIFY(drive.log.records()[0].begin == before);
 }
 
 void TestSteps::aStepThatIsStoppedIsCutShort()

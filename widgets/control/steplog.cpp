@@ -82,7 +82,11 @@ void StepLog::take(const DeviceView &device, const Point &setPoint)
         return;
     StepRecord *record = running();
     const bool onItsWay = record && setPoint.time - m_changedAt < rampPause;
-    if (onItsWay) {
+    const bool held = onItsWay && std::abs(record->to - record->from) <= 1.0;
+    if (held) { // the first command only held what was there: the step begins now
+        record->begin = setPoint.time;
+        record->to = setPoint.value;
+    } else if (onItsWay) {
         record->to = setPoint.value;
         record->ramp = std::chrono::duration<double>(setPoint.time - record->begin).count();
     } else {

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double usualBand = 0.02;
 constexpr double leastMove = 0.05;
+constexpr double unsteadyNoise = 0.1;
 constexpr double riseLow = 0.1;
 constexpr double riseHigh = 0.9;
 constexpr double tailPart = 0.25;
@@ -94,6 +95,9 @@ void measure(const std::vector<Normal> &line, StepMetrics &metrics)
         values.push_back(point.z);
     const double final = median(std::move(values));
     metrics.noise = noiseOf(tail);
+    metrics.unsteady = metrics.noise > unsteadyNoise;
+    if (metrics.unsteady)
+        return;
     metrics.steadyError = 1.0 - final;
     metrics.moved = final >= leastMove;
     if (!metrics.moved)

@@ -11,6 +11,7 @@ namespace mb {
 /// What a step response says (tuning.md 3.11). Fractions are of the height of the step; times from its beginning.
 struct StepMetrics {
     bool moved = false;                ///< at least 5 % of the way; without it there are no other numbers
+    bool unsteady = false;             ///< it still swings at the end: no other numbers either
     std::optional<double> overshoot;   ///< fraction; 0 when it is within the noise
     std::optional<double> rise;        ///< seconds from 10 to 90 % of the final value
     std::optional<double> settle;      ///< seconds until it stays within the band

@@ -199,6 +199,8 @@ void StepTable::fillRow(int row, const StepRecord &record)
     QStringList notes;
     if (!record.finished)
         notes << tr("running");
+    else if (metrics.unsteady)
+        notes << tr("does not settle");
     else if (!metrics.moved)
         notes << tr("did not move");
     if (record.cut)
