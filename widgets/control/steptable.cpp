@@ -170,6 +170,27 @@ void StepTable::setCell(int row, int column, const QString &text, Tone tone)
     item->setTextAlignment(static_cast<int>(alignment));
 }
 
+QStringList StepTable::notesOf(const StepRecord &record)
+{
+    const StepMetrics &metrics = record.metrics;
+    QStringList notes;
+    if (!record.finished)
+        notes << tr("running");
+    else if (metrics.unsteady)
+        notes << tr("does not settle");
+    else if (!metrics.moved)
+        notes << tr("did not move");
+    if (record.cut)
+        notes << tr("cut short");
+    if (record.lost > 0)
+        notes << tr("%1 lost").arg(formatCount(static_cast<qint64>(record.lost)));
+    if (record.ramp > 0.0)
+        notes << tr("ramp %1").arg(formatDuration(record.ramp));
+    if (metrics.moved && metrics.band > 0.021)
+        notes << tr("band ±%1 %").arg(formatNumber(metrics.band * percent, 1));
+    return notes;
+}
+
 void StepTable::fillRow(int row, const StepRecord &record)
 {
     const ShownUnit unit = shownUnit(record.mode, m_units);
@@ -196,21 +217,7 @@ void StepTable::fillRow(int row, const StepRecord &record)
     setCell(row, Rise, millisecondText(metrics.rise));
     setCell(row, Steady, percentText(metrics.steadyError));
     setCell(row, Peak, record.finished ? formatNumber(record.peakCurrent, 1) : QString(UnknownMark));
-    QStringList notes;
-    if (!record.finished)
-        notes << tr("running");
-    else if (metrics.unsteady)
-        notes << tr("does not settle");
-    else if (!metrics.moved)
-        notes << tr("did not move");
-    if (record.cut)
-        notes << tr("cut short");
-    if (record.lost > 0)
-        notes << tr("%1 lost").arg(formatCount(static_cast<qint64>(record.lost)));
-    if (record.ramp > 0.0)
-        notes << tr("ramp %1").arg(formatDuration(record.ramp));
-    if (metrics.moved && metrics.band > 0.021)
-        notes << tr("band ±%1 %").arg(formatNumber(metrics.band * percent, 1));
+    const QStringList notes = notesOf(record);
     const bool bad = record.cut || record.lost > 0 || (record.finished && !metrics.moved);
     setCell(row, Note, notes.join(QStringLiteral(", ")), bad ? Tone::Caution : Tone::Dim);
     m_table->item(row, Note)->setToolTip(notes.join(QStringLiteral(", ")));

@@ -35,6 +35,7 @@ private:
     [[nodiscard]] QHBoxLayout *buildHead();
     void configure();
     void fill();
+    [[nodiscard]] static QStringList notesOf(const StepRecord &record);
     void fillRow(int row, const StepRecord &record);
     void setCell(int row, int column, const QString &text, Tone tone = Tone::Text);
     [[nodiscard]] const StepRecord *current() const;
