@@ -2925,6 +2925,10 @@
         <source>band ±%1 %</source>
         <translation>Band ±%1 %</translation>
     </message>
+    <message>
+        <source>does not settle</source>
+        <translation>schwingt nicht ein</translation>
+    </message>
 </context>
 <context>
     <name>mb::StopButton</name>
