@@ -50,7 +50,7 @@ def names(path, _text, code):
 
 # (folders, files that are the exception, pattern, what is wrong)
 FORBIDDEN = [
-    (("devices/",), ("devices/transport/qtclock.",),
+    (("devices/",), ("devices/transport/qtclock.", "devices/transport/externalprogram."),  # the latter reaps what it killed
      r"\b(?:QTimer|QBasicTimer|QElapsedTimer|QDeadlineTimer|currentDateTime(?:Utc)?|current(?:M?Secs)SinceEpoch|startTimer)\b"
      r"|\b(?:steady|system|high_resolution)_clock\s*::\s*now\b|\b(?:gettimeofday|clock_gettime|nanosleep|u?sleep|msleep)\s*\("
      r"|\bsleep_(?:for|until)\b|\bwaitFor\w*\s*\(",
