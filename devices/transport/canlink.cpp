@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/canlink.h"
 
-#include <algorithm>
-
 namespace mb {
 namespace {
-
-constexpr Duration window = std::chrono::seconds(1);
 
 std::uint64_t estimatedBits(const CanFrame &frame)
 {
@@ -26,19 +22,14 @@ Result<void> CanLink::send(const CanFrame &frame, Priority priority)
     stamped.time = m_clock.now();
     if (auto sent = doSend(stamped, priority); !sent)
         return sent;
-    countBits(stamped);
+    m_load.count(stamped.time, estimatedBits(stamped));
     passed(Traffic{stamped.time, Direction::Sent, &stamped, {}});
     return {};
 }
 
 double CanLink::load(Instant now) const
 {
-    const auto age = now - m_second;
-    if (age >= 2 * window)
-        return 0.0;
-    const double rate = bitrate() > 0 ? bitrate() : 1e6;
-    const double bits = static_cast<double>(age >= window ? m_bits : m_bitsBefore);
-    return std::min(1.0, bits / rate);
+    return m_load.fraction(now, bitrate() > 0 ? bitrate() : 1'000'000);
 }
 
 void CanLink::deliver(const CanFrame &frame)
@@ -49,19 +40,9 @@ void CanLink::deliver(const CanFrame &frame)
         passed(Traffic{frame.time, Direction::Received, &frame, {}});
         return;
     }
-    countBits(frame);
+    m_load.count(frame.time, estimatedBits(frame));
     passed(Traffic{frame.time, Direction::Received, &frame, {}});
     m_received.notify(frame);
-}
-
-void CanLink::countBits(const CanFrame &frame)
-{
-    if (frame.time - m_second >= window) {
-        m_bitsBefore = frame.time - m_second < 2 * window ? m_bits : 0;
-        m_bits = 0;
-        m_second = frame.time;
-    }
-    m_bits += estimatedBits(frame);
 }
 
 } // namespace mb

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "transport/lineload.h"
 #include "transport/link.h"
+#include "transport/priority.h"
 
 #include <functional>
 
@@ -13,18 +15,11 @@ namespace mb {
     return a.id == b.id && a.extended == b.extended;
 }
 
-enum class Priority {
-    Normal,
-    /// For stop frames: goes before everything that still waits in this program, and takes the place of waiting frames with
-    /// the same identifier, so that no older set-point starts the motor again.
-    Urgent,
-};
-
 /// A CAN bus seen through one controller. Frames of others arrive through `received`; our own do not come back.
 class CanLink : public Link {
 public:
     /// Hands a frame, stamped with the present time, to the backend, which may queue it behind earlier ones; never
-    /// waits. Fails with LinkLost when the link is not open, OutOfRange when it is no frame (identifier or size).
+    /// waits. An urgent frame takes the place of waiting ones with the same identifier. Fails with LinkLost when the link is not open, OutOfRange when it is no frame (identifier or size).
     Result<void> send(const CanFrame &frame, Priority priority = Priority::Normal);
     /// Frames accepted by send() and not yet handed to the bus or the kernel.
     [[nodiscard]] std::size_t backlog() const { return doBacklog(); }
@@ -53,14 +48,11 @@ private:
     virtual Result<void> doSend(const CanFrame &frame, Priority priority) = 0;
     [[nodiscard]] virtual std::size_t doBacklog() const = 0;
     [[nodiscard]] virtual int doBitrate() const = 0;
-    void countBits(const CanFrame &frame);
 
     Clock &m_clock;
     Listeners<const CanFrame &> m_received;
     Listeners<const CanFrame &> m_errorFrames;
-    Instant m_second{};
-    std::uint64_t m_bits = 0;
-    std::uint64_t m_bitsBefore = 0;
+    LineLoad m_load;
 };
 
 } // namespace mb

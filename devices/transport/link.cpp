@@ -57,10 +57,8 @@ void Link::setState(LinkState state)
 
 void Link::passed(const Traffic &traffic)
 {
-    if (traffic.direction == Direction::Received)
-        ++m_counters.rx;
-    else
-        ++m_counters.tx;
+    const std::uint64_t count = traffic.can ? 1 : traffic.bytes.size();
+    (traffic.direction == Direction::Received ? m_counters.rx : m_counters.tx) += count;
     m_traffic.notify(traffic);
 }
 

@@ -18,7 +18,7 @@ enum class LinkState {
     Lost, ///< was open; the interface or adapter went away, or the controller is bus-off
 };
 
-/// Since the link was opened. `lost` counts what is known missing: receive buffer overruns, frames dropped by the
+/// Since the link was opened: frames on CAN, bytes on the others. `lost` counts what is known missing: receive buffer overruns, frames dropped by the
 /// interface.
 struct LinkCounters {
     std::uint64_t rx = 0;

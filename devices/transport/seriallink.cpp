@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/seriallink.h"
+
+#include <charconv>
+
+namespace mb {
+namespace {
+
+constexpr int usualRate = 115200;
+constexpr int smoothing = 16;
+
+std::optional<int> fixedRate(const LinkAddress &address)
+{
+    const auto text = address.option(address.isSimulated() ? "bitrate" : "baud");
+    int rate = 0;
+    if (!text || std::from_chars(text->data(), text->data() + text->size(), rate).ec != std::errc{} || rate <= 0)
+        return std::nullopt;
+    return rate;
+}
+
+} // namespace
+
+SerialLink::SerialLink(LinkAddress address, Clock &clock)
+    : Link(std::move(address), LinkKind::Serial)
+    , m_clock(clock)
+    , m_fixed(fixedRate(this->address()))
+    , m_baudrate(m_fixed.value_or(usualRate))
+{
+}
+
+Result<void> SerialLink::send(std::span<const std::uint8_t> bytes, Priority priority)
+{
+    if (state() != LinkState::Open)
+        return fail(notOpen());
+    if (bytes.empty())
+        return fail(Fault::OutOfRange, "nothing to send");
+    if (auto sent = doSend(bytes, priority); !sent)
+        return sent;
+    const Instant now = m_clock.now();
+    m_load.count(now, bytes.size() * 10);
+    passed(Traffic{now, Direction::Sent, nullptr, bytes});
+    return {};
+}
+
+Result<void> SerialLink::setBaudrate(int baudrate)
+{
+    if (baudrate < slowest || baudrate > fastest)
+        return fail(Fault::OutOfRange, std::to_string(baudrate) + " bit/s is no rate of a serial line");
+    if (baudrate == m_baudrate)
+        return {};
+    if (state() == LinkState::Open) {
+        if (auto set = doSetBaudrate(baudrate); !set)
+            return set;
+    }
+    m_baudrate = baudrate;
+    return {};
+}
+
+void SerialLink::noteRoundTrip(Duration time)
+{
+    m_roundTrip = m_roundTrip ? *m_roundTrip + (time - *m_roundTrip) / smoothing : time;
+}
+
+void SerialLink::deliver(Instant time, std::span<const std::uint8_t> bytes)
+{
+    m_load.count(time, bytes.size() * 10);
+    passed(Traffic{time, Direction::Received, nullptr, bytes});
+    m_received.notify(bytes);
+}
+
+void SerialLink::reportLineError()
+{
+    countError();
+    m_lineErrors.notify();
+}
+
+} // namespace mb

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wire/uart.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <numeric>
+
+using namespace mb;
+
+namespace {
+
+std::vector<std::uint8_t> valuesOf(const std::vector<UartByte> &heard)
+{
+    std::vector<std::uint8_t> values;
+    for (const UartByte &byte : heard) {
+        EXPECT_FALSE(byte.framingError);
+        values.push_back(byte.value);
+    }
+    return values;
+}
+
+std::vector<std::uint8_t> everyByte()
+{
+    std::vector<std::uint8_t> all(256);
+    std::iota(all.begin(), all.end(), std::uint8_t{0});
+    return all;
+}
+
+} // namespace
+
+TEST(Uart, HearsEveryByteAtTheSameRateAndAtRatesAFewPercentOff)
+{
+    const auto all = everyByte();
+    for (const double ratio : {1.0, 0.96, 1.04, 57600.0 / 59524.0, 119048.0 / 115200.0})
+        EXPECT_EQ(valuesOf(sampledAt(all, ratio)), all) << ratio;
+}
+
+TEST(Uart, AByteSentAtHalfTheRateIsReadAsItsFirstBitsTwiceEach)
+{
+    const std::array<std::uint8_t, 1> sent{0xFC};
+    // Low: the start bit and bits 0 and 1. In half bits: start, 0 0 0 0 0 1 1 1, stop.
+    EXPECT_EQ(sampledAt(sent, 0.5), (std::vector<UartByte>{{0xE0, false}}));
+}
+
+TEST(Uart, AByteSentTwelveTimesSlowerIsABreakForEachOfItsLowRuns)
+{
+    const std::array<std::uint8_t, 1> sent{0x55};
+    const auto heard = sampledAt(sent, 9600.0 / 115200.0);
+    ASSERT_EQ(heard.size(), 5U); // the start bit and four zeros
+    for (const UartByte &byte : heard)
+        EXPECT_EQ(byte, (UartByte{0, true}));
+}
+
+TEST(Uart, NothingSentIsNothingHeard)
+{
+    EXPECT_TRUE(sampledAt({}, 1.0).empty());
+}
