@@ -28,7 +28,8 @@ constexpr std::array table{
     Verb{"number", "DEVICE NEW", "Give a device another number", declareNumber},
     Verb{"rename", "DEVICE TEXT", "Give a device another name", declareRename},
     Verb{"monitor", "LINK [--for S]", "Show the traffic of a link, as candump -L does", declareMonitor},
-    Verb{"decode", "[FILE] [--dialect D]", "Decode such text from a file or standard input", declareDecode},
+    Verb{"decode", "[FILE] [--dialect D]", "Decode such text, or a Vector ASC log, from a file or standard input",
+        declareDecode},
     Verb{"simulate", "--on LINK DEVICE… [--on …] [--seed N] [--for S]", "Simulated controllers on real links",
         declareSimulate},
 };

@@ -3,6 +3,7 @@
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "async/event.h"
+#include "wire/framelog.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -21,7 +22,6 @@ namespace {
 
 constexpr std::array<std::string_view, 4> dialects{"F", "L", "LL", "D"};
 constexpr std::size_t chunkSize = 65536;
-constexpr std::size_t longestLine = 4096;
 
 struct Arguments {
     std::string file;
@@ -46,8 +46,8 @@ public:
             begin = end + 1;
         }
         m_rest.erase(0, begin);
-        if (m_rest.size() > longestLine)
-            return malformed(m_number + 1);
+        if (m_rest.size() > FrameLogParser::longestLine)
+            return fail(Fault::OutOfRange, m_name + ": " + m_parser.tooLong().detail);
         print(prints);
         return {};
     }
@@ -63,25 +63,17 @@ public:
 private:
     Result<void> parse(std::string_view text)
     {
-        ++m_number;
-        if (text.find_first_not_of(" \t\r") == std::string_view::npos)
-            return {};
-        auto line = parseCandumpLine(text);
-        if (!line)
-            return malformed(m_number);
-        m_parsed.push_back(std::move(*line));
+        auto frame = m_parser.parse(text);
+        if (!frame)
+            return fail(frame.error().fault, m_name + ": " + frame.error().detail);
+        if (*frame)
+            m_parsed.push_back(std::move(**frame));
         return {};
-    }
-    [[nodiscard]] tl::unexpected<Error> malformed(std::uint64_t number) const
-    {
-        return fail(Fault::OutOfRange,
-            m_name + ": line " + std::to_string(number)
-                + " is not a line of candump -L; such a line reads (1436509052.249713) can0 044#2A366C2B");
     }
     void print(bool prints)
     {
         if (prints) {
-            for (const CandumpLine &line : m_parsed)
+            for (const LoggedFrame &line : m_parsed)
                 m_lines.print(line.time, line.link, line.frame);
         }
         m_parsed.clear();
@@ -89,8 +81,8 @@ private:
 
     std::string m_name;
     std::string m_rest;
-    std::uint64_t m_number = 0;
-    std::vector<CandumpLine> m_parsed;
+    FrameLogParser m_parser;
+    std::vector<LoggedFrame> m_parsed;
     FrameLines m_lines;
 };
 
@@ -181,7 +173,7 @@ Task<int> decode(Console &console, Arguments arguments)
 Job declareDecode(CLI::App &arguments)
 {
     const auto a = std::make_shared<Arguments>();
-    arguments.add_option("file", a->file, "Text of candump -L; standard input otherwise");
+    arguments.add_option("file", a->file, "Text of candump -L or a Vector ASC log; standard input otherwise");
     arguments.add_option("--dialect", a->dialect, "Of Abstract DC frames: F (the usual one), L, LL or D");
     return [a](Console &console) { return decode(console, *a); };
 }

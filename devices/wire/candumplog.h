@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "async/clock.h"
-#include "wire/canframe.h"
+#include "wire/loggedframe.h"
 
 #include <optional>
 #include <string>
@@ -10,15 +9,11 @@
 
 namespace mb {
 
-/// A line of `candump -L`: `(1436509052.249713) vcan0 044#2A366C2BBA`.
-struct CandumpLine {
-    Duration time{};  ///< since 1970, or since the start on a simulated link; never negative
-    std::string link; ///< no blanks in it
-    CanFrame frame;   ///< its own `time` is not set: the log does not know our clock
-};
+/// A line of `candump -L`: `(1436509052.249713) vcan0 044#2A366C2BBA`, and of `candump -L -x`, where R or T follows.
+using CandumpLine = LoggedFrame;
 
-/// Reads one line, its end and the direction letter of `candump -x` allowed. Nothing for everything else: comments, CAN
-/// FD frames (`##`), more than 9 digits after the point, a malformed frame.
+/// Reads one line, its end allowed. Nothing for everything else: comments, CAN FD frames (`##`), more than 9 digits
+/// after the point, a malformed frame.
 [[nodiscard]] std::optional<CandumpLine> parseCandumpLine(std::string_view text);
 
 /// Without the end of the line. Microseconds, as candump writes them: finer parts are cut off.

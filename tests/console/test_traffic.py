@@ -11,6 +11,17 @@ LOG = """(1436509052.249713) can0 02061405#0040110000000000
 (1436509053.000001) vcan1 00000240#
 (1436509053.000002) can0 7FF#R
 """
+ASC = """date Fri Jul 10 10:24:12.249 2015
+base hex  timestamps absolute
+internal events logged
+// version 9.0.0
+Begin Triggerblock Fri Jul 10 10:24:12.249 2015
+   0.000000 Start of measurement
+   0.000713 1  2061405x        Rx   d 8 00 40 11 00 00 00 00 00  Length = 0 BitCount = 0 ID = 33952773x
+   0.001000 1  123             Rx   d 2 01 02
+   1.001000 2  7FF             Tx   r
+End TriggerBlock
+"""
 
 
 class Traffic(ContractTest):
@@ -41,6 +52,16 @@ class Traffic(ContractTest):
                 file.write("rubbish")
             self.assert_error(2, "decode", path, says="line 5")
         self.assert_error(2, "decode", "/nonexistent/file")
+
+    def test_decode_reads_vector_asc_logs_too(self):
+        status, unknown, remote = self.run_json("decode", text=ASC)
+        self.assertEqual((status["family"], status["address"], status["message"]), ("dmc60c", 5, "STSGENERAL"))
+        self.assertAlmostEqual(status["t"], 1436523852.249713, places=6)
+        self.assertEqual(status["fields"], self.run_json("decode", text=LOG)[0]["fields"])
+        self.assertEqual((unknown["id"], unknown["data"], unknown["link"]), (0x123, "0102", "ch1"))
+        self.assertEqual((remote["id"], remote["link"]), (0x7FF, "ch2"))
+        self.assert_error(2, "decode", text=ASC + "1.0 1 123 Rx d 8 00\n", says="line 11")
+        self.assert_error(2, "decode", text="LOGG\0\0\n", says="BLF")
 
     def test_decode_names_the_line_that_it_does_not_understand(self):
         for line in ("rubbish", "(1.0) can0", "(1.0) can0 02061405", "(1.0) can0 02061405#0", "(x) can0 123#00", "(1.0) can0 123##100", "\0", "x" * 100000):
