@@ -12,6 +12,7 @@ Device::Device(const Family &family, Link &link, Clock &clock, Identity identity
     , m_identity(std::move(identity))
     , m_parameters(family.parameters)
     , m_telemetry(std::make_shared<Telemetry>(family.channels))
+    , m_guard(*this)
 {
 }
 
@@ -78,7 +79,7 @@ Result<void> Device::mayMove() const
     }
     if (m_liveness.foreignMaster)
         return fail(Fault::Unsafe, "another master drives " + selector() + "; stop it there first");
-    return {};
+    return m_guard.possible();
 }
 
 Result<void> Device::command(const SetPoint &setPoint)
@@ -89,6 +90,8 @@ Result<void> Device::command(const SetPoint &setPoint)
     }
     if (auto allowed = mayMove(); !allowed)
         return allowed;
+    if (!m_guard.stands())
+        return fail(Fault::Unsafe, m_guard.reason());
     if (auto checked = doCheck(setPoint); !checked)
         return checked;
     return doCommand(setPoint);

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "async/task.h"
+#include "model/deviceguard.h"
 #include "model/identity.h"
 #include "model/parameterstore.h"
 #include "model/progress.h"
 #include "model/setpoint.h"
+#include "model/stopscript.h"
 #include "model/telemetry.h"
 #include "transport/link.h"
 
@@ -77,11 +79,17 @@ public:
     /// Asks for this many samples per second of a channel, as near as the device can; 0 returns to what it was.
     [[nodiscard]] Task<void> setRate(ChannelIndex channel, double hertz) { return doSetRate(channel, hertz); }
 
+    /// What stops this device when this process cannot: sent by the guardian (docs/architecture.md). Empty for devices with
+    /// a watchdog; must not be empty for the others.
+    [[nodiscard]] StopScript stopScript() const { return doStopScript(); }
+    /// Who stops the motor if this program dies. A device without a watchdog takes commands only while it stands.
+    [[nodiscard]] DeviceGuard &guard() { return m_guard; }
+
     /// Why this device must not be driven now: duplicate, bootloader, foreign master, update …, or success.
     [[nodiscard]] Result<void> mayMove() const;
     /// Checks the set-point against what the device can do: OutOfRange or Unsupported, nothing sent.
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const { return doCheck(setPoint); }
-    /// One control frame, now. Must be repeated within the device's watchdog time: SetPointStream does.
+    /// One control frame, now. Unsafe while a guard is needed and does not stand. Must be repeated within the device's watchdog time: SetPointStream does.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
     /// Stop, now, without waiting for anything; before everything that is queued on the link. Always allowed.
     void stop();
@@ -112,6 +120,7 @@ private:
     [[nodiscard]] virtual Result<void> doCheck(const SetPoint &setPoint) const = 0;
     virtual Result<void> doCommand(const SetPoint &setPoint) = 0;
     virtual void doStop() = 0;
+    [[nodiscard]] virtual StopScript doStopScript() const { return {}; }
     [[nodiscard]] virtual bool doIsSeenStopped() const = 0;
 
     const Family &m_family;
@@ -124,6 +133,7 @@ private:
     Listeners<> m_changed;
     std::string m_busy;
     Instant m_stoppedAt{};
+    DeviceGuard m_guard;
 };
 
 } // namespace mb

@@ -80,9 +80,10 @@ private:
     Scope m_scope;
 };
 
-Session::Session(Clock &clock, std::span<const Family *const> families)
+Session::Session(Clock &clock, std::span<const Family *const> families, MotionGuard *guard)
     : m_clock(clock)
     , m_families(families)
+    , m_guard(guard)
     , m_commit(clock)
 {
 }
@@ -192,6 +193,7 @@ Device &Session::adopt(Link &link, const Family &family, const Identity &identit
     }
     if (!match) {
         Entry entry{DeviceId{++m_lastId}, family.open(link, m_clock, identity), nullptr, {}};
+        entry.device->guard().setSource(m_guard);
         entry.changed = entry.device->changed().add([this] { m_changed.notify(); });
         m_devices.push_back(std::move(entry));
         match = &m_devices.back();

@@ -22,7 +22,8 @@ struct DeviceId {
 /// in the window, the only one in the console and in tests.
 class Session {
 public:
-    Session(Clock &clock, std::span<const Family *const> families);
+    /// Without a guard, devices that have no watchdog cannot be driven on real links.
+    Session(Clock &clock, std::span<const Family *const> families, MotionGuard *guard = nullptr);
     Session(const Session &) = delete;
     Session &operator=(const Session &) = delete;
     /// Stops every motor that was driven.
@@ -79,6 +80,7 @@ private:
 
     Clock &m_clock;
     std::span<const Family *const> m_families;
+    MotionGuard *m_guard;
     Listeners<> m_changed;
     std::list<OpenLink> m_links; // lists: an element is destroyed whole, in the reverse order of its members
     std::list<Entry> m_devices;

@@ -8,6 +8,8 @@ namespace {
 
 /// A device that was just woken may need this long before its telemetry comes.
 constexpr Duration grace = std::chrono::milliseconds(500);
+/// A guardian that is not there by then does not come.
+constexpr Duration guardLimit = std::chrono::seconds(2);
 
 } // namespace
 
@@ -22,41 +24,86 @@ SetPointStream::~SetPointStream()
 {
     if (m_running)
         m_device.stop();
+    m_device.guard().leave();
 }
 
 Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease)
 {
     if (m_running)
         return update(setPoint);
-    if (auto sent = m_device.command(setPoint); !sent)
-        return sent;
+    if (setPoint.mode != Mode::Off) {
+        if (auto allowed = m_device.mayMove(); !allowed)
+            return allowed;
+        if (auto checked = m_device.check(setPoint); !checked)
+            return checked;
+    }
     m_setPoint = setPoint;
+    if (auto sent = sendOrWait(); !sent)
+        return sent;
     m_running = true;
     m_end = End::None;
     m_reason.clear();
-    m_startedAt = m_clock.now();
-    m_next = m_startedAt + m_device.family().capabilities.commandPeriod;
-    m_timer.start(m_next, [this] { tick(); });
-    m_lease = std::make_unique<Lease>(
-        m_clock, lease, [this] { finish(End::LeaseExpired, "nobody renewed the motion lease"); });
-    m_linkState = m_device.link().stateChanged().add([this](LinkState) { (void)checkDevice(); });
-    m_deviceChanged = m_device.changed().add([this] { (void)checkDevice(); });
+    watch(lease);
+    begin();
     m_changed.notify();
     return {};
 }
 
+Result<void> SetPointStream::sendOrWait()
+{
+    DeviceGuard &guard = m_device.guard();
+    if (m_setPoint.mode != Mode::Off) {
+        if (auto called = guard.call(); !called)
+            return called;
+    }
+    m_waiting = m_setPoint.mode != Mode::Off && !guard.stands();
+    return m_waiting ? Result<void>() : m_device.command(m_setPoint);
+}
+
+void SetPointStream::begin()
+{
+    m_startedAt = m_clock.now();
+    if (m_waiting)
+        m_timer.startIn(guardLimit, [this] { finish(End::Unguarded, "no guardian came within two seconds"); });
+    else
+        scheduleNext(m_startedAt);
+}
+
+void SetPointStream::watch(Duration lease)
+{
+    m_lease = std::make_unique<Lease>(
+        m_clock, lease, [this] { finish(End::LeaseExpired, "nobody renewed the motion lease"); });
+    m_linkState = m_device.link().stateChanged().add([this](LinkState) { (void)checkDevice(); });
+    m_deviceChanged = m_device.changed().add([this] { (void)checkDevice(); });
+    m_guardChanged = m_device.guard().changed().add([this] { guardChanged(); });
+}
+
+void SetPointStream::guardChanged()
+{
+    if (!checkDevice() || !m_waiting || !m_device.guard().stands())
+        return;
+    m_waiting = false;
+    if (auto sent = m_device.command(m_setPoint); !sent)
+        finish(End::Refused, sent.error().detail);
+    else
+        begin();
+}
+
 Result<void> SetPointStream::update(const SetPoint &setPoint)
 {
-    if (!m_running)
+    if (!checkDevice())
         return fail(Fault::Unsafe, "the motor was stopped; arm again");
     if (auto checked = m_device.check(setPoint); !checked)
         return checked;
     m_setPoint = setPoint;
     renew();
-    if (auto sent = m_device.command(m_setPoint); !sent) {
+    const bool waited = m_waiting;
+    if (auto sent = sendOrWait(); !sent) {
         finish(End::Refused, sent.error().detail);
         return sent;
     }
+    if (waited != m_waiting)
+        begin();
     m_changed.notify();
     return {};
 }
@@ -82,6 +129,8 @@ bool SetPointStream::checkDevice()
     const Liveness &liveness = m_device.liveness();
     if (m_device.link().state() != LinkState::Open)
         finish(End::LinkLost, m_device.link().address().shortName() + ": " + m_device.link().reason());
+    else if (m_device.guard().hasFailed())
+        finish(End::Unguarded, m_device.guard().reason());
     else if (liveness.foreignMaster)
         finish(End::ForeignMaster, "another master sends control frames to this device");
     else if (liveness.restarted)
@@ -99,9 +148,15 @@ void SetPointStream::tick()
         finish(End::Refused, sent.error().detail);
         return;
     }
-    m_next += m_device.family().capabilities.commandPeriod;
+    scheduleNext(m_next);
+}
+
+void SetPointStream::scheduleNext(Instant last)
+{
+    const Duration period = m_device.family().capabilities.commandPeriod;
+    m_next = last + period;
     if (m_next <= m_clock.now()) // after a stall one frame, not a burst
-        m_next = m_clock.now() + m_device.family().capabilities.commandPeriod;
+        m_next = m_clock.now() + period;
     m_timer.start(m_next, [this] { tick(); });
 }
 
@@ -114,7 +169,9 @@ void SetPointStream::finish(End end, std::string reason)
     m_lease.reset();
     m_linkState.reset();
     m_deviceChanged.reset();
+    m_guardChanged.reset();
     m_device.stop();
+    m_device.guard().dismiss();
     m_changed.notify();
 }
 
@@ -128,6 +185,7 @@ std::string_view toString(SetPointStream::End end)
     case SetPointStream::End::DeviceSilent: return "device silent";
     case SetPointStream::End::DeviceRestarted: return "device restarted";
     case SetPointStream::End::ForeignMaster: return "foreign master";
+    case SetPointStream::End::Unguarded: return "unguarded";
     case SetPointStream::End::Refused: return "refused";
     }
     return "";

@@ -21,7 +21,8 @@ public:
         DeviceSilent,
         DeviceRestarted,
         ForeignMaster,
-        Refused, ///< mayMove() or check() said no while running
+        Unguarded, ///< the guardian of a device without watchdog did not come, acted, or died
+        Refused,   ///< mayMove() or check() said no while running
     };
 
     SetPointStream(Device &device, Clock &clock);
@@ -29,7 +30,8 @@ public:
     SetPointStream &operator=(const SetPointStream &) = delete;
     ~SetPointStream();
 
-    /// Sends the first frame now. Fails without sending when the device may not move or cannot do it.
+    /// Sends the first frame now, or, for a device that needs a guardian, once that has confirmed that it stands by (it has
+    /// two seconds). Fails without sending when the device may not move or cannot do it.
     [[nodiscard]] Result<void> start(const SetPoint &setPoint, Duration lease);
     /// A new target for the next frame, sent now; renews the lease. Fails and goes on with the old one when it is not legal.
     [[nodiscard]] Result<void> update(const SetPoint &setPoint);
@@ -45,6 +47,11 @@ public:
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
 private:
+    [[nodiscard]] Result<void> sendOrWait();
+    void watch(Duration lease);
+    void begin();
+    void scheduleNext(Instant last);
+    void guardChanged();
     void tick();
     void finish(End end, std::string reason);
     [[nodiscard]] bool checkDevice();
@@ -53,6 +60,7 @@ private:
     Clock &m_clock;
     SetPoint m_setPoint;
     bool m_running = false;
+    bool m_waiting = false; ///< for the guardian; nothing was sent yet
     End m_end = End::None;
     std::string m_reason;
     Instant m_startedAt{};
@@ -61,6 +69,7 @@ private:
     std::unique_ptr<Lease> m_lease;
     Subscription m_linkState;
     Subscription m_deviceChanged;
+    Subscription m_guardChanged;
     Listeners<> m_changed;
 };
 

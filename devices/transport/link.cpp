@@ -11,6 +11,11 @@ Link::Link(LinkAddress address, LinkKind kind)
 
 Link::~Link() = default;
 
+Outlet Link::outlet() const
+{
+    return m_address.isSimulated() ? Outlet{Outlet::Form::InProcess, -1} : doOutlet();
+}
+
 Result<void> Link::open()
 {
     if (m_state == LinkState::Open)

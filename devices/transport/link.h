@@ -37,6 +37,22 @@ struct Traffic {
     std::span<const std::uint8_t> bytes; ///< on the others
 };
 
+/// How another process can send on an open link after this one died: what it inherits, and how it writes there.
+struct Outlet {
+    enum class Form {
+        None,      ///< there is no way: a driver inside this process holds the hardware
+        InProcess, ///< the devices live in this process and stop with it
+        CanSocket, ///< struct can_frame, one a write
+        Stream,    ///< plain bytes: a terminal
+        SpiDevice, ///< SPI_IOC_MESSAGE
+        SpiSocket, ///< 16-bit length, then the bytes (product.md, `unix:`)
+    };
+    Form form = Form::None;
+    int descriptor = -1; ///< the link's own; whoever keeps it duplicates it
+
+    [[nodiscard]] bool isInheritable() const { return descriptor >= 0; }
+};
+
 /// A way to devices. Owns its backend; address, state, counters and the trace tap are common, the rest is in CanLink,
 /// SerialLink and SpiLink. Single-threaded: everything, notifications too, on the thread that made it.
 class Link {
@@ -53,6 +69,9 @@ public:
     /// What to fail with when the link is not open: LinkLost and the reason.
     [[nodiscard]] Error notOpen() const;
     [[nodiscard]] const LinkCounters &counters() const { return m_counters; }
+
+    /// For the guardian; of the open link. Simulated links are InProcess, backends with a descriptor of the system say so.
+    [[nodiscard]] Outlet outlet() const;
 
     /// Fails with LinkLost and a cause that names the remedy. Opening an open link does nothing; a lost one starts
     /// afresh.
@@ -79,6 +98,7 @@ protected:
 private:
     virtual Result<void> doOpen() = 0;
     virtual void doClose() = 0;
+    [[nodiscard]] virtual Outlet doOutlet() const { return {}; }
 
     LinkAddress m_address;
     LinkKind m_kind;

@@ -41,6 +41,7 @@ private:
 
     Result<void> doOpen() override;
     void doClose() override;
+    [[nodiscard]] Outlet doOutlet() const override { return {Outlet::Form::CanSocket, m_descriptor}; }
     Result<void> doSend(const CanFrame &frame, Priority priority) override;
     [[nodiscard]] std::size_t doBacklog() const override { return m_urgent.size() + m_normal.size(); }
     [[nodiscard]] int doBitrate() const override { return m_bitrate; }

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/virtualclock.h"
+#include "model/setpointstream.h"
+#include "support/fakeguard.h"
+#include "support/loosemotor.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using End = SetPointStream::End;
+using Watch = GuardWatch::State;
+
+const std::string driveFrame = "00000100#01";
+const std::string stopFrame = "00000100#00";
+
+/// Virtual time that can also stand still for the program while the world goes on, as after SIGSTOP.
+class FreezingClock final : public Clock {
+public:
+    [[nodiscard]] Instant now() const override { return m_now; }
+    [[nodiscard]] Duration unixOffset() const override { return {}; }
+    void advance(Duration time)
+    {
+        const Instant end = m_now + time;
+        while (hasWork() && nextDeadline() <= end) {
+            m_now = std::max(m_now, nextDeadline());
+            runNext();
+        }
+        m_now = end;
+    }
+    void freeze(Duration time) { m_now += time; }
+
+private:
+    Instant m_now{1s};
+};
+
+/// A motor without watchdog, the stream that drives it, and a guardian that does what the test says.
+class Guarded : public testing::Test {
+protected:
+    explicit Guarded(Outlet outlet = {Outlet::Form::CanSocket, 7})
+        : link(clock, outlet)
+    {
+        EXPECT_TRUE(link.open());
+        motor.guard().setSource(&guard);
+    }
+    [[nodiscard]] static SetPoint duty(double target = 0.3)
+    {
+        SetPoint setPoint;
+        setPoint.mode = Mode::Duty;
+        setPoint.target = target;
+        return setPoint;
+    }
+    [[nodiscard]] auto count(const std::string &frame) const
+    {
+        return std::count(link.sent.begin(), link.sent.end(), frame);
+    }
+    void drive()
+    {
+        ASSERT_TRUE(stream.start(duty(), 10s));
+        clock.advance(90ms);
+        ASSERT_GT(count(driveFrame), 3);
+    }
+    void expectEnded(End end)
+    {
+        EXPECT_EQ(stream.end(), end) << toString(stream.end());
+        ASSERT_FALSE(link.sent.empty());
+        EXPECT_EQ(link.sent.back(), stopFrame);
+        const auto driven = count(driveFrame);
+        clock.advance(5s);
+        EXPECT_EQ(count(driveFrame), driven) << "it never starts again by itself";
+    }
+
+    FreezingClock clock;
+    test::FakeGuard guard;
+    test::LoggedLink link;
+    test::LooseMotor motor{link, clock};
+    SetPointStream stream{motor, clock};
+};
+
+TEST_F(Guarded, NothingIsSentBeforeTheGuardianHasConfirmed)
+{
+    guard.standsAtOnce = false;
+    ASSERT_TRUE(stream.start(duty(), 10s));
+    clock.advance(500ms);
+    EXPECT_TRUE(link.sent.empty());
+    EXPECT_TRUE(stream.update(duty(0.5))) << "the newest target is the one that starts";
+    clock.advance(500ms);
+    EXPECT_TRUE(link.sent.empty());
+    EXPECT_EQ(motor.command(duty()).error().fault, Fault::Unsafe) << "not even past the stream";
+    guard.become(Watch::Standing);
+    EXPECT_EQ(count(driveFrame), 1);
+    EXPECT_EQ(stream.setPoint().target, 0.5);
+    clock.advance(100ms);
+    EXPECT_EQ(count(driveFrame), 6);
+    EXPECT_EQ(guard.lastScript.steps.size(), 1U);
+}
+
+TEST_F(Guarded, AGuardianThatDoesNotComeEndsTheAttempt)
+{
+    guard.standsAtOnce = false;
+    ASSERT_TRUE(stream.start(duty(), 10s));
+    clock.advance(2001ms);
+    EXPECT_EQ(count(driveFrame), 0);
+    expectEnded(End::Unguarded);
+    EXPECT_EQ(stream.reason(), "no guardian came within two seconds");
+}
+
+TEST_F(Guarded, StoppingWhileTheGuardianIsAwaitedDrivesNothingLater)
+{
+    guard.standsAtOnce = false;
+    ASSERT_TRUE(stream.start(duty(), 10s));
+    stream.stop();
+    guard.become(Watch::Standing);
+    EXPECT_EQ(count(driveFrame), 0);
+    expectEnded(End::Stopped);
+}
+
+TEST_F(Guarded, ALeaseThatExpiresWhileTheGuardianIsAwaitedDrivesNothingLater)
+{
+    guard.standsAtOnce = false;
+    ASSERT_TRUE(stream.start(duty(), 250ms));
+    clock.advance(300ms);
+    guard.become(Watch::Standing);
+    EXPECT_EQ(count(driveFrame), 0);
+    expectEnded(End::LeaseExpired);
+}
+
+TEST_F(Guarded, AGuardianThatCannotBeStartedRefusesTheMotion)
+{
+    guard.refusal = "motorbench-guardian is missing";
+    const auto started = stream.start(duty(), 10s);
+    ASSERT_FALSE(started);
+    EXPECT_EQ(started.error(), (Error{Fault::Unsafe, "motorbench-guardian is missing"}));
+    clock.advance(1s);
+    EXPECT_TRUE(link.sent.empty());
+    EXPECT_FALSE(stream.isRunning());
+}
+
+TEST_F(Guarded, AProgramWithoutGuardianMayNotMoveIt)
+{
+    motor.guard().setSource(nullptr);
+    EXPECT_EQ(motor.mayMove().error().fault, Fault::Unsafe);
+    EXPECT_FALSE(stream.start(duty(), 10s));
+    EXPECT_FALSE(motor.command(duty()));
+    EXPECT_TRUE(link.sent.empty());
+    motor.stop();
+    EXPECT_EQ(count(stopFrame), 1) << "stopping is always allowed";
+}
+
+TEST_F(Guarded, ADeviceWithoutAStopScriptIsNotDriven)
+{
+    motor.hasScript = false;
+    const auto started = stream.start(duty(), 10s);
+    ASSERT_FALSE(started);
+    EXPECT_EQ(started.error().fault, Fault::Unsupported);
+    EXPECT_TRUE(link.sent.empty());
+}
+
+TEST_F(Guarded, IsRenewedTenTimesASecondWhileItRuns)
+{
+    drive();
+    guard.renewals = 0;
+    clock.advance(2s);
+    EXPECT_NEAR(guard.renewals, 20, 1);
+}
+
+TEST_F(Guarded, TheGuardianGoesOnlyWhenTheStopWasSeen)
+{
+    drive();
+    stream.stop();
+    guard.renewals = 0;
+    clock.advance(1s);
+    EXPECT_TRUE(guard.isWatching());
+    EXPECT_GE(guard.renewals, 9) << "and is not made to act meanwhile";
+    motor.seenStopped = true;
+    clock.advance(20ms);
+    EXPECT_FALSE(guard.isWatching());
+    EXPECT_EQ(guard.released, 1);
+    EXPECT_EQ(guard.abandoned, 0);
+    const int renewals = guard.renewals;
+    clock.advance(1s);
+    EXPECT_EQ(guard.renewals, renewals);
+}
+
+TEST_F(Guarded, AGuardianThatStillStandsServesTheNextMotion)
+{
+    drive();
+    stream.stop();
+    clock.advance(50ms);
+    drive();
+    EXPECT_EQ(guard.calls, 1);
+    motor.seenStopped = true;
+    clock.advance(100ms);
+    EXPECT_TRUE(guard.isWatching()) << "the earlier stop does not dismiss it";
+}
+
+TEST_F(Guarded, AGuardianThatDiesEndsTheMotion)
+{
+    drive();
+    guard.become(Watch::Gone, "the guardian ended unexpectedly");
+    expectEnded(End::Unguarded);
+    EXPECT_EQ(stream.reason(), "the guardian ended unexpectedly");
+    EXPECT_FALSE(stream.update(duty(0.5)));
+}
+
+TEST_F(Guarded, ANewGuardianIsCalledForTheNextMotion)
+{
+    drive();
+    guard.become(Watch::Gone, "the guardian ended unexpectedly");
+    drive();
+    EXPECT_EQ(guard.calls, 2);
+    EXPECT_TRUE(stream.isRunning());
+}
+
+TEST_F(Guarded, AProgramThatWasFrozenNeverDrivesAfterTheGuardianMayHaveActed)
+{
+    for (const Duration frozen : {410ms, 500ms, 3000ms}) {
+        drive();
+        const auto driven = count(driveFrame);
+        clock.freeze(frozen);
+        EXPECT_FALSE(motor.guard().stands());
+        EXPECT_FALSE(motor.command(duty())) << "before any timer had its turn";
+        clock.advance(1ms);
+        EXPECT_EQ(count(driveFrame), driven) << "not one frame, though its turn came before the guardian's message";
+        expectEnded(End::Unguarded);
+    }
+}
+
+TEST_F(Guarded, AShortStallIsSurvived)
+{
+    drive();
+    clock.freeze(250ms);
+    clock.advance(100ms);
+    EXPECT_TRUE(stream.isRunning());
+}
+
+TEST_F(Guarded, APromiseThatComesAfterAFreezeIsNotTrusted)
+{
+    guard.standsAtOnce = false;
+    ASSERT_TRUE(stream.start(duty(), 10s));
+    clock.freeze(600ms);
+    guard.become(Watch::Standing);
+    clock.advance(100ms);
+    EXPECT_EQ(count(driveFrame), 0);
+    EXPECT_EQ(stream.end(), End::Unguarded);
+}
+
+TEST_F(Guarded, ALostLinkLeavesTheMotorToTheGuardian)
+{
+    drive();
+    link.lose("bus-off");
+    EXPECT_EQ(stream.end(), End::LinkLost);
+    EXPECT_EQ(guard.abandoned, 1);
+    EXPECT_FALSE(guard.isWatching());
+}
+
+TEST(GuardedEnd, AStreamThatEndsWithItsProgramLeavesAnUnconfirmedStopToTheGuardian)
+{
+    for (const bool seen : {false, true}) {
+        FreezingClock clock;
+        test::FakeGuard guard;
+        test::LoggedLink link(clock, {Outlet::Form::CanSocket, 7});
+        ASSERT_TRUE(link.open());
+        {
+            test::LooseMotor motor(link, clock);
+            motor.guard().setSource(&guard);
+            SetPointStream stream(motor, clock);
+            SetPoint setPoint;
+            setPoint.mode = Mode::Duty;
+            ASSERT_TRUE(stream.start(setPoint, 10s));
+            motor.seenStopped = seen;
+            stream.stop();
+        }
+        EXPECT_EQ(link.sent.back(), stopFrame);
+        EXPECT_EQ(guard.released, seen ? 1 : 0);
+        EXPECT_EQ(guard.abandoned, seen ? 0 : 1);
+    }
+}
+
+class OnADriver : public Guarded {
+protected:
+    OnADriver()
+        : Guarded(Outlet{})
+    {
+    }
+};
+
+TEST_F(OnADriver, ALinkThatNobodyElseCanUseDrivesNoMotorWithoutWatchdog)
+{
+    const auto allowed = motor.mayMove();
+    ASSERT_FALSE(allowed);
+    EXPECT_EQ(allowed.error().fault, Fault::Unsafe);
+    EXPECT_FALSE(stream.start(duty(), 10s));
+    EXPECT_EQ(guard.calls, 0);
+    EXPECT_TRUE(link.sent.empty());
+}
+
+class Inside : public Guarded {
+protected:
+    Inside()
+        : Guarded(Outlet{Outlet::Form::InProcess, -1})
+    {
+    }
+};
+
+TEST_F(Inside, AMotorThatEndsWithTheProgramNeedsNoGuardian)
+{
+    drive();
+    EXPECT_EQ(guard.calls, 0);
+    clock.freeze(450ms);
+    clock.advance(30ms);
+    EXPECT_TRUE(stream.isRunning());
+}
+
+TEST(GuardedFamilies, AWatchdogNeedsNoGuardian)
+{
+    FreezingClock clock;
+    test::LoggedLink link(clock, {Outlet::Form::CanSocket, 7});
+    ASSERT_TRUE(link.open());
+    static constexpr Family watched = [] {
+        Family family = test::looseFamily;
+        family.capabilities.watchdog = true;
+        return family;
+    }();
+    test::LooseMotor motor(link, clock, watched);
+    EXPECT_TRUE(motor.mayMove());
+    SetPoint setPoint;
+    setPoint.mode = Mode::Duty;
+    EXPECT_TRUE(motor.command(setPoint));
+}
+
+} // namespace
+} // namespace mb

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/device.h"
+#include "model/family.h"
+#include "transport/canlink.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace mb::test {
+
+/// A CAN link that only logs what is sent, with whatever outlet a test wants.
+class LoggedLink final : public CanLink {
+public:
+    LoggedLink(Clock &clock, Outlet outlet)
+        : CanLink(LinkAddress{"socketcan", "can7", {}}, clock)
+        , m_outlet(outlet)
+    {
+    }
+    using Link::lose;
+
+    std::vector<std::string> sent;
+
+private:
+    Result<void> doOpen() override { return {}; }
+    void doClose() override { }
+    [[nodiscard]] Outlet doOutlet() const override { return m_outlet; }
+    Result<void> doSend(const CanFrame &frame, Priority) override
+    {
+        sent.push_back(toText(frame));
+        return {};
+    }
+    [[nodiscard]] std::size_t doBacklog() const override { return 0; }
+    [[nodiscard]] int doBitrate() const override { return 0; }
+
+    Outlet m_outlet;
+};
+
+inline constexpr Mode looseModes[] = {Mode::Duty};
+
+/// A family whose drive has no watchdog: 00000100#01 drives it, 00000100#00 stops it, and it says nothing.
+inline constexpr Family looseFamily = [] {
+    Family family;
+    family.key = "loose";
+    family.title = "Loose motor";
+    family.modes = looseModes;
+    family.capabilities.watchdog = false;
+    return family;
+}();
+
+class LooseMotor final : public Device {
+public:
+    LooseMotor(CanLink &link, Clock &clock, const Family &family = looseFamily)
+        : Device(family, link, clock, {})
+        , m_link(link)
+    {
+        Liveness heard;
+        heard.heard = true;
+        setLiveness(heard);
+    }
+
+    bool seenStopped = false;
+    bool hasScript = true;
+
+private:
+    template <class T> static Task<T> no() { co_return fail(Fault::Unsupported); }
+    Task<void> doRefresh() override { return no<void>(); }
+    Task<std::int64_t> doRead(ParameterIndex) override { return no<std::int64_t>(); }
+    Task<std::int64_t> doWrite(ParameterIndex, std::int64_t) override { return no<std::int64_t>(); }
+    Task<bool> doStore(Progress &) override { return no<bool>(); }
+    Task<std::vector<FaultRecord>> doReadFaults() override { return no<std::vector<FaultRecord>>(); }
+    Task<std::vector<FaultRecord>> doClearFaults() override { return no<std::vector<FaultRecord>>(); }
+    Task<void> doIdentify() override { return no<void>(); }
+    Task<void> doRename(std::string) override { return no<void>(); }
+    Task<void> doRenumber(int) override { return no<void>(); }
+    Task<void> doSetRate(ChannelIndex, double) override { return no<void>(); }
+    [[nodiscard]] Result<void> doCheck(const SetPoint &) const override { return {}; }
+    Result<void> doCommand(const SetPoint &) override { return m_link.send(extendedFrame(0x100, {1})); }
+    void doStop() override { (void)m_link.send(extendedFrame(0x100, {0}), Priority::Urgent); }
+    [[nodiscard]] StopScript doStopScript() const override
+    {
+        StopScript script;
+        if (hasScript)
+            script.steps.push_back({extendedFrame(0x100, {0}), {}, {}, {}, std::chrono::milliseconds(5), 2});
+        return script;
+    }
+    [[nodiscard]] bool doIsSeenStopped() const override { return seenStopped; }
+
+    CanLink &m_link;
+};
+
+} // namespace mb::test
