@@ -7,8 +7,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <memory>
 #include <optional>
 #include <span>
+#include <typeindex>
 
 namespace mb {
 
@@ -56,6 +59,16 @@ public:
     /// Smoothed over some dozen answers; nothing before the first.
     [[nodiscard]] std::optional<Duration> roundTrip() const { return m_roundTrip; }
 
+    /// What all who talk on this line share, such as whose turn it is: made when first asked for, gone with its last holder.
+    template <class T, class Make> [[nodiscard]] std::shared_ptr<T> shared(const Make &make)
+    {
+        std::weak_ptr<void> &known = m_shared[std::type_index(typeid(T))];
+        auto held = std::static_pointer_cast<T>(known.lock());
+        if (!held)
+            known = held = make();
+        return held;
+    }
+
 protected:
     /// A rate that the address fixes is taken; otherwise 115200.
     SerialLink(LinkAddress address, Clock &clock);
@@ -79,6 +92,7 @@ private:
     std::string m_remark;
     std::optional<Duration> m_roundTrip;
     LineLoad m_load;
+    std::map<std::type_index, std::weak_ptr<void>> m_shared;
     Listeners<std::span<const std::uint8_t>> m_received;
     Listeners<> m_lineErrors;
 };
