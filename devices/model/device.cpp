@@ -57,6 +57,8 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
     const Result<std::int64_t> inForce = co_await std::move(task).attempt();
     if (inForce && parameter.nature != Nature::Counter)
         m_parameters.setWritten(index, *inForce);
+    if (inForce && m_family.capabilities.storesAtOnce)
+        m_parameters.setAllStored();
     co_return inForce;
 }
 
@@ -95,6 +97,18 @@ Result<void> Device::command(const SetPoint &setPoint)
     if (auto checked = doCheck(setPoint); !checked)
         return checked;
     return doCommand(setPoint);
+}
+
+Result<void> Device::releaseMoves()
+{
+    if (auto allowed = mayMove(); !allowed)
+        return allowed;
+    return doReleaseMoves();
+}
+
+Result<void> Device::doReleaseMoves()
+{
+    return fail(Fault::Unsupported, std::string(m_family.title) + " has no buffered moves");
 }
 
 void Device::stop()

@@ -59,6 +59,9 @@ public:
     /// Identity, liveness or faults changed.
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
+    /// False for a parameter of the family's table that this device's dialect does not have.
+    [[nodiscard]] bool offers(ParameterIndex index) const { return doOffers(index); }
+
     /// Versions and descriptors from the device itself.
     [[nodiscard]] Task<void> refresh() { return doRefresh(); }
     /// Raw value in force; the store follows. Unsupported for a write-only parameter.
@@ -91,6 +94,8 @@ public:
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const { return doCheck(setPoint); }
     /// One control frame, now. Unsafe while a guard is needed and does not stand. Must be repeated within the device's watchdog time: SetPointStream does.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
+    /// Starts the buffered moves of every device on this link at the same moment (Capabilities::bufferedMoves).
+    [[nodiscard]] Result<void> releaseMoves();
     /// Stop, now, without waiting for anything; before everything that is queued on the link. Always allowed.
     void stop();
     /// Seen by telemetry that is younger than the call to stop(): output off.
@@ -119,6 +124,8 @@ private:
     virtual Task<void> doSetRate(ChannelIndex channel, double hertz) = 0;
     [[nodiscard]] virtual Result<void> doCheck(const SetPoint &setPoint) const = 0;
     virtual Result<void> doCommand(const SetPoint &setPoint) = 0;
+    [[nodiscard]] virtual bool doOffers(ParameterIndex) const { return true; }
+    virtual Result<void> doReleaseMoves();
     virtual void doStop() = 0;
     [[nodiscard]] virtual StopScript doStopScript() const { return {}; }
     [[nodiscard]] virtual bool doIsSeenStopped() const = 0;

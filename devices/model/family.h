@@ -17,8 +17,13 @@ struct Capabilities {
     bool identify = false;     ///< it can blink
     bool rename = false;
     bool renumber = false;
+    bool relativeMoves = false; ///< SetPoint::relative
+    bool bufferedMoves = false; ///< SetPoint::buffered, and one command that starts them on all devices of a link
+    bool storesAtOnce = false;  ///< an acknowledged write survives a power cycle
     int axes = 1;
     int gainSlots = 1;
+    /// A scan of a bus of up to eight units is complete by then.
+    std::chrono::milliseconds scanLimit{500};
     std::chrono::milliseconds commandPeriod{20}; ///< between control frames of a running motor
     std::chrono::seconds storesAfter{
         0}; ///< flash has what RAM has this long after the last write; 0: only when told to
@@ -90,6 +95,8 @@ struct Family {
 
     /// Finds devices. Sends nothing that changes or moves one. Ends when the list is complete.
     Task<void> (*scan)(Link &, Clock &, ScanSink &) = nullptr;
+    /// Asks whether one address answers, where a scan takes long. nullptr: a scan tells.
+    Task<void> (*probe)(Link &, Clock &, int address, ScanSink &) = nullptr;
     std::unique_ptr<Device> (*open)(Link &, Clock &, const Identity &) = nullptr;
     /// Nothing when the frame is not of this family.
     std::optional<DecodedFrame> (*decodeCan)(const CanFrame &, std::string_view dialect) = nullptr;

@@ -59,7 +59,8 @@ std::string_view typeName(const Parameter &parameter)
 {
     switch (parameter.type) {
     case WireType::Boolean: return "boolean";
-    case WireType::Flags32: return "flags";
+    case WireType::Flags32:
+    case WireType::Flags64: return "flags";
     case WireType::Fixed16x16: return "number";
     default: return parameter.one == 1.0 ? "integer" : "number";
     }

@@ -15,7 +15,18 @@
 namespace mb {
 
 /// How a value travels. The codec of a family has one function per wire type, never one per parameter.
-enum class WireType : std::uint8_t { Boolean, Int16, Int32, Uint8, Uint16, Uint31, Uint32, Fixed16x16, Flags32 };
+enum class WireType : std::uint8_t {
+    Boolean,
+    Int16,
+    Int32,
+    Uint8,
+    Uint16,
+    Uint31,
+    Uint32,
+    Fixed16x16,
+    Flags32,
+    Flags64
+};
 
 struct RawRange {
     std::int64_t low = 0;
@@ -34,6 +45,7 @@ struct RawRange {
     case WireType::Uint32: return {0, 4294967295LL};
     case WireType::Fixed16x16: return {-2147483648LL, 2147483647LL};
     case WireType::Flags32: return {0, 4294967295LL};
+    case WireType::Flags64: return {0, std::int64_t{1} << 53}; // what a JSON number holds exactly
     }
     return {};
 }
@@ -75,6 +87,7 @@ struct Parameter {
     std::string_view label;
     std::string_view help;
     std::span<const Choice> choices{};
+    bool afterRestart = false; ///< what is written is in force after the next power cycle only, and so not compared
 };
 
 /// Every row has a key and an id of its own, a default inside its range, and a range that its wire type can carry.

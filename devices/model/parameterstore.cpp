@@ -29,7 +29,7 @@ void ParameterStore::setRead(ParameterIndex index, std::int64_t raw)
 void ParameterStore::setWritten(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &p = parameter(index);
-    if (p.access == Access::WriteOnly)
+    if (p.access == Access::WriteOnly || p.afterRestart)
         set(index, raw, ParameterState::Assumed);
     else if (!p.persistent)
         set(index, raw, ParameterState::Volatile);

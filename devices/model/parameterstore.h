@@ -14,7 +14,7 @@ enum class ParameterState : std::uint8_t {
     Stored,   ///< read from the device, and nothing written since that flash may not have
     Ram,      ///< written and in force, not yet proved to be in flash
     Volatile, ///< in force; the device never keeps it
-    Assumed,  ///< last written to a device that cannot be asked
+    Assumed,  ///< last written to a device that cannot be asked, or in force after a restart only
     Failed,   ///< the last read had no answer, or an error
 };
 

@@ -8,7 +8,7 @@ std::vector<ParameterIndex> readable(const Device &device)
     std::vector<ParameterIndex> indices;
     const auto table = device.parameters().table();
     for (std::uint16_t i = 0; i < table.size(); ++i) {
-        if (table[i].access != Access::WriteOnly)
+        if (table[i].access != Access::WriteOnly && device.offers({i}))
             indices.push_back({i});
     }
     return indices;
@@ -41,7 +41,8 @@ Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
     TransferOutcome outcome{change.index, 0, std::nullopt};
     auto write = device.write(change.index, change.raw);
     outcome.raw = co_await std::move(write).attempt();
-    if (!outcome.raw || parameter.access == Access::WriteOnly || parameter.nature == Nature::Counter)
+    if (!outcome.raw || parameter.access == Access::WriteOnly || parameter.nature == Nature::Counter
+        || parameter.afterRestart)
         co_return outcome;
     auto read = device.read(change.index);
     const Result<std::int64_t> back = co_await std::move(read).attempt();

@@ -18,7 +18,7 @@ struct TransferOutcome {
     std::optional<bool> verified; ///< of a write: read back and equal; nothing where it cannot be read back
 };
 
-/// Every parameter of the device that can be read, in table order.
+/// Every parameter that this device has and that can be read, in table order.
 [[nodiscard]] std::vector<ParameterIndex> readable(const Device &device);
 
 /// Reads one after the other; goes on after an error of one parameter, ends early when the link is lost. Results in the

@@ -52,20 +52,21 @@ public:
     void start()
     {
         for (const Family *family : m_session.m_families) {
-            if (!family->scan
-                || std::find(family->links.begin(), family->links.end(), m_link.kind()) == family->links.end())
-                continue;
-            m_sinks.push_back(std::make_unique<Sink>(*this, *family));
-            ++m_running;
-            m_scope.spawn<void>(family->scan(m_link, m_session.m_clock, *m_sinks.back()), [this](Result<void> result) {
-                if (!result)
-                    error = result.error();
-                if (--m_running == 0)
-                    done.set();
-            });
+            if (family->scan && speaks(*family))
+                spawn(family->scan(m_link, m_session.m_clock, sinkOf(*family)));
         }
         if (m_running == 0)
             done.set();
+    }
+    /// Only this one, where its family can ask for one.
+    void startFor(const DeviceSelector &selector)
+    {
+        const auto family = std::find_if(m_session.m_families.begin(), m_session.m_families.end(),
+            [&selector](const Family *f) { return f->key == selector.family; });
+        if (family != m_session.m_families.end() && (*family)->probe && speaks(**family))
+            spawn((*family)->probe(m_link, m_session.m_clock, selector.address, sinkOf(**family)));
+        else
+            start();
     }
 
     std::vector<Device *> seen;
@@ -73,6 +74,26 @@ public:
     Event done;
 
 private:
+    [[nodiscard]] bool speaks(const Family &family) const
+    {
+        return std::find(family.links.begin(), family.links.end(), m_link.kind()) != family.links.end();
+    }
+    [[nodiscard]] Sink &sinkOf(const Family &family)
+    {
+        m_sinks.push_back(std::make_unique<Sink>(*this, family));
+        return *m_sinks.back();
+    }
+    void spawn(Task<void> task)
+    {
+        ++m_running;
+        m_scope.spawn<void>(std::move(task), [this](Result<void> result) {
+            if (!result)
+                error = result.error();
+            if (--m_running == 0)
+                done.set();
+        });
+    }
+
     Session &m_session;
     Link &m_link;
     std::vector<std::unique_ptr<Sink>> m_sinks;
@@ -211,8 +232,12 @@ Task<Device *> Session::connect(DeviceSelector selector)
     auto link = openLink(selector.link);
     if (!link)
         co_return fail(link.error());
-    auto scanning = scan(**link);
-    const std::vector<Device *> seen = co_await std::move(scanning);
+    ScanRound round(*this, **link);
+    round.startFor(selector);
+    co_await round.done.wait();
+    if (round.error)
+        co_return fail(*round.error);
+    const std::vector<Device *> &seen = round.seen;
     std::vector<Device *> fitting;
     for (Device *device : seen) {
         const Identity &identity = device->identity();

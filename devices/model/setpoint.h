@@ -32,6 +32,10 @@ struct SetPoint {
     bool disableReverseLimit = false;
     double velocity = 0.0;     ///< of profiled modes, counts/s
     double acceleration = 0.0; ///< of profiled modes, counts/s²
+    // Where Capabilities says so:
+    bool relative = false;   ///< position modes: the target is a distance; 0 holds where it is
+    bool buffered = false;   ///< the device keeps it until Device::releaseMoves()
+    std::uint32_t order = 0; ///< another number is another order: tells two equal relative moves apart
 
     friend bool operator==(const SetPoint &, const SetPoint &) = default;
 };

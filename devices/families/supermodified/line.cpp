@@ -89,8 +89,8 @@ void Line::armTimeout(Duration patience)
         if (!m_inFlight->entry.request.answered)
             finish(m_inFlight->entry.request.frame);
         else
-            finish(fail(Fault::Timeout,
-                "node " + std::to_string(m_inFlight->entry.request.frame.to) + " does not answer"));
+            finish(fail(
+                Fault::Timeout, "node " + std::to_string(m_inFlight->entry.request.frame.to) + " does not answer"));
     });
 }
 
@@ -206,8 +206,8 @@ void Line::failUpTo(std::uint64_t id)
             done(fail(error));
     }
     for (;;) {
-        const auto old = std::find_if(
-            m_waiting.begin(), m_waiting.end(), [id](const Entry &entry) { return entry.id <= id; });
+        const auto old
+            = std::find_if(m_waiting.begin(), m_waiting.end(), [id](const Entry &entry) { return entry.id <= id; });
         if (old == m_waiting.end())
             return;
         const Done done = std::move(old->done);
@@ -265,9 +265,8 @@ void Line::note(int node, const Known &known)
 void Line::chooseHost()
 {
     const auto isFree = [this](int host) {
-        return std::none_of(m_nodes.begin(), m_nodes.end(), [host](const auto &entry) {
-            return entry.first == host || belongs(host, entry.first, entry.second.mask);
-        });
+        return std::none_of(m_nodes.begin(), m_nodes.end(),
+            [host](const auto &entry) { return entry.first == host || belongs(host, entry.first, entry.second.mask); });
     };
     for (int host = usualHostId; host <= highestNode; ++host) {
         if (isFree(host)) {

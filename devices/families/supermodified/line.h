@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/task.h"
 #include "families/supermodified/codec.h"
 #include "families/supermodified/pollschedule.h"
-#include "async/task.h"
 #include "transport/seriallink.h"
 
 #include <list>
@@ -23,9 +23,9 @@ public:
     enum class Rank : std::uint8_t { Stop, Move, Task, Poll };
 
     struct Request {
-        Frame frame;              ///< `from` is filled in, unless it is not 0
-        int baudrate = 0;         ///< the line changes to it before it sends
-        std::size_t replySize = 0; ///< data bytes to expect
+        Frame frame;                    ///< `from` is filled in, unless it is not 0
+        int baudrate = 0;               ///< the line changes to it before it sends
+        std::size_t replySize = 0;      ///< data bytes to expect
         Duration patience = answerTime; ///< after the wire time of both frames
         Rank rank = Rank::Task;
         bool answered = true; ///< false for broadcasts

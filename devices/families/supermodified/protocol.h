@@ -108,17 +108,17 @@ constexpr bool isBroadcast(std::uint8_t command)
 // Errors, 3
 
 namespace code {
-    constexpr std::uint8_t motorStalled = 0x01;
-    constexpr std::uint8_t encoderOverflow = 0x02;
-    constexpr std::uint8_t encoderUnderflow = 0x03;
-    constexpr std::uint8_t invalidCommand = 0x11;
-    constexpr std::uint8_t invalidSetCount = 0x12;
-    constexpr std::uint8_t invalidArgument = 0x13;
-    constexpr std::uint8_t invalidForState = 0x14;
-    constexpr std::uint8_t invalidGetCount = 0x15; ///< also raised by every successful get: a warning, noise (trap 5)
-    constexpr std::uint8_t uartFrame = 0x43;
-    constexpr std::uint8_t halfPacket = 0x51;
-    constexpr std::uint8_t wrongLrc = 0x52;
+constexpr std::uint8_t motorStalled = 0x01;
+constexpr std::uint8_t encoderOverflow = 0x02;
+constexpr std::uint8_t encoderUnderflow = 0x03;
+constexpr std::uint8_t invalidCommand = 0x11;
+constexpr std::uint8_t invalidSetCount = 0x12;
+constexpr std::uint8_t invalidArgument = 0x13;
+constexpr std::uint8_t invalidForState = 0x14;
+constexpr std::uint8_t invalidGetCount = 0x15; ///< also raised by every successful get: a warning, noise (trap 5)
+constexpr std::uint8_t uartFrame = 0x43;
+constexpr std::uint8_t halfPacket = 0x51;
+constexpr std::uint8_t wrongLrc = 0x52;
 } // namespace code
 constexpr std::size_t mostCodes = 8;
 
@@ -142,7 +142,7 @@ constexpr std::uint8_t mostReaction = 2;
 constexpr std::array<int, 5> searchRates{57600, 115200, 9600, 19200, 38400};
 constexpr int slowestRate = 600;
 constexpr int fastestRate = 115200;
-constexpr std::chrono::milliseconds answerTime{25}; ///< after the wire time of request and reply
+constexpr std::chrono::milliseconds answerTime{25};       ///< after the wire time of request and reply
 constexpr std::chrono::milliseconds storedAnswerTime{60}; ///< where an EEPROM is written first
 constexpr int patientTries = 4;                           ///< "at least 3" retries
 /// What a real controller divides 20 MHz into (1.2): 115200 is really 119048.
