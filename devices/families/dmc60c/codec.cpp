@@ -114,7 +114,8 @@ std::int64_t rawOf(WireType type, std::uint32_t field)
     case WireType::Uint16:
     case WireType::Uint31:
     case WireType::Uint32:
-    case WireType::Flags32: return field;
+    case WireType::Flags32:
+    case WireType::Flags64: return field;
     }
     return field;
 }

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/supermodified/motion.h"
+
+#include "model/parameter.h"
+
+#include <cmath>
+
+namespace mb::supermodified {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int hurriedStops = 20;             ///< without a pause
+constexpr Duration stopPeriod = 100ms;       ///< after that
+constexpr Duration stopPatience = 10ms;      ///< shorter than usual: a stop may be repeated at any time
+constexpr double unreachable = 2147483648.0; ///< D1, D2: 32-bit arithmetic of the loop overflows at this P·e (4)
+constexpr double fastestProfile = 46340.0;   ///< D1, D2: its square must fit 32 bits (4)
+
+bool isPosition(Mode mode)
+{
+    return mode == Mode::Position || mode == Mode::RampPosition;
+}
+bool isProfiled(Mode mode)
+{
+    return mode == Mode::RampPosition || mode == Mode::RampVelocity;
+}
+
+Result<void> checkNumber(std::string_view name, double value, double low, double high, std::string_view unit)
+{
+    if (std::isfinite(value) && value >= low && value <= high)
+        return {};
+    return mb::fail(Fault::OutOfRange,
+        std::string(name) + ' ' + numberText(value) + " is outside " + numberText(low) + " … " + numberText(high) + ' '
+            + std::string(unit));
+}
+
+} // namespace
+
+Motion::Motion(Line &line, const Node &node, Events events)
+    : m_line(line)
+    , m_node(node)
+    , m_events(std::move(events))
+    , m_stopTimer(line.clock())
+{
+}
+
+// What can be done
+
+Result<Command> Motion::commandFor(const SetPoint &setPoint) const
+{
+    struct Row {
+        Mode mode;
+        bool relative;
+        Command now;
+        Command buffered;
+    };
+    constexpr std::array rows{
+        Row{Mode::Velocity, false, Command::MoveVelocity, Command::BufferVelocity},
+        Row{Mode::RampVelocity, false, Command::MoveProfiledVelocity, Command::BufferProfiledVelocity},
+        Row{Mode::Position, false, Command::MoveAbsolute, Command::BufferAbsolute},
+        Row{Mode::Position, true, Command::MoveRelative, Command::BufferRelative},
+        Row{Mode::RampPosition, false, Command::MoveProfiledAbsolute, Command::BufferProfiledAbsolute},
+        Row{Mode::RampPosition, true, Command::MoveProfiledRelative, Command::BufferProfiledRelative},
+    };
+    for (const Row &row : rows) {
+        if (row.mode == setPoint.mode && (row.relative == setPoint.relative || !isPosition(row.mode)))
+            return setPoint.buffered ? row.buffered : row.now;
+    }
+    return mb::fail(Fault::Unsupported, "a Supermodified has no mode '" + std::string(toString(setPoint.mode)) + "'");
+}
+
+bool Motion::isHold(const SetPoint &setPoint) const
+{
+    return setPoint.relative && !setPoint.buffered && isPosition(setPoint.mode) && setPoint.target == 0.0;
+}
+
+std::int64_t Motion::valueFor(const SetPoint &setPoint) const
+{
+    const auto target = static_cast<std::int64_t>(std::llround(setPoint.target));
+    return isPosition(setPoint.mode) && !setPoint.relative ? target - m_origin : target;
+}
+
+Result<void> Motion::check(const SetPoint &setPoint) const
+{
+    if (setPoint.mode == Mode::Off)
+        return {};
+    if (setPoint.axis != 1 || setPoint.slot != 0)
+        return mb::fail(Fault::Unsupported, "a Supermodified has one axis and one set of gains");
+    const auto command = commandFor(setPoint);
+    if (!command)
+        return mb::fail(command.error());
+    if (auto good = checkNumber("the target", setPoint.target, -9e15, 9e15, unitOf(setPoint.mode)); !good)
+        return good;
+    if (auto fits = request(m_node.id, usualHostId, *command, dialect(), valueFor(setPoint)); !fits)
+        return mb::fail(fits.error());
+    const bool narrow = dialect() == Dialect::D1;
+    const double fastest = narrow || dialect() == Dialect::D2 ? fastestProfile : 4294967295.0;
+    if (auto good = checkNumber("--velocity", setPoint.velocity, 0.0, fastest, "counts/s"); !good)
+        return good;
+    if (auto good
+        = checkNumber("--acceleration", setPoint.acceleration, 0.0, narrow ? 65535.0 : 4294967295.0, "counts/s²");
+        !good)
+        return good;
+    return checkReach(setPoint);
+}
+
+/// An un-profiled move is one step of the error, which the loop of D1 and D2 multiplies by P in 32 bits.
+Result<void> Motion::checkReach(const SetPoint &setPoint) const
+{
+    if (setPoint.mode != Mode::Position || m_gain == 0 || !m_node.dialect || dialect() == Dialect::D3)
+        return {};
+    const double distance
+        = setPoint.relative ? setPoint.target : setPoint.target - static_cast<double>(m_position + m_origin);
+    const double farthest = std::floor(unreachable / static_cast<double>(m_gain)) - 1.0;
+    if (std::abs(distance) <= farthest)
+        return {};
+    return mb::fail(Fault::OutOfRange,
+        "a step of " + numberText(distance) + " counts overflows the loop of this firmware; at most "
+            + numberText(farthest) + " with its P: use a profiled mode or several moves");
+}
+
+// Set-points
+
+Result<void> Motion::command(const SetPoint &setPoint)
+{
+    if (m_failure)
+        return mb::fail(Fault::Unsafe, *m_failure);
+    if (m_stopping)
+        return mb::fail(Fault::Unsafe, "the stop before it is not acknowledged yet");
+    if (m_wanted == setPoint)
+        return {};
+    m_wanted = setPoint;
+    // the newest target replaces what waits, but a relative move is never skipped
+    const std::size_t underWay = m_step ? 1 : 0;
+    if (m_orders.size() > underWay && !setPoint.relative && !m_orders.back().relative)
+        m_orders.back() = setPoint;
+    else
+        m_orders.push_back(setPoint);
+    pump();
+    return {};
+}
+
+void Motion::pump()
+{
+    if (m_step || m_orders.empty() || m_stopping)
+        return;
+    m_tries = 0;
+    send(nextStep());
+}
+
+Motion::Step Motion::nextStep() const
+{
+    const SetPoint &order = m_orders.front();
+    // A relative move is sent once, so nothing older may still be answered or reported.
+    if (!m_looked && (!m_energized || order.relative))
+        return Step::Look;
+    if (!m_energized)
+        return Step::Start;
+    if (isProfiled(order.mode) && order.velocity > 0.0 && m_profileVelocity != order.velocity)
+        return Step::Velocity;
+    if (isProfiled(order.mode) && order.acceleration > 0.0 && m_profileAcceleration != order.acceleration)
+        return Step::Acceleration;
+    return Step::Move;
+}
+
+Result<Line::Request> Motion::requestFor(Step step) const
+{
+    const SetPoint &order = m_orders.front();
+    switch (step) {
+    case Step::Look: return asking(m_node, Command::GetPosition);
+    case Step::Start: return asking(m_node, Command::Start);
+    case Step::Velocity: return setting(m_node, Command::ProfileVelocity, std::llround(order.velocity));
+    case Step::Acceleration: return setting(m_node, Command::ProfileAcceleration, std::llround(order.acceleration));
+    case Step::Move: break;
+    }
+    if (isHold(order))
+        return asking(m_node, Command::Halt);
+    const auto command = commandFor(order);
+    return command ? setting(m_node, *command, valueFor(order)) : mb::fail(command.error());
+}
+
+void Motion::send(Step step)
+{
+    auto request = requestFor(step);
+    if (!request) {
+        fail(request.error().detail);
+        return;
+    }
+    request->rank = Line::Rank::Move;
+    m_step = step;
+    ++m_tries;
+    m_ticket = m_line.submit(std::move(*request), [this, step](const Result<Frame> &reply) { answered(step, reply); });
+}
+
+void Motion::answered(Step step, const Result<Frame> &reply)
+{
+    m_step.reset();
+    const auto codes = reply ? codesOf(*reply) : std::nullopt;
+    if (reply && !codes) {
+        done(step, *reply);
+        return;
+    }
+    if (codes) {
+        refused(step, *codes);
+        return;
+    }
+    if (reply.error().fault != Fault::Timeout) {
+        fail(reply.error().detail);
+        return;
+    }
+    if (step == Step::Move && m_orders.front().relative && !isHold(m_orders.front()))
+        fail("a relative move was not answered, and is never sent twice: look where the motor stands");
+    else if (m_tries < patientTries)
+        send(step);
+    else
+        fail("the device does not answer");
+}
+
+void Motion::refused(Step step, std::span<const std::uint8_t> codes)
+{
+    const std::vector<std::uint8_t> kept(codes.begin(), codes.end());
+    m_events.codes(kept);
+    if (m_failure || m_stopping) // the listener heard of a stall, or stopped
+        return;
+    if (step == Step::Move && kept.back() == code::invalidForState) {
+        setEnergized(false);
+        fail("the device says that the motor is not started; it may have lost its supply");
+    } else if (m_tries < patientTries) {
+        send(step); // not executed, so also a relative move may be sent again
+    } else {
+        fail("refused: " + codesText(kept));
+    }
+}
+
+void Motion::done(Step step, const Frame &reply)
+{
+    SetPoint &order = m_orders.front();
+    switch (step) {
+    case Step::Look:
+        m_looked = true;
+        m_events.positioned(reply);
+        break;
+    case Step::Start:
+        m_origin += m_position; // the node counts from 0 again
+        m_position = 0;
+        setEnergized(true);
+        break;
+    case Step::Velocity: m_profileVelocity = order.velocity; break;
+    case Step::Acceleration: m_profileAcceleration = order.acceleration; break;
+    case Step::Move:
+        m_applied = order;
+        m_looked = false;
+        m_orders.pop_front();
+        break;
+    }
+    if (!m_stopping)
+        pump();
+}
+
+Result<void> Motion::release()
+{
+    if (isBusy())
+        return mb::fail(Fault::Unsafe, "a buffered move is not acknowledged yet; try again");
+    Line::Request tell = telling(m_node, Command::DoMove);
+    tell.rank = Line::Rank::Move;
+    m_releaseTicket = m_line.submit(std::move(tell), [](const Result<Frame> &) {});
+    return {};
+}
+
+void Motion::reassert()
+{
+    if (!m_energized || isBusy() || m_stopping || !m_applied || m_applied->relative || m_applied->buffered)
+        return;
+    m_orders.push_back(*m_applied);
+    pump();
+}
+
+void Motion::fail(std::string why)
+{
+    m_ticket.reset();
+    m_step.reset();
+    m_orders.clear();
+    if (!m_failure)
+        m_failure = std::move(why);
+    m_events.changed();
+}
+
+void Motion::setEnergized(bool energized)
+{
+    m_energized = energized;
+    m_line.setDriving(m_node.id, energized);
+    m_events.changed();
+}
+
+// Stop
+
+void Motion::stop()
+{
+    m_ticket.reset();
+    m_releaseTicket.reset();
+    m_step.reset();
+    m_orders.clear();
+    m_wanted.reset();
+    m_applied.reset();
+    m_failure.reset();
+    m_profileVelocity.reset();
+    m_profileAcceleration.reset();
+    m_looked = false;
+    m_stopTries = 0;
+    if (std::exchange(m_stopping, true) && m_stopTimer.isActive())
+        m_stopTimer.stop();
+    sendStop(Duration::zero());
+}
+
+void Motion::sendStop(Duration delay)
+{
+    if (delay > Duration::zero()) {
+        m_stopTimer.startIn(delay, [this] { sendStop(Duration::zero()); });
+        return;
+    }
+    if (m_line.link().state() != LinkState::Open)
+        return; // resume() goes on
+    Line::Request request = asking(m_node, Command::Stop);
+    request.rank = Line::Rank::Stop;
+    request.patience = stopPatience;
+    m_stopTicket = m_line.submit(std::move(request), [this](const Result<Frame> &reply) { stopAnswered(reply); });
+}
+
+void Motion::stopAnswered(const Result<Frame> &reply)
+{
+    if (reply && reply->is(Command::Stop)) {
+        m_stopping = false;
+        m_stoppedAt = m_line.clock().now();
+        m_looked = false;
+        setEnergized(false);
+        return;
+    }
+    if (const auto codes = reply ? codesOf(*reply) : std::nullopt) {
+        const std::vector<std::uint8_t> kept(codes->begin(), codes->end());
+        m_events.codes(kept);
+    }
+    if (!reply && reply.error().fault == Fault::LinkLost)
+        return;
+    sendStop(++m_stopTries < hurriedStops ? Duration::zero() : stopPeriod);
+}
+
+void Motion::resume()
+{
+    if (m_stopping)
+        sendStop(Duration::zero());
+}
+
+} // namespace mb::supermodified

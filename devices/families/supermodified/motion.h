@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/supermodified/node.h"
+#include "model/setpoint.h"
+
+#include <deque>
+#include <functional>
+
+namespace mb::supermodified {
+
+/// What moves one node: turns set-points into starts and moves, each acknowledged before the next, and repeats a stop until
+/// it is acknowledged, because a node with an error in its queue refuses the first one (trap 2).
+///
+/// A node has no set-point that must be kept alive, so an equal set-point sends nothing. Start zeroes the node's position
+/// (trap 3); positions stay continuous here: origin() is what to add to the node's count.
+class Motion {
+public:
+    struct Events {
+        std::function<void()> changed;                 ///< isEnergized(), isStopping(), failure()
+        CodeSink codes;                                ///< error codes instead of an answer
+        std::function<void(const Frame &)> positioned; ///< a position was read on the way
+    };
+
+    Motion(Line &line, const Node &node, Events events);
+    Motion(const Motion &) = delete;
+    Motion &operator=(const Motion &) = delete;
+
+    /// Whether the node could do it: Unsupported, OutOfRange. A node of unknown dialect is taken for the widest.
+    [[nodiscard]] Result<void> check(const SetPoint &setPoint) const;
+    /// Takes a set-point; what it needs is sent one after the other. Fails with why the motion before it ended (stall, no
+    /// answer) until stop() was called, and while a stop is not acknowledged.
+    [[nodiscard]] Result<void> command(const SetPoint &setPoint);
+    /// Broadcasts DoMove once everything that was commanded has been acknowledged.
+    [[nodiscard]] Result<void> release();
+    /// Stops now, and goes on until the node has acknowledged it; across a lost link, too.
+    void stop();
+    /// A poll got no answer, or came back after silence: sends the present set-point again where that is harmless, so that
+    /// a node that lost its power says that it is not started.
+    void reassert();
+    /// The node's bridge is off by its own doing.
+    void fail(std::string why);
+    /// The link is open again.
+    void resume();
+
+    /// The bridge is on, as far as was acknowledged.
+    [[nodiscard]] bool isEnergized() const { return m_energized; }
+    [[nodiscard]] bool isStopping() const { return m_stopping; }
+    /// A move was commanded and its acknowledgement is not there.
+    [[nodiscard]] bool isBusy() const { return m_step.has_value() || !m_orders.empty(); }
+    /// When the last stop was acknowledged.
+    [[nodiscard]] std::optional<Instant> stoppedAt() const { return m_stoppedAt; }
+    [[nodiscard]] const std::optional<SetPoint> &applied() const { return m_applied; }
+    [[nodiscard]] std::int64_t origin() const { return m_origin; }
+    /// The last position that the node told, without origin.
+    void setPosition(std::int64_t raw) { m_position = raw; }
+    /// P of the node, for the bound of un-profiled moves (section 4); 0 when unknown.
+    void setGain(std::int64_t p) { m_gain = p; }
+
+private:
+    enum class Step { Look, Start, Velocity, Acceleration, Move };
+
+    [[nodiscard]] Result<Command> commandFor(const SetPoint &setPoint) const;
+    [[nodiscard]] std::int64_t valueFor(const SetPoint &setPoint) const;
+    [[nodiscard]] Result<void> checkReach(const SetPoint &setPoint) const;
+    [[nodiscard]] bool isHold(const SetPoint &setPoint) const;
+    [[nodiscard]] Dialect dialect() const { return m_node.dialect.value_or(Dialect::D3); }
+    void pump();
+    [[nodiscard]] Step nextStep() const;
+    [[nodiscard]] Result<Line::Request> requestFor(Step step) const;
+    void send(Step step);
+    void answered(Step step, const Result<Frame> &reply);
+    void done(Step step, const Frame &reply);
+    void refused(Step step, std::span<const std::uint8_t> codes);
+    void sendStop(Duration delay);
+    void stopAnswered(const Result<Frame> &reply);
+    void setEnergized(bool energized);
+
+    Line &m_line;
+    const Node &m_node;
+    Events m_events;
+    std::deque<SetPoint> m_orders; ///< not acknowledged yet; the first one is under way
+    std::optional<SetPoint> m_wanted;
+    std::optional<SetPoint> m_applied;
+    std::optional<Step> m_step;
+    int m_tries = 0;
+    bool m_looked = false;
+    std::optional<double> m_profileVelocity;
+    std::optional<double> m_profileAcceleration;
+    bool m_energized = false;
+    bool m_stopping = false;
+    int m_stopTries = 0;
+    std::optional<Instant> m_stoppedAt;
+    std::optional<std::string> m_failure;
+    std::int64_t m_origin = 0;
+    std::int64_t m_position = 0;
+    std::int64_t m_gain = 0;
+    Line::Ticket m_ticket;
+    Line::Ticket m_stopTicket;
+    Line::Ticket m_releaseTicket;
+    Timer m_stopTimer;
+};
+
+} // namespace mb::supermodified
