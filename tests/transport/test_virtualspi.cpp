@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/virtualclock.h"
+#include "transport/backends/virtualspi.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using Bytes = SpiLink::Bytes;
+
+/// Answers each byte with its complement; the level of its ready line is set by hand.
+struct Echo final : SpiSlave {
+    void transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t> miso) override
+    {
+        heard.emplace_back(mosi.begin(), mosi.end());
+        std::transform(mosi.begin(), mosi.end(), miso.begin(), [](auto b) { return static_cast<std::uint8_t>(~b); });
+    }
+    [[nodiscard]] bool isReady() const override { return level; }
+    void reset() override { ++resets; }
+
+    std::vector<Bytes> heard;
+    bool level = false;
+    int resets = 0;
+};
+
+Task<Bytes> transfer(SpiLink &link, Bytes mosi)
+{
+    Result<Bytes> miso = co_await link.transfer(std::move(mosi));
+    co_return miso;
+}
+
+struct VirtualSpi : testing::Test {
+    VirtualSpi()
+        : slaveLink(*LinkAddress::parse("sim:spi"))
+        , link(*LinkAddress::parse("sim:spi"), clock, slaveLink, 500'000, 1)
+    {
+        slaveLink.attach(&board);
+        EXPECT_TRUE(link.open());
+    }
+    VirtualClock clock;
+    Echo board;
+    VirtualSpiSlaveLink slaveLink;
+    VirtualSpiLink link;
+};
+
+TEST_F(VirtualSpi, AByteTakes16MicrosecondsAt500Kilohertz)
+{
+    Task<Bytes> task = transfer(link, {0x01, 0x02, 0x03});
+    const Instant begin = clock.now();
+    task.start();
+    ASSERT_TRUE(clock.runUntil([&] { return task.isFinished(); }, 1s));
+    EXPECT_EQ(clock.now() - begin, 48us);
+    EXPECT_EQ(*task.result(), (Bytes{0xFE, 0xFD, 0xFC}));
+}
+
+TEST_F(VirtualSpi, TransfersTakePlaceOneAfterTheOtherAndUrgentOnesFirst)
+{
+    Task<Bytes> first = transfer(link, {1});
+    Task<Bytes> second = transfer(link, {2});
+    first.start();
+    second.start();
+    ASSERT_TRUE(link.sendUrgent({9}));
+    clock.advance(1ms);
+    EXPECT_EQ(board.heard, (std::vector<Bytes>{{1}, {9}, {2}}));
+    EXPECT_TRUE(second.isFinished());
+}
+
+TEST_F(VirtualSpi, ATransferThatWasCancelledBeforeItBeganDoesNotTakePlace)
+{
+    Task<Bytes> first = transfer(link, {1});
+    Task<Bytes> second = transfer(link, {2});
+    first.start();
+    second.start();
+    second.cancel();
+    clock.advance(1ms);
+    EXPECT_EQ(board.heard, (std::vector<Bytes>{{1}}));
+}
+
+TEST_F(VirtualSpi, UnpluggingEndsWhatWaits)
+{
+    Task<Bytes> first = transfer(link, {1});
+    Task<Bytes> second = transfer(link, {2});
+    first.start();
+    second.start();
+    link.unplug();
+    clock.advance(1ms);
+    ASSERT_TRUE(first.isFinished());
+    ASSERT_TRUE(second.isFinished());
+    EXPECT_EQ(first.result().error().fault, Fault::LinkLost);
+    EXPECT_EQ(second.result().error().fault, Fault::LinkLost);
+    EXPECT_FALSE(link.sendUrgent({9}));
+}
+
+TEST_F(VirtualSpi, WaitingForTheReadyLineEndsWhenItRisesOrTheTimeIsOver)
+{
+    Task<void> waiting = link.waitReady(10ms);
+    waiting.start();
+    clock.advance(3ms);
+    EXPECT_FALSE(waiting.isFinished());
+    board.level = true;
+    slaveLink.readyChanged();
+    clock.advance(1us);
+    ASSERT_TRUE(waiting.isFinished());
+    EXPECT_TRUE(waiting.result());
+
+    board.level = false;
+    slaveLink.readyChanged();
+    clock.advance(1us);
+    Task<void> again = link.waitReady(10ms);
+    again.start();
+    clock.advance(11ms);
+    ASSERT_TRUE(again.isFinished());
+    EXPECT_EQ(again.result().error().fault, Fault::Timeout);
+}
+
+TEST_F(VirtualSpi, ResetReachesTheBoard)
+{
+    ASSERT_TRUE(link.pulseReset());
+    EXPECT_EQ(board.resets, 1);
+}
+
+} // namespace
+} // namespace mb
