@@ -13,6 +13,9 @@ find_package(tl-expected CONFIG REQUIRED)
 set_package_properties(tl-expected PROPERTIES TYPE REQUIRED PURPOSE "Result<T>: value or fault, without exceptions")
 find_package(CLI11 CONFIG REQUIRED)
 set_package_properties(CLI11 PROPERTIES TYPE REQUIRED PURPOSE "Arguments of motorbenchctl")
+find_package(muparser CONFIG REQUIRED)
+set_package_properties(muparser PROPERTIES TYPE REQUIRED PURPOSE "Formulas of derived signals in plots")
+find_library(FFTW3_LIBRARY fftw3 REQUIRED) # the spectrum of a selection, of any length
 
 if(MOTORBENCH_TESTS)
   find_package(Qt5 5.15 REQUIRED COMPONENTS Test)

@@ -12,9 +12,6 @@ History::Micros History::toMicros(Instant time)
     return std::chrono::floor<std::chrono::microseconds>(time.time_since_epoch()).count();
 }
 
-History::History() = default;
-History::~History() = default;
-
 void History::append(Instant time, double value)
 {
     if (!std::isfinite(value)) {
@@ -27,12 +24,18 @@ void History::append(Instant time, double value)
         ++m_clamped;
     }
     Chunk &chunk = room(micros);
+    if (chunk.count == 0)
+        m_sums.back().first = value;
     const Position position = positionOf(m_chunks.size() - 1, chunk.count);
     if (m_broken)
         m_breaks.push_back({position, m_lost});
     m_broken = false;
     chunk.values[chunk.count] = value;
     chunk.offsets[chunk.count] = static_cast<std::uint32_t>(micros - m_starts.back());
+    Sums &sums = m_sums.back();
+    const double difference = value - sums.first;
+    sums.sum += difference;
+    sums.squares += difference * difference;
     ++chunk.count;
     include(chunk, position, value);
     m_lastTime = micros;
@@ -44,22 +47,6 @@ void History::breakLine(std::uint64_t lost)
 {
     m_lost += lost;
     m_broken = true;
-    ++m_revision;
-}
-
-void History::clear()
-{
-    m_chunks.clear();
-    m_starts.clear();
-    for (auto &level : m_levels)
-        level.clear();
-    m_breaks.clear();
-    m_size = 0;
-    m_lastTime = std::numeric_limits<Micros>::min();
-    m_lost = 0;
-    m_clamped = 0;
-    m_broken = false;
-    ++m_generation;
     ++m_revision;
 }
 
@@ -134,28 +121,6 @@ std::size_t History::read(std::size_t index, Instant to, std::size_t most, std::
         ++index;
     }
     return index;
-}
-
-std::size_t History::memoryUse() const
-{
-    std::size_t bytes = m_chunks.size() * sizeof(Chunk) + m_chunks.capacity() * sizeof(m_chunks.front())
-        + m_starts.capacity() * sizeof(Micros) + m_breaks.capacity() * sizeof(Break);
-    for (const auto &level : m_levels)
-        bytes += level.capacity() * sizeof(Node);
-    return bytes;
-}
-
-History::Chunk &History::room(Micros time)
-{
-    const bool fits = !m_chunks.empty() && m_chunks.back()->count < chunkSize
-        && time - m_starts.back() <= std::numeric_limits<std::uint32_t>::max();
-    if (!fits) {
-        m_chunks.push_back(std::make_unique_for_overwrite<Chunk>());
-        m_chunks.back()->count = 0;
-        m_chunks.back()->firstIndex = m_size;
-        m_starts.push_back(time);
-    }
-    return *m_chunks.back();
 }
 
 void History::include(Chunk &chunk, Position position, double value)

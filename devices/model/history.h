@@ -24,6 +24,8 @@ struct Point {
 
 class History;
 
+class ChunkStore;
+
 /// What History::columns() answered last, kept by a reader who asks again and again for a window that moves: only
 /// columns that are new since, or not full yet, are computed. One for each trace of a picture.
 class ColumnWindow {
@@ -44,7 +46,8 @@ private:
 /// The whole recording of one channel: chunks of values with 32-bit time offsets, and a pyramid of extremes (factor 16)
 /// that is kept on append, so that a picture of any stretch costs what its width costs, not what its length costs.
 /// Values are doubles (counts exact to 2^53) and extremes are exact; times are kept in whole microseconds, rounded
-/// down. 13.6 bytes a sample, pyramid included. Not thread-safe by itself (queries count their work): see Telemetry.
+/// down. 13.6 bytes a sample, pyramid included; beyond the budget of a ChunkStore the oldest full chunks move to its file,
+/// and everything else goes on as before. Not thread-safe by itself (queries count their work): see Telemetry.
 class History {
 public:
     struct Extremes {
@@ -58,6 +61,17 @@ public:
         std::uint64_t lost = 0;
     };
 
+    /// Of the samples in a stretch of time. Each sample counts the same, whatever the time to the next.
+    struct Statistics {
+        std::size_t count = 0;
+        std::uint64_t lost = 0; ///< known missing between them
+        double mean = 0.0;
+        double deviation = 0.0; ///< standard deviation of the samples, divided by their number
+        double rms = 0.0;
+        double low = 0.0;
+        double high = 0.0;
+    };
+
     History();
     History(const History &) = delete;
     History &operator=(const History &) = delete;
@@ -68,6 +82,8 @@ public:
     void append(Instant time, double value);
     /// The next sample does not connect to the last one; `lost` samples are known missing between them.
     void breakLine(std::uint64_t lost = 0);
+    /// From now on chunks beyond the store's budget go to its file. Once, before the first sample.
+    void keepIn(std::shared_ptr<ChunkStore> store);
     /// Forgets everything, the counters of lost and clamped samples included; revision() goes on.
     void clear();
 
@@ -97,6 +113,8 @@ public:
     [[nodiscard]] std::optional<Point> at(Instant time) const;
     /// Of the samples in [from, to]; nothing when there are none.
     [[nodiscard]] std::optional<Extremes> extremes(Instant from, Instant to) const;
+    /// Of the samples in [from, to]; costs what its ends cost and one step for each 4096 samples.
+    [[nodiscard]] std::optional<Statistics> statistics(Instant from, Instant to) const;
     /// Gaps that touch [from, to], in time order. Those that begin less than `merge` after the beginning of another are
     /// reported as one with it, which bounds the cost. A gap is listed once a sample follows it; lost() knows it
     /// before.
@@ -110,7 +128,7 @@ public:
     /// first one, unless it is number 0); replaces `out`. Yields the number to go on with; it is `index` at the end.
     std::size_t read(std::size_t index, Instant to, std::size_t most, std::vector<Point> &out) const;
 
-    /// Bytes allocated.
+    /// Bytes allocated in memory; chunks that went to the file of a store are not among them.
     [[nodiscard]] std::size_t memoryUse() const;
     /// Samples and nodes that queries have looked at since construction: what tests and benchmarks bound.
     [[nodiscard]] std::uint64_t visited() const { return m_visited; }
@@ -125,6 +143,18 @@ private:
     struct Node;
     struct Chunk;
     class Columns;
+    /// Sums over one chunk, of the differences from its first value: exact where values are large and close.
+    struct Sums {
+        double first = 0.0;
+        double sum = 0.0;
+        double squares = 0.0;
+    };
+    struct Moments;
+    /// A chunk is in memory, or in a room of the store.
+    struct Release {
+        ChunkStore *store = nullptr; ///< nullptr: allocated
+        void operator()(Chunk *chunk) const;
+    };
     struct Break {
         Position before;         ///< the sample that does not connect
         std::uint64_t lostSoFar; ///< this break included
@@ -142,6 +172,9 @@ private:
     }
 
     [[nodiscard]] Chunk &room(Micros time);
+    /// Moves the oldest chunks that are still in memory to the file, while the store is over its budget.
+    void moveOut();
+    void addMoments(std::size_t chunk, std::uint32_t from, std::uint32_t to, Moments &moments) const;
     void include(Chunk &chunk, Position position, double value);
     [[nodiscard]] Position end() const;
     [[nodiscard]] Position next(Position position) const;
@@ -161,7 +194,10 @@ private:
     /// The first break at or after `position`.
     [[nodiscard]] BreakIterator breakFrom(Position position) const;
 
-    std::vector<std::unique_ptr<Chunk>> m_chunks;
+    std::shared_ptr<ChunkStore> m_store; ///< outlives the chunks
+    std::vector<std::unique_ptr<Chunk, Release>> m_chunks;
+    std::size_t m_movedOut = 0;                         ///< so many of the first chunks are in the file
+    std::vector<Sums> m_sums;                           ///< of the chunks
     std::vector<Micros> m_starts;                       ///< of the chunks
     std::array<std::vector<Node>, levelCount> m_levels; ///< one node for 1, 16, 256, 4096 chunks
     std::vector<Break> m_breaks;

@@ -215,6 +215,8 @@ Device &Session::adopt(Link &link, const Family &family, const Identity &identit
     if (!match) {
         Entry entry{DeviceId{++m_lastId}, family.open(link, m_clock, identity), nullptr, {}};
         entry.device->guard().setSource(m_guard);
+        if (m_store)
+            entry.device->telemetry()->keepIn(m_store);
         entry.changed = entry.device->changed().add([this] { m_changed.notify(); });
         m_devices.push_back(std::move(entry));
         match = &m_devices.back();

@@ -32,6 +32,9 @@ public:
     [[nodiscard]] Clock &clock() const { return m_clock; }
     [[nodiscard]] std::span<const Family *const> families() const { return m_families; }
 
+    /// Where the recordings of all devices go beyond a memory budget; for devices found from now on.
+    void keepHistoriesIn(std::shared_ptr<ChunkStore> store) { m_store = std::move(store); }
+
     /// Opens a link, or yields the one that is open under this address. `sim:` alone must be expanded first (expandLink).
     [[nodiscard]] Result<Link *> openLink(const LinkAddress &address);
     /// Stops its motors, forgets its devices.
@@ -85,6 +88,7 @@ private:
     std::list<OpenLink> m_links; // lists: an element is destroyed whole, in the reverse order of its members
     std::list<Entry> m_devices;
     std::uint32_t m_lastId = 0;
+    std::shared_ptr<ChunkStore> m_store;
     Timer m_commit;
 };
 

@@ -143,6 +143,19 @@ std::optional<History::Extremes> Telemetry::extremes(ChannelIndex channel, Insta
     return history(channel).extremes(from, to);
 }
 
+std::optional<History::Statistics> Telemetry::statistics(ChannelIndex channel, Instant from, Instant to) const
+{
+    const std::lock_guard lock(m_mutex);
+    return history(channel).statistics(from, to);
+}
+
+void Telemetry::keepIn(const std::shared_ptr<ChunkStore> &store)
+{
+    const std::lock_guard lock(m_mutex);
+    for (History &history : m_histories)
+        history.keepIn(store);
+}
+
 std::vector<History::Gap> Telemetry::gaps(ChannelIndex channel, Instant from, Instant to, Duration merge) const
 {
     const std::lock_guard lock(m_mutex);
@@ -186,10 +199,11 @@ std::size_t Telemetry::lowerBound(ChannelIndex channel, Instant from) const
     return history(channel).lowerBound(from);
 }
 
-std::size_t Telemetry::readBlock(ChannelIndex channel, std::size_t index, Instant to, std::vector<Point> &out) const
+std::size_t Telemetry::read(
+    ChannelIndex channel, std::size_t index, Instant to, std::size_t most, std::vector<Point> &out) const
 {
     const std::lock_guard lock(m_mutex);
-    return history(channel).read(index, to, blockSize, out);
+    return history(channel).read(index, to, most, out);
 }
 
 } // namespace mb

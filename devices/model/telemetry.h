@@ -39,6 +39,8 @@ public:
     void lost(ChannelIndex channel, std::uint64_t count);
     /// The next sample does not connect to the last one, and nobody knows whether any is missing.
     void breakLine(ChannelIndex channel);
+    /// Chunks beyond the store's budget go to its file. Once, before the first sample.
+    void keepIn(const std::shared_ptr<ChunkStore> &store);
     /// Once a batch of frames, or a tick.
     void commit();
     [[nodiscard]] Listeners<const Sample &> &samples() { return m_samples; }
@@ -57,6 +59,7 @@ public:
     [[nodiscard]] std::optional<Point> last(ChannelIndex channel) const;
     [[nodiscard]] std::optional<Point> at(ChannelIndex channel, Instant time) const;
     [[nodiscard]] std::optional<History::Extremes> extremes(ChannelIndex channel, Instant from, Instant to) const;
+    [[nodiscard]] std::optional<History::Statistics> statistics(ChannelIndex channel, Instant from, Instant to) const;
     [[nodiscard]] std::vector<History::Gap> gaps(
         ChannelIndex channel, Instant from, Instant to, Duration merge = Duration::zero()) const;
     [[nodiscard]] std::size_t size(ChannelIndex channel) const;
@@ -67,6 +70,10 @@ public:
     /// Calls `visit(const Point &)` for the samples in [from, to] and the gaps between them. The lock is let go between
     /// blocks, so that a long export never holds up the engine.
     template <class Visitor> void forEach(ChannelIndex channel, Instant from, Instant to, Visitor visit) const;
+    /// The same for readers that go on later: see History::lowerBound() and History::read().
+    [[nodiscard]] std::size_t lowerBound(ChannelIndex channel, Instant from) const;
+    std::size_t read(
+        ChannelIndex channel, std::size_t index, Instant to, std::size_t most, std::vector<Point> &out) const;
     /// Forgets the recordings. What is latest, and the rates, stay.
     void clear();
     /// @}
@@ -93,9 +100,6 @@ private:
 
     void push(const Pending &pending);
     static void measure(Live &live, Instant time);
-    [[nodiscard]] std::size_t readBlock(
-        ChannelIndex channel, std::size_t index, Instant to, std::vector<Point> &out) const;
-    [[nodiscard]] std::size_t lowerBound(ChannelIndex channel, Instant from) const;
     [[nodiscard]] const History &history(ChannelIndex channel) const { return m_histories[channel.value]; }
 
     std::span<const Channel> m_channels;
@@ -114,7 +118,7 @@ template <class Visitor> void Telemetry::forEach(ChannelIndex channel, Instant f
     std::vector<Point> block;
     std::size_t index = lowerBound(channel, from);
     for (bool begun = false;; begun = true) {
-        const std::size_t following = readBlock(channel, index, to, block);
+        const std::size_t following = read(channel, index, to, blockSize, block);
         if (following == index)
             return;
         const std::size_t skip = !begun && block.front().isGap() ? 1 : 0;

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/export.h"
+
+#include "recording/filetransaction.h"
+#include "recording/merge.h"
+
+#include <array>
+#include <charconv>
+#include <ctime>
+
+namespace mb {
+namespace {
+
+constexpr std::uint64_t lookEvery = 16384; ///< samples between two looks at the progress
+
+double seconds(Duration duration)
+{
+    return std::chrono::duration<double>(duration).count();
+}
+
+std::string isoTime(Duration sinceEpoch)
+{
+    const std::int64_t micros = std::chrono::floor<std::chrono::microseconds>(sinceEpoch).count();
+    const std::time_t whole = static_cast<std::time_t>(micros / 1'000'000);
+    std::tm calendar{};
+    gmtime_r(&whole, &calendar);
+    std::array<char, 32> day{};
+    std::strftime(day.data(), day.size(), "%Y-%m-%dT%H:%M:%S", &calendar);
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), "%s.%06dZ", day.data(), static_cast<int>(micros % 1'000'000));
+    return text.data();
+}
+
+std::string quoted(const std::string &text)
+{
+    if (text.find_first_of(",\"\r\n") == std::string::npos)
+        return text;
+    std::string safe = "\"";
+    for (const char c : text) {
+        if (c == '"')
+            safe += '"';
+        safe += c;
+    }
+    return safe + '"';
+}
+
+std::string oneLine(std::string text)
+{
+    for (char &c : text)
+        c = c == '\n' || c == '\r' ? ' ' : c;
+    return text;
+}
+
+/// Everything that is not a number.
+std::string headOf(const ExportPlan &plan)
+{
+    std::string head = "# MotorBench recording\n# time_s 0 is "
+        + isoTime(plan.from.time_since_epoch() + plan.unixOffset) + " (Unix "
+        + numberText(seconds(plan.from.time_since_epoch() + plan.unixOffset)) + ")\n";
+    for (const auto &[name, facts] : plan.about) {
+        for (const auto &[key, value] : facts)
+            head += "# " + name + ": " + key + " = " + oneLine(value) + '\n';
+    }
+    for (const auto &[name, facts] : lossOf(plan)) {
+        for (const auto &[key, value] : facts)
+            head += "# " + name + ": " + key + " = " + value + " lost\n";
+    }
+    for (const ExportChannel &channel : plan.channels) {
+        if (!channel.formula.empty())
+            head += "# derived: " + channel.key + " = " + oneLine(channel.formula) + '\n';
+        if (channel.simulated)
+            head += "# simulated: " + channel.title() + '\n';
+    }
+    for (const TimedNote &note : plan.notes)
+        head += "# note " + numberText(seconds(note.time - plan.from)) + " s: " + oneLine(note.text) + '\n';
+    head += "time_s";
+    for (const ExportChannel &channel : plan.channels)
+        head += ',' + quoted(channel.unit.empty() ? channel.title() : channel.title() + " (" + channel.unit + ')');
+    return head + '\n';
+}
+
+/// One row of the table, filled column by column.
+class Row {
+public:
+    explicit Row(std::size_t columns)
+        : m_fields(columns)
+    {
+    }
+    [[nodiscard]] bool fits(const MergedSamples::Next &next) const
+    {
+        return m_empty || (next.point.time == m_time && m_fields[next.channel].empty());
+    }
+    void put(const MergedSamples::Next &next)
+    {
+        m_time = next.point.time;
+        m_empty = false;
+        std::array<char, 40> text{};
+        const auto end = std::to_chars(text.data(), text.data() + text.size(), next.point.value).ptr;
+        m_fields[next.channel].assign(text.data(), end);
+    }
+    /// A row of its own, just before the sample it does not connect to.
+    void putGap(const MergedSamples::Next &next)
+    {
+        m_time = std::max(m_time, next.point.time - std::chrono::microseconds(1));
+        m_empty = false;
+        m_fields[next.channel] = "nan";
+    }
+    void writeTo(std::string &out, Instant start)
+    {
+        if (m_empty)
+            return;
+        std::array<char, 40> time{};
+        std::snprintf(time.data(), time.size(), "%.6f", seconds(m_time - start));
+        out += time.data();
+        for (std::string &field : m_fields) {
+            out += ',';
+            out += field;
+            field.clear();
+        }
+        out += '\n';
+        m_empty = true;
+    }
+
+private:
+    std::vector<std::string> m_fields;
+    Instant m_time{};
+    bool m_empty = true;
+};
+
+} // namespace
+
+Result<ExportReport> exportCsv(const ExportPlan &plan, const std::string &path, const ExportProgress &progress)
+{
+    FileTransaction file(path);
+    if (auto opened = file.open(); !opened)
+        return fail(opened.error());
+    ExportReport report;
+    std::string text = headOf(plan);
+    Row row(plan.channels.size());
+    MergedSamples samples(plan);
+    const double span = std::max(seconds(plan.to - plan.from), 1e-9);
+    while (const auto next = samples.next()) {
+        if (next->gap) {
+            row.writeTo(text, plan.from);
+            row.putGap(*next);
+        }
+        if (!row.fits(*next))
+            row.writeTo(text, plan.from);
+        row.put(*next);
+        report.lost += next->lost;
+        if (++report.samples % lookEvery != 0)
+            continue;
+        if (progress && !progress(seconds(next->point.time - plan.from) / span))
+            return fail(Fault::Cancelled);
+        file.write(text);
+        text.clear();
+    }
+    row.writeTo(text, plan.from);
+    file.write(text);
+    if (auto written = file.commit(); !written)
+        return fail(written.error());
+    return report;
+}
+
+} // namespace mb

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/export.h"
+
+#include "model/parameter.h"
+#include "recording/filetransaction.h"
+#include "recording/mcapwriter.h"
+#include "recording/merge.h"
+
+namespace mb {
+namespace {
+
+constexpr std::uint64_t lookEvery = 16384;
+
+std::int64_t unixNanoseconds(const ExportPlan &plan, Instant time)
+{
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch() + plan.unixOffset).count();
+}
+
+} // namespace
+
+mcap::Map aboutChannel(const ExportChannel &channel)
+{
+    mcap::Map about{{"device", channel.device}, {"family", channel.family}, {"key", channel.key},
+        {"unit", channel.unit}, {"title", channel.title()}};
+    if (!channel.formula.empty())
+        about["formula"] = channel.formula;
+    if (channel.simulated)
+        about["simulated"] = "true";
+    return about;
+}
+
+Result<ExportReport> exportMcap(const ExportPlan &plan, const std::string &path, const ExportProgress &progress)
+{
+    FileTransaction place(path);
+    auto writer = McapWriter::create(place.temporaryPath());
+    if (!writer)
+        return fail(writer.error());
+    place.own();
+    for (const auto &[name, facts] : plan.about)
+        (*writer)->metadata(name, facts);
+    for (const auto &[name, facts] : lossOf(plan))
+        (*writer)->metadata(name, facts);
+    for (const TimedNote &note : plan.notes)
+        (*writer)->metadata("note", {{"time", std::to_string(unixNanoseconds(plan, note.time))}, {"text", note.text}});
+    std::vector<std::uint16_t> ids;
+    for (const ExportChannel &channel : plan.channels)
+        ids.push_back((*writer)->addChannel({channel.topic(), aboutChannel(channel)}));
+    ExportReport report;
+    MergedSamples samples(plan);
+    const auto span = static_cast<double>(std::max<std::int64_t>((plan.to - plan.from).count(), 1));
+    while (const auto next = samples.next()) {
+        (*writer)->write(
+            ids[next->channel], unixNanoseconds(plan, next->point.time), next->point.value, next->lost, next->gap);
+        report.lost += next->lost;
+        if (++report.samples % lookEvery == 0 && progress
+            && !progress(static_cast<double>((next->point.time - plan.from).count()) / span))
+            return fail(Fault::Cancelled);
+    }
+    if (auto finished = (*writer)->finish(); !finished)
+        return fail(finished.error());
+    writer->reset();
+    if (auto moved = place.commit(); !moved)
+        return fail(moved.error());
+    return report;
+}
+
+} // namespace mb

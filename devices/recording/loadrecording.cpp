@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/loadrecording.h"
+
+#include "recording/loadtable.h"
+#include "recording/mcapreader.h"
+
+#include <array>
+
+namespace mb {
+namespace {
+
+bool endsWith(std::string_view text, std::string_view end)
+{
+    return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
+}
+
+Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path)
+{
+    auto loaded = std::make_shared<LoadedRecording>();
+    loaded->hasClock = true;
+    // Twice: a table of channels has its size before the first sample.
+    std::map<std::uint16_t, std::uint16_t> places;
+    McapReader reader;
+    reader.channel = [&](std::uint16_t id, const std::string &topic, const mcap::Map &about) {
+        const auto fact = [&about](const char *key) {
+            const auto found = about.find(key);
+            return found == about.end() ? std::string() : found->second;
+        };
+        const std::string title = fact("title");
+        loaded->simulated = loaded->simulated || fact("simulated") == "true";
+        places[id] = static_cast<std::uint16_t>(loaded->table.size());
+        addLoadedChannel(*loaded, title.empty() ? topic : title, fact("unit"));
+    };
+    reader.metadata = [&](const std::string &name, const mcap::Map &facts) { loaded->about[name] = facts; };
+    const auto complete = reader.read(path);
+    if (!complete)
+        return fail(complete.error());
+    loaded->complete = *complete;
+    loaded->telemetry = std::make_shared<Telemetry>(loaded->table);
+    McapReader samples;
+    samples.sample = [&](std::uint16_t id, std::int64_t time, double value, std::uint64_t lost, bool gap) {
+        const ChannelIndex channel{places[id]};
+        if (gap || lost > 0)
+            loaded->telemetry->lost(channel, lost);
+        loaded->telemetry->append({channel, Instant(std::chrono::nanoseconds(time)), value});
+    };
+    if (const auto again = samples.read(path); !again)
+        return fail(again.error());
+    return loaded;
+}
+
+} // namespace
+
+Quantity quantityOfKey(std::string_view key)
+{
+    constexpr std::array words{std::pair{std::string_view("velocity"), Quantity::Velocity},
+        std::pair{std::string_view("position"), Quantity::Position},
+        std::pair{std::string_view("current"), Quantity::Current}, std::pair{std::string_view("duty"), Quantity::Duty},
+        std::pair{std::string_view("setpoint"), Quantity::SetPoint},
+        std::pair{std::string_view("error"), Quantity::Error},
+        std::pair{std::string_view("voltage"), Quantity::Voltage},
+        std::pair{std::string_view("temperature"), Quantity::Temperature}};
+    for (const auto &[word, quantity] : words) {
+        if (endsWith(key, word))
+            return quantity;
+    }
+    return Quantity::Other;
+}
+
+void addLoadedChannel(LoadedRecording &loaded, const std::string &title, const std::string &unit)
+{
+    const std::string &name = loaded.words.emplace_back(title);
+    const std::string &shownUnit = loaded.words.emplace_back(unit);
+    loaded.table.push_back({name, shownUnit, name, quantityOfKey(name)});
+}
+
+Result<std::shared_ptr<const LoadedRecording>> loadRecording(const std::string &path)
+{
+    auto loaded = endsWith(path, ".mcap") ? loadMcap(path) : loadTable(path);
+    if (!loaded)
+        return fail(loaded.error());
+    LoadedRecording &recording = **loaded;
+    recording.telemetry->commit();
+    bool any = false;
+    for (std::uint16_t i = 0; i < recording.table.size(); ++i) {
+        const auto first = recording.telemetry->first({i});
+        const auto last = recording.telemetry->last({i});
+        if (!first)
+            continue;
+        recording.first = any ? std::min(recording.first, first->time) : first->time;
+        recording.last = any ? std::max(recording.last, last->time) : last->time;
+        any = true;
+    }
+    if (!any)
+        return fail(Fault::OutOfRange, path + " has no samples");
+    return std::shared_ptr<const LoadedRecording>(std::move(*loaded));
+}
+
+} // namespace mb

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/loadtable.h"
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+
+namespace mb {
+namespace {
+
+constexpr std::size_t longestLine = 1U << 20U;
+constexpr std::size_t mostColumns = 1000;
+
+std::vector<std::string> fieldsOf(const std::string &line)
+{
+    std::vector<std::string> fields(1);
+    bool quoted = false;
+    for (std::size_t i = 0; i < line.size(); ++i) {
+        const char c = line[i];
+        if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"')
+            fields.back() += line[++i];
+        else if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            fields.emplace_back();
+        else
+            fields.back() += c;
+    }
+    return fields;
+}
+
+std::optional<double> numberOf(const std::string &text)
+{
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size())
+        return std::nullopt;
+    return number;
+}
+
+std::optional<Instant> timeOf(const std::string &text, double offset)
+{
+    const auto seconds = numberOf(text);
+    constexpr double farthest = 9e9; // nanoseconds in 63 bits
+    if (!seconds || !(std::abs(*seconds + offset) < farthest))
+        return std::nullopt;
+    // In two parts: a double of Unix time has no digits left for it. Histories keep whole microseconds.
+    const double whole = std::floor(*seconds);
+    const double wholeOffset = std::floor(offset);
+    return Instant(std::chrono::seconds(static_cast<std::int64_t>(whole) + static_cast<std::int64_t>(wholeOffset))
+        + std::chrono::microseconds(std::llround((*seconds - whole + offset - wholeOffset) * 1e6)));
+}
+
+/// "dmc60c:5 velocity (counts/s)" in two.
+std::pair<std::string, std::string> titleAndUnit(const std::string &head)
+{
+    const std::size_t open = head.rfind(" (");
+    if (open == std::string::npos || head.back() != ')')
+        return {head, {}};
+    return {head.substr(0, open), head.substr(open + 2, head.size() - open - 3)};
+}
+
+class TableReader {
+public:
+    explicit TableReader(const std::string &path)
+        : m_path(path)
+        , m_file(path)
+    {
+    }
+
+    Result<std::shared_ptr<LoadedRecording>> read()
+    {
+        if (!m_file)
+            return fail(Fault::OutOfRange, m_path + " cannot be read: " + std::strerror(errno));
+        std::string line;
+        while (next(line) && line.rfind('#', 0) == 0)
+            takeComment(line);
+        if (line == "t,channel,value,unit")
+            return readLong();
+        const std::vector<std::string> heads = fieldsOf(line);
+        if (heads.size() < 2 || heads.size() > mostColumns || numberOf(heads[1])
+            || line.find('\0') != std::string::npos)
+            return wrong("there is no table here: expected time_s,name (unit),… or t,channel,value,unit");
+        for (std::size_t i = 1; i < heads.size(); ++i) {
+            const auto [title, unit] = titleAndUnit(heads[i]);
+            addLoadedChannel(*m_loaded, title, unit);
+        }
+        m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
+        while (next(line)) {
+            if (auto taken = takeRow(fieldsOf(line)); !taken)
+                return fail(taken.error());
+        }
+        return m_loaded;
+    }
+
+private:
+    bool next(std::string &line)
+    {
+        line.clear();
+        do {
+            if (!std::getline(m_file, line) || line.size() > longestLine)
+                return false;
+            ++m_line;
+            if (!line.empty() && line.back() == '\r')
+                line.pop_back();
+        } while (line.empty());
+        return true;
+    }
+
+    void takeComment(const std::string &line)
+    {
+        if (const std::size_t unixTime = line.find("(Unix ");
+            line.rfind("# time_s 0 is", 0) == 0 && unixTime != std::string::npos) {
+            const auto offset = numberOf(line.substr(unixTime + 6, line.find(')', unixTime) - unixTime - 6));
+            m_loaded->hasClock = offset.has_value();
+            m_offset = offset.value_or(0.0);
+        }
+        m_loaded->simulated = m_loaded->simulated || line.rfind("# simulated:", 0) == 0;
+    }
+
+    [[nodiscard]] tl::unexpected<Error> wrong(const std::string &what) const
+    {
+        return fail(Fault::OutOfRange, m_path + ", line " + std::to_string(m_line) + ": " + what);
+    }
+
+    Result<void> takeRow(const std::vector<std::string> &fields)
+    {
+        const auto time = timeOf(fields.front(), m_offset);
+        if (!time)
+            return wrong("'" + fields.front() + "' is no time in seconds");
+        if (fields.size() > m_loaded->table.size() + 1)
+            return wrong("more columns than the first line has");
+        for (std::uint16_t i = 1; i < fields.size(); ++i) {
+            if (fields[i].empty())
+                continue;
+            const auto value = numberOf(fields[i]);
+            if (!value)
+                return wrong("'" + fields[i] + "' is no number");
+            const ChannelIndex channel{static_cast<std::uint16_t>(i - 1)};
+            if (std::isfinite(*value))
+                m_loaded->telemetry->append({channel, *time, *value});
+            else
+                m_loaded->telemetry->breakLine(channel);
+        }
+        return {};
+    }
+
+    /// One sample a line; the channels are known only at the end.
+    Result<std::shared_ptr<LoadedRecording>> readLong()
+    {
+        struct Row {
+            Instant time;
+            std::uint16_t channel;
+            double value;
+        };
+        std::vector<Row> rows;
+        std::map<std::string, std::uint16_t> places;
+        std::string line;
+        while (next(line)) {
+            const std::vector<std::string> fields = fieldsOf(line);
+            if (fields.size() != 4)
+                return wrong("expected time, channel, value and unit");
+            const auto time = timeOf(fields[0], 0.0);
+            const auto value = numberOf(fields[2]);
+            if (!time || !value || !std::isfinite(*value))
+                return wrong("'" + (time ? fields[2] : fields[0]) + "' is no number");
+            const auto [place, isNew] = places.emplace(fields[1], static_cast<std::uint16_t>(places.size()));
+            if (places.size() > mostColumns)
+                return wrong("more than 1000 channels");
+            if (isNew)
+                addLoadedChannel(*m_loaded, fields[1], fields[3]);
+            rows.push_back({*time, place->second, *value});
+        }
+        constexpr auto longAgo = Instant(std::chrono::hours(24 * 365 * 20)); // `watch` on sim: counts from its start
+        m_loaded->hasClock = !rows.empty() && rows.front().time > longAgo;
+        m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
+        for (const Row &row : rows)
+            m_loaded->telemetry->append({{row.channel}, row.time, row.value});
+        return m_loaded;
+    }
+
+    const std::string &m_path;
+    std::ifstream m_file;
+    std::size_t m_line = 0;
+    double m_offset = 0.0;
+    std::shared_ptr<LoadedRecording> m_loaded = std::make_shared<LoadedRecording>();
+};
+
+} // namespace
+
+Result<std::shared_ptr<LoadedRecording>> loadTable(const std::string &path)
+{
+    return TableReader(path).read();
+}
+
+} // namespace mb

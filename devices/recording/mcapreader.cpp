@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/mcapreader.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace mb {
+namespace {
+
+using mcap::Kind;
+using mcap::View;
+
+constexpr std::uint64_t longestRecord = 64U << 20U;
+
+struct Close {
+    void operator()(std::FILE *file) const { std::fclose(file); }
+};
+
+/// One pass over a file.
+class Pass {
+public:
+    Pass(const McapReader &reader, const std::string &path)
+        : m_reader(reader)
+        , m_path(path)
+        , m_file(std::fopen(path.c_str(), "rbe"))
+    {
+    }
+
+    Result<bool> run()
+    {
+        if (!m_file)
+            return fail(Fault::OutOfRange, m_path + " cannot be read: " + std::strerror(errno));
+        std::array<std::uint8_t, mcap::magic.size()> start{};
+        if (std::fread(start.data(), 1, start.size(), m_file.get()) != start.size() || start != mcap::magic)
+            return fail(Fault::OutOfRange, m_path + " is not an MCAP file");
+        bool complete = false;
+        while (!complete && next()) {
+            complete = m_kind == Kind::DataEnd;
+            if (!complete && !take())
+                break;
+        }
+        if (!m_wrong.empty())
+            return fail(Fault::OutOfRange, m_path + m_wrong);
+        if (m_samples.empty())
+            return fail(Fault::OutOfRange, m_path + " has no channel of samples");
+        return complete;
+    }
+
+private:
+    /// The next whole record; false at the end, wherever that is.
+    bool next()
+    {
+        std::array<std::uint8_t, mcap::recordHead> head{};
+        if (std::fread(head.data(), 1, head.size(), m_file.get()) != head.size())
+            return false;
+        m_kind = static_cast<Kind>(head[0]);
+        std::uint64_t length = 0;
+        std::memcpy(&length, head.data() + 1, sizeof length);
+        if (length > longestRecord)
+            return false; // nonsense, such as zeros where a disk had no time to write
+        m_content.resize(length);
+        return std::fread(m_content.data(), 1, length, m_file.get()) == length;
+    }
+
+    bool take()
+    {
+        View view(m_content);
+        switch (m_kind) {
+        case Kind::Schema: takeSchema(view); break;
+        case Kind::Channel: takeChannel(view); break;
+        case Kind::Message: takeMessage(view); break;
+        case Kind::Metadata: {
+            const std::string name = view.text();
+            const mcap::Map facts = view.map();
+            if (view.ok() && m_reader.metadata)
+                m_reader.metadata(name, facts);
+            break;
+        }
+        case Kind::Chunk: m_wrong = " has chunks; only files that this program wrote can be read"; return false;
+        default: break;
+        }
+        return view.ok();
+    }
+
+    void takeSchema(View &view)
+    {
+        const auto id = view.get<std::uint16_t>();
+        if (view.text() == mcap::schemaName)
+            m_schemas.insert(id);
+    }
+
+    void takeChannel(View &view)
+    {
+        const auto id = view.get<std::uint16_t>();
+        const bool ours = m_schemas.count(view.get<std::uint16_t>()) > 0;
+        const std::string topic = view.text();
+        (void)view.text();
+        const mcap::Map about = view.map();
+        if (!view.ok() || !ours || !m_samples.insert(id).second)
+            return;
+        if (m_reader.channel)
+            m_reader.channel(id, topic, about);
+    }
+
+    void takeMessage(View &view)
+    {
+        const auto channel = view.get<std::uint16_t>();
+        (void)view.get<std::uint32_t>();
+        const auto time = view.get<std::uint64_t>();
+        (void)view.get<std::uint64_t>();
+        if (m_samples.count(channel) == 0)
+            return;
+        double value = 0.0;
+        std::uint64_t lost = 0;
+        bool gap = false;
+        while (view.ok() && !view.isEmpty()) {
+            const std::uint64_t tag = view.varint();
+            if (tag == (1U << 3U | 1U))
+                value = view.get<double>();
+            else if (tag == (2U << 3U))
+                lost = view.varint();
+            else if (tag == (3U << 3U))
+                gap = view.varint() != 0;
+            else
+                return;
+        }
+        if (view.ok() && m_reader.sample)
+            m_reader.sample(channel, static_cast<std::int64_t>(time), value, lost, gap);
+    }
+
+    const McapReader &m_reader;
+    const std::string &m_path;
+    std::unique_ptr<std::FILE, Close> m_file;
+    Kind m_kind = Kind::Header;
+    std::vector<std::uint8_t> m_content;
+    std::set<std::uint16_t> m_schemas;
+    std::set<std::uint16_t> m_samples; ///< channels of samples
+    std::string m_wrong;
+};
+
+} // namespace
+
+Result<bool> McapReader::read(const std::string &path) const
+{
+    return Pass(*this, path).run();
+}
+
+} // namespace mb

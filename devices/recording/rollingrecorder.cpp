@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/rollingrecorder.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace mb {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Duration settling = std::chrono::milliseconds(100); ///< channels of a device are committed together
+constexpr const char *lockName = "lock";
+constexpr const char *lastName = "last-session";
+
+std::int64_t unixNanoseconds(Instant time, Duration offset)
+{
+    return std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch() + offset).count();
+}
+
+std::uint64_t lostBefore(const ExportChannel &channel, Instant time)
+{
+    for (const History::Gap &gap : channel.telemetry->gaps(channel.channel, time, time)) {
+        if (gap.to == time)
+            return gap.lost;
+    }
+    return 0;
+}
+
+} // namespace
+
+RollingRecorder::RollingRecorder(Options options)
+    : m_options(std::move(options))
+    , m_path(m_options.folder + '/' + m_options.name)
+{
+}
+
+RollingRecorder::~RollingRecorder()
+{
+    (void)endSegment();
+    if (m_lock < 0)
+        return;
+    std::error_code ignored;
+    fs::remove(m_path + '/' + lockName, ignored);
+    const std::string last = m_options.folder + '/' + lastName;
+    if (!m_segments.empty()) {
+        fs::remove_all(last, ignored);
+        fs::rename(m_path, last, ignored);
+    } else {
+        fs::remove_all(m_path, ignored);
+    }
+    ::close(m_lock);
+}
+
+Result<void> RollingRecorder::lockFolder()
+{
+    if (m_lock >= 0)
+        return {};
+    std::error_code error;
+    fs::create_directories(m_path, error);
+    m_lock = error ? -1 : ::open((m_path + '/' + lockName).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
+    if (m_lock < 0)
+        return fail(Fault::LinkLost,
+            m_path + " cannot be written: " + (error ? error.message() : std::string(std::strerror(errno))));
+    (void)::flock(m_lock, LOCK_EX | LOCK_NB);
+    return {};
+}
+
+void RollingRecorder::follow(
+    const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about)
+{
+    for (const ExportChannel &channel : channels) {
+        const bool known = std::any_of(m_tracked.begin(), m_tracked.end(), [&](const Tracked &tracked) {
+            return tracked.channel.telemetry == channel.telemetry && tracked.channel.channel == channel.channel;
+        });
+        if (known)
+            continue;
+        const auto id = static_cast<std::uint16_t>(m_tracked.size());
+        m_tracked.push_back({channel, SampleCursor(channel.telemetry, channel.channel), id});
+        if (m_writer)
+            (void)m_writer->addChannel({channel.topic(), aboutChannel(channel)});
+    }
+    m_aboutChanged = m_aboutChanged || about != m_about;
+    m_about = std::move(about);
+}
+
+void RollingRecorder::note(Instant time, const std::string &text)
+{
+    m_newNotes.push_back({time, text});
+}
+
+Result<void> RollingRecorder::beginSegment(Instant now)
+{
+    if (auto locked = lockFolder(); !locked)
+        return locked;
+    std::string number = std::to_string(m_number++);
+    number.insert(0, 6 - std::min<std::size_t>(number.size(), 6), '0');
+    Segment segment{m_path + "/segment-" + number + ".mcap", now, now, 0, 0};
+    auto writer = McapWriter::create(segment.path);
+    if (!writer)
+        return fail(writer.error());
+    m_writer = std::move(*writer);
+    for (const Tracked &tracked : m_tracked)
+        (void)m_writer->addChannel({tracked.channel.topic(), aboutChannel(tracked.channel)});
+    m_aboutChanged = true;
+    m_segments.push_back(std::move(segment));
+    return {};
+}
+
+Result<void> RollingRecorder::endSegment()
+{
+    if (!m_writer)
+        return {};
+    const auto finished = m_writer->finish();
+    m_segments.back().bytes = m_writer->bytes();
+    m_writer.reset();
+    return finished;
+}
+
+void RollingRecorder::writeSamples(Duration unixOffset, Instant horizon)
+{
+    Segment &segment = m_segments.back();
+    const auto timeOf = [horizon](Tracked &tracked) {
+        const Point *next = tracked.cursor.peek(horizon);
+        return next ? next->time : Instant::max();
+    };
+    while (true) {
+        Tracked *earliest = nullptr;
+        Instant time = Instant::max();
+        for (Tracked &tracked : m_tracked) {
+            if (const Instant next = timeOf(tracked); next < time) {
+                time = next;
+                earliest = &tracked;
+            }
+        }
+        if (!earliest)
+            return;
+        Point point = *earliest->cursor.peek(horizon);
+        earliest->cursor.pop();
+        const bool gap = point.isGap();
+        if (gap) { // its sample comes with it
+            point = *earliest->cursor.peek(horizon);
+            earliest->cursor.pop();
+        }
+        const std::uint64_t lost = gap ? lostBefore(earliest->channel, point.time) : 0;
+        m_writer->write(earliest->id, unixNanoseconds(point.time, unixOffset), point.value, lost, gap);
+        segment.last = std::max(segment.last, point.time);
+        ++segment.samples;
+    }
+}
+
+Result<void> RollingRecorder::write(Instant now, Duration unixOffset)
+{
+    if (m_tracked.empty())
+        return {};
+    if (m_writer && now - m_segments.back().begun >= m_options.segment) {
+        if (auto ended = endSegment(); !ended)
+            return ended;
+    }
+    if (!m_writer) {
+        if (auto begun = beginSegment(now); !begun)
+            return begun;
+    }
+    if (m_aboutChanged) {
+        for (const auto &[name, facts] : m_about)
+            m_writer->metadata(name, facts);
+        m_aboutChanged = false;
+    }
+    for (const TimedNote &note : m_newNotes)
+        m_writer->metadata(
+            "note", {{"time", std::to_string(unixNanoseconds(note.time, unixOffset))}, {"text", note.text}});
+    m_newNotes.clear();
+    writeSamples(unixOffset, now - settling);
+    const auto flushed = m_writer->flush();
+    m_segments.back().bytes = m_writer->bytes();
+    prune(now);
+    return flushed;
+}
+
+void RollingRecorder::prune(Instant now)
+{
+    if (m_keeping)
+        return;
+    while (m_segments.size() > 1 && (now - m_segments.front().last > m_options.keep || bytes() > m_options.mostBytes)) {
+        std::error_code ignored;
+        fs::remove(m_segments.front().path, ignored);
+        m_segments.pop_front();
+    }
+}
+
+void RollingRecorder::startKeeping()
+{
+    m_keeping = true;
+}
+
+Result<ExportReport> RollingRecorder::save(const std::string &path, const ExportProgress &progress)
+{
+    if (auto ended = endSegment(); !ended)
+        return fail(ended.error());
+    std::vector<std::string> paths;
+    for (const Segment &segment : m_segments)
+        paths.push_back(segment.path);
+    auto joined = joinRecordings(paths, path, progress);
+    if (joined)
+        m_keeping = false;
+    return joined;
+}
+
+std::uint64_t RollingRecorder::bytes() const
+{
+    std::uint64_t sum = 0;
+    for (const Segment &segment : m_segments)
+        sum += segment.bytes;
+    return sum;
+}
+
+std::uint64_t RollingRecorder::samples() const
+{
+    std::uint64_t sum = 0;
+    for (const Segment &segment : m_segments)
+        sum += segment.samples;
+    return sum;
+}
+
+std::optional<Instant> RollingRecorder::since() const
+{
+    if (m_segments.empty())
+        return std::nullopt;
+    return m_segments.front().begun;
+}
+
+} // namespace mb

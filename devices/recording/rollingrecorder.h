@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "recording/export.h"
+#include "recording/mcapwriter.h"
+#include "recording/samplecursor.h"
+
+#include <list>
+
+namespace mb {
+
+/// The recording on disk that is there before anybody asks for it: everything that devices send goes into MCAP files of a
+/// minute each, and those older than `keep` are removed, except while somebody wants to keep what comes. Written data
+/// survives the end of the process, however it ends: see recoverRecordings(). One thread, not the engine's: it waits
+/// for the disk.
+class RollingRecorder {
+public:
+    struct Options {
+        std::string folder; ///< each run has its own folder in it
+        std::string name;   ///< of this run's folder; must be new
+        Duration keep = std::chrono::minutes(10);
+        Duration segment = std::chrono::minutes(1);
+        std::uint64_t mostBytes = 1ULL << 30U; ///< of what nobody asked to keep
+    };
+    explicit RollingRecorder(Options options);
+    RollingRecorder(const RollingRecorder &) = delete;
+    RollingRecorder &operator=(const RollingRecorder &) = delete;
+    /// Ends the last file; the folder becomes `last-session`, in place of the one before.
+    ~RollingRecorder();
+
+    /// What there is now. Channels that went away stay in the files that have them.
+    void follow(const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about);
+    /// Writes what has been recorded since and hands it to the kernel. LinkLost with path and cause; nothing is lost as
+    /// long as the histories have it, the next call goes on.
+    [[nodiscard]] Result<void> write(Instant now, Duration unixOffset);
+    /// A note for the file.
+    void note(Instant time, const std::string &text);
+
+    /// From now on nothing is removed; what is there already (up to `keep` back) belongs to it.
+    void startKeeping();
+    [[nodiscard]] bool isKeeping() const { return m_keeping; }
+    /// Joins everything since `keep` before startKeeping() into one file, and goes back to rolling.
+    [[nodiscard]] Result<ExportReport> save(const std::string &path, const ExportProgress &progress);
+
+    [[nodiscard]] std::uint64_t bytes() const;
+    [[nodiscard]] std::uint64_t samples() const;
+    /// Source time of the oldest sample on disk.
+    [[nodiscard]] std::optional<Instant> since() const;
+
+private:
+    struct Tracked {
+        ExportChannel channel;
+        SampleCursor cursor;
+        std::uint16_t id = 0;
+    };
+    struct Segment {
+        std::string path;
+        Instant begun{};
+        Instant last{};
+        std::uint64_t bytes = 0;
+        std::uint64_t samples = 0;
+    };
+    [[nodiscard]] Result<void> beginSegment(Instant now);
+    [[nodiscard]] Result<void> endSegment();
+    void writeSamples(Duration unixOffset, Instant horizon);
+    void prune(Instant now);
+    [[nodiscard]] Result<void> lockFolder();
+
+    Options m_options;
+    std::string m_path;
+    int m_lock = -1;
+    std::list<Tracked> m_tracked; ///< in order of id
+    std::vector<std::pair<std::string, mcap::Map>> m_about;
+    std::vector<std::pair<std::string, mcap::Map>> m_notes;
+    std::vector<TimedNote> m_newNotes;
+    std::unique_ptr<McapWriter> m_writer;
+    std::list<Segment> m_segments; ///< oldest first; the last is being written
+    std::size_t m_number = 0;
+    bool m_keeping = false;
+    bool m_aboutChanged = false;
+};
+
+/// Several files of McapWriter as one: topics and facts joined.
+[[nodiscard]] Result<ExportReport> joinRecordings(
+    const std::vector<std::string> &paths, const std::string &path, const ExportProgress &progress);
+
+/// Runs that did not end by themselves (killed, power cut) leave their folder behind. Joins each into a file
+/// `recovered-NAME.mcap` in `folder` and removes it; yields the files.
+[[nodiscard]] Result<std::vector<std::string>> recoverRecordings(const std::string &folder);
+
+} // namespace mb

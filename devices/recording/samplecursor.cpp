@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/samplecursor.h"
+
+namespace mb {
+namespace {
+
+constexpr std::size_t blockSize = 4096;
+
+} // namespace
+
+SampleCursor::SampleCursor(std::shared_ptr<const Telemetry> telemetry, ChannelIndex channel, Instant from)
+    : m_telemetry(std::move(telemetry))
+    , m_channel(channel)
+    , m_from(from)
+{
+}
+
+const Point *SampleCursor::peek(Instant to)
+{
+    if (m_place >= m_block.size()) {
+        const std::size_t size = m_telemetry->size(m_channel);
+        if (m_index > size || (!m_begun && m_index == 0 && m_from != Instant::min()))
+            m_index = m_from == Instant::min() ? 0 : m_telemetry->lowerBound(m_channel, m_from);
+        m_index = m_telemetry->read(m_channel, m_index, Instant::max(), blockSize, m_block);
+        m_place = 0;
+        // A gap before the first sample of the stretch lies outside it.
+        if (!m_begun && !m_block.empty()) {
+            m_begun = true;
+            m_place = m_block.front().isGap() ? 1 : 0;
+        }
+    }
+    if (m_place >= m_block.size())
+        return nullptr;
+    const Point &next = m_block[m_place];
+    const Point &sample = next.isGap() && m_place + 1 < m_block.size() ? m_block[m_place + 1] : next;
+    return sample.time <= to ? &next : nullptr;
+}
+
+} // namespace mb

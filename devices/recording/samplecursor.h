@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/telemetry.h"
+
+#include <memory>
+
+namespace mb {
+
+/// Reads one channel from a time on, sample by sample, in blocks, so that the lock is never held long; goes on later
+/// where it was when more has been recorded. Any thread, one at a time.
+class SampleCursor {
+public:
+    SampleCursor(std::shared_ptr<const Telemetry> telemetry, ChannelIndex channel, Instant from = Instant::min());
+
+    /// The next sample that is not later than `to`, or a gap before one (its value is not a number, its time that of the
+    /// sample before); nullptr when there is none yet. Valid until the next call.
+    [[nodiscard]] const Point *peek(Instant to = Instant::max());
+    void pop() { ++m_place; }
+    [[nodiscard]] const Telemetry &telemetry() const { return *m_telemetry; }
+    [[nodiscard]] ChannelIndex channel() const { return m_channel; }
+    /// The number of the sample that the next block begins with.
+    [[nodiscard]] std::size_t index() const { return m_index; }
+
+private:
+    std::shared_ptr<const Telemetry> m_telemetry;
+    ChannelIndex m_channel;
+    Instant m_from;
+    std::size_t m_index = 0;
+    bool m_begun = false;
+    std::vector<Point> m_block;
+    std::size_t m_place = 0;
+};
+
+} // namespace mb

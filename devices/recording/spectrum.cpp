@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/spectrum.h"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <memory>
+#include <numbers>
+#include <numeric>
+#include <span>
+
+namespace mb {
+namespace {
+
+constexpr std::size_t leastSamples = 16;
+constexpr std::size_t mostSamples = 1U << 20U;
+
+double seconds(Duration duration)
+{
+    return std::chrono::duration<double>(duration).count();
+}
+
+std::span<const Point> longestStretch(const std::vector<Point> &points)
+{
+    std::span<const Point> longest;
+    auto begin = points.begin();
+    while (begin != points.end()) {
+        const auto end = std::find_if(begin, points.end(), [](const Point &point) { return point.isGap(); });
+        if (static_cast<std::size_t>(end - begin) > longest.size())
+            longest = {begin, end};
+        begin = std::find_if(end, points.end(), [](const Point &point) { return !point.isGap(); });
+    }
+    return longest;
+}
+
+Duration medianStep(std::span<const Point> points)
+{
+    std::vector<Duration> steps;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+        if (points[i].time > points[i - 1].time)
+            steps.push_back(points[i].time - points[i - 1].time);
+    }
+    if (steps.empty())
+        return {};
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return *middle;
+}
+
+std::vector<double> resampled(std::span<const Point> points, std::size_t count, Duration step)
+{
+    std::vector<double> even;
+    even.reserve(count);
+    std::size_t right = 1;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Instant time = points.front().time + step * static_cast<std::int64_t>(i);
+        while (right + 1 < points.size() && points[right].time < time)
+            ++right;
+        const Point &a = points[right - 1];
+        const Point &b = points[right];
+        const double span = seconds(b.time - a.time);
+        const double part = span > 0.0 ? std::clamp(seconds(time - a.time) / span, 0.0, 1.0) : 1.0;
+        even.push_back(a.value + (b.value - a.value) * part);
+    }
+    return even;
+}
+
+/// Amplitudes of the waves in `even`, whose mean is gone: an amplitude of 1 gives 1, window and all.
+std::vector<double> amplitudes(std::vector<double> even)
+{
+    const std::size_t count = even.size();
+    double gain = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double turn = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+        const double weight = 0.5 * (1.0 - std::cos(turn));
+        gain += weight;
+        even[i] *= weight;
+    }
+    struct Free {
+        void operator()(fftw_complex *memory) const { fftw_free(memory); }
+    };
+    const std::unique_ptr<fftw_complex[], Free> waves(fftw_alloc_complex(count / 2 + 1));
+    fftw_plan plan = fftw_plan_dft_r2c_1d(static_cast<int>(count), even.data(), waves.get(), FFTW_ESTIMATE);
+    fftw_execute(plan);
+    fftw_destroy_plan(plan);
+    std::vector<double> found(count / 2 + 1);
+    for (std::size_t i = 1; i < found.size(); ++i)
+        found[i] = std::hypot(waves[i][0], waves[i][1]) * 2.0 / gain;
+    return found;
+}
+
+} // namespace
+
+std::size_t Spectrum::peak() const
+{
+    const auto highest = std::max_element(amplitude.begin(), amplitude.end());
+    return highest == amplitude.end() ? 0 : static_cast<std::size_t>(highest - amplitude.begin());
+}
+
+Result<Spectrum> spectrumOf(const std::vector<Point> &points)
+{
+    const std::span<const Point> stretch = longestStretch(points);
+    const Duration step = medianStep(stretch);
+    if (stretch.size() < leastSamples || step <= Duration::zero())
+        return fail(Fault::OutOfRange, "fewer than 16 samples connect; select a longer stretch");
+    const auto fitting = static_cast<std::size_t>((stretch.back().time - stretch.front().time) / step) + 1;
+    const std::size_t count = std::min(fitting, mostSamples);
+    if (count < leastSamples)
+        return fail(Fault::OutOfRange, "fewer than 16 samples connect; select a longer stretch");
+    std::vector<double> even = resampled(stretch, count, step);
+    const double mean = std::accumulate(even.begin(), even.end(), 0.0) / static_cast<double>(count);
+    for (double &value : even)
+        value -= mean;
+    Spectrum spectrum;
+    spectrum.rate = 1.0 / seconds(step);
+    spectrum.resolution = spectrum.rate / static_cast<double>(count);
+    spectrum.amplitude = amplitudes(std::move(even));
+    spectrum.from = stretch.front().time;
+    spectrum.to = stretch.front().time + step * static_cast<std::int64_t>(count - 1);
+    spectrum.shortened = stretch.size() != points.size() || fitting > count;
+    return spectrum;
+}
+
+} // namespace mb

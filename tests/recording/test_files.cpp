@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/loadrecording.h"
+#include "recording/mcapwriter.h"
+#include "recording/rollingrecorder.h"
+#include "signals.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <random>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mb {
+namespace {
+
+using namespace test;
+namespace fs = std::filesystem;
+
+constexpr Duration unixOffset = std::chrono::seconds(1'700'000'000);
+
+/// A folder that goes with the test.
+struct Folder {
+    fs::path path;
+
+    Folder()
+    {
+        std::string name = (fs::temp_directory_path() / "mb-recording-XXXXXX").string();
+        path = ::mkdtemp(name.data());
+    }
+    ~Folder()
+    {
+        std::error_code ignored;
+        fs::remove_all(path, ignored);
+    }
+    [[nodiscard]] std::string file(const char *name) const { return (path / name).string(); }
+};
+
+std::string textOf(const std::string &path)
+{
+    std::ifstream file(path);
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Two channels with gaps, of one device.
+struct Bench {
+    std::shared_ptr<Telemetry> recording = telemetry();
+
+    Bench()
+    {
+        std::mt19937 random(1);
+        std::normal_distribution<double> noise;
+        for (int i = 0; i < 2000; ++i) {
+            if (i == 700)
+                recording->lost(velocity, 84);
+            if (i == 900)
+                recording->breakLine(position);
+            put(*recording, velocity, i, noise(random));
+            if (i % 3 == 0)
+                put(*recording, position, i, 1e15 + i);
+        }
+    }
+    [[nodiscard]] ExportPlan plan() const
+    {
+        ExportPlan plan;
+        for (const auto channel : {velocity, position})
+            plan.channels.push_back({recording, channel, "sim:can/dmc60c:5", "dmc60c",
+                std::string(channels[channel.value].key), std::string(channels[channel.value].unit), {}, true});
+        plan.from = ms(0);
+        plan.to = ms(10'000);
+        plan.unixOffset = unixOffset;
+        plan.about = {{"device sim:can/dmc60c:5", {{"serial", "SN 7"}, {"name", "lift, \"left\"\nside"}}},
+            {"parameters sim:can/dmc60c:5", {{"slot0.p", "1.5"}}}};
+        plan.notes = {{ms(500), "load pulse"}};
+        return plan;
+    }
+};
+
+void expectEqual(const Telemetry &actual, const Telemetry &expected, Duration shift)
+{
+    for (const auto channel : {velocity, position}) {
+        std::vector<Point> a;
+        std::vector<Point> b;
+        const Instant end = Instant::max();
+        (void)actual.read(channel, 0, end, 1'000'000, a);
+        (void)expected.read(channel, 0, end, 1'000'000, b);
+        ASSERT_EQ(a.size(), b.size());
+        for (std::size_t i = 0; i < a.size(); ++i) {
+            ASSERT_EQ(a[i].isGap(), b[i].isGap()) << i;
+            if (a[i].isGap())
+                continue;
+            ASSERT_EQ(a[i].value, b[i].value) << i;
+            ASSERT_EQ(a[i].time, b[i].time + shift) << i;
+        }
+    }
+}
+
+TEST(Mcap, WhatWasWrittenReadsBackWithGapsLossAndFacts)
+{
+    const Folder folder;
+    const Bench bench;
+    const auto report = exportMcap(bench.plan(), folder.file("a.mcap"), {});
+    ASSERT_TRUE(report) << report.error().detail;
+    EXPECT_EQ(report->samples, 2667U);
+    EXPECT_EQ(report->lost, 84U);
+    const auto loaded = loadRecording(folder.file("a.mcap"));
+    ASSERT_TRUE(loaded) << loaded.error().detail;
+    const LoadedRecording &recording = **loaded;
+    expectEqual(*recording.telemetry, *bench.recording, unixOffset);
+    EXPECT_EQ(recording.telemetry->lost(velocity), 84U);
+    EXPECT_EQ(recording.table[0].key, "dmc60c:5 velocity");
+    EXPECT_EQ(recording.table[1].unit, "counts");
+    EXPECT_EQ(recording.table[0].quantity, Quantity::Velocity);
+    EXPECT_EQ(recording.about.at("device sim:can/dmc60c:5").at("serial"), "SN 7");
+    EXPECT_EQ(recording.about.at("parameters sim:can/dmc60c:5").at("slot0.p"), "1.5");
+    EXPECT_EQ(recording.about.at("loss sim:can/dmc60c:5").at("velocity"), "84 of 2084");
+    EXPECT_EQ(recording.about.at("note").at("text"), "load pulse");
+    EXPECT_TRUE(recording.complete);
+    EXPECT_TRUE(recording.simulated);
+    EXPECT_FALSE(fs::exists(folder.file("a.mcap.part")));
+}
+
+TEST(Mcap, AFileThatEndsAnywhereGivesWhatIsWhole)
+{
+    const Folder folder;
+    const Bench bench;
+    ASSERT_TRUE(exportMcap(bench.plan(), folder.file("whole.mcap"), {}));
+    const std::string whole = textOf(folder.file("whole.mcap"));
+    std::mt19937 random(3);
+    std::uniform_int_distribution<std::size_t> place(0, whole.size() - 1);
+    std::size_t most = 0;
+    for (int i = 0; i < 200; ++i) {
+        const std::size_t length = place(random);
+        std::ofstream(folder.file("cut.mcap"), std::ios::binary) << whole.substr(0, length);
+        const auto loaded = loadRecording(folder.file("cut.mcap"));
+        if (!loaded) {
+            EXPECT_NE(loaded.error().detail.find("cut.mcap"), std::string::npos);
+            continue;
+        }
+        const std::size_t samples = (*loaded)->telemetry->size(velocity);
+        EXPECT_LE(samples, 2000U);
+        most = std::max(most, samples);
+    }
+    EXPECT_GT(most, 1500U);
+}
+
+TEST(Mcap, DamagedFilesAreRefusedOrReadButNeverCrash)
+{
+    const Folder folder;
+    const Bench bench;
+    ASSERT_TRUE(exportMcap(bench.plan(), folder.file("whole.mcap"), {}));
+    const std::string whole = textOf(folder.file("whole.mcap")).substr(0, 6000);
+    std::mt19937 random(5);
+    for (int i = 0; i < 400; ++i) {
+        std::string damaged = whole;
+        for (int j = 0; j < 3; ++j)
+            damaged[random() % damaged.size()] = static_cast<char>(random() % 256);
+        std::ofstream(folder.file("bad.mcap"), std::ios::binary) << damaged;
+        (void)loadRecording(folder.file("bad.mcap"));
+    }
+    EXPECT_FALSE(loadRecording(folder.file("missing.mcap")));
+    std::ofstream(folder.file("text.mcap")) << "hello";
+    EXPECT_FALSE(loadRecording(folder.file("text.mcap")));
+}
+
+TEST(Csv, WhatWasWrittenReadsBackWithGaps)
+{
+    const Folder folder;
+    const Bench bench;
+    ASSERT_TRUE(exportCsv(bench.plan(), folder.file("a.csv"), {}));
+    const auto loaded = loadRecording(folder.file("a.csv"));
+    ASSERT_TRUE(loaded) << loaded.error().detail;
+    expectEqual(*(*loaded)->telemetry, *bench.recording, unixOffset);
+    EXPECT_TRUE((*loaded)->hasClock);
+    EXPECT_TRUE((*loaded)->simulated);
+    const std::string text = textOf(folder.file("a.csv"));
+    EXPECT_EQ(text.find("# MotorBench recording\n# time_s 0 is 2023-11-14T22:13:20.000000Z (Unix 1700000000)\n"), 0U);
+    for (const char *line : {"\n# device sim:can/dmc60c:5: serial = SN 7\n",
+             "# parameters sim:can/dmc60c:5: slot0.p = 1.5\n", "# loss sim:can/dmc60c:5: velocity = 84 of 2084 lost\n",
+             "# note 0.5 s: load pulse\n", "# simulated: dmc60c:5 velocity\n",
+             "\ntime_s,dmc60c:5 velocity (counts/s),dmc60c:5 position (counts)\n0.000000,"})
+        EXPECT_NE(text.find(line), std::string::npos) << line;
+}
+
+TEST(Csv, AJobThatIsEndedLeavesNothing)
+{
+    const Folder folder;
+    const auto recording = telemetry();
+    for (int i = 0; i < 50'000; ++i)
+        recording->append({velocity, ms(i), 1.0});
+    recording->commit();
+    ExportPlan plan;
+    plan.channels = {{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "", {}, false}};
+    plan.to = ms(1'000'000);
+    int asked = 0;
+    const auto stop = [&](double part) {
+        EXPECT_GE(part, 0.0);
+        EXPECT_LE(part, 1.0);
+        return ++asked < 2;
+    };
+    for (const auto &job : {exportCsv, exportMcap}) {
+        asked = 0;
+        const auto report = job(plan, folder.file("a"), stop);
+        ASSERT_FALSE(report);
+        EXPECT_EQ(report.error().fault, Fault::Cancelled);
+        EXPECT_TRUE(fs::is_empty(folder.path));
+        EXPECT_EQ(job(plan, "/nonexistent/a", {}).error().fault, Fault::LinkLost);
+    }
+}
+
+TEST(Table, WhatWatchPrintsCanBeRead)
+{
+    const Folder folder;
+    std::ofstream(folder.file("w.csv"))
+        << "t,channel,value,unit\n0.001,velocity,5,counts/s\n0.002,current,1.5,A\n0.003,velocity,6,counts/s\n";
+    const auto loaded = loadRecording(folder.file("w.csv"));
+    ASSERT_TRUE(loaded) << loaded.error().detail;
+    EXPECT_EQ((*loaded)->table.size(), 2U);
+    EXPECT_EQ((*loaded)->telemetry->size({0}), 2U);
+    EXPECT_FALSE((*loaded)->hasClock);
+}
+
+TEST(Table, SaysInWhichLineWhatIsWrong)
+{
+    const Folder folder;
+    const std::pair<const char *, const char *> rows[] = {{"time_s,a\n0,1\n1,x\n", "line 3"},
+        {"time_s,a\n0,1,2\n", "line 2"}, {"time_s,a\nx,1\n", "line 2"}, {"", "no table"}, {"1,2\n3,4\n", "no table"},
+        {"time_s,a\n", "no samples"}, {"t,channel,value,unit\n1,a,2\n", "line 2"}, {"time_s,a\n1e300,1\n", "line 2"}};
+    for (const auto &[text, says] : rows) {
+        std::ofstream(folder.file("x.csv")) << text;
+        const auto loaded = loadRecording(folder.file("x.csv"));
+        ASSERT_FALSE(loaded) << text;
+        EXPECT_NE(loaded.error().detail.find(says), std::string::npos) << loaded.error().detail;
+    }
+    EXPECT_FALSE(loadRecording(folder.path.string()));
+}
+
+RollingRecorder::Options rolling(const Folder &folder, const char *name)
+{
+    RollingRecorder::Options options;
+    options.folder = folder.path.string();
+    options.name = name;
+    options.keep = 10s;
+    options.segment = 2s;
+    return options;
+}
+
+/// A device that sends 100 samples a second, and a recorder that looks every half second.
+struct Running {
+    std::shared_ptr<Telemetry> recording = telemetry();
+    Instant now = ms(0);
+
+    void run(RollingRecorder &recorder, int halfSeconds)
+    {
+        recorder.follow({{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "counts/s", {}, true}},
+            {{"device sim:can/dmc60c:5", {{"serial", "SN 7"}}}});
+        for (int i = 0; i < halfSeconds; ++i) {
+            for (int j = 0; j < 50; ++j) {
+                now += 10ms;
+                recording->append({velocity, now, static_cast<double>(now.time_since_epoch() / 1ms)});
+            }
+            recording->commit();
+            ASSERT_TRUE(recorder.write(now, unixOffset));
+        }
+    }
+};
+
+TEST(RollingRecorder, TheLastSecondsAreAlwaysThere)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    bench.run(recorder, 60);
+    const auto report = recorder.save(folder.file("kept.mcap"), {});
+    ASSERT_TRUE(report) << report.error().detail;
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    const double seconds = std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count();
+    EXPECT_GE(seconds, 9.9); // what the recorder was asked for, but for what still settles
+    EXPECT_LE(seconds, 13.0);
+    EXPECT_NEAR(static_cast<double>((*loaded)->telemetry->size({0})), seconds * 100, 2);
+    EXPECT_EQ((*loaded)->about.at("device sim:can/dmc60c:5").at("serial"), "SN 7");
+    bench.run(recorder, 4); // goes on
+    EXPECT_GT(recorder.samples(), 0U);
+}
+
+TEST(RollingRecorder, KeepingBeginsBeforeItWasAskedFor)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    bench.run(recorder, 40);
+    recorder.startKeeping();
+    bench.run(recorder, 80);
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    EXPECT_FALSE(recorder.isKeeping());
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    EXPECT_GE(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count(), 49.0);
+    EXPECT_EQ((*loaded)->telemetry->lost({0}), 0U);
+    std::vector<Point> points;
+    (void)(*loaded)->telemetry->read({0}, 0, Instant::max(), 1'000'000, points);
+    for (std::size_t i = 1; i < points.size(); ++i) // nothing is missing where one file ends and the next begins
+        ASSERT_EQ(points[i].value, points[i - 1].value + 10.0);
+}
+
+TEST(RollingRecorder, SurvivesAKilledProcess)
+{
+    const Folder folder;
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        Running bench;
+        RollingRecorder recorder(rolling(folder, "killed"));
+        bench.run(recorder, 15);
+        ::kill(::getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    RollingRecorder other(rolling(folder, "alive"));
+    Running bench;
+    bench.run(other, 4);
+    const auto recovered = recoverRecordings(folder.path.string());
+    ASSERT_TRUE(recovered) << recovered.error().detail;
+    ASSERT_EQ(recovered->size(), 1U); // the one that runs is left alone
+    const auto loaded = loadRecording(recovered->front());
+    ASSERT_TRUE(loaded);
+    EXPECT_GE((*loaded)->telemetry->size({0}), 735U); // of 750; the last tenth of a second was still settling
+    EXPECT_FALSE(fs::exists(folder.path / "killed"));
+    EXPECT_TRUE(recoverRecordings(folder.path.string())->empty());
+}
+
+TEST(RollingRecorder, AnEndInOrderLeavesTheLastSession)
+{
+    const Folder folder;
+    for (int i = 0; i < 2; ++i) {
+        Running bench;
+        RollingRecorder recorder(rolling(folder, i == 0 ? "first" : "second"));
+        bench.run(recorder, 10);
+    }
+    EXPECT_TRUE(fs::exists(folder.path / "last-session" / "segment-000000.mcap"));
+    EXPECT_FALSE(fs::exists(folder.path / "first"));
+    EXPECT_TRUE(recoverRecordings(folder.path.string())->empty());
+}
+
+TEST(RollingRecorder, AFolderThatCannotBeWrittenIsTold)
+{
+    RollingRecorder::Options options;
+    options.folder = "/proc/nonexistent";
+    options.name = "run";
+    RollingRecorder recorder(options);
+    const auto recording = telemetry();
+    recorder.follow({{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "", {}, true}}, {});
+    const auto written = recorder.write(ms(0), unixOffset);
+    ASSERT_FALSE(written);
+    EXPECT_NE(written.error().detail.find("/proc/nonexistent"), std::string::npos);
+}
+
+} // namespace
+} // namespace mb
