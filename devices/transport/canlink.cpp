@@ -35,14 +35,51 @@ double CanLink::load(Instant now) const
 void CanLink::deliver(const CanFrame &frame)
 {
     if (frame.error) {
-        countError();
+        noteError(decodeError(frame), frame.time);
         m_errorFrames.notify(frame);
         passed(Traffic{frame.time, Direction::Received, &frame, {}});
         return;
     }
     m_load.count(frame.time, estimatedBits(frame));
+    m_health.lastReceived = frame.time;
     passed(Traffic{frame.time, Direction::Received, &frame, {}});
     m_received.notify(frame);
+}
+
+void CanLink::noteError(const CanErrorReport &report, Instant time)
+{
+    countError();
+    m_health.state = report.state.value_or(m_health.state);
+    if (report.transmitErrors)
+        m_health.transmitErrors = report.transmitErrors;
+    if (report.receiveErrors)
+        m_health.receiveErrors = report.receiveErrors;
+    m_health.acknowledgeErrors += report.noAcknowledge ? 1 : 0;
+    m_health.arbitrationLosses += report.arbitrationLost ? 1 : 0;
+    m_health.protocolErrors += report.protocol ? 1 : 0;
+    m_health.overruns += report.overrun ? 1 : 0;
+    m_health.restarts += report.restarted ? 1 : 0;
+    m_health.last = report;
+    m_health.lastError = time;
+    if (report.noAcknowledge)
+        m_health.lastAcknowledgeError = time;
+    if (report.protocol)
+        m_health.lastProtocolError = time;
+}
+
+void CanLink::startHealth(BusState state, std::optional<int> transmitErrors, std::optional<int> receiveErrors)
+{
+    updateHealth(state, transmitErrors, receiveErrors);
+    m_health.stuckSince.reset();
+    m_health.lastAcknowledgeError.reset();
+    m_health.lastProtocolError.reset();
+}
+
+void CanLink::updateHealth(BusState state, std::optional<int> transmitErrors, std::optional<int> receiveErrors)
+{
+    m_health.state = state;
+    m_health.transmitErrors = transmitErrors;
+    m_health.receiveErrors = receiveErrors;
 }
 
 } // namespace mb

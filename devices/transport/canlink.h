@@ -4,8 +4,10 @@
 #include "transport/lineload.h"
 #include "transport/link.h"
 #include "transport/priority.h"
+#include "wire/canerror.h"
 
 #include <functional>
+#include <optional>
 
 namespace mb {
 
@@ -14,6 +16,24 @@ namespace mb {
 {
     return a.id == b.id && a.extended == b.extended;
 }
+
+/// What the error frames of a bus said since the link was opened, and what its last second looks like.
+struct BusHealth {
+    BusState state = BusState::Active;
+    std::optional<int> transmitErrors; ///< error counters of our controller, as last told
+    std::optional<int> receiveErrors;
+    std::uint64_t acknowledgeErrors = 0; ///< error frames of this kind; controllers may gather several errors in one
+    std::uint64_t arbitrationLosses = 0;
+    std::uint64_t protocolErrors = 0;
+    std::uint64_t overruns = 0; ///< of the controller's receive buffer
+    std::uint64_t restarts = 0; ///< after bus-off
+    CanErrorReport last;        ///< of the newest error frame
+    std::optional<Instant> lastError;
+    std::optional<Instant> lastAcknowledgeError;
+    std::optional<Instant> lastProtocolError;
+    std::optional<Instant> lastReceived; ///< newest frame of somebody else
+    std::optional<Instant> stuckSince;   ///< frames wait in this program and none has gone out since
+};
 
 /// A CAN bus seen through one controller. Frames of others arrive through `received`; our own do not come back.
 class CanLink : public Link {
@@ -29,8 +49,14 @@ public:
     /// `now` is the present time. 1 Mbit/s is assumed when the rate is unknown.
     [[nodiscard]] double load(Instant now) const;
 
+    [[nodiscard]] const BusHealth &health() const { return m_health; }
+    /// How many frames the kernel keeps for us while nobody reads; 0 when the link does not know.
+    [[nodiscard]] int receiveCapacity() const { return doReceiveCapacity(); }
+    /// Frames sent do not reach the bus: the controller only listens.
+    [[nodiscard]] bool isListenOnly() const { return doIsListenOnly(); }
+
     [[nodiscard]] Listeners<const CanFrame &> &received() { return m_received; }
-    /// Error frames, decoded by nobody yet: id holds the class bits of linux/can/error.h.
+    /// Error frames; decodeError() reads them, health() sums them up.
     [[nodiscard]] Listeners<const CanFrame &> &errorFrames() { return m_errorFrames; }
 
 protected:
@@ -43,15 +69,26 @@ protected:
     /// For backends: one frame from the bus, then endBatch() once no more are at hand.
     void deliver(const CanFrame &frame);
     void endBatch() { batchEnded().notify(); }
+    /// For backends: an error that comes without a frame.
+    void noteError(const CanErrorReport &report, Instant time);
+    /// For backends, when the link opens: what the controller says of itself.
+    void startHealth(BusState state, std::optional<int> transmitErrors, std::optional<int> receiveErrors);
+    /// For backends: what the controller says of itself meanwhile.
+    void updateHealth(BusState state, std::optional<int> transmitErrors, std::optional<int> receiveErrors);
+    /// For backends: frames wait since then, or none does.
+    void setStuckSince(std::optional<Instant> since) { m_health.stuckSince = since; }
 
 private:
     virtual Result<void> doSend(const CanFrame &frame, Priority priority) = 0;
     [[nodiscard]] virtual std::size_t doBacklog() const = 0;
     [[nodiscard]] virtual int doBitrate() const = 0;
+    [[nodiscard]] virtual int doReceiveCapacity() const { return 0; }
+    [[nodiscard]] virtual bool doIsListenOnly() const { return false; }
 
     Clock &m_clock;
     Listeners<const CanFrame &> m_received;
     Listeners<const CanFrame &> m_errorFrames;
+    BusHealth m_health;
     LineLoad m_load;
 };
 

@@ -22,10 +22,11 @@ Result<void> Link::open()
         return {};
     if (m_state == LinkState::Lost)
         doClose();
+    else
+        m_counters = {};
     if (auto opened = doOpen(); !opened)
         return opened;
     m_reason.clear();
-    m_counters = {};
     setState(LinkState::Open);
     return {};
 }

@@ -18,8 +18,8 @@ enum class LinkState {
     Lost, ///< was open; the interface or adapter went away, or the controller is bus-off
 };
 
-/// Since the link was opened: frames on CAN, bytes on the others. `lost` counts what is known missing: receive buffer overruns, frames dropped by the
-/// interface.
+/// Since the link was opened by its user: frames on CAN, bytes on the others; a link that was lost and came back goes on
+/// counting. `lost` counts what is known missing: receive buffer overruns, frames dropped by the interface.
 struct LinkCounters {
     std::uint64_t rx = 0;
     std::uint64_t tx = 0;
@@ -74,10 +74,13 @@ public:
     [[nodiscard]] Outlet outlet() const;
 
     /// Fails with LinkLost and a cause that names the remedy. Opening an open link does nothing; a lost one starts
-    /// afresh.
+    /// afresh, and keeps its counters.
     [[nodiscard]] Result<void> open();
     /// Allowed in notifications of this link; destroying it there is not.
     void close();
+    /// Asks the backend for losses that are told on request only, so that counters() holds every one up to now. Some
+    /// microseconds; not for every frame.
+    void recount() { doRecount(); }
 
     [[nodiscard]] Listeners<LinkState> &stateChanged() { return m_stateChanged; }
     /// Everything received and sent, in order. What listens here must be quick: it runs once per frame.
@@ -99,6 +102,7 @@ private:
     virtual Result<void> doOpen() = 0;
     virtual void doClose() = 0;
     [[nodiscard]] virtual Outlet doOutlet() const { return {}; }
+    virtual void doRecount() { }
 
     LinkAddress m_address;
     LinkKind m_kind;

@@ -2,66 +2,83 @@
 #include "transport/linkcatalog.h"
 
 #include "transport/backends/caninterface.h"
+#include "transport/backends/cansocket.h"
 #include "transport/backends/qtcanbus.h"
 #include "transport/backends/serialports.h"
 #include "transport/backends/socketcan.h"
 
 #include <QDir>
 
+#include <cmath>
+
 #include <unistd.h>
 
 namespace mb {
 namespace {
 
-std::string bitrateText(int bitrate)
+std::string describe(const CanInterface &interface)
 {
-    if (bitrate % 1'000'000 == 0)
-        return std::to_string(bitrate / 1'000'000) + " Mbit/s";
-    return std::to_string(bitrate / 1000) + " kbit/s";
+    if (interface.kind == CanInterface::Kind::Virtual)
+        return "virtual";
+    std::string text = interface.driver;
+    const auto add = [&text](const std::string &part) { text += (text.empty() ? "" : ", ") + part; };
+    if (interface.bitrate > 0)
+        add(bitrateText(interface.bitrate));
+    if (interface.samplePoint > 0.0) {
+        const int permille = static_cast<int>(std::lround(interface.samplePoint * 1000));
+        add("sample point " + std::to_string(permille / 10)
+            + (permille % 10 != 0 ? "." + std::to_string(permille % 10) : std::string()) + " %");
+    }
+    if (interface.listenOnly)
+        add("listen-only: nothing can be sent");
+    if (interface.state != BusState::Active)
+        add(std::string(toString(interface.state)));
+    return text;
 }
 
 LinkListing listed(const CanInterface &interface)
 {
-    LinkListing row{{"socketcan", interface.name, {}}, LinkKind::Can, "up", {}, true};
-    if (const auto cause = whyUnusable(interface)) {
-        row.state = "down";
-        row.detail = *cause;
+    LinkListing row{{"socketcan", interface.name, {}}, LinkKind::Can, "up", describe(interface), true, {}, false};
+    row.listenable = interface.canListenOnly;
+    row.diagnosis = diagnose(interface);
+    if (!row.diagnosis.isHealthy()) {
+        row.state = row.diagnosis.ailment == Ailment::BusOff ? "bus-off" : "down";
+        row.detail = row.diagnosis.text();
         row.openable = false;
-    } else if (interface.driver == "vcan" || interface.driver == "vxcan") {
-        row.detail = "virtual";
-    } else if (interface.bitrate > 0) {
-        row.detail
-            = bitrateText(interface.bitrate) + (interface.listenOnly ? ", listen-only: nothing can be sent" : "");
     }
     return row;
 }
 
+LinkListing absentCan(const Diagnosis &cause)
+{
+    const char *state = cause.ailment == Ailment::NoPermission ? "no-permission" : "absent";
+    return {{"socketcan", {}, {}}, LinkKind::Can, state, cause.text(), false, cause, false};
+}
+
 void listCan(std::vector<LinkListing> &rows)
 {
-    const LinkListing none{{"socketcan", {}, {}}, LinkKind::Can, "absent", {}, false};
     if (const auto cause = whyNoCan()) {
-        rows.push_back(none);
-        rows.back().detail = *cause;
+        rows.push_back(absentCan(*cause));
         return;
     }
     const auto interfaces = canInterfaces();
-    if (interfaces && !interfaces->empty()) {
-        for (const CanInterface &interface : *interfaces)
-            rows.push_back(listed(interface));
-        return;
-    }
-    rows.push_back(none);
-    rows.back().detail = interfaces ? "there is no CAN interface; plug in an adapter" : interfaces.error().detail;
+    if (!interfaces)
+        rows.push_back(absentCan({Ailment::Failed, interfaces.error().detail, {}, {}}));
+    else if (interfaces->empty())
+        rows.push_back(absentCan({Ailment::NotThere, "there is no CAN interface", "plug in an adapter", {}}));
+    for (const CanInterface &interface : interfaces.value_or(std::vector<CanInterface>{}))
+        rows.push_back(listed(interface));
 }
 
 LinkListing listedFile(
     const char *scheme, LinkKind kind, const std::string &path, std::string detail, const char *group)
 {
-    LinkListing row{{scheme, path, {}}, kind, "available", std::move(detail), false};
+    LinkListing row{{scheme, path, {}}, kind, "available", std::move(detail), false, {}, false};
     if (::access(path.c_str(), R_OK | W_OK) != 0) {
         row.state = "no-permission";
-        row.detail
-            = "no permission to use " + path + "; become a member of its group: sudo usermod -aG " + group + " $USER";
+        row.diagnosis = {Ailment::NoPermission, "no permission to use " + path, "become a member of its group",
+            std::string("sudo usermod -aG ") + group + " $USER"};
+        row.detail = row.diagnosis.text();
     } else {
         row.detail += (row.detail.empty() ? "" : "; ") + std::string(toString(kind)) + " links are not supported yet";
     }
@@ -90,6 +107,33 @@ std::vector<LinkListing> listLinks()
     listSerial(rows);
     listSpi(rows);
     return rows;
+}
+
+std::vector<LinkListing> listPluginLinks()
+{
+    std::vector<LinkListing> rows;
+    for (const QtCanAdapter &adapter : qtCanAdapters()) {
+        LinkListing row{{"qtcan", adapter.path, {}}, LinkKind::Can, "available", adapter.description, true, {}, false};
+        if (!adapter.missing.empty()) {
+            row.diagnosis = {Ailment::NotThere, adapter.missing, adapter.remedy, {}};
+            row.state = "absent";
+            row.detail = row.diagnosis.text();
+            row.openable = false;
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+Diagnosis diagnose(const LinkSymptoms &link, Instant now, const std::vector<LinkListing> &listings)
+{
+    for (const LinkListing &row : listings) {
+        const bool none
+            = row.link.path.empty() && row.link.scheme == link.scheme && row.diagnosis.ailment != Ailment::NotThere;
+        if (none || (row.link.scheme == link.scheme && row.link.shortName() == link.name))
+            return diagnose(link, now, row.diagnosis, row.listenable);
+    }
+    return diagnose(link, now, std::nullopt, false);
 }
 
 Result<std::unique_ptr<Link>> createLink(const LinkAddress &address, Clock &clock)

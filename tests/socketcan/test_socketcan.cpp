@@ -208,7 +208,7 @@ TEST_F(SocketCan, AnInterfaceThatIsSwitchedOffIsLostAndComesBack)
     EXPECT_EQ(sent.error(), (Error{Fault::LinkLost, "vcan1 was switched off"}));
     const auto refused = link->open();
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().detail, "vcan1 is switched off; bring it up: ip link set vcan1 up");
+    EXPECT_EQ(refused.error().detail, "vcan1 is switched off; bring it up: sudo ip link set vcan1 up");
     shell("ip link set vcan1 up");
     const auto again = link->open();
     ASSERT_TRUE(again) << again.error().detail;
@@ -270,7 +270,7 @@ TEST_F(SocketCan, TheCatalogTellsWhatCanBeOpenedAndWhyNot)
     EXPECT_TRUE(row("socketcan:vcan0").openable);
     EXPECT_EQ(row("socketcan:vcan1").state, "down");
     EXPECT_FALSE(row("socketcan:vcan1").openable);
-    EXPECT_EQ(row("socketcan:vcan1").detail, "vcan1 is switched off; bring it up: ip link set vcan1 up");
+    EXPECT_EQ(row("socketcan:vcan1").detail, "vcan1 is switched off; bring it up: sudo ip link set vcan1 up");
 }
 
 TEST_F(SocketCan, OpeningNamesTheCause)

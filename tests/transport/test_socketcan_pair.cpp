@@ -170,6 +170,65 @@ TEST_F(SocketCanPair, ReceivingDoesNotAllocate)
     EXPECT_EQ(during, 0U);
 }
 
+TEST_F(SocketCanPair, ErrorFramesDoNotAllocateEither)
+{
+    std::size_t before = 0;
+    std::size_t during = ~std::size_t(0);
+    subscriptions.clear(); // the fixture keeps the frames
+    subscriptions.push_back(link->received().add([&](const CanFrame &) { before = allocations; }));
+    subscriptions.push_back(link->batchEnded().add([&] { during = allocations - before; }));
+    put(1);
+    for (int i = 0; i < 63; ++i)
+        put(CAN_ERR_FLAG | CAN_ERR_PROT | CAN_ERR_CRTL,
+            {0, CAN_ERR_CRTL_RX_PASSIVE, CAN_ERR_PROT_STUFF, 0, 0, 0, 0, 200});
+    ASSERT_TRUE(loop.runUntil([this] { return link->counters().errors == 63; }));
+    EXPECT_EQ(during, 0U);
+    EXPECT_EQ(link->health().protocolErrors, 63U);
+}
+
+TEST_F(SocketCanPair, ErrorFramesBecomeTheHealthOfTheBus)
+{
+    put(CAN_ERR_FLAG | CAN_ERR_CRTL, {0, CAN_ERR_CRTL_TX_WARNING, 0, 0, 0, 0, 100, 3});
+    put(CAN_ERR_FLAG | CAN_ERR_ACK, {0, 0, 0, 0, 0, 0, 0, 0});
+    put(CAN_ERR_FLAG | CAN_ERR_LOSTARB, {7, 0, 0, 0, 0, 0, 0, 0});
+    ASSERT_TRUE(loop.runUntil([this] { return errors.size() == 3; }));
+    const BusHealth &health = link->health();
+    EXPECT_EQ(health.state, BusState::Warning);
+    EXPECT_EQ(health.transmitErrors, 100);
+    EXPECT_EQ(health.receiveErrors, 3);
+    EXPECT_EQ(health.acknowledgeErrors, 1U);
+    EXPECT_EQ(health.arbitrationLosses, 1U);
+    EXPECT_EQ(health.last.arbitrationBit, 7);
+    EXPECT_TRUE(health.lastAcknowledgeError);
+    EXPECT_FALSE(health.lastReceived);
+    put(CAN_ERR_FLAG | CAN_ERR_CRTL, {0, CAN_ERR_CRTL_ACTIVE, 0, 0, 0, 0, 0, 0});
+    put(0x123);
+    ASSERT_TRUE(loop.runUntil([this] { return frames.size() == 1; }));
+    EXPECT_EQ(health.state, BusState::Active);
+    EXPECT_TRUE(health.lastReceived);
+}
+
+TEST_F(SocketCanPair, AQueueThatNobodyEmptiesIsTold)
+{
+    EXPECT_FALSE(link->health().stuckSince);
+    while (link->backlog() == 0)
+        ASSERT_TRUE(link->send(extendedFrame(1, {})));
+    EXPECT_TRUE(link->health().stuckSince);
+    Result<void> sent;
+    for (int i = 0; sent && i < 20'000; ++i)
+        sent = link->send(extendedFrame(2, {}));
+    ASSERT_FALSE(sent) << "what waits has an end";
+    EXPECT_EQ(sent.error().fault, Fault::LinkLost);
+    EXPECT_EQ(link->backlog(), 8192U);
+    EXPECT_EQ(link->state(), LinkState::Open);
+    EXPECT_TRUE(link->send(extendedFrame(3, {}), Priority::Urgent)) << "a stop always has room";
+    ASSERT_TRUE(loop.runUntil([this] {
+        (void)taken();
+        return link->backlog() == 0;
+    }));
+    EXPECT_FALSE(link->health().stuckSince);
+}
+
 TEST_F(SocketCanPair, CountsMalformedMessagesAndCarriesOn)
 {
     const std::vector<std::uint8_t> bytes(72, 0);

@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/backends/caninterface.h"
 
-#include <algorithm>
+#include "transport/backends/netlink.h"
+
 #include <array>
 #include <cerrno>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <span>
-#include <string_view>
+#include <filesystem>
+#include <system_error>
 
 #include <linux/can.h>
 #include <linux/can/netlink.h>
-#include <linux/rtnetlink.h>
+#include <linux/if_link.h>
 #include <net/if.h>
 #include <net/if_arp.h>
 #include <sys/socket.h>
@@ -21,158 +19,190 @@
 namespace mb {
 namespace {
 
-using Bytes = std::span<const std::byte>;
+using netlink::Bytes;
+using netlink::eachAttribute;
+using netlink::readAs;
+using netlink::readPart;
 
-template <class T> std::optional<T> readAs(Bytes bytes)
+BusState stateOf(std::uint32_t kernel)
 {
-    if (bytes.size() < sizeof(T))
-        return std::nullopt;
-    T value;
-    std::memcpy(&value, bytes.data(), sizeof value);
-    return value;
-}
-
-std::size_t aligned(std::size_t length)
-{
-    return (length + 3U) & ~std::size_t(3U);
-}
-
-/// Calls visit(type, content) for each attribute of a netlink message.
-template <class Visit> void eachAttribute(Bytes bytes, Visit visit)
-{
-    while (const auto head = readAs<rtattr>(bytes)) {
-        if (head->rta_len < sizeof(rtattr) || head->rta_len > bytes.size())
-            return;
-        visit(static_cast<int>(head->rta_type & NLA_TYPE_MASK),
-            bytes.subspan(sizeof(rtattr), head->rta_len - sizeof(rtattr)));
-        bytes = bytes.subspan(std::min(bytes.size(), aligned(head->rta_len)));
+    switch (kernel) {
+    case CAN_STATE_ERROR_WARNING: return BusState::Warning;
+    case CAN_STATE_ERROR_PASSIVE: return BusState::Passive;
+    case CAN_STATE_BUS_OFF: return BusState::BusOff;
+    default: return BusState::Active;
     }
 }
 
-std::string textOf(Bytes bytes)
+/// What a controller says beside the description of the interface.
+struct ControllerFacts {
+    bool fixedRates = false; ///< a list of bit rates
+    bool freeRates = false;  ///< bit timing of its own
+};
+
+void readTiming(Bytes content, CanInterface &interface)
 {
-    std::string text;
-    for (const std::byte byte : bytes) {
-        if (byte == std::byte{})
+    const auto timing = readPart<can_bittiming>(content);
+    interface.bitrate = static_cast<int>(timing.bitrate);
+    interface.samplePoint = timing.sample_point / 1000.0;
+}
+
+void readController(Bytes data, CanInterface &interface, ControllerFacts &facts)
+{
+    eachAttribute(data, [&](int type, Bytes content) {
+        switch (type) {
+        case IFLA_CAN_BITTIMING: readTiming(content, interface); break;
+        case IFLA_CAN_BITTIMING_CONST: facts.freeRates = true; break;
+        case IFLA_CAN_BITRATE_CONST: facts.fixedRates = true; break;
+        case IFLA_CAN_STATE: interface.state = stateOf(readPart<std::uint32_t>(content)); break;
+        case IFLA_CAN_RESTART_MS: interface.restarts = readPart<std::uint32_t>(content) > 0; break;
+        case IFLA_CAN_CTRLMODE:
+            interface.listenOnly = (readPart<can_ctrlmode>(content).flags & CAN_CTRLMODE_LISTENONLY) != 0U;
             break;
-        text += static_cast<char>(byte);
-    }
-    return text;
-}
-
-void readController(Bytes data, CanInterface &interface)
-{
-    eachAttribute(data, [&interface](int type, Bytes content) {
-        if (type == IFLA_CAN_BITTIMING) {
-            if (const auto timing = readAs<can_bittiming>(content))
-                interface.bitrate = static_cast<int>(timing->bitrate);
-        } else if (type == IFLA_CAN_STATE) {
-            interface.busOff = readAs<std::uint32_t>(content) == std::uint32_t(CAN_STATE_BUS_OFF);
-        } else if (type == IFLA_CAN_CTRLMODE) {
-            if (const auto mode = readAs<can_ctrlmode>(content))
-                interface.listenOnly = (mode->flags & CAN_CTRLMODE_LISTENONLY) != 0U;
+        case IFLA_CAN_BERR_COUNTER: {
+            const auto counters = readPart<can_berr_counter>(content);
+            interface.transmitErrors = counters.txerr;
+            interface.receiveErrors = counters.rxerr;
+            break;
+        }
+        case IFLA_CAN_CTRLMODE_EXT:
+            eachAttribute(content, [&interface](int detail, Bytes value) {
+                if (detail == IFLA_CAN_CTRLMODE_SUPPORTED)
+                    interface.canListenOnly = (readPart<std::uint32_t>(value) & CAN_CTRLMODE_LISTENONLY) != 0U;
+            });
+            break;
+        default: break;
         }
     });
 }
 
-void readLink(Bytes message, std::vector<CanInterface> &out)
+void readStatistics(Bytes content, CanInterface &interface)
+{
+    const auto counted = readPart<rtnl_link_stats64>(content);
+    interface.overruns = counted.rx_over_errors + counted.rx_fifo_errors;
+    interface.dropped = counted.rx_dropped + counted.rx_missed_errors + counted.tx_dropped;
+}
+
+/// The driver of the adapter behind an interface; virtual ones have none.
+std::string driverOf(const std::string &name)
+{
+    std::error_code failed;
+    const auto driver = std::filesystem::read_symlink("/sys/class/net/" + name + "/device/driver", failed);
+    return failed ? std::string() : driver.filename().string();
+}
+
+void setKind(const std::string &kind, const ControllerFacts &facts, CanInterface &interface)
+{
+    interface.driver = driverOf(interface.name);
+    const bool anonymous = interface.driver.empty();
+    if (kind == "vcan" || kind == "vxcan")
+        interface.kind = CanInterface::Kind::Virtual;
+    else if (interface.name.starts_with("slcan") || (anonymous && facts.fixedRates && !facts.freeRates))
+        interface.kind = CanInterface::Kind::SerialLine;
+    else if (kind == "can" || !anonymous)
+        interface.kind = CanInterface::Kind::Controller;
+    if (anonymous)
+        interface.driver = interface.kind == CanInterface::Kind::SerialLine ? "slcan" : kind;
+}
+
+std::optional<CanInterface> readLink(Bytes message)
 {
     const auto link = readAs<ifinfomsg>(message);
     if (!link || link->ifi_type != ARPHRD_CAN)
-        return;
+        return std::nullopt;
     CanInterface interface;
+    ControllerFacts facts;
+    std::string kind;
+    Bytes data;
+    interface.index = link->ifi_index;
     interface.up = (link->ifi_flags & IFF_UP) != 0U;
-    eachAttribute(message.subspan(aligned(sizeof(ifinfomsg))), [&interface](int type, Bytes content) {
+    eachAttribute(message.subspan(netlink::aligned(sizeof(ifinfomsg))), [&](int type, Bytes content) {
         if (type == IFLA_IFNAME)
-            interface.name = textOf(content);
+            interface.name = netlink::textOf(content);
+        if (type == IFLA_STATS64)
+            readStatistics(content, interface);
         if (type != IFLA_LINKINFO)
             return;
-        Bytes data;
         eachAttribute(content, [&](int detail, Bytes value) {
             if (detail == IFLA_INFO_KIND)
-                interface.driver = textOf(value);
+                kind = netlink::textOf(value);
             if (detail == IFLA_INFO_DATA)
                 data = value;
         });
-        if (interface.driver == "can")
-            readController(data, interface);
     });
-    out.push_back(std::move(interface));
+    if (kind == "can")
+        readController(data, interface, facts);
+    setKind(kind, facts, interface);
+    return interface;
 }
 
-/// Takes the messages of one datagram; false when the list is complete or broken.
-bool readMessages(Bytes datagram, std::vector<CanInterface> &out)
-{
-    while (const auto head = readAs<nlmsghdr>(datagram)) {
-        if (head->nlmsg_len < sizeof(nlmsghdr) || head->nlmsg_len > datagram.size())
-            return false;
-        if (head->nlmsg_type == NLMSG_DONE || head->nlmsg_type == NLMSG_ERROR)
-            return false;
-        if (head->nlmsg_type == RTM_NEWLINK)
-            readLink(datagram.subspan(sizeof(nlmsghdr), head->nlmsg_len - sizeof(nlmsghdr)), out);
-        datagram = datagram.subspan(std::min(datagram.size(), aligned(head->nlmsg_len)));
+/// A conversation with the kernel about its interfaces.
+class Question {
+public:
+    Question()
+        : m_descriptor(::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE))
+    {
+        const timeval patience{1, 0};
+        ::setsockopt(m_descriptor, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
     }
-    return true;
-}
+    Question(const Question &) = delete;
+    Question &operator=(const Question &) = delete;
+    ~Question()
+    {
+        if (m_descriptor >= 0)
+            ::close(m_descriptor);
+    }
+    [[nodiscard]] bool isOpen() const { return m_descriptor >= 0; }
 
-bool askForLinks(int descriptor)
-{
-    struct {
-        nlmsghdr head{};
-        ifinfomsg link{};
-    } request;
-    request.head.nlmsg_len = sizeof request;
-    request.head.nlmsg_type = RTM_GETLINK;
-    request.head.nlmsg_flags = NLM_F_REQUEST | NLM_F_DUMP;
-    const timeval patience{1, 0};
-    ::setsockopt(descriptor, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-    return ::send(descriptor, &request, sizeof request, 0) == ssize_t(sizeof request);
-}
+    /// All interfaces, or the one with this index; calls visit for each of CAN.
+    template <class Visit> void ask(int index, Visit visit)
+    {
+        struct {
+            nlmsghdr head{};
+            ifinfomsg link{};
+        } request;
+        request.head.nlmsg_len = sizeof request;
+        request.head.nlmsg_type = RTM_GETLINK;
+        request.head.nlmsg_flags = static_cast<std::uint16_t>(NLM_F_REQUEST | (index == 0 ? NLM_F_DUMP : 0));
+        request.link.ifi_index = index;
+        bool more = ::send(m_descriptor, &request, sizeof request, 0) == ssize_t(sizeof request);
+        alignas(nlmsghdr) std::array<std::byte, 32768> buffer;
+        while (more) {
+            const ssize_t got = ::recv(m_descriptor, buffer.data(), buffer.size(), 0);
+            const auto take = [&visit](int type, Bytes content) {
+                if (type != RTM_NEWLINK)
+                    return;
+                if (auto interface = readLink(content))
+                    visit(std::move(*interface));
+            };
+            more = got > 0 && netlink::eachMessage(Bytes(buffer.data(), static_cast<std::size_t>(got)), take)
+                && index == 0;
+        }
+    }
+
+private:
+    int m_descriptor;
+};
 
 } // namespace
 
 Result<std::vector<CanInterface>> canInterfaces()
 {
-    const int descriptor = ::socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE);
-    if (descriptor < 0)
+    Question question;
+    if (!question.isOpen())
         return fail(Fault::LinkLost, "the kernel does not list its interfaces: " + std::string(std::strerror(errno)));
     std::vector<CanInterface> interfaces;
-    bool more = askForLinks(descriptor);
-    alignas(nlmsghdr) std::array<std::byte, 32768> buffer;
-    while (more) {
-        const ssize_t got = ::recv(descriptor, buffer.data(), buffer.size(), 0);
-        more = got > 0 && readMessages(Bytes(buffer.data(), static_cast<std::size_t>(got)), interfaces);
-    }
-    ::close(descriptor);
+    question.ask(0, [&interfaces](CanInterface &&interface) { interfaces.push_back(std::move(interface)); });
     return interfaces;
 }
 
-std::optional<std::string> whyUnusable(const CanInterface &interface)
+std::optional<CanInterface> canInterface(int index)
 {
-    const std::string &name = interface.name;
-    if (!interface.up) {
-        const bool needsBitrate = interface.driver == "can" && interface.bitrate == 0;
-        return name + " is switched off; bring it up: ip link set " + name + " up"
-            + (needsBitrate ? " type can bitrate 1000000" : "");
-    }
-    if (interface.busOff)
-        return name + " is bus-off: check wiring, termination and bit rate, then: ip link set " + name
-            + " type can restart";
-    return std::nullopt;
-}
-
-std::optional<std::string> whyNoCan()
-{
-    const int descriptor = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW);
-    if (descriptor >= 0) {
-        ::close(descriptor);
-        return std::nullopt;
-    }
-    if (errno == EPERM || errno == EACCES)
-        return "no permission to open CAN sockets here; allow them in the container or sandbox";
-    if (errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT)
-        return "this kernel has no CAN support; load it: modprobe can_raw";
-    return "CAN sockets cannot be opened: " + std::string(std::strerror(errno));
+    Question question;
+    std::optional<CanInterface> found;
+    if (question.isOpen() && index > 0)
+        question.ask(index, [&found](CanInterface &&interface) { found = std::move(interface); });
+    return found;
 }
 
 } // namespace mb

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/backends/cansocket.h"
 
-#include "transport/backends/caninterface.h"
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -64,10 +62,25 @@ Result<OpenedCan> bindTo(const std::string &name, unsigned index)
 
 } // namespace
 
+std::optional<Diagnosis> whyNoCan()
+{
+    const int descriptor = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC, CAN_RAW);
+    if (descriptor >= 0) {
+        ::close(descriptor);
+        return std::nullopt;
+    }
+    if (errno == EPERM || errno == EACCES)
+        return Diagnosis{Ailment::NoPermission, "no permission to open CAN sockets here",
+            "allow them in the container or sandbox", {}};
+    if (errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT)
+        return Diagnosis{Ailment::NoCan, "this kernel has no CAN support", "load it", "sudo modprobe can_raw"};
+    return Diagnosis{Ailment::Failed, "CAN sockets cannot be opened: " + std::string(std::strerror(errno)), {}, {}};
+}
+
 Result<OpenedCan> openCanSocket(const std::string &name)
 {
     if (const auto cause = whyNoCan())
-        return fail(Fault::LinkLost, *cause);
+        return fail(Fault::LinkLost, cause->text());
     const unsigned index = name.size() < IFNAMSIZ ? ::if_nametoindex(name.c_str()) : 0;
     if (index == 0)
         return fail(Fault::LinkLost, "there is no CAN interface " + name);
@@ -78,12 +91,12 @@ Result<OpenedCan> openCanSocket(const std::string &name)
         if (found == known->end())
             return fail(Fault::LinkLost, name + " is a network interface, but not one for CAN");
         interface = *found;
-        if (const auto cause = whyUnusable(interface))
-            return fail(Fault::LinkLost, *cause);
+        if (const Diagnosis cause = diagnose(interface); !cause.isHealthy())
+            return fail(Fault::LinkLost, cause.text());
     }
     auto opened = bindTo(name, index);
     if (opened)
-        opened->bitrate = interface.bitrate;
+        opened->interface = interface;
     return opened;
 }
 

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "async/result.h"
-#include "transport/canlink.h"
+#include "transport/backends/caninterface.h"
+#include "transport/linkdoctor.h"
 
 #include <cstdint>
 #include <optional>
@@ -16,12 +17,15 @@ namespace mb {
 
 struct OpenedCan {
     int descriptor = -1;
-    int bitrate = 0;       ///< bit/s, 0 when the kernel does not say
     int receiveBuffer = 0; ///< bytes
+    CanInterface interface;
 };
 
 /// A raw socket bound to the interface, prepared before it is bound: no frame comes unstamped. Fails with LinkLost.
 [[nodiscard]] Result<OpenedCan> openCanSocket(const std::string &name);
+
+/// Nothing when the kernel has CAN sockets, else why not and what helps.
+[[nodiscard]] std::optional<Diagnosis> whyNoCan();
 
 /// Stamps, drop counter, error frames, and the largest receive buffer the kernel gives; yields its size in bytes.
 /// Works on other sockets too, with what they have of this.

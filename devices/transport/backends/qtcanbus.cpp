@@ -5,6 +5,7 @@
 
 #include <QCanBus>
 #include <QCanBusDevice>
+#include <QCanBusDeviceInfo>
 #include <QVariant>
 
 #include <algorithm>
@@ -174,6 +175,31 @@ void QtCanLink::end(const QString &reason)
 }
 
 } // namespace
+
+std::vector<QtCanAdapter> qtCanAdapters()
+{
+    std::vector<QtCanAdapter> adapters;
+    for (const QString &plugin : QCanBus::instance()->plugins()) {
+        const std::string name = plugin.toStdString();
+        QString cause;
+        const auto devices = QCanBus::instance()->availableDevices(plugin, &cause);
+        for (const QCanBusDeviceInfo &device : devices) {
+            QtCanAdapter adapter{name + ':' + device.name().toStdString(), device.description().toStdString(), {}, {}};
+            if (plugin == QLatin1String("socketcan"))
+                adapter.description
+                    = "the same interface as socketcan:" + device.name().toStdString() + ", which also counts losses";
+            adapters.push_back(std::move(adapter));
+        }
+        if (!devices.isEmpty())
+            continue;
+        // A vendor's library that is missing is told in many words; the first sentence has the name of it.
+        const std::string why = cause.section(QLatin1Char('\n'), 0, 0).toStdString();
+        adapters.push_back(
+            {name, {}, "the plugin " + name + " finds no adapter" + (why.empty() ? "" : " (" + why + ')'),
+                why.empty() ? "plug one in" : "install its vendor's driver"});
+    }
+    return adapters;
+}
 
 Result<std::unique_ptr<Link>> makeQtCanLink(const LinkAddress &address, Clock &clock)
 {

@@ -23,6 +23,8 @@ constexpr unsigned batchSize = 64;
 constexpr int batchesAtOnce = 16; // then other descriptors get their turn
 // A full transmit queue does not tell when it has room again. Ten frames wait in it (txqueuelen), one takes 131 µs.
 constexpr Duration retryDelay = std::chrono::microseconds(500);
+constexpr Duration lookPeriod = std::chrono::milliseconds(500);
+constexpr std::size_t mostWaiting = 8192; // seconds of a full bus: what waits longer is not wanted any more
 
 template <class T> T contentOf(const cmsghdr &control)
 {
@@ -77,6 +79,7 @@ SocketCanLink::SocketCanLink(LinkAddress address, Clock &clock, int descriptor)
     , m_batch(std::make_unique<Batch>())
     , m_retry(clock)
     , m_failed(clock)
+    , m_look(clock)
 {
 }
 
@@ -97,8 +100,8 @@ Result<void> SocketCanLink::doOpen()
         if (!opened)
             return fail(opened.error());
         m_descriptor = opened->descriptor;
-        m_bitrate = opened->bitrate;
         m_receiveBuffer = opened->receiveBuffer;
+        adopt(opened->interface);
     }
     m_drops = 0;
     m_latest = {};
@@ -122,6 +125,7 @@ void SocketCanLink::unwatch()
     m_writable.reset();
     m_retry.stop();
     m_failed.stop();
+    m_look.stop();
     m_urgent.clear();
     m_normal.clear();
 }
@@ -134,7 +138,46 @@ void SocketCanLink::doClose()
         flush(); // a stop frame that waits gets its last chance
     unwatch();
     ::close(std::exchange(m_descriptor, -1));
-    m_bitrate = 0;
+    m_interface = {};
+}
+
+void SocketCanLink::adopt(const CanInterface &interface)
+{
+    m_interface = m_atOpening = interface;
+    m_overruns = m_counted = 0;
+    startHealth(interface.state, interface.transmitErrors, interface.receiveErrors);
+    if (interface.index > 0)
+        m_look.startIn(lookPeriod, [this] { look(); });
+}
+
+void SocketCanLink::look()
+{
+    m_look.startIn(lookPeriod, [this] { look(); });
+    doRecount();
+}
+
+void SocketCanLink::doRecount()
+{
+    if (m_descriptor < 0 || state() != LinkState::Open)
+        return;
+    if (const auto drops = droppedFrames(m_descriptor))
+        noteDrops(*drops);
+    const auto now = m_interface.index > 0 ? canInterface(m_interface.index) : std::nullopt;
+    if (!now)
+        return;
+    m_interface = *now;
+    countInterface();
+    if (now->kind == CanInterface::Kind::Controller)
+        updateHealth(now->state, now->transmitErrors, now->receiveErrors);
+}
+
+void SocketCanLink::countInterface()
+{
+    // An overrun may be told by an error frame, in the statistics, or in both.
+    const std::uint64_t overruns = std::max(m_overruns, m_interface.overruns - m_atOpening.overruns);
+    const std::uint64_t lost = overruns + m_interface.dropped - m_atOpening.dropped;
+    if (lost > m_counted)
+        countLost(lost - std::exchange(m_counted, lost));
 }
 
 void SocketCanLink::receive()
@@ -181,8 +224,10 @@ void SocketCanLink::takeBatch(unsigned count)
 void SocketCanLink::take(const can_frame &raw, Instant time)
 {
     const CanFrame frame = frameOf(raw, time);
-    if (frame.error && (frame.id & CAN_ERR_CRTL) != 0U && (frame.data[1] & CAN_ERR_CRTL_RX_OVERFLOW) != 0U)
-        countLost(1); // at least
+    if (frame.error && (frame.id & CAN_ERR_CRTL) != 0U && (frame.data[1] & CAN_ERR_CRTL_RX_OVERFLOW) != 0U) {
+        ++m_overruns; // at least one frame
+        countInterface();
+    }
     deliver(frame);
     if (frame.error && (frame.id & CAN_ERR_BUSOFF) != 0U)
         end("bus-off: " + address().path
@@ -226,6 +271,10 @@ void SocketCanLink::noteDrops(std::uint32_t total)
 Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
 {
     auto &queue = priority == Priority::Urgent ? m_urgent : m_normal;
+    if (queue.size() >= mostWaiting)
+        return fail(Fault::LinkLost,
+            address().path + " takes no frames: " + std::to_string(queue.size())
+                + " wait to be sent; check that somebody else is on the bus");
     if (priority == Priority::Urgent)
         std::erase_if(m_normal, [&frame](const CanFrame &waiting) { return sameIdentifier(waiting, frame); });
     const bool first = m_urgent.empty() && (priority == Priority::Urgent || m_normal.empty());
@@ -233,6 +282,8 @@ Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
         const int cause = writeFrame(m_descriptor, frame, priority);
         if (cause == 0)
             return {};
+        if (!health().stuckSince)
+            setStuckSince(clock().now());
         if (!tryLater(cause)) {
             // Told from the clock: whoever sends does not expect to be called back.
             m_failed.startIn(Duration::zero(), [this, reason = socketFailure(address().path, cause)] { end(reason); });
@@ -258,6 +309,7 @@ void SocketCanLink::flush()
             return;
         }
         queue.pop_front();
+        setStuckSince(doBacklog() > 0 ? std::optional(clock().now()) : std::nullopt);
     }
 }
 
@@ -272,6 +324,7 @@ bool SocketCanLink::tryLater(int cause)
 
 void SocketCanLink::end(std::string reason)
 {
+    doRecount(); // the last moment to learn what was dropped
     unwatch();
     lose(std::move(reason));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "transport/backends/caninterface.h"
 #include "transport/backends/hardwaretime.h"
 #include "transport/canlink.h"
 
@@ -18,9 +19,9 @@ namespace mb {
 ///
 /// Frames are read in batches, without allocation, stamped by the adapter or the kernel; stamps never run backwards and
 /// are never in the future. Frames that do not fit the kernel's queue wait here, in order, urgent ones first; none is
-/// dropped while the link is open. Urgent frames also overtake what waits in the kernel (pfifo_fast, the usual queue of
-/// CAN). `lost` counts what the kernel dropped because it was not read in time, and overruns that the controller
-/// reports.
+/// dropped while the link is open, and past thousands of them send() refuses. Urgent frames also overtake what waits in the kernel (pfifo_fast, the usual queue of
+/// CAN). `lost` counts what the kernel dropped because it was not read in time, what the interface and its driver dropped (looked at
+/// twice a second, and by recount()), and overruns that the controller reports.
 class SocketCanLink final : public CanLink {
 public:
     /// The interface that the path of the address names.
@@ -44,7 +45,10 @@ private:
     [[nodiscard]] Outlet doOutlet() const override { return {Outlet::Form::CanSocket, m_descriptor}; }
     Result<void> doSend(const CanFrame &frame, Priority priority) override;
     [[nodiscard]] std::size_t doBacklog() const override { return m_urgent.size() + m_normal.size(); }
-    [[nodiscard]] int doBitrate() const override { return m_bitrate; }
+    [[nodiscard]] int doBitrate() const override { return m_interface.bitrate; }
+    [[nodiscard]] int doReceiveCapacity() const override { return receiveBufferFrames(); }
+    [[nodiscard]] bool doIsListenOnly() const override { return m_interface.listenOnly; }
+    void doRecount() override;
 
     void watch();
     void unwatch();
@@ -53,6 +57,9 @@ private:
     void take(const can_frame &raw, Instant time);
     [[nodiscard]] Instant stampOf(const msghdr &message, Duration unixOffset, Instant now);
     void noteDrops(std::uint32_t total);
+    void adopt(const CanInterface &interface);
+    void look();
+    void countInterface();
     void flush();
     [[nodiscard]] bool tryLater(int cause);
     void end(std::string reason);
@@ -60,7 +67,10 @@ private:
     int m_given = -1;
     int m_descriptor = -1;
     int m_receiveBuffer = 0;
-    int m_bitrate = 0;
+    CanInterface m_interface; ///< as last seen; index 0: none behind this descriptor
+    CanInterface m_atOpening;
+    std::uint64_t m_overruns = 0; ///< told by error frames
+    std::uint64_t m_counted = 0;  ///< losses at the interface that are part of `lost`
     std::uint32_t m_drops = 0;
     Instant m_latest{};
     HardwareTime m_hardware;
@@ -71,6 +81,7 @@ private:
     std::unique_ptr<QSocketNotifier> m_writable;
     Timer m_retry;
     Timer m_failed;
+    Timer m_look;
 };
 
 } // namespace mb

@@ -19,6 +19,17 @@ std::uint64_t arbitrationKey(const CanFrame &frame)
     return (base << 21U) | (3ULL << 19U) | ((frame.id & 0x3FFFFULL) << 1U) | remote;
 }
 
+/// Each sender reads another bit than it sends, somewhere in the data.
+CanErrorReport collisionReport()
+{
+    CanErrorReport report;
+    report.protocol = true;
+    report.busError = true;
+    report.violation = 0x01;
+    report.place = 0x0A;
+    return report;
+}
+
 } // namespace
 
 VirtualCanBus::VirtualCanBus(Clock &clock, int bitrate, std::uint64_t seed)
@@ -44,6 +55,9 @@ void VirtualCanBus::forceBusOff(VirtualCanLink &link)
 {
     detach(link);
     link.m_queue.clear();
+    CanErrorReport report;
+    report.state = BusState::BusOff;
+    link.noteError(report, m_clock.now());
     link.lose("bus-off: the controller left the bus after too many errors; check wiring, termination and bit rate");
 }
 
@@ -121,7 +135,7 @@ void VirtualCanBus::finishFrame()
         if (std::find(m_links.begin(), m_links.end(), link) == m_links.end() || link->state() != LinkState::Open)
             continue;
         if (collision) {
-            link->countError();
+            link->noteError(collisionReport(), m_idleAt);
         } else if (!sender && !lost) {
             link->deliver(frame);
             link->endBatch();
@@ -143,6 +157,7 @@ VirtualCanLink::~VirtualCanLink()
 Result<void> VirtualCanLink::doOpen()
 {
     m_bus.attach(*this);
+    startHealth(BusState::Active, {}, {});
     return {};
 }
 
