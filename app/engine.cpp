@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine.h"
 
+#include "transport/linkwatch.h"
 #include "widgets/common/devicetext.h"
 
 #include <QSocketNotifier>
@@ -10,7 +11,7 @@ namespace mb {
 namespace {
 
 constexpr Duration snapshotPeriod = std::chrono::milliseconds(33);
-constexpr Duration listingPeriod = std::chrono::seconds(2);
+constexpr Duration listingPeriod = std::chrono::seconds(1);
 constexpr std::size_t keptNotices = 5000;
 
 } // namespace
@@ -21,7 +22,9 @@ struct Engine::Room {
         : engine(owner)
         , core(clock, families, opensByItself)
         , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
+        , watch(clock)
         , tick(clock)
+        , list(clock)
     {
         QObject::connect(&arrivals, &QSocketNotifier::activated, &arrivals, [this] { engine.m_toEngine.drain(); });
         noticed = core.noticed().add([this](Severity severity, const std::string &device, const std::string &text) {
@@ -29,29 +32,34 @@ struct Engine::Room {
                 to->report(severity, QString::fromStdString(device), tableText(text));
             });
         });
+        plugged = watch.changed().add([this] { look(); });
+        look();
         publish();
+    }
+    void look()
+    {
+        list.startIn(listingPeriod, [this] { look(); });
+        core.takeListings(listLinks());
     }
     void publish()
     {
         tick.startIn(snapshotPeriod, [this] { publish(); });
         if (engine.m_snapshotUnderWay.exchange(true))
             return;
-        if (clock.now() - listedAt >= listingPeriod) {
-            listedAt = clock.now();
-            listings = listLinks();
-        }
         auto shot = std::make_shared<Snapshot>(core.snapshot());
-        engine.m_toWindow.post([to = &engine, shot, list = listings] { to->takeSnapshot(std::move(*shot), list); });
+        engine.m_toWindow.post(
+            [to = &engine, shot, found = core.listings()] { to->takeSnapshot(std::move(*shot), found); });
     }
 
     Engine &engine;
     QtClock clock;
     EngineCore core;
     QSocketNotifier arrivals;
+    LinkWatch watch;
     Timer tick;
+    Timer list;
     Subscription noticed;
-    Instant listedAt{};
-    std::vector<LinkListing> listings;
+    Subscription plugged;
 };
 
 /// The engine thread: its body is the room's event loop.

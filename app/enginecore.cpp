@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/enginecore.h"
 
-#include "transport/linkcatalog.h"
-
 #include <algorithm>
 
 namespace mb {
@@ -52,7 +50,9 @@ Snapshot EngineCore::snapshot()
         if (const auto watched = m_watched.find(link); watched != m_watched.end()) {
             view.scanning = watched->second.scanning;
             view.traffic = watched->second.traffic;
+            view.unknown = watched->second.unknown->count();
         }
+        view.diagnosis = diagnose(symptomsOf(*link, shot.time), shot.time, m_listings);
         shot.links.push_back(std::move(view));
         for (Device *device : m_session.devices()) {
             if (&device->link() == link)
@@ -79,6 +79,7 @@ void EngineCore::openLink(const LinkAddress &address, const Finished &finished)
             return;
         }
         watch(**link);
+        m_watched[*link].byItself = false;
         scan(**link);
     }
     answer(finished, {});
@@ -90,19 +91,24 @@ void EngineCore::closeLink(const std::string &address)
     Link *link = parsed ? m_session.findLink(*parsed) : nullptr;
     if (!link)
         return;
+    m_closedByHand.insert(address);
+    removeLink(*link);
+}
+
+void EngineCore::removeLink(Link &link)
+{
     m_scope.clear(); // a scan of this link may be under way
     for (auto &[other, watched] : m_watched)
         watched.scanning = false;
     for (Device *device : m_session.devices()) {
-        if (&device->link() != link)
+        if (&device->link() != &link)
             continue;
         const DeviceId id = m_session.idOf(*device);
         m_streams.erase(id);
         std::erase_if(m_operations, [id](const Running &running) { return running.device == id; });
     }
-    m_closedByHand.insert(address);
-    m_watched.erase(link);
-    m_session.closeLink(*link);
+    m_watched.erase(&link);
+    m_session.closeLink(link);
 }
 
 void EngineCore::watch(Link &link)
@@ -111,10 +117,15 @@ void EngineCore::watch(Link &link)
     if (!isNew)
         return;
     entry->second.traffic = std::make_shared<TrafficLog>();
+    entry->second.unknown = std::make_unique<UnknownFrames>(m_session.families());
     TrafficLog &log = *entry->second.traffic;
-    entry->second.tap = link.traffic().add([&log](const Traffic &traffic) {
-        if (traffic.can)
-            log.append(traffic.direction, *traffic.can);
+    UnknownFrames &unknown = *entry->second.unknown;
+    entry->second.tap = link.traffic().add([&log, &unknown](const Traffic &traffic) {
+        if (!traffic.can)
+            return;
+        log.append(traffic.direction, *traffic.can);
+        if (traffic.direction == Direction::Received)
+            unknown.take(*traffic.can);
     });
     entry->second.state = link.stateChanged().add([this, &link](LinkState state) {
         if (state == LinkState::Lost)
@@ -161,14 +172,7 @@ bool EngineCore::isQuiet() const
 void EngineCore::look()
 {
     m_look.startIn(lookPeriod, [this] { look(); });
-    if (m_opensByItself)
-        openByItself();
-    for (Link *link : m_session.links()) {
-        if (link->state() == LinkState::Lost && link->open()) {
-            notice(Severity::Good, link->address().shortName(), "is back");
-            scan(*link);
-        }
-    }
+    reopenLost();
     refreshRestarted();
     if (isQuiet() && m_clock.now() - m_lastScan >= rescanPeriod)
         scanAll();
@@ -189,19 +193,6 @@ void EngineCore::refreshRestarted()
                 if (result)
                     readParameters(id);
             });
-    }
-}
-
-void EngineCore::openByItself()
-{
-    for (const LinkListing &listing : listLinks()) {
-        if (listing.kind != LinkKind::Can || !listing.openable || m_session.findLink(listing.link)
-            || m_closedByHand.count(listing.link.text()) > 0)
-            continue;
-        if (auto link = m_session.openLink(listing.link)) {
-            watch(**link);
-            scan(**link);
-        }
     }
 }
 

@@ -4,6 +4,8 @@
 #include "async/scope.h"
 #include "model/parametertransfer.h"
 #include "model/snapshot.h"
+#include "model/unknownframes.h"
+#include "transport/linkcatalog.h"
 
 #include <functional>
 #include <list>
@@ -36,6 +38,10 @@ public:
     void openLink(const LinkAddress &address, const Finished &finished);
     void closeLink(const std::string &address);
     void scanAll();
+    /// What is there to be opened, whenever it may have changed: interfaces that are up are opened if that is wanted, lost
+    /// links whose interface is back too; one that opened by itself, and found nobody, goes with its interface.
+    void takeListings(std::vector<LinkListing> listings);
+    [[nodiscard]] const std::vector<LinkListing> &listings() const { return m_listings; }
 
     void readParameters(DeviceId id);
     void writeParameters(DeviceId id, std::vector<ParameterChange> changes, Finished finished);
@@ -66,7 +72,9 @@ private:
     };
     struct Watched {
         bool scanning = false;
+        bool byItself = false; ///< nobody asked for it
         std::shared_ptr<TrafficLog> traffic;
+        std::unique_ptr<UnknownFrames> unknown;
         Subscription tap;
         Subscription state;
     };
@@ -83,6 +91,9 @@ private:
     void look();
     void refreshRestarted();
     void openByItself();
+    void reopenLost();
+    void dropVanished();
+    void removeLink(Link &link);
     void streamChanged(DeviceId id);
     void prune();
     void touch() { m_changed.notify(); }
@@ -101,6 +112,7 @@ private:
     Session m_session;
     std::map<const Link *, Watched> m_watched;
     std::map<DeviceId, Subscription> m_streams;
+    std::vector<LinkListing> m_listings;
     std::set<std::string> m_closedByHand; ///< not opened again by themselves
     std::list<Running> m_operations;
     std::uint32_t m_lastOperation = 0;

@@ -267,7 +267,7 @@ void MainWindow::followLinks(const Snapshot &shot)
         LinkStatus chip;
         chip.name = QString::fromStdString(link.name);
         const bool open = link.state == LinkState::Open;
-        chip.healthy = open && link.counters.lost == 0;
+        chip.healthy = open && link.counters.lost == 0 && link.diagnosis.isHealthy();
         chip.state = open ? chip.healthy ? GlyphState::Online : GlyphState::Warning : GlyphState::Fault;
         if (!open)
             chip.word = tr("lost");
@@ -281,6 +281,8 @@ void MainWindow::followLinks(const Snapshot &shot)
                                   .arg(link.counters.lost)
                                   .arg(link.counters.errors)
                             : tableText(link.reason);
+        if (!link.diagnosis.isHealthy())
+            chip.tooltip = tableText(link.diagnosis.text()) + QLatin1Char('\n') + chip.tooltip;
         chips.push_back(chip);
         simulated = simulated || link.simulated;
     }

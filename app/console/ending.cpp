@@ -14,8 +14,13 @@ Ending::Ending(Console &console)
 
 void Ending::watch(Link &link)
 {
-    const auto look = [this, &link] {
-        if (link.state() != LinkState::Lost)
+    watchPatiently(link, {});
+}
+
+void Ending::watchPatiently(Link &link, std::function<bool(const Link &)> mayReturn)
+{
+    const auto look = [this, &link, mayReturn = std::move(mayReturn)] {
+        if (link.state() != LinkState::Lost || (mayReturn && mayReturn(link)))
             return;
         m_reason = link.address().text() + " was lost: " + link.reason();
         end(Cause::LinkLost);

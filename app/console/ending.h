@@ -13,6 +13,8 @@ public:
 
     explicit Ending(Console &console);
     void watch(Link &link);
+    /// As long as `mayReturn` says so of the lost link, its loss does not end the verb.
+    void watchPatiently(Link &link, std::function<bool(const Link &)> mayReturn);
     void after(std::optional<Duration> time);
 
     [[nodiscard]] Event::Wait wait() { return m_event.wait(); }

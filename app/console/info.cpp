@@ -2,7 +2,10 @@
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "transport/canlink.h"
+#include "transport/linkcatalog.h"
 
+#include <cmath>
 #include <memory>
 
 namespace mb::console {
@@ -54,6 +57,21 @@ std::string describe(const FaultRecord &fault)
     return text;
 }
 
+void addBus(Table &table, Console &console, const CanLink &link)
+{
+    const BusHealth &health = link.health();
+    std::string bus(toString(health.state));
+    if (health.transmitErrors && health.receiveErrors)
+        bus += ", " + std::to_string(*health.transmitErrors) + " transmit and " + std::to_string(*health.receiveErrors)
+            + " receive errors";
+    table.add({"bus", bus + ", load " + numberText(std::round(link.load(console.clock().now()) * 100)) + " %"});
+    if (health.lastError)
+        table.add({"last error", describe(health.last)});
+    const auto found = diagnose(symptomsOf(link, console.clock().now()), console.clock().now(), listLinks());
+    if (!found.isHealthy())
+        table.add({"link", found.text()});
+}
+
 void printText(Console &console, const Device &device, const Faults &faults)
 {
     const Identity &identity = device.identity();
@@ -77,6 +95,8 @@ void printText(Console &console, const Device &device, const Faults &faults)
     table.add({"link frames",
         std::to_string(counters.rx) + " received, " + std::to_string(counters.tx) + " sent, "
             + std::to_string(counters.lost) + " lost, " + std::to_string(counters.errors) + " errors"});
+    if (device.link().kind() == LinkKind::Can)
+        addBus(table, console, static_cast<const CanLink &>(device.link()));
     table.print(console.out());
 }
 
@@ -94,6 +114,7 @@ Task<int> info(Console &console, std::string text)
         auto reading = device->readFaults();
         faults = co_await std::move(reading);
     }
+    device->link().recount();
     if (console.json())
         printJson(console, *device, faults);
     else

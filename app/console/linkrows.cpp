@@ -9,15 +9,19 @@ namespace mb::console {
 std::vector<LinkListing> allLinks(const Console &console)
 {
     std::vector<LinkListing> links = listLinks();
+    for (LinkListing &link : listPluginLinks())
+        links.push_back(std::move(link));
     for (const LinkAddress &address : expandLink(LinkAddress{"sim", "", {}}, console.families()))
-        links.push_back({address, kindOf(address), "available", "simulated devices inside this program", true});
+        links.push_back(
+            {address, kindOf(address), "available", "simulated devices inside this program", true, {}, false});
     return links;
 }
 
-LinkListing listingOf(const Link &link)
+LinkListing listingOf(const Link &link, Instant now)
 {
     const bool open = link.state() == LinkState::Open;
-    return {link.address(), link.kind(), open ? "open" : "lost", link.reason(), open};
+    const Diagnosis found = diagnose(symptomsOf(link, now), now, listLinks());
+    return {link.address(), link.kind(), open ? "open" : "lost", found.text(), open, found, false};
 }
 
 QJsonArray toJson(const std::vector<LinkListing> &links)

@@ -43,6 +43,7 @@ Task<int> monitor(Console &console, Arguments arguments)
             console.out().line(toCandumpLine(base.of(traffic.time), name, *traffic.can));
     });
     co_await ending.wait();
+    (*link)->recount();
     if (const std::uint64_t lost = (*link)->counters().lost; lost > 0)
         console.note(std::to_string(lost) + " frames were lost on the way from the kernel");
     if (ending.cause() == Ending::Cause::LinkLost)

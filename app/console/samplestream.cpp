@@ -18,6 +18,7 @@ SampleStream::SampleStream(Console &console, Device &device, std::vector<Channel
     for (const ChannelIndex channel : channels)
         m_chosen[channel.value] = true;
     device.telemetry()->commit();
+    device.link().recount();
     m_lostBefore = lostSoFar();
     if (!console.json())
         console.out().line("t,channel,value,unit");
@@ -51,6 +52,7 @@ void SampleStream::print(const Sample &sample)
 std::uint64_t SampleStream::lost() const
 {
     m_device.telemetry()->commit();
+    m_device.link().recount();
     const std::uint64_t now = lostSoFar();
     return now > m_lostBefore ? now - m_lostBefore : 0;
 }

@@ -87,7 +87,7 @@ Opened openListed(Console &console)
     Opened opened;
     opened.listings = allLinks(console);
     for (LinkListing &listing : opened.listings) {
-        if (listing.kind != LinkKind::Can || listing.link.isSimulated() || !listing.openable)
+        if (listing.link.scheme != "socketcan" || !listing.openable)
             continue;
         auto link = console.session().openLink(listing.link);
         if (link) {
@@ -138,10 +138,13 @@ Task<int> scan(Console &console, std::vector<std::string> names)
     for (const Link *link : opened.links) {
         const auto same = [link](const LinkListing &listing) { return listing.link == link->address(); };
         const auto known = std::find_if(opened.listings.begin(), opened.listings.end(), same);
+        const LinkListing now = listingOf(*link, console.clock().now());
         if (known == opened.listings.end())
-            opened.listings.push_back(listingOf(*link));
-        else if (link->state() == LinkState::Lost)
-            *known = listingOf(*link);
+            opened.listings.push_back(now);
+        else if (!now.diagnosis.isHealthy())
+            *known = now;
+        if (!now.diagnosis.isHealthy() && !console.json())
+            console.note(link->address().text() + ": " + now.detail);
     }
     if (console.json()) {
         QJsonArray rows;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/ending.h"
+#include "app/console/reopening.h"
 #include "app/console/samplestream.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
@@ -93,6 +94,8 @@ Task<int> stream(Console &console, Device &device, Plan plan, Ending &ending)
     }
     if (ending.cause() == Ending::Cause::LinkLost)
         error = Error{Fault::LinkLost, ending.reason()};
+    else if (device.link().state() == LinkState::Lost)
+        error = Error{Fault::LinkLost, device.link().address().text() + " was lost: " + device.link().reason()};
     if (plan.rate > 0.0) {
         auto restoring = setRates(device, plan.channels, 0.0);
         const std::optional<Error> failed = co_await std::move(restoring);
@@ -104,6 +107,16 @@ Task<int> stream(Console &console, Device &device, Plan plan, Ending &ending)
     co_return exitDone;
 }
 
+/// After the link came back: the device may have lost power with it.
+Task<void> raiseAgain(Device &device, Plan plan)
+{
+    if (plan.rate <= 0.0)
+        co_return {};
+    auto raising = setRates(device, plan.channels, plan.rate);
+    (void)co_await std::move(raising);
+    co_return {};
+}
+
 Task<int> watch(Console &console, Arguments arguments)
 {
     auto plan = check(console, arguments);
@@ -112,7 +125,7 @@ Task<int> watch(Console &console, Arguments arguments)
     Ending ending(console);
     auto connecting = connect(console, plan->target);
     Device *const device = co_await std::move(connecting);
-    ending.watch(device->link());
+    ending.watchPatiently(device->link(), Reopening::mayReturn);
     if (device->identity().state == DeviceState::Bootloader)
         console.note(device->selector() + " waits in its bootloader and sends no samples");
     if (plan->rate > 0.0) {
@@ -124,6 +137,7 @@ Task<int> watch(Console &console, Arguments arguments)
             co_return fail(*failed);
         }
     }
+    const Reopening reopening(console, device->link(), [device, plan = *plan] { return raiseAgain(*device, plan); });
     auto streaming = stream(console, *device, *plan, ending);
     co_return co_await std::move(streaming);
 }

@@ -61,6 +61,7 @@ LinkView viewOf(const Link &link, Instant now)
         const auto &can = static_cast<const CanLink &>(link);
         view.bitrate = can.bitrate();
         view.load = can.load(now);
+        view.health = can.health();
     }
     return view;
 }

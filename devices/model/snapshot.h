@@ -4,6 +4,7 @@
 #include "model/operation.h"
 #include "model/session.h"
 #include "model/trafficlog.h"
+#include "transport/linkdoctor.h"
 
 #include <memory>
 #include <string>
@@ -24,6 +25,9 @@ struct LinkView {
     int bitrate = 0;
     double load = 0.0; ///< 0…1
     LinkCounters counters;
+    BusHealth health;          ///< of a CAN link
+    std::uint64_t unknown = 0; ///< frames received that no family knows
+    Diagnosis diagnosis;       ///< one cause and one remedy; healthy when nothing is wrong
     std::shared_ptr<const TrafficLog> traffic;
 };
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window's own engine, window and arming, without a screen, driving device 5 of a link until it is killed:
-//     windowdriver LINK      prints "driving" once a snapshot shows the motor moving
+//     windowdriver LINK          prints "driving" once a snapshot shows the motor moving
+//     windowdriver LINK listen   only watches; prints "listening", and at the end of its input "RX LOST"
 // For tests/socketcan/kill-window. The lease is renewed where the program renews it, on the GUI thread.
 #include "app/engine.h"
 #include "app/mainwindow.h"
 #include "model/registry.h"
 
 #include <QApplication>
+#include <QSocketNotifier>
 
 #include <cstdio>
+#include <optional>
+#include <string_view>
 
 namespace {
 
@@ -53,13 +57,55 @@ private:
     bool m_told = false;
 };
 
+/// Counts what comes, until standard input ends and no more comes.
+class Listener {
+public:
+    explicit Listener(mb::Engine &engine)
+        : m_engine(engine)
+        , m_input(0, QSocketNotifier::Read)
+    {
+        QObject::connect(&m_input, &QSocketNotifier::activated, &m_input, [this] {
+            m_input.setEnabled(false);
+            m_ending = true;
+        });
+    }
+    void follow()
+    {
+        if (m_engine.snapshot().links.empty())
+            return;
+        const mb::LinkView &link = m_engine.snapshot().links.front();
+        if (!m_told) {
+            m_told = true;
+            std::puts("listening");
+            std::fflush(stdout);
+        }
+        m_quiet = link.counters.rx == m_received ? m_quiet + 1 : 0;
+        m_received = link.counters.rx;
+        constexpr int snapshotsOfSilence = 40; // more than a second
+        if (!m_ending || m_quiet < snapshotsOfSilence)
+            return;
+        std::printf("%llu %llu\n", static_cast<unsigned long long>(m_received),
+            static_cast<unsigned long long>(link.counters.lost));
+        QCoreApplication::exit(0);
+    }
+
+private:
+    mb::Engine &m_engine;
+    QSocketNotifier m_input;
+    std::uint64_t m_received = 0;
+    int m_quiet = 0;
+    bool m_ending = false;
+    bool m_told = false;
+};
+
 } // namespace
 
 int main(int argc, char **argv)
 {
-    const auto link = argc == 2 ? mb::LinkAddress::parse(argv[1]) : mb::fail(mb::Fault::OutOfRange, "");
+    const bool listens = argc == 3 && std::string_view(argv[2]) == "listen";
+    const auto link = argc == 2 || listens ? mb::LinkAddress::parse(argv[1]) : mb::fail(mb::Fault::OutOfRange, "");
     if (!link) {
-        std::fputs("usage: windowdriver LINK\n", stderr);
+        std::fputs("usage: windowdriver LINK [listen]\n", stderr);
         return 2;
     }
     QApplication::setStyle(QStringLiteral("Fusion"));
@@ -69,7 +115,15 @@ int main(int argc, char **argv)
     mb::Engine engine(mb::families(), false);
     mb::MainWindow window(engine, theme, settings);
     Driver driver(engine, window);
-    QObject::connect(&engine, &mb::Workbench::changed, &window, [&driver] { driver.follow(); });
+    std::optional<Listener> listener;
+    if (listens)
+        listener.emplace(engine);
+    QObject::connect(&engine, &mb::Workbench::changed, &window, [&driver, &listener] {
+        if (listener)
+            listener->follow();
+        else
+            driver.follow();
+    });
     engine.openLink(*link, [](const mb::Result<void> &opened) {
         if (opened)
             return;

@@ -162,6 +162,8 @@ TEST_F(VirtualCan, EqualIdentifiersWithDifferentContentCollideAndAreResolved)
     EXPECT_GE(a.link->counters().errors, 1U);
     EXPECT_EQ(a.link->counters().errors, b.link->counters().errors);
     EXPECT_EQ(a.link->counters().errors, c.link->counters().errors);
+    EXPECT_EQ(a.link->health().protocolErrors, a.link->counters().errors) << "two units with one number: seen as such";
+    EXPECT_EQ(describe(a.link->health().last), "bit error in the data");
     EXPECT_EQ(a.link->backlog() + b.link->backlog(), 0U);
 }
 

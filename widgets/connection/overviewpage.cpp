@@ -7,6 +7,7 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/devicecard.h"
+#include "widgets/connection/doctorcard.h"
 
 #include <QGridLayout>
 #include <QScrollArea>
@@ -49,6 +50,8 @@ void OverviewPage::buildCards()
     m_linkGrid->setSpacing(theme.u(8));
     m_deviceGrid = new QGridLayout;
     m_deviceGrid->setSpacing(theme.u(8));
+    m_ailing = new DoctorCard(m_workbench, m_theme, false, m_canvas);
+    column->addWidget(m_ailing);
     column->addLayout(m_linkGrid);
     column->addLayout(m_deviceGrid);
     column->addStretch();
@@ -66,23 +69,12 @@ void OverviewPage::buildEmpty()
     auto *column = new QVBoxLayout(page);
     column->setContentsMargins(theme.u(16), theme.u(16), theme.u(16), theme.u(16));
     column->setSpacing(theme.u(16));
-    column->addWidget(buildDoctor(page));
+    m_doctor = new DoctorCard(m_workbench, m_theme, true, page);
+    column->addWidget(m_doctor);
     column->addWidget(buildTry(page));
     column->addStretch();
     scroll->setWidget(page);
     m_states->addWidget(scroll);
-}
-
-QWidget *OverviewPage::buildDoctor(QWidget *parent)
-{
-    auto *card = new Card(m_theme, tr("Connection doctor"), parent);
-    card->addHeadWidget(textLabel(tr("looks again every 2 s"), TextRole::Caption, Tone::Dim, card));
-    auto *rows = new QWidget(card);
-    m_doctor = new QVBoxLayout(rows);
-    m_doctor->setContentsMargins(0, 0, 0, 0);
-    m_doctor->setSpacing(m_theme.theme().u(12));
-    card->body().addWidget(rows);
-    return card;
 }
 
 QWidget *OverviewPage::buildTry(QWidget *parent)
@@ -127,44 +119,12 @@ void OverviewPage::follow()
     const Snapshot &shot = m_workbench.snapshot();
     m_states->setCurrentIndex(shot.links.empty() ? 1 : 0);
     if (shot.links.empty()) {
-        followDoctor();
+        m_doctor->follow();
         return;
     }
+    m_ailing->follow();
     followLinks(shot);
     followDevices(shot);
-}
-
-void OverviewPage::followDoctor()
-{
-    std::string shows;
-    for (const LinkListing &listing : m_workbench.listings())
-        shows += listing.link.text() + listing.state + listing.detail + '\n';
-    if (shows == m_doctorShows && m_doctor->count() > 0)
-        return;
-    m_doctorShows = shows;
-    while (QLayoutItem *item = m_doctor->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
-    const auto addRow = [this](GlyphState state, const QString &title, const QString &detail) {
-        auto *row = new QWidget(m_doctor->parentWidget());
-        auto *grid = new QGridLayout(row);
-        grid->setContentsMargins(0, 0, 0, 0);
-        grid->setHorizontalSpacing(m_theme.theme().u(12));
-        grid->addWidget(new StateGlyph(m_theme, state, row), 0, 0);
-        grid->addWidget(textLabel(title, TextRole::Emphasis, Tone::Text, row), 0, 1);
-        auto *text = textLabel(detail, TextRole::Body, Tone::Dim, row);
-        text->setWordWrap(true);
-        grid->addWidget(text, 1, 1);
-        grid->setColumnStretch(1, 1);
-        m_doctor->addWidget(row);
-    };
-    for (const LinkListing &listing : m_workbench.listings())
-        addRow(listing.openable ? GlyphState::Done : GlyphState::Warning, QString::fromStdString(listing.link.text()),
-            tableText(listing.detail));
-    if (m_workbench.listings().empty())
-        addRow(GlyphState::Gone, tr("No interface found"),
-            tr("Plug in a CAN adapter at any time; it appears here and is opened by itself once it is up."));
 }
 
 OverviewPage::LinkCard OverviewPage::makeLinkCard(const LinkView &link)
@@ -183,6 +143,8 @@ OverviewPage::LinkCard OverviewPage::makeLinkCard(const LinkView &link)
     made.load = add(tr("load"), QStringLiteral("%"));
     made.errors = add(tr("errors"), {});
     made.lost = add(tr("lost"), {});
+    made.unknown = add(tr("unknown"), {});
+    made.unknown->setToolTip(tr("Frames received that no controller family knows: somebody else's traffic"));
     row->addStretch();
     made.card->body().addLayout(row);
     return made;
@@ -209,7 +171,11 @@ void OverviewPage::followLinks(const Snapshot &shot)
         const QString rate = link.bitrate > 0 ? tr("%1 kbit/s").arg(link.bitrate / 1000) : QString();
         card.card->setTitle(QString::fromStdString(link.name),
             link.state == LinkState::Open ? rate : QString::fromStdString(link.reason));
-        card.card->setEdge(link.state == LinkState::Open ? std::nullopt : std::optional(Tone::Danger));
+        const std::optional<Tone> ailing
+            = link.diagnosis.isHealthy() ? std::nullopt : std::optional<Tone>(Tone::Caution);
+        card.card->setEdge(link.state == LinkState::Open ? ailing : std::optional<Tone>(Tone::Danger));
+        card.unknown->setValue(formatCount(static_cast<qint64>(link.unknown)));
+        card.unknown->setVisible(link.kind == LinkKind::Can);
         card.load->setValue(formatNumber(link.load * 100, 0));
         card.errors->setValue(formatCount(static_cast<qint64>(link.counters.errors)));
         card.errors->setTone(link.counters.errors > 0 ? Tone::Caution : Tone::Text);

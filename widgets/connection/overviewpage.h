@@ -12,12 +12,12 @@
 class QGridLayout;
 class QScrollArea;
 class QStackedWidget;
-class QVBoxLayout;
 
 namespace mb {
 
 class Card;
 class DeviceCard;
+class DoctorCard;
 class ValueLabel;
 
 /// Every link and every device at a glance; with nothing connected, why that is and what can be done.
@@ -42,16 +42,15 @@ private:
         ValueLabel *load = nullptr;
         ValueLabel *errors = nullptr;
         ValueLabel *lost = nullptr;
+        ValueLabel *unknown = nullptr;
     };
 
     void buildCards();
     void buildEmpty();
-    [[nodiscard]] QWidget *buildDoctor(QWidget *parent);
     [[nodiscard]] QWidget *buildTry(QWidget *parent);
     void follow();
     void followLinks(const Snapshot &shot);
     void followDevices(const Snapshot &shot);
-    void followDoctor();
     void arrange();
     [[nodiscard]] LinkCard makeLinkCard(const LinkView &link);
 
@@ -62,8 +61,8 @@ private:
     QWidget *m_canvas = nullptr;
     QGridLayout *m_linkGrid = nullptr;
     QGridLayout *m_deviceGrid = nullptr;
-    QVBoxLayout *m_doctor = nullptr;
-    std::string m_doctorShows;
+    DoctorCard *m_doctor = nullptr; ///< of the empty page: every link
+    DoctorCard *m_ailing = nullptr; ///< above the cards: what does not work
     std::map<std::string, LinkCard> m_links;
     std::map<DeviceId, DeviceCard *> m_cards;
     int m_columns = 0;

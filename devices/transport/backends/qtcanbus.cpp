@@ -6,6 +6,7 @@
 #include <QCanBus>
 #include <QCanBusDevice>
 #include <QCanBusDeviceInfo>
+#include <QLoggingCategory>
 #include <QVariant>
 
 #include <algorithm>
@@ -178,6 +179,7 @@ void QtCanLink::end(const QString &reason)
 
 std::vector<QtCanAdapter> qtCanAdapters()
 {
+    QLoggingCategory::setFilterRules(QStringLiteral("qt.canbus.*=false")); // plugins also print what they return
     std::vector<QtCanAdapter> adapters;
     for (const QString &plugin : QCanBus::instance()->plugins()) {
         const std::string name = plugin.toStdString();
@@ -192,8 +194,8 @@ std::vector<QtCanAdapter> qtCanAdapters()
         }
         if (!devices.isEmpty())
             continue;
-        // A vendor's library that is missing is told in many words; the first sentence has the name of it.
-        const std::string why = cause.section(QLatin1Char('\n'), 0, 0).toStdString();
+        // A vendor's library that is missing is told in many words; the first of them name it.
+        const std::string why = cause.section(QLatin1Char('('), 0, 0).trimmed().toStdString();
         adapters.push_back(
             {name, {}, "the plugin " + name + " finds no adapter" + (why.empty() ? "" : " (" + why + ')'),
                 why.empty() ? "plug one in" : "install its vendor's driver"});

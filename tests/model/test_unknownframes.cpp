@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/registry.h"
+#include "model/unknownframes.h"
+
+#include <gtest/gtest.h>
+
+using namespace mb;
+
+TEST(UnknownFrames, OnlyWhatNoFamilyKnowsIsCounted)
+{
+    UnknownFrames unknown(families());
+    const CanFrame ours = extendedFrame(0x02061405, {0x00, 0x40, 0x11, 0, 0, 0, 0, 0}); // DMC60C status, unit 5
+    const CanFrame theirs = extendedFrame(0x18FEF100, {1, 2, 3, 4, 5, 6, 7, 8});        // J1939 cruise control
+    for (int i = 0; i < 100; ++i) {
+        unknown.take(ours);
+        unknown.take(theirs);
+        unknown.take(theirs);
+    }
+    EXPECT_EQ(unknown.count(), 200U);
+    CanFrame error;
+    error.error = true;
+    unknown.take(error);
+    EXPECT_EQ(unknown.count(), 200U) << "an error frame is nobody's";
+}
+
+TEST(UnknownFrames, AFloodOfIdentifiersStaysExact)
+{
+    UnknownFrames unknown(families());
+    for (std::uint32_t i = 0; i < 50'000; ++i)
+        unknown.take(extendedFrame(0x18000000 + i, {}));
+    EXPECT_EQ(unknown.count(), 50'000U);
+}

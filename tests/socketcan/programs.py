@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Programs that run beside a test on real CAN interfaces."""
+import signal
+import subprocess
+import threading
+import time
+
+PATIENCE = 90.0  # of the whole suite for one step; nothing is expected to take this long
+
+
+class Lines:
+    """The output of a program that keeps running, line by line."""
+
+    def __init__(self, *command):
+        self.lines = []
+        self.changed = threading.Condition()
+        self.program = subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+        self.reader = threading.Thread(target=self.read, daemon=True)
+        self.reader.start()
+
+    def read(self):
+        for line in self.program.stdout:
+            with self.changed:
+                self.lines.append(line.rstrip("\n"))
+                self.changed.notify_all()
+        with self.changed:
+            self.lines.append(None)
+            self.changed.notify_all()
+
+    def wait(self, fits, since=0):
+        """The first line from `since` on that fits."""
+        deadline = time.monotonic() + PATIENCE
+        with self.changed:
+            at = since
+            while True:
+                while at < len(self.lines):
+                    line = self.lines[at]
+                    if line is None:
+                        raise AssertionError(f"{self.program.args} ended: {self.lines[-6:-1]}")
+                    if fits(line):
+                        return line
+                    at += 1
+                if not self.changed.wait(deadline - time.monotonic()):
+                    raise AssertionError(f"{self.program.args} did not print it in time: {self.lines[-5:]}")
+
+    def stop(self, how=signal.SIGTERM):
+        if self.program.poll() is None:
+            self.program.send_signal(how)
+        status = self.program.wait(PATIENCE)
+        self.reader.join()
+        self.program.stdout.close()
+        return status
+
+    def stop_at_its_end(self):
+        """The status of a program that ends by itself."""
+        status = self.program.wait(PATIENCE)
+        self.reader.join()
+        self.program.stdout.close()
+        return status
