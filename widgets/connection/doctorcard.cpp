@@ -19,8 +19,6 @@ QString sentence(const std::string &cause, const std::string &remedy)
     QString text = tableText(cause);
     if (!remedy.empty())
         text += QStringLiteral("; ") + tableText(remedy);
-    if (!text.isEmpty())
-        text[0] = text[0].toUpper();
     return text;
 }
 
