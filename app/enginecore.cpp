@@ -23,6 +23,9 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
     , m_opensByItself(opensByItself)
     , m_session(clock, families)
     , m_sessionChanged(m_session.changed().add([this] { touch(); }))
+    , m_remarked(m_session.remarked().add([this](const Link &link, const std::string &text) {
+        notice(Severity::Caution, link.address().shortName(), text);
+    }))
     , m_look(clock)
     , m_scope(clock)
 {
@@ -75,6 +78,7 @@ void EngineCore::openLink(const LinkAddress &address, const Finished &finished)
         auto link = m_session.openLink(one);
         if (!link) {
             notice(Severity::Danger, one.shortName(), link.error().detail);
+            m_awaited.add(one);
             answer(finished, fail(link.error()));
             return;
         }
@@ -85,8 +89,20 @@ void EngineCore::openLink(const LinkAddress &address, const Finished &finished)
     answer(finished, {});
 }
 
+bool EngineCore::openAwaited(const LinkAddress &address)
+{
+    auto link = m_session.openLink(address);
+    if (!link)
+        return false;
+    notice(Severity::Good, address.shortName(), "is there");
+    watch(**link);
+    scan(**link);
+    return true;
+}
+
 void EngineCore::closeLink(const std::string &address)
 {
+    m_awaited.forget(address);
     const auto parsed = LinkAddress::parse(address);
     Link *link = parsed ? m_session.findLink(*parsed) : nullptr;
     if (!link)
@@ -173,9 +189,14 @@ void EngineCore::look()
 {
     m_look.startIn(lookPeriod, [this] { look(); });
     reopenLost();
+    m_awaited.look([this](const LinkAddress &address) { return openAwaited(address); });
     refreshRestarted();
-    if (isQuiet() && m_clock.now() - m_lastScan >= rescanPeriod)
-        scanAll();
+    if (!isQuiet() || m_clock.now() - m_lastScan < rescanPeriod)
+        return;
+    for (Link *link : m_session.links()) {
+        if (link->kind() == LinkKind::Can) // looking over serial rates would disturb the devices that work
+            scan(*link);
+    }
 }
 
 void EngineCore::refreshRestarted()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/awaitedports.h"
 #include "async/scope.h"
 #include "model/parametertransfer.h"
 #include "model/snapshot.h"
@@ -35,6 +36,7 @@ public:
     /// Lines for the log: severity, device, English text.
     [[nodiscard]] Listeners<Severity, const std::string &, const std::string &> &noticed() { return m_noticed; }
 
+    /// A serial port that is not plugged in is opened once it is; until then this has failed.
     void openLink(const LinkAddress &address, const Finished &finished);
     void closeLink(const std::string &address);
     void scanAll();
@@ -94,6 +96,7 @@ private:
     void reopenLost();
     void dropVanished();
     void removeLink(Link &link);
+    bool openAwaited(const LinkAddress &address);
     void streamChanged(DeviceId id);
     void prune();
     void touch() { m_changed.notify(); }
@@ -114,9 +117,11 @@ private:
     std::map<DeviceId, Subscription> m_streams;
     std::vector<LinkListing> m_listings;
     std::set<std::string> m_closedByHand; ///< not opened again by themselves
+    AwaitedPorts m_awaited;
     std::list<Running> m_operations;
     std::uint32_t m_lastOperation = 0;
     Subscription m_sessionChanged;
+    Subscription m_remarked;
     Timer m_look;
     Instant m_lastScan{};
     Scope m_scope; ///< last: its tasks use everything above

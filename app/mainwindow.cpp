@@ -274,8 +274,9 @@ void MainWindow::followLinks(const Snapshot &shot)
         else
             chip.load = link.load;
         chip.lost = static_cast<qint64>(link.counters.lost);
-        chip.tooltip = open ? tr("%1: %2 frames received, %3 sent, %4 lost, %5 errors")
-                                  .arg(chip.name)
+        const QString counts = link.kind == LinkKind::Can ? tr("%1: %2 frames received, %3 sent, %4 lost, %5 errors")
+                                                          : tr("%1: %2 bytes received, %3 sent, %4 lost, %5 errors");
+        chip.tooltip = open ? counts.arg(chip.name)
                                   .arg(link.counters.rx)
                                   .arg(link.counters.tx)
                                   .arg(link.counters.lost)

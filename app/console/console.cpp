@@ -7,6 +7,7 @@ Console::Console(Clock &clock, std::span<const Family *const> families, Options 
     : m_options(options)
     , m_output(clock)
     , m_session(clock, families)
+    , m_remarked(m_session.remarked().add([this](const Link &, const std::string &text) { note(text); }))
 {
 }
 

@@ -37,6 +37,7 @@ private:
     Options m_options;
     Output m_output;
     Session m_session;
+    Subscription m_remarked;
     Listeners<> m_interruptions;
     bool m_isInterrupted = false;
 };

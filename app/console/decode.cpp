@@ -3,6 +3,7 @@
 #include "app/console/target.h"
 #include "app/console/verb.h"
 #include "async/event.h"
+#include "wire/bytelog.h"
 #include "wire/framelog.h"
 
 #include <QFile>
@@ -14,6 +15,7 @@
 #include <cerrno>
 #include <cstring>
 #include <memory>
+#include <variant>
 
 #include <unistd.h>
 
@@ -57,32 +59,46 @@ public:
         if (auto parsed = parse(last); !parsed)
             return parsed;
         print(prints);
+        if (prints)
+            m_lines.finish();
         return {};
     }
 
 private:
     Result<void> parse(std::string_view text)
     {
+        if (auto bytes = parseByteLine(text)) {
+            m_parsed.emplace_back(std::move(*bytes));
+            text = {}; // counted, and nothing to see for the other
+        }
         auto frame = m_parser.parse(text);
         if (!frame)
             return fail(frame.error().fault, m_name + ": " + frame.error().detail);
         if (*frame)
-            m_parsed.push_back(std::move(**frame));
+            m_parsed.emplace_back(std::move(**frame));
         return {};
     }
     void print(bool prints)
     {
-        if (prints) {
-            for (const LoggedFrame &line : m_parsed)
-                m_lines.print(line.time, line.link, line.frame);
+        for (const auto &line : m_parsed) {
+            if (!prints)
+                break;
+            if (const auto *frame = std::get_if<LoggedFrame>(&line))
+                m_lines.print(frame->time, frame->link, frame->frame);
+            else if (const auto *bytes = std::get_if<LoggedBytes>(&line))
+                m_lines.print(bytes->time, bytes->link, directionOf(*bytes), bytes->bytes);
         }
         m_parsed.clear();
+    }
+    static Direction directionOf(const LoggedBytes &line)
+    {
+        return line.direction == LogDirection::Sent ? Direction::Sent : Direction::Received;
     }
 
     std::string m_name;
     std::string m_rest;
     FrameLogParser m_parser;
-    std::vector<LoggedFrame> m_parsed;
+    std::vector<std::variant<LoggedFrame, LoggedBytes>> m_parsed;
     FrameLines m_lines;
 };
 
@@ -173,7 +189,8 @@ Task<int> decode(Console &console, Arguments arguments)
 Job declareDecode(CLI::App &arguments)
 {
     const auto a = std::make_shared<Arguments>();
-    arguments.add_option("file", a->file, "Text of candump -L or a Vector ASC log; standard input otherwise");
+    arguments.add_option(
+        "file", a->file, "Text of candump -L, of monitor, or a Vector ASC log; standard input otherwise");
     arguments.add_option("--dialect", a->dialect, "Of Abstract DC frames: F (the usual one), L, LL or D");
     return [a](Console &console) { return decode(console, *a); };
 }

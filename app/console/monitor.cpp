@@ -3,6 +3,7 @@
 #include "app/console/framelines.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "wire/bytelog.h"
 
 #include <memory>
 
@@ -13,6 +14,14 @@ struct Arguments {
     std::string link;
     std::string seconds;
 };
+
+std::string lineOf(Duration time, std::string_view link, const Traffic &traffic)
+{
+    if (traffic.can)
+        return toCandumpLine(time, link, *traffic.can);
+    const auto direction = traffic.direction == Direction::Sent ? LogDirection::Sent : LogDirection::Received;
+    return toByteLine(time, link, direction, traffic.bytes);
+}
 
 Task<int> monitor(Console &console, Arguments arguments)
 {
@@ -35,17 +44,20 @@ Task<int> monitor(Console &console, Arguments arguments)
     const TimeOrigin base(console.clock(), (*link)->address());
     const std::string name = (*link)->address().shortName();
     const Subscription tap = (*link)->traffic().add([&](const Traffic &traffic) {
-        if (!traffic.can)
-            return;
-        if (console.json())
-            lines.print(base.of(traffic.time), name, *traffic.can);
+        const Duration stamp = base.of(traffic.time);
+        if (console.json() && traffic.can)
+            lines.print(stamp, name, *traffic.can);
+        else if (console.json())
+            lines.print(stamp, name, traffic.direction, traffic.bytes);
         else
-            console.out().line(toCandumpLine(base.of(traffic.time), name, *traffic.can));
+            console.out().line(lineOf(stamp, name, traffic));
     });
     co_await ending.wait();
+    lines.finish();
     (*link)->recount();
     if (const std::uint64_t lost = (*link)->counters().lost; lost > 0)
-        console.note(std::to_string(lost) + " frames were lost on the way from the kernel");
+        console.note(std::to_string(lost) + ((*link)->kind() == LinkKind::Can ? " frames" : " bytes")
+            + " were lost on the way from the kernel");
     if (ending.cause() == Ending::Cause::LinkLost)
         co_return fail(Fault::LinkLost, ending.reason());
     co_return exitDone;

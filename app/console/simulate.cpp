@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/ending.h"
+#include "app/console/simulatedunits.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
-#include "transport/backends/virtualcan.h"
-#include "transport/linkcatalog.h"
+#include "model/simulatedbus.h"
+#include "transport/backends/ptyline.h"
 
 #include <QJsonArray>
 
 #include <algorithm>
-#include <list>
 #include <memory>
 
 namespace mb::console {
@@ -21,19 +21,13 @@ struct Arguments {
     bool events = false;
 };
 
-struct Unit {
-    LinkAddress link;
-    SimulatedUnit unit;
-    const Family *family = nullptr;
-};
-
 struct Plan {
     std::vector<LinkAddress> links;
-    std::vector<Unit> units;
+    std::vector<PlannedUnit> units;
     std::optional<Duration> time;
 };
 
-Result<Unit> parseUnit(Console &console, const LinkAddress &link, const std::string &text)
+Result<PlannedUnit> parseUnit(Console &console, const LinkAddress &link, const std::string &text)
 {
     auto unit = SimulatedUnit::parse(text);
     if (!unit)
@@ -46,17 +40,17 @@ Result<Unit> parseUnit(Console &console, const LinkAddress &link, const std::str
         return fail(Fault::OutOfRange,
             unit->family + " cannot be simulated on " + link.text() + "; a " + std::string(toString(kinds.front()))
                 + " link is needed");
-    return Unit{link, std::move(*unit), *family};
+    return PlannedUnit{link, std::move(*unit), *family};
 }
 
 /// Makes the unit once on a bus in memory: what it does not understand is told before a real link is opened.
-Result<void> rehearse(Console &console, const Unit &unit)
+Result<void> rehearse(Console &console, const PlannedUnit &unit)
 {
-    if (kindOf(unit.link) != LinkKind::Can)
-        return {};
-    VirtualCanBus bus(console.clock(), 1'000'000, 1);
-    VirtualCanLink link(unit.link, bus);
-    const auto simulator = unit.family->simulate(link, console.clock(), unit.unit);
+    const auto bus = makeSimulatedBus(kindOf(unit.link), console.clock(), 0, 1);
+    if (!bus)
+        return fail(bus.error());
+    const auto end = (*bus)->makeEnd(unit.link);
+    const auto simulator = unit.family->simulate(*end, console.clock(), unit.unit);
     return simulator ? Result<void>() : fail(simulator.error());
 }
 
@@ -70,6 +64,10 @@ Result<void> addGroup(Console &console, const std::vector<std::string> &group, s
             "--on needs a real link, and " + link->text() + " lives inside one program; use it directly");
     if (group.size() < 2)
         return fail(Fault::OutOfRange, "--on " + link->text() + " names no device; add one such as dmc60c:5");
+    if (link->scheme == "pty") {
+        if (auto good = PtyLine::create(*link, console.clock()); !good)
+            return fail(good.error());
+    }
     plan.links.push_back(*link);
     for (std::size_t i = 1; i < group.size(); ++i) {
         auto unit = parseUnit(console, *link, group[i]);
@@ -101,68 +99,14 @@ Result<Plan> check(Console &console, const Arguments &arguments)
     return plan;
 }
 
-/// Simulated units, each with an end of the link of its own, so that they hear each other as real ones do.
-class Units {
-public:
-    Units(Console &console, bool events)
-        : m_console(console)
-        , m_events(events || console.json())
-    {
-    }
-    Result<void> add(const Unit &unit)
-    {
-        auto link = createLink(unit.link, m_console.clock());
-        if (!link)
-            return fail(link.error());
-        if (auto opened = (*link)->open(); !opened)
-            return opened;
-        auto simulator = unit.family->simulate(**link, m_console.clock(), unit.unit);
-        if (!simulator)
-            return fail(simulator.error());
-        m_units.push_back({std::move(*link), std::move(*simulator), {}});
-        Running &running = m_units.back();
-        if (m_events)
-            running.events = running.simulator->events().add(
-                [this, &running](const SimulatorEvent &event) { print(running, event); });
-        return {};
-    }
-    void watch(Ending &ending)
-    {
-        for (Running &running : m_units)
-            ending.watch(*running.link);
-    }
-
-private:
-    struct Running {
-        std::unique_ptr<Link> link;
-        std::unique_ptr<Simulator> simulator;
-        Subscription events;
-    };
-    void print(const Running &running, const SimulatorEvent &event)
-    {
-        const TimeOrigin base(m_console.clock(), running.link->address());
-        m_console.out().json({
-            {QStringLiteral("t"), base.seconds(event.time)},
-            {QStringLiteral("link"), qt(running.link->address().text())},
-            {QStringLiteral("device"), qt(running.simulator->name())},
-            {QStringLiteral("event"), qt(event.what)},
-            {QStringLiteral("value"), event.value},
-        });
-    }
-
-    Console &m_console;
-    bool m_events;
-    std::list<Running> m_units;
-};
-
 Task<int> simulate(Console &console, Arguments arguments)
 {
     const auto plan = check(console, arguments);
     if (!plan)
         co_return fail(plan.error());
     Ending ending(console);
-    Units units(console, arguments.events);
-    for (const Unit &unit : plan->units) {
+    SimulatedUnits units(console, arguments.events);
+    for (const PlannedUnit &unit : plan->units) {
         if (auto added = units.add(unit); !added)
             co_return fail(added.error());
     }
@@ -184,7 +128,9 @@ Task<int> simulate(Console &console, Arguments arguments)
 Job declareSimulate(CLI::App &arguments)
 {
     const auto a = std::make_shared<Arguments>();
-    arguments.add_option("--on", a->on, "A link, then the devices on it, such as socketcan:vcan0 dmc60c:5,motor=cim")
+    arguments
+        .add_option("--on", a->on,
+            "A link, then the devices on it, such as socketcan:vcan0 dmc60c:5,motor=cim or pty:./tty0 FAMILY:4")
         ->required();
     arguments.add_option("--seed", a->seed, "Of everything random; 1 by default");
     arguments.add_option("--for", a->seconds, "Seconds; until a signal otherwise");

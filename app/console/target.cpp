@@ -33,15 +33,6 @@ bool serves(const Family &family, LinkKind kind)
 
 } // namespace
 
-LinkKind kindOf(const LinkAddress &address)
-{
-    if (address.scheme == "serial" || (address.isSimulated() && address.path == "serial"))
-        return LinkKind::Serial;
-    if (address.scheme == "spidev" || address.scheme == "unix" || (address.isSimulated() && address.path == "spi"))
-        return LinkKind::Spi;
-    return LinkKind::Can;
-}
-
 Result<const Family *> parseFamily(std::span<const Family *const> families, std::string_view key)
 {
     if (const Family *family = findFamily(families, key))

@@ -23,7 +23,6 @@ struct Target {
 /// The links that a list of addresses stands for, `sim:` expanded.
 [[nodiscard]] Result<std::vector<LinkAddress>> parseLinks(
     const Console &console, const std::vector<std::string> &texts);
-[[nodiscard]] LinkKind kindOf(const LinkAddress &address);
 
 /// Opens the link and finds the device. A selector that fits several units is wrong usage, not an error of the device.
 [[nodiscard]] Task<Device *> connect(Console &console, Target target);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/family.h"
-#include "transport/backends/virtualcan.h"
+#include "model/simulatedbus.h"
 
 #include <memory>
 #include <vector>
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] std::vector<Simulator *> simulators() const;
 
 private:
-    Bench(LinkAddress address, Clock &clock, int bitrate, std::uint64_t seed);
+    Bench(LinkAddress address, Clock &clock, std::unique_ptr<SimulatedBus> bus, std::uint64_t seed);
     [[nodiscard]] Result<void> populate(
         std::span<const Family *const> families, const std::vector<SimulatedFault> &faults);
     [[nodiscard]] Result<void> addUnit(const Family &family, SimulatedUnit unit);
@@ -30,8 +30,8 @@ private:
     LinkAddress m_address;
     Clock &m_clock;
     std::uint64_t m_seed;
-    VirtualCanBus m_bus;
-    std::vector<std::unique_ptr<VirtualCanLink>> m_links;
+    std::unique_ptr<SimulatedBus> m_bus;
+    std::vector<std::unique_ptr<Link>> m_links;
     std::vector<std::unique_ptr<Simulator>> m_simulators;
     Timer m_busOff;
     std::optional<double> m_busOffAt; ///< seconds after the host opened its end

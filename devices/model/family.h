@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/decoded.h"
 #include "model/device.h"
 #include "model/firmwareimage.h"
 #include "model/simulator.h"
@@ -27,20 +28,6 @@ struct Capabilities {
     std::chrono::milliseconds commandPeriod{20}; ///< between control frames of a running motor
     std::chrono::seconds storesAfter{
         0}; ///< flash has what RAM has this long after the last write; 0: only when told to
-};
-
-/// One decoded frame of `decode` and the Bus page. Names are those of the protocol's tables.
-struct DecodedField {
-    std::string_view name;
-    double value = 0.0;
-    std::string_view unit;
-};
-struct DecodedFrame {
-    std::string_view family;
-    std::string_view message;
-    int address = 0;
-    bool control = false; ///< makes motors move: sending one by hand needs a confirmation
-    std::vector<DecodedField> fields;
 };
 
 /// Gets what a scan finds, each as soon as it answers. A device may be reported again with more detail: same address and
@@ -100,6 +87,8 @@ struct Family {
     std::unique_ptr<Device> (*open)(Link &, Clock &, const Identity &) = nullptr;
     /// Nothing when the frame is not of this family.
     std::optional<DecodedFrame> (*decodeCan)(const CanFrame &, std::string_view dialect) = nullptr;
+    /// Of a family on serial links.
+    std::unique_ptr<ByteDecoder> (*decodeBytes)(std::string_view dialect) = nullptr;
     /// nullptr: no firmware update. The image outlives the task.
     Task<UpdateReport> (*update)(Device &, const FirmwareImage &, UpdateOptions, Progress &) = nullptr;
     Result<ImageSummary> (*inspect)(const FirmwareImage &) = nullptr;

@@ -4,6 +4,7 @@
 #include "async/event.h"
 #include "async/scope.h"
 #include "transport/linkcatalog.h"
+#include "transport/seriallink.h"
 
 #include <algorithm>
 
@@ -138,8 +139,11 @@ Result<Session::OpenLink> Session::makeLink(const LinkAddress &address)
 Result<Link *> Session::openLink(const LinkAddress &address)
 {
     if (Link *known = findLink(address)) {
+        const bool wasOpen = known->state() == LinkState::Open;
         if (auto opened = known->open(); !opened)
             return fail(opened.error());
+        if (!wasOpen)
+            remark(*known);
         return known;
     }
     auto made = makeLink(address);
@@ -150,8 +154,18 @@ Result<Link *> Session::openLink(const LinkAddress &address)
     made->state = made->link->stateChanged().add([this](LinkState) { m_changed.notify(); });
     made->batch = made->link->batchEnded().add([this] { scheduleCommit(); });
     m_links.push_back(std::move(*made));
+    Link &link = *m_links.back().link;
     m_changed.notify();
-    return m_links.back().link.get();
+    remark(link);
+    return &link;
+}
+
+void Session::remark(const Link &link)
+{
+    if (link.kind() != LinkKind::Serial)
+        return;
+    if (const std::string &text = static_cast<const SerialLink &>(link).remark(); !text.empty())
+        m_remarked.notify(link, text);
 }
 
 void Session::closeLink(Link &link)

@@ -59,6 +59,8 @@ public:
     /// Stops every stream, and sends a stop to every device that reports motion. Waits for nothing.
     void stopAll();
 
+    /// A link was opened, and its user should know something about it, told in one clause.
+    [[nodiscard]] Listeners<const Link &, const std::string &> &remarked() { return m_remarked; }
     /// Links or devices came, went or changed.
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
@@ -79,12 +81,14 @@ private:
 
     [[nodiscard]] Result<OpenLink> makeLink(const LinkAddress &address);
     Device &adopt(Link &link, const Family &family, const Identity &identity, std::vector<Device *> &seen);
+    void remark(const Link &link);
     void scheduleCommit();
 
     Clock &m_clock;
     std::span<const Family *const> m_families;
     MotionGuard *m_guard;
     Listeners<> m_changed;
+    Listeners<const Link &, const std::string &> m_remarked;
     std::list<OpenLink> m_links; // lists: an element is destroyed whole, in the reverse order of its members
     std::list<Entry> m_devices;
     std::uint32_t m_lastId = 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/snapshot.h"
 
+#include "transport/seriallink.h"
+
 #include <algorithm>
 
 namespace mb {
@@ -62,6 +64,11 @@ LinkView viewOf(const Link &link, Instant now)
         view.bitrate = can.bitrate();
         view.load = can.load(now);
         view.health = can.health();
+    } else if (link.kind() == LinkKind::Serial) {
+        const auto &serial = static_cast<const SerialLink &>(link);
+        view.bitrate = serial.baudrate();
+        view.load = serial.load(now);
+        view.roundTrip = serial.roundTrip();
     }
     return view;
 }

@@ -23,7 +23,8 @@ struct LinkView {
     bool simulated = false;
     bool scanning = false;
     int bitrate = 0;
-    double load = 0.0; ///< 0…1
+    double load = 0.0;                 ///< 0…1
+    std::optional<Duration> roundTrip; ///< of serial links, smoothed; nothing before the first answer
     LinkCounters counters;
     BusHealth health;          ///< of a CAN link
     std::uint64_t unknown = 0; ///< frames received that no family knows

@@ -7,7 +7,7 @@
 namespace mb {
 namespace {
 
-constexpr std::array schemes{"sim", "socketcan", "qtcan", "serial", "spidev", "unix", "replay"};
+constexpr std::array schemes{"sim", "socketcan", "qtcan", "serial", "spidev", "unix", "replay", "pty"};
 
 Result<void> parseOptions(std::string_view text, std::vector<std::pair<std::string, std::string>> &out)
 {
@@ -90,6 +90,15 @@ std::optional<std::string_view> LinkAddress::option(std::string_view key) const
             return value;
     }
     return std::nullopt;
+}
+
+LinkKind kindOf(const LinkAddress &address)
+{
+    if (address.scheme == "serial" || address.scheme == "pty" || (address.isSimulated() && address.path == "serial"))
+        return LinkKind::Serial;
+    if (address.scheme == "spidev" || address.scheme == "unix" || (address.isSimulated() && address.path == "spi"))
+        return LinkKind::Spi;
+    return LinkKind::Can;
 }
 
 } // namespace mb

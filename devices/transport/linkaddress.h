@@ -33,4 +33,7 @@ struct LinkAddress {
     friend bool operator==(const LinkAddress &, const LinkAddress &) = default;
 };
 
+/// Of the link that an address names; a path that stands for all simulated links counts as CAN.
+[[nodiscard]] LinkKind kindOf(const LinkAddress &address);
+
 } // namespace mb

@@ -4,6 +4,7 @@
 #include "transport/backends/caninterface.h"
 #include "transport/backends/cansocket.h"
 #include "transport/backends/qtcanbus.h"
+#include "transport/backends/serialport.h"
 #include "transport/backends/serialports.h"
 #include "transport/backends/socketcan.h"
 
@@ -70,32 +71,37 @@ void listCan(std::vector<LinkListing> &rows)
         rows.push_back(listed(interface));
 }
 
-LinkListing listedFile(
-    const char *scheme, LinkKind kind, const std::string &path, std::string detail, const char *group)
+LinkListing listedSpi(const std::string &path)
 {
-    LinkListing row{{scheme, path, {}}, kind, "available", std::move(detail), false, {}, false};
+    LinkListing row{
+        {"spidev", path, {}}, LinkKind::Spi, "available", "spi links are not supported yet", false, {}, false};
     if (::access(path.c_str(), R_OK | W_OK) != 0) {
         row.state = "no-permission";
         row.diagnosis = {Ailment::NoPermission, "no permission to use " + path, "become a member of its group",
-            std::string("sudo usermod -aG ") + group + " $USER"};
+            "sudo usermod -aG spi $USER"};
         row.detail = row.diagnosis.text();
-    } else {
-        row.detail += (row.detail.empty() ? "" : "; ") + std::string(toString(kind)) + " links are not supported yet";
     }
     return row;
 }
 
 void listSerial(std::vector<LinkListing> &rows)
 {
-    for (const SerialPort &port : serialPorts())
-        rows.push_back(listedFile("serial", LinkKind::Serial, port.path, port.description, "dialout"));
+    for (const SerialPort &port : serialPorts()) {
+        rows.push_back({{"serial", port.path, {}}, LinkKind::Serial, "available", port.description, true, {}, false});
+        if (auto cause = whyUnusable(port.path, port.path)) {
+            rows.back().state = "no-permission";
+            rows.back().detail = cause->text();
+            rows.back().diagnosis = std::move(*cause);
+            rows.back().openable = false;
+        }
+    }
 }
 
 void listSpi(std::vector<LinkListing> &rows)
 {
     const QDir devices(QStringLiteral("/dev"));
     for (const QString &name : devices.entryList({QStringLiteral("spidev*")}, QDir::System))
-        rows.push_back(listedFile("spidev", LinkKind::Spi, devices.filePath(name).toStdString(), {}, "spi"));
+        rows.push_back(listedSpi(devices.filePath(name).toStdString()));
 }
 
 } // namespace
@@ -145,6 +151,11 @@ Result<std::unique_ptr<Link>> createLink(const LinkAddress &address, Clock &cloc
     }
     if (address.scheme == "qtcan")
         return makeQtCanLink(address, clock);
+    if (address.scheme == "serial")
+        return makeSerialPortLink(address, clock);
+    if (address.scheme == "pty")
+        return fail(Fault::OutOfRange,
+            "pty: is where 'simulate' puts its devices; open that terminal as serial:" + address.path);
     if (address.isSimulated())
         return fail(Fault::Unsupported, "simulated links belong to a bench");
     return fail(Fault::Unsupported, address.scheme + " links are not supported yet");

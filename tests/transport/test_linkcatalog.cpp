@@ -32,7 +32,7 @@ TEST(LinkCatalog, RefusesKindsThatAreNotSupported)
 {
     VirtualClock clock;
     for (const char *text :
-        {"serial:/dev/ttyUSB0", "spidev:/dev/spidev0.0", "unix:./bench", "replay:run.log", "sim:can"}) {
+        {"spidev:/dev/spidev0.0", "unix:./bench", "replay:run.log", "sim:can"}) {
         const auto link = createLink(LinkAddress::parse(text).value(), clock);
         ASSERT_FALSE(link) << text;
         EXPECT_EQ(link.error().fault, Fault::Unsupported) << text;
@@ -43,7 +43,7 @@ TEST(LinkCatalog, RefusesOptionsAndPathsThatAKindDoesNotHave)
 {
     VirtualClock clock;
     for (const char *text : {"socketcan:can0?bitrate=5", "qtcan:peakcan", "qtcan::usb0",
-             "qtcan:peakcan:usb0?bitrate=fast", "qtcan:peakcan:usb0?speed=5"}) {
+             "qtcan:peakcan:usb0?bitrate=fast", "qtcan:peakcan:usb0?speed=5", "serial:/dev/ttyUSB0?speed=5", "pty:./tty0"}) {
         const auto link = createLink(LinkAddress::parse(text).value(), clock);
         ASSERT_FALSE(link) << text;
         EXPECT_EQ(link.error().fault, Fault::OutOfRange) << text;
@@ -74,6 +74,9 @@ TEST(SerialPorts, AreThoseWithHardwareBehindThemAndDescribedByTheirUsbDevice)
     fs::create_directories(usb / "1-1:1.0" / "ttyUSB0");
     write(usb / "product", "FT232R USB UART");
     write(usb / "manufacturer", "FTDI");
+    write(usb / "serial", "A50285BI");
+    write(usb / "idVendor", "0403");
+    write(usb / "idProduct", "6001");
     fs::create_directories(root / "devices" / "uart");
     for (const char *name : {"ttyUSB0", "ttyS0", "ttyS1", "tty0"})
         fs::create_directories(tty / name);
@@ -88,6 +91,6 @@ TEST(SerialPorts, AreThoseWithHardwareBehindThemAndDescribedByTheirUsbDevice)
     EXPECT_EQ(ports[0].path, "/dev/ttyS0");
     EXPECT_EQ(ports[0].description, "");
     EXPECT_EQ(ports[1].path, "/dev/ttyUSB0");
-    EXPECT_EQ(ports[1].description, "FTDI FT232R USB UART");
+    EXPECT_EQ(ports[1].description, "FTDI FT232R USB UART, serial number A50285BI, 0403:6001");
     EXPECT_TRUE(serialPorts(root / "nothing").empty());
 }

@@ -127,13 +127,16 @@ void askRenumber(Workbench &workbench, DeviceId id, QWidget &parent)
 void askAddLink(Workbench &workbench, QWidget &parent, std::function<void(const QString &)> opened)
 {
     QStringList choices;
+    QStringList lines{DeviceActions::tr("Link address, such as socketcan:can0 or sim:can?loss=0.01:")};
     for (const LinkListing &listing : workbench.listings()) {
+        const QString address = QString::fromStdString(listing.link.text());
         if (listing.openable)
-            choices += QString::fromStdString(listing.link.text());
+            choices += address;
+        if (!listing.link.path.empty() && !listing.detail.empty())
+            lines += DeviceActions::tr("%1: %2").arg(address, tableText(listing.detail));
     }
     choices += QStringLiteral("sim:");
-    QInputDialog *dialog = ask(parent, DeviceActions::tr("Add a link"),
-        DeviceActions::tr("Link address, such as socketcan:can0 or sim:can?loss=0.01:"));
+    QInputDialog *dialog = ask(parent, DeviceActions::tr("Add a link"), lines.join(QLatin1Char('\n')));
     dialog->setComboBoxItems(choices);
     dialog->setComboBoxEditable(true);
     QObject::connect(dialog, &QInputDialog::textValueSelected, &workbench, [&workbench, opened](const QString &text) {

@@ -127,6 +127,11 @@ void OverviewPage::follow()
     followDevices(shot);
 }
 
+QString OverviewPage::rateText(const LinkView &link)
+{
+    return link.kind == LinkKind::Serial ? tr("%1 bit/s").arg(link.bitrate) : tr("%1 kbit/s").arg(link.bitrate / 1000);
+}
+
 OverviewPage::LinkCard OverviewPage::makeLinkCard(const LinkView &link)
 {
     LinkCard made;
@@ -145,6 +150,7 @@ OverviewPage::LinkCard OverviewPage::makeLinkCard(const LinkView &link)
     made.lost = add(tr("lost"), {});
     made.unknown = add(tr("unknown"), {});
     made.unknown->setToolTip(tr("Frames received that no controller family knows: somebody else's traffic"));
+    made.roundTrip = add(tr("round trip"), QStringLiteral("ms"));
     row->addStretch();
     made.card->body().addLayout(row);
     return made;
@@ -168,7 +174,7 @@ void OverviewPage::followLinks(const Snapshot &shot)
             m_columns = 0;
         }
         const LinkCard &card = entry->second;
-        const QString rate = link.bitrate > 0 ? tr("%1 kbit/s").arg(link.bitrate / 1000) : QString();
+        const QString rate = link.bitrate > 0 ? rateText(link) : QString();
         card.card->setTitle(QString::fromStdString(link.name),
             link.state == LinkState::Open ? rate : QString::fromStdString(link.reason));
         const std::optional<Tone> ailing
@@ -177,6 +183,12 @@ void OverviewPage::followLinks(const Snapshot &shot)
         card.unknown->setValue(formatCount(static_cast<qint64>(link.unknown)));
         card.unknown->setVisible(link.kind == LinkKind::Can);
         card.load->setValue(formatNumber(link.load * 100, 0));
+        card.roundTrip->setVisible(link.kind == LinkKind::Serial);
+        if (link.roundTrip)
+            card.roundTrip->setValue(
+                formatNumber(std::chrono::duration<double, std::milli>(*link.roundTrip).count(), 1));
+        else
+            card.roundTrip->clear();
         card.errors->setValue(formatCount(static_cast<qint64>(link.counters.errors)));
         card.errors->setTone(link.counters.errors > 0 ? Tone::Caution : Tone::Text);
         card.lost->setValue(formatCount(static_cast<qint64>(link.counters.lost)));

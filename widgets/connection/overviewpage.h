@@ -43,6 +43,7 @@ private:
         ValueLabel *errors = nullptr;
         ValueLabel *lost = nullptr;
         ValueLabel *unknown = nullptr;
+        ValueLabel *roundTrip = nullptr; ///< of serial links
     };
 
     void buildCards();
@@ -51,6 +52,7 @@ private:
     void follow();
     void followLinks(const Snapshot &shot);
     void followDevices(const Snapshot &shot);
+    [[nodiscard]] static QString rateText(const LinkView &link);
     void arrange();
     [[nodiscard]] LinkCard makeLinkCard(const LinkView &link);
 

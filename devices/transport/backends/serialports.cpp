@@ -5,6 +5,10 @@
 #include <fstream>
 #include <system_error>
 
+#include <grp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 namespace mb {
 namespace {
 
@@ -31,13 +35,31 @@ std::string descriptionOf(const fs::path &terminal)
     std::error_code failed;
     fs::path folder = fs::canonical(terminal / "device", failed);
     for (int level = 0; !failed && level < 4; ++level, folder = folder.parent_path()) {
-        const std::string product = firstLine(folder / "product");
-        if (product.empty())
+        if (firstLine(folder / "product").empty() && firstLine(folder / "idVendor").empty())
             continue;
-        const std::string maker = firstLine(folder / "manufacturer");
-        return maker.empty() ? product : maker + " " + product;
+        std::string text;
+        const auto add = [&text](const char *separator, const std::string &part) {
+            if (!part.empty())
+                text += (text.empty() ? "" : separator) + part;
+        };
+        add("", firstLine(folder / "manufacturer"));
+        add(" ", firstLine(folder / "product"));
+        const std::string serial = firstLine(folder / "serial");
+        add(", ", serial.empty() ? serial : "serial number " + serial);
+        const std::string vendor = firstLine(folder / "idVendor");
+        add(", ", vendor.empty() ? vendor : vendor + ':' + firstLine(folder / "idProduct"));
+        return text;
     }
     return {};
+}
+
+std::string groupOf(const std::string &path)
+{
+    struct stat file { };
+    if (::stat(path.c_str(), &file) != 0)
+        return "dialout";
+    const struct group *owner = ::getgrgid(file.st_gid);
+    return owner && file.st_gid != 0 ? owner->gr_name : "dialout";
 }
 
 } // namespace
@@ -52,6 +74,19 @@ std::vector<SerialPort> serialPorts(const fs::path &terminals)
     }
     std::sort(ports.begin(), ports.end(), [](const SerialPort &a, const SerialPort &b) { return a.path < b.path; });
     return ports;
+}
+
+std::optional<Diagnosis> whyUnusable(const std::string &name, const std::string &path)
+{
+    struct stat file { };
+    if (::stat(path.c_str(), &file) != 0)
+        return Diagnosis{Ailment::NotThere, "there is no " + name, "plug in the adapter, or name another port", {}};
+    if (!S_ISCHR(file.st_mode))
+        return Diagnosis{Ailment::Failed, name + " is no serial port", "name one such as /dev/ttyUSB0", {}};
+    if (::access(path.c_str(), R_OK | W_OK) != 0)
+        return Diagnosis{Ailment::NoPermission, "no permission to use " + name, "become a member of its group",
+            "sudo usermod -aG " + groupOf(path) + " $USER"};
+    return std::nullopt;
 }
 
 } // namespace mb

@@ -41,13 +41,12 @@ void VirtualSerialLine::detach(VirtualSerialLink &link)
 
 void VirtualSerialLine::begin(VirtualSerialLink &link)
 {
-    if (link.m_passing || link.m_queue.empty())
+    if (link.m_passing || link.m_queue.isEmpty())
         return;
     const int rate = m_anySpeed > 0 ? m_anySpeed : link.baudrate();
     Passing passing;
     passing.sender = &link;
-    passing.bytes = std::move(link.m_queue.front().bytes);
-    link.m_queue.pop_front();
+    passing.bytes = link.m_queue.pop();
     passing.collided.resize(passing.bytes.size());
     passing.start = link.m_freeAt;
     passing.rate = rate;
@@ -168,13 +167,7 @@ void VirtualSerialLink::doClose()
 
 Result<void> VirtualSerialLink::doSend(std::span<const std::uint8_t> bytes, Priority priority)
 {
-    const bool urgent = priority == Priority::Urgent;
-    if (urgent) {
-        for (const Waiting &waiting : m_queue)
-            countLost(waiting.urgent ? 0 : waiting.bytes.size());
-        std::erase_if(m_queue, [](const Waiting &waiting) { return !waiting.urgent; });
-    }
-    m_queue.push_back({{bytes.begin(), bytes.end()}, urgent});
+    countLost(m_queue.push(bytes, priority));
     m_freeAt = std::max(m_freeAt, clock().now());
     m_line.begin(*this);
     return {};
@@ -182,9 +175,7 @@ Result<void> VirtualSerialLink::doSend(std::span<const std::uint8_t> bytes, Prio
 
 std::size_t VirtualSerialLink::doBacklog() const
 {
-    std::size_t waiting = 0;
-    for (const Waiting &piece : m_queue)
-        waiting += piece.bytes.size();
+    std::size_t waiting = m_queue.size();
     if (m_passing) {
         const auto left = (m_passing->end() - clock().now() + m_passing->byteTime - Duration(1)) / m_passing->byteTime;
         waiting += static_cast<std::size_t>(std::max<std::int64_t>(left, 0));

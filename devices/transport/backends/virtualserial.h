@@ -2,8 +2,9 @@
 #pragma once
 
 #include "transport/seriallink.h"
+#include "transport/serialqueue.h"
 
-#include <deque>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -81,10 +82,6 @@ public:
 
 private:
     friend class VirtualSerialLine;
-    struct Waiting {
-        std::vector<std::uint8_t> bytes;
-        bool urgent = false;
-    };
     Result<void> doOpen() override;
     void doClose() override;
     Result<void> doSend(std::span<const std::uint8_t> bytes, Priority priority) override;
@@ -92,7 +89,7 @@ private:
     Result<void> doSetBaudrate(int) override { return {}; }
 
     VirtualSerialLine &m_line;
-    std::deque<Waiting> m_queue;
+    SerialQueue m_queue;
     std::optional<VirtualSerialLine::Passing> m_passing;
     Instant m_freeAt{};
     Timer m_timer;

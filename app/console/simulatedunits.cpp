@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/simulatedunits.h"
+
+#include "app/console/target.h"
+#include "transport/linkcatalog.h"
+
+#include <algorithm>
+
+namespace mb::console {
+
+SimulatedUnits::SimulatedUnits(Console &console, bool events)
+    : m_console(console)
+    , m_events(events || console.json())
+{
+}
+
+Result<void> SimulatedUnits::add(const PlannedUnit &unit)
+{
+    const auto end = endOf(unit.link);
+    if (!end)
+        return fail(end.error());
+    auto simulator = unit.family->simulate(**end, m_console.clock(), unit.unit);
+    if (!simulator)
+        return fail(simulator.error());
+    m_units.push_back({std::move(*simulator), {}});
+    Running &running = m_units.back();
+    if (m_events)
+        running.events = running.simulator->events().add(
+            [this, &link = **end, &running](const SimulatorEvent &event) { print(link, *running.simulator, event); });
+    return {};
+}
+
+Result<Link *> SimulatedUnits::endOf(const LinkAddress &address)
+{
+    if (address.scheme == "serial") {
+        const auto same = [&address](const auto &end) { return end->address() == address; };
+        if (const auto known = std::find_if(m_ends.begin(), m_ends.end(), same); known != m_ends.end())
+            return known->get();
+    }
+    auto end = makeEnd(address);
+    if (!end)
+        return fail(end.error());
+    if (auto opened = (*end)->open(); !opened)
+        return fail(opened.error());
+    m_ends.push_back(std::move(*end));
+    return m_ends.back().get();
+}
+
+Result<std::unique_ptr<Link>> SimulatedUnits::makeEnd(const LinkAddress &address)
+{
+    if (address.scheme != "pty")
+        return createLink(address, m_console.clock());
+    const auto same = [&address](const Terminal &terminal) { return terminal.address == address; };
+    auto terminal = std::find_if(m_terminals.begin(), m_terminals.end(), same);
+    if (terminal == m_terminals.end()) {
+        auto line = PtyLine::create(address, m_console.clock());
+        if (!line)
+            return fail(line.error());
+        if (auto opened = (*line)->open(); !opened)
+            return fail(opened.error());
+        terminal = m_terminals.insert(m_terminals.end(), {address, std::move(*line)});
+    }
+    return terminal->line->makeEnd();
+}
+
+void SimulatedUnits::watch(Ending &ending)
+{
+    for (const auto &end : m_ends)
+        ending.watch(*end);
+}
+
+void SimulatedUnits::print(const Link &link, const Simulator &simulator, const SimulatorEvent &event)
+{
+    const TimeOrigin base(m_console.clock(), link.address());
+    m_console.out().json({
+        {QStringLiteral("t"), base.seconds(event.time)},
+        {QStringLiteral("link"), qt(link.address().text())},
+        {QStringLiteral("device"), qt(simulator.name())},
+        {QStringLiteral("event"), qt(event.what)},
+        {QStringLiteral("value"), event.value},
+    });
+}
+
+} // namespace mb::console

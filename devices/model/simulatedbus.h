@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "transport/link.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace mb {
+
+/// A bus in memory: the host and every simulated unit have an end of it, as on a real one. Outlives its ends.
+class SimulatedBus {
+public:
+    SimulatedBus() = default;
+    SimulatedBus(const SimulatedBus &) = delete;
+    SimulatedBus &operator=(const SimulatedBus &) = delete;
+    virtual ~SimulatedBus() = default;
+
+    /// A closed end with this address.
+    [[nodiscard]] virtual std::unique_ptr<Link> makeEnd(const LinkAddress &address) = 0;
+    /// This fraction of frames, or of pieces of bytes, is heard by nobody, 0…1.
+    virtual void setLoss(double fraction) = 0;
+    /// An end drops out: bus-off on CAN, the cable on the others.
+    virtual void dropOut(Link &end) = 0;
+};
+
+/// `bitrate` in bit/s; 0 is the usual one: 1 Mbit/s on CAN, 115200 on a half-duplex serial line. OutOfRange for a rate
+/// that such a bus does not have, Unsupported for a kind that cannot be simulated.
+[[nodiscard]] Result<std::unique_ptr<SimulatedBus>> makeSimulatedBus(
+    LinkKind kind, Clock &clock, int bitrate, std::uint64_t seed);
+
+} // namespace mb

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/backends/ptyline.h"
+
+#include "transport/backends/serialdriver.h"
+
+#include <QSocketNotifier>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+
+#include <fcntl.h>
+#include <termios.h>
+#include <unistd.h>
+
+namespace mb {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Duration restTime = std::chrono::milliseconds(20);
+
+std::string lastError()
+{
+    return std::strerror(errno);
+}
+
+} // namespace
+
+Result<std::unique_ptr<PtyLine>> PtyLine::create(const LinkAddress &address, Clock &clock)
+{
+    for (const auto &[key, value] : address.options) {
+        int rate = 0;
+        const auto parsed = std::from_chars(value.data(), value.data() + value.size(), rate);
+        const bool whole = parsed.ec == std::errc{} && parsed.ptr == value.data() + value.size();
+        if (key != "baud" || !whole || rate < SerialLink::slowest || rate > SerialLink::fastest)
+            return fail(
+                Fault::OutOfRange, "pty links have the option baud=BITS_PER_SECOND, not '" + key + "=" + value + "'");
+    }
+    return std::unique_ptr<PtyLine>(new PtyLine(address, clock));
+}
+
+PtyLine::PtyLine(LinkAddress address, Clock &clock)
+    : m_address(std::move(address))
+    , m_line(clock, VirtualSerialLine::Wiring::HalfDuplex, 1)
+    , m_bridge(m_address, m_line)
+    , m_received(m_bridge.received().add([this](std::span<const std::uint8_t> bytes) { writeTerminal(bytes); }))
+    , m_rest(clock)
+{
+    if (!m_bridge.fixedBaudrate())
+        m_line.setAnySpeed(m_bridge.baudrate());
+}
+
+PtyLine::~PtyLine()
+{
+    std::error_code ignored;
+    if (m_linked && fs::read_symlink(m_address.path, ignored) == m_terminal)
+        fs::remove(m_address.path, ignored);
+    m_notifier.reset();
+    if (m_master >= 0)
+        ::close(m_master);
+}
+
+Result<void> PtyLine::open()
+{
+    if (auto opened = openTerminal(); !opened)
+        return opened;
+    if (auto put = putLink(); !put)
+        return put;
+    m_notifier = std::make_unique<QSocketNotifier>(m_master, QSocketNotifier::Read);
+    QObject::connect(m_notifier.get(), &QSocketNotifier::activated, m_notifier.get(), [this] { readTerminal(); });
+    return m_bridge.open();
+}
+
+Result<void> PtyLine::openTerminal()
+{
+    m_master = ::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    std::array<char, 64> name{};
+    if (m_master < 0 || ::grantpt(m_master) != 0 || ::unlockpt(m_master) != 0
+        || ::ptsname_r(m_master, name.data(), name.size()) != 0)
+        return fail(Fault::LinkLost, "no pseudo terminal can be had: " + lastError());
+    m_terminal = name.data();
+    termios settings{};
+    if (::tcgetattr(m_master, &settings) == 0) { // nothing is echoed before the other program has set it up
+        ::cfmakeraw(&settings);
+        ::tcsetattr(m_master, TCSANOW, &settings);
+    }
+    return {};
+}
+
+Result<void> PtyLine::putLink()
+{
+    const fs::path path = m_address.path;
+    std::error_code failed;
+    const auto there = fs::symlink_status(path, failed);
+    if (fs::is_symlink(there)) {
+        const fs::path target = fs::read_symlink(path, failed);
+        if (target.parent_path() == "/dev/pts" || !fs::exists(path, failed))
+            fs::remove(path, failed);
+    }
+    failed.clear();
+    fs::create_symlink(m_terminal, path, failed);
+    if (failed == std::errc::file_exists)
+        return fail(
+            Fault::LinkLost, m_address.path + " is there already and no link to a terminal; choose another path");
+    if (failed)
+        return fail(Fault::LinkLost, m_address.path + " cannot be made: " + failed.message());
+    m_linked = true;
+    return {};
+}
+
+std::unique_ptr<VirtualSerialLink> PtyLine::makeEnd()
+{
+    return std::make_unique<VirtualSerialLink>(m_address, m_line);
+}
+
+void PtyLine::readTerminal()
+{
+    std::array<std::uint8_t, 4096> buffer{};
+    const auto got = ::read(m_master, buffer.data(), buffer.size());
+    if (got < 0 && (errno == EAGAIN || errno == EINTR))
+        return;
+    if (got <= 0) {
+        rest();
+        return;
+    }
+    const int rate = driverBaudrate(m_master).value_or(m_bridge.baudrate());
+    if (m_bridge.fixedBaudrate())
+        (void)m_bridge.setBaudrate(rate); // the devices hear garbage when it is not theirs
+    else
+        m_line.setAnySpeed(std::clamp(rate, SerialLink::slowest, SerialLink::fastest));
+    (void)m_bridge.send(std::span(buffer).first(static_cast<std::size_t>(got)));
+}
+
+/// Nobody has the terminal open: it would be readable all the time.
+void PtyLine::rest()
+{
+    m_notifier->setEnabled(false);
+    m_rest.startIn(restTime, [this] { m_notifier->setEnabled(true); });
+}
+
+void PtyLine::writeTerminal(std::span<const std::uint8_t> bytes)
+{
+    if (m_rest.isActive())
+        return; // nobody listens
+    const auto written = ::write(m_master, bytes.data(), bytes.size());
+    (void)written; // a program that does not read loses bytes, as on a real line
+}
+
+} // namespace mb

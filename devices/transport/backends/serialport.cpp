@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/backends/serialport.h"
+
+#include "transport/backends/serialports.h"
+
+#include <QSerialPort>
+
+#include <charconv>
+#include <cstdlib>
+#include <filesystem>
+
+#include <unistd.h>
+
+namespace mb {
+namespace {
+
+constexpr Duration echoDelay = std::chrono::milliseconds(100); ///< an adapter hands out its bytes late
+constexpr Duration lookPeriod = std::chrono::seconds(1);
+
+/// As QSerialPort reads names: without a slash it is one of /dev. Links are followed, so that a port has one lock.
+std::string deviceFile(const std::string &path)
+{
+    const std::filesystem::path named = path.find('/') == std::string::npos ? "/dev/" + path : path;
+    std::error_code failed;
+    const auto real = std::filesystem::canonical(named, failed);
+    return failed ? named.string() : real.string();
+}
+
+bool isPseudoTerminal(const std::string &path)
+{
+    return path.starts_with("/dev/pts/");
+}
+
+} // namespace
+
+SerialPortLink::SerialPortLink(LinkAddress address, Clock &clock, Options options)
+    : SerialLink(std::move(address), clock)
+    , m_options(options)
+    , m_timer(clock)
+{
+}
+
+SerialPortLink::~SerialPortLink()
+{
+    SerialPortLink::doClose();
+}
+
+Result<void> SerialPortLink::doOpen()
+{
+    m_path = deviceFile(address().path);
+    if (const auto cause = whyUnusable(address().path, m_path))
+        return fail(Fault::LinkLost, cause->text());
+    m_port = std::make_unique<QSerialPort>();
+    m_port->setPortName(QString::fromStdString(m_path));
+    m_port->setBaudRate(baudrate());
+    if (!m_port->open(QIODevice::ReadWrite)) {
+        const auto error = m_port->error();
+        const std::string text = m_port->errorString().toStdString();
+        m_port.reset();
+        if (error == QSerialPort::PermissionError)
+            return fail(Fault::LinkLost,
+                name() + " is in use by another program; close that one first ('fuser " + m_path + "' names it)");
+        return fail(Fault::LinkLost, name() + " cannot be opened: " + text);
+    }
+    if (auto dressed = dress(); !dressed) {
+        m_port.reset();
+        return fail(Fault::LinkLost, dressed.error().detail);
+    }
+    m_sentAt = m_heardAt = m_lookedAt = clock().now();
+    m_driverErrors = driverErrors(m_port->handle());
+    watch();
+    return {};
+}
+
+Result<void> SerialPortLink::dress()
+{
+    if (auto applied = applyRate(baudrate()); !applied)
+        return applied;
+    setRemark({});
+    if (m_options.rs485 && !setDriverRs485(m_port->handle(), true))
+        setRemark("the driver of " + name()
+            + " cannot switch the direction of an RS-485 line, so the adapter has to do it by itself; if nothing "
+              "answers, use one that does");
+    askLowLatency(m_port->handle());
+    m_port->clear(QSerialPort::Input);
+    return {};
+}
+
+Result<void> SerialPortLink::applyRate(int baudrate)
+{
+    if (!m_port->setBaudRate(baudrate))
+        return fail(Fault::OutOfRange,
+            name() + " cannot do " + std::to_string(baudrate) + " bit/s: " + m_port->errorString().toStdString());
+    const auto real = driverBaudrate(m_port->handle());
+    if (real && std::abs(*real - baudrate) > baudrate / 50)
+        return fail(Fault::OutOfRange,
+            name() + " cannot do " + std::to_string(baudrate) + " bit/s; the nearest it can is "
+                + std::to_string(*real));
+    return {};
+}
+
+Result<void> SerialPortLink::doSetBaudrate(int wanted)
+{
+    auto applied = applyRate(wanted);
+    if (!applied)
+        m_port->setBaudRate(baudrate());
+    return applied;
+}
+
+void SerialPortLink::watch()
+{
+    QSerialPort *port = m_port.get();
+    QObject::connect(port, &QSerialPort::readyRead, port, [this] { receive(); });
+    QObject::connect(port, &QSerialPort::errorOccurred, port, [this](QSerialPort::SerialPortError error) {
+        if (error == QSerialPort::NoError || error == QSerialPort::TimeoutError)
+            return;
+        if (isPseudoTerminal(m_path))
+            end("the other end of " + name() + " hung up; start it again");
+        else if (::access(m_path.c_str(), F_OK) != 0)
+            end(name() + " was unplugged; plug it in again");
+        else
+            end(name() + " failed (" + m_port->errorString().toStdString() + "); unplug it and plug it in again");
+    });
+}
+
+void SerialPortLink::doClose()
+{
+    if (auto port = std::exchange(m_port, nullptr)) {
+        port->disconnect();
+        port->close();
+        port.release()->deleteLater(); // this may be one of its own signals
+    }
+    m_timer.stop();
+    m_queue.clear();
+    m_echo.clear();
+}
+
+Outlet SerialPortLink::doOutlet() const
+{
+    return m_port ? Outlet{Outlet::Form::Stream, m_port->handle()} : Outlet{};
+}
+
+void SerialPortLink::end(const std::string &reason)
+{
+    doClose(); // at once, so that the port gets the same name when it comes back
+    lose(reason);
+}
+
+Result<void> SerialPortLink::doSend(std::span<const std::uint8_t> bytes, Priority priority)
+{
+    countLost(m_queue.push(bytes, priority));
+    pump();
+    return {};
+}
+
+/// One piece is on the wire at a time: the kernel would take seconds of them, and a stop had to wait behind all.
+void SerialPortLink::pump()
+{
+    if (m_queue.isEmpty() || !m_port)
+        return;
+    const Instant now = clock().now();
+    const Instant start = isHalfDuplex() ? std::max(m_sentAt, m_heardAt + byteTime()) : m_sentAt;
+    if (now < start) {
+        m_timer.start(start, [this] { pump(); });
+        return;
+    }
+    const auto piece = m_queue.pop();
+    m_sentAt = now + byteTime() * static_cast<int>(piece.size());
+    if (m_options.echo)
+        m_echo.expect(piece, m_sentAt + echoDelay);
+    if (!m_queue.isEmpty())
+        m_timer.start(m_sentAt, [this] { pump(); });
+    QSerialPort &port = *m_port;
+    port.write(reinterpret_cast<const char *>(piece.data()), static_cast<qint64>(piece.size()));
+    port.flush(); // now, not when the event loop comes round
+}
+
+std::size_t SerialPortLink::doBacklog() const
+{
+    const auto left = (m_sentAt - clock().now() + byteTime() - Duration(1)) / byteTime();
+    return m_queue.size() + static_cast<std::size_t>(std::max<std::int64_t>(left, 0));
+}
+
+void SerialPortLink::receive()
+{
+    const QByteArray read = m_port->readAll();
+    const Instant now = clock().now();
+    std::span<const std::uint8_t> bytes(
+        reinterpret_cast<const std::uint8_t *>(read.constData()), static_cast<std::size_t>(read.size()));
+    std::vector<std::uint8_t> others;
+    if (m_options.echo) {
+        if (!m_echo.take(now, bytes, others))
+            reportLineError();
+        bytes = others;
+    }
+    if (!bytes.empty()) {
+        m_heardAt = now;
+        deliver(now, bytes);
+        endBatch();
+    }
+    if (m_port && now - m_lookedAt >= lookPeriod)
+        lookAtDriver();
+}
+
+void SerialPortLink::lookAtDriver()
+{
+    m_lookedAt = clock().now();
+    const auto counted = driverErrors(m_port->handle());
+    if (counted && m_driverErrors) {
+        for (auto error = m_driverErrors->framing; error < counted->framing; ++error)
+            reportLineError();
+        if (counted->overrun > m_driverErrors->overrun)
+            countLost(counted->overrun - m_driverErrors->overrun);
+    }
+    m_driverErrors = counted;
+}
+
+Result<std::unique_ptr<Link>> makeSerialPortLink(const LinkAddress &address, Clock &clock)
+{
+    SerialPortLink::Options options;
+    for (const auto &[key, value] : address.options) {
+        int number = 0;
+        const auto parsed = std::from_chars(value.data(), value.data() + value.size(), number);
+        const bool whole = parsed.ec == std::errc{} && parsed.ptr == value.data() + value.size();
+        bool good = whole && (number == 0 || number == 1);
+        if (key == "baud")
+            good = whole && number >= SerialLink::slowest && number <= SerialLink::fastest;
+        else if (key == "rs485")
+            options.rs485 = number == 1;
+        else if (key == "echo")
+            options.echo = number == 1;
+        else
+            return fail(
+                Fault::OutOfRange, "unknown option '" + key + "' of a serial link; baud, rs485 and echo are known");
+        if (!good)
+            return fail(Fault::OutOfRange, "link option " + key + "=" + value + " is out of range");
+    }
+    return std::make_unique<SerialPortLink>(address, clock, options);
+}
+
+} // namespace mb

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/eventloop.h"
+#include "support/pseudoterminal.h"
+#include "transport/backends/echofilter.h"
+#include "transport/backends/ptyline.h"
+#include "transport/backends/serialdriver.h"
+#include "transport/backends/serialport.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+using namespace mb;
+using namespace mb::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+struct SerialPort : public ::testing::Test {
+    std::unique_ptr<Link> make(const std::string &options = {})
+    {
+        auto link = makeSerialPortLink(LinkAddress::parse("serial:" + terminal.path() + options).value(), loop.clock());
+        EXPECT_TRUE(link);
+        return std::move(*link);
+    }
+    std::unique_ptr<SerialLink> open(const std::string &options = {})
+    {
+        auto link = make(options);
+        const auto opened = link->open();
+        EXPECT_TRUE(opened) << opened.error().detail;
+        std::unique_ptr<SerialLink> serial(static_cast<SerialLink *>(link.release()));
+        received = serial->received().add(
+            [this](std::span<const std::uint8_t> bytes) { heard.insert(heard.end(), bytes.begin(), bytes.end()); });
+        return serial;
+    }
+    Bytes sent(std::size_t count)
+    {
+        Bytes all;
+        loop.runUntil(
+            [&] {
+                const Bytes more = terminal.read();
+                all.insert(all.end(), more.begin(), more.end());
+                loop.clock().post([] {});
+                return all.size() >= count;
+            },
+            5s);
+        return all;
+    }
+
+    EventLoop loop;
+    PseudoTerminal terminal;
+    Bytes heard;
+    Subscription received;
+};
+
+} // namespace
+
+TEST_F(SerialPort, SendsBeforeSendReturnsAndReceivesWhatComes)
+{
+    const auto link = open();
+    ASSERT_TRUE(link->send(Bytes{0x00, 0x11, 0x13, 0x0D, 0x0A, 0x03, 0xFF}));
+    EXPECT_EQ(terminal.read(), (Bytes{0x00, 0x11, 0x13, 0x0D, 0x0A, 0x03, 0xFF})) << "changed, or not there yet";
+    terminal.write({0x00, 0x11, 0x13, 0x0D, 0x0A, 0x03, 0x7F, 0xFF});
+    ASSERT_TRUE(loop.runUntil([&] { return heard.size() >= 8; }));
+    EXPECT_EQ(heard, (Bytes{0x00, 0x11, 0x13, 0x0D, 0x0A, 0x03, 0x7F, 0xFF}));
+    EXPECT_EQ(link->counters().tx, 7U);
+    EXPECT_EQ(link->counters().rx, 8U);
+}
+
+TEST_F(SerialPort, TakesAnyRateAndTellsTheOneThatTheAddressFixes)
+{
+    const auto link = open("?baud=59524");
+    EXPECT_EQ(link->fixedBaudrate(), 59524);
+    EXPECT_EQ(driverBaudrate(terminal.descriptor()), 59524);
+    for (const int rate : {119048, 9600, 57600, 115200, 600, 1'000'000}) {
+        ASSERT_TRUE(link->setBaudrate(rate)) << rate;
+        EXPECT_EQ(driverBaudrate(terminal.descriptor()), rate);
+        EXPECT_EQ(link->baudrate(), rate);
+    }
+}
+
+TEST_F(SerialPort, APieceWaitsUntilTheOneBeforeHasLeftAndAStopGoesFirst)
+{
+    const auto link = open("?baud=9600");
+    const Instant start = loop.clock().now();
+    ASSERT_TRUE(link->send(Bytes(20, 1)));
+    ASSERT_TRUE(link->send(Bytes(20, 2)));
+    ASSERT_TRUE(link->send(Bytes{9}, Priority::Urgent));
+    EXPECT_GT(link->backlog(), 1U);
+    EXPECT_EQ(terminal.read(), Bytes(20, 1));
+    EXPECT_EQ(sent(1), Bytes{9});
+    EXPECT_GE(loop.clock().now() - start, 20 * link->byteTime());
+    EXPECT_EQ(link->counters().lost, 20U) << "an older order followed the stop";
+}
+
+TEST_F(SerialPort, AHalfDuplexLineRestsForOneByteBeforeItTurnsRound)
+{
+    const auto link = open("?baud=600&echo=1");
+    Instant heardAt{};
+    const auto answer = link->received().add([&](std::span<const std::uint8_t>) {
+        heardAt = loop.clock().now();
+        EXPECT_TRUE(link->send(Bytes{2}));
+        EXPECT_EQ(terminal.read(), Bytes{});
+    });
+    terminal.write({1});
+    EXPECT_EQ(sent(1), Bytes{2});
+    EXPECT_GE(loop.clock().now() - heardAt, link->byteTime());
+}
+
+TEST_F(SerialPort, TakesItsOwnEchoOutAndCountsOneThatWasChanged)
+{
+    const auto link = open("?echo=1");
+    ASSERT_TRUE(link->send(Bytes{1, 2, 3}));
+    EXPECT_EQ(sent(3), (Bytes{1, 2, 3}));
+    terminal.write({1, 2});
+    terminal.write({3, 7, 8});
+    ASSERT_TRUE(loop.runUntil([&] { return heard.size() >= 2; }));
+    EXPECT_EQ(heard, (Bytes{7, 8}));
+    EXPECT_EQ(link->counters().errors, 0U);
+    ASSERT_TRUE(link->send(Bytes{1, 2, 3}));
+    EXPECT_EQ(sent(3), (Bytes{1, 2, 3}));
+    heard.clear();
+    terminal.write({1, 9, 3});
+    ASSERT_TRUE(loop.runUntil([&] { return heard.size() >= 2; }));
+    EXPECT_EQ(heard, (Bytes{9, 3}));
+    EXPECT_EQ(link->counters().errors, 1U);
+}
+
+TEST(EchoFilter, LetsAnAnswerThroughWhenTheEchoNeverCame)
+{
+    EchoFilter filter;
+    filter.expect(Bytes{1, 2}, Instant{} + 10ms);
+    Bytes others;
+    EXPECT_TRUE(filter.take(Instant{} + 11ms, Bytes{1, 2, 5}, others));
+    EXPECT_EQ(others, (Bytes{1, 2, 5}));
+}
+
+TEST_F(SerialPort, APortThatGoesAwayInMidFrameIsLostWithItsRemedyAndWhatCameBeforeIsThere)
+{
+    const auto link = open();
+    terminal.write({0x55, 0xAA, 0x01});
+    ASSERT_TRUE(loop.runUntil([&] { return heard.size() >= 3; }));
+    terminal.write({0x04});
+    terminal.pull();
+    ASSERT_TRUE(loop.runUntil([&] { return link->state() == LinkState::Lost; }));
+    EXPECT_EQ(link->reason(), "the other end of " + link->address().shortName() + " hung up; start it again");
+    const auto refused = link->send(Bytes{1});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::LinkLost);
+    EXPECT_EQ(refused.error().detail, link->reason());
+    const auto again = link->open();
+    ASSERT_FALSE(again);
+    EXPECT_NE(again.error().detail.find("there is no"), std::string::npos) << again.error().detail;
+}
+
+TEST_F(SerialPort, MayBeClosedAndOpenedAgainWhileItReceives)
+{
+    const auto link = open();
+    int chunks = 0;
+    const auto closing = link->received().add([&](std::span<const std::uint8_t>) {
+        ++chunks;
+        link->close();
+        EXPECT_TRUE(link->open());
+    });
+    terminal.write({1});
+    ASSERT_TRUE(loop.runUntil([&] { return chunks == 1; }));
+    terminal.write({2});
+    ASSERT_TRUE(loop.runUntil([&] { return chunks == 2; }));
+    EXPECT_EQ(heard, (Bytes{1, 2}));
+}
+
+TEST_F(SerialPort, ASecondProgramIsToldThatItIsInUse)
+{
+    const auto link = open();
+    const auto second = make();
+    const auto opened = second->open();
+    ASSERT_FALSE(opened);
+    EXPECT_EQ(opened.error().fault, Fault::LinkLost);
+    EXPECT_NE(opened.error().detail.find("in use by another program; close that one first"), std::string::npos)
+        << opened.error().detail;
+    link->close();
+    EXPECT_TRUE(second->open());
+}
+
+TEST_F(SerialPort, AnRs485LineWhoseDriverCannotSwitchOpensWithARemark)
+{
+    const auto link = open("?rs485=1");
+    EXPECT_NE(link->remark().find("cannot switch the direction"), std::string::npos) << link->remark();
+    EXPECT_TRUE(link->send(Bytes{1}));
+}
+
+TEST_F(SerialPort, GivesTheGuardianItsDescriptorWhileItIsOpen)
+{
+    const auto link = open();
+    const Outlet outlet = link->outlet();
+    EXPECT_EQ(outlet.form, Outlet::Form::Stream);
+    const Bytes stop{7};
+    EXPECT_EQ(::write(outlet.descriptor, stop.data(), 1), 1);
+    EXPECT_EQ(terminal.read(), stop);
+    link->close();
+    EXPECT_FALSE(link->outlet().isInheritable());
+}
+
+TEST(SerialPortCauses, NameWhatIsMissingAndWhatHelps)
+{
+    EventLoop loop;
+    const auto causeOf = [&loop](const std::string &path) {
+        auto link = makeSerialPortLink(LinkAddress::parse("serial:" + path).value(), loop.clock());
+        const auto opened = (*link)->open();
+        EXPECT_FALSE(opened) << path;
+        EXPECT_EQ((*link)->state(), LinkState::Closed);
+        return opened ? std::string() : opened.error().detail;
+    };
+    EXPECT_EQ(causeOf("ttyNOSUCH7"), "there is no ttyNOSUCH7; plug in the adapter, or name another port");
+    EXPECT_EQ(causeOf("/etc/passwd"), "/etc/passwd is no serial port; name one such as /dev/ttyUSB0");
+    EXPECT_NE(causeOf("/dev/null").find("cannot be opened"), std::string::npos);
+    for (const char *options : {"?baud=0", "?baud=fast", "?baud=5000000", "?rs485=yes", "?echo=2", "?parity=even"}) {
+        const auto link
+            = makeSerialPortLink(LinkAddress::parse(std::string("serial:x") + options).value(), loop.clock());
+        ASSERT_FALSE(link) << options;
+        EXPECT_EQ(link.error().fault, Fault::OutOfRange);
+    }
+}

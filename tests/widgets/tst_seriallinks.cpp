@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/fakeworkbench.h"
+#include "widgets/common/selection.h"
+#include "widgets/common/valuelabel.h"
+#include "widgets/connection/deviceactions.h"
+#include "widgets/connection/overviewpage.h"
+
+#include <QComboBox>
+#include <QInputDialog>
+#include <QLabel>
+#include <QTest>
+
+using namespace mb;
+using namespace mb::test;
+using namespace std::chrono_literals;
+
+namespace {
+
+QString s(const char *text)
+{
+    return QString::fromUtf8(text);
+}
+
+LinkView serialLink()
+{
+    LinkView link;
+    link.address = "serial:/dev/ttyUSB0";
+    link.name = "ttyUSB0";
+    link.kind = LinkKind::Serial;
+    link.state = LinkState::Open;
+    link.bitrate = 57600;
+    link.load = 0.42;
+    link.roundTrip = 2340us;
+    return link;
+}
+
+} // namespace
+
+class TestSerialLinks : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theCardShowsRateAndRoundTrip();
+    void theDialogOffersPortsWithWhatTheyAreAndSaysWhyOneCannotBeUsed();
+    void anAddedPortIsRememberedOnlyOnceItIsOpen();
+};
+
+void TestSerialLinks::theCardShowsRateAndRoundTrip()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    const ThemeSource theme{darkTheme()};
+    OverviewPage page(workbench, selection, theme);
+    workbench.shot.links.push_back(serialLink());
+    page.resize(800, 300);
+    page.show();
+    workbench.publish();
+    const auto roundTrip = [&page] {
+        for (ValueLabel *label : page.findChildren<ValueLabel *>()) {
+            if (label->accessibleName().contains(s("round trip")) && label->isVisible())
+                return label->value();
+        }
+        return s("absent");
+    };
+    QCOMPARE(roundTrip(), s("2.3"));
+    QVERIFY(page.grab().save(s("serial-card.png")));
+    workbench.shot.links[0].roundTrip.reset();
+    workbench.publish();
+    QVERIFY(roundTrip() != s("2.3"));
+    workbench.shot.links[0].kind = LinkKind::Can;
+    workbench.publish();
+    QCOMPARE(roundTrip(), s("absent"));
+}
+
+void TestSerialLinks::theDialogOffersPortsWithWhatTheyAreAndSaysWhyOneCannotBeUsed()
+{
+    FakeWorkbench workbench;
+    workbench.links.push_back({{"serial", "/dev/ttyUSB0", {}}, LinkKind::Serial, "available",
+        "FTDI FT232R USB UART, serial number A50285BI, 0403:6001", true});
+    workbench.links.push_back({{"serial", "/dev/ttyUSB1", {}}, LinkKind::Serial, "no-permission",
+        "no permission to use /dev/ttyUSB1; become a member of its group: sudo usermod -aG dialout $USER", false});
+    QWidget parent;
+    askAddLink(workbench, parent, {});
+    auto *dialog = parent.findChild<QInputDialog *>();
+    QVERIFY(dialog);
+    QCOMPARE(dialog->comboBoxItems(), QStringList({s("serial:/dev/ttyUSB0"), s("sim:")}));
+    QVERIFY(dialog->labelText().contains(s("serial number A50285BI")));
+    QVERIFY(dialog->labelText().contains(s("usermod -aG dialout")));
+    QVERIFY(dialog->grab().save(s("serial-dialog.png")));
+}
+
+void TestSerialLinks::anAddedPortIsRememberedOnlyOnceItIsOpen()
+{
+    FakeWorkbench workbench;
+    QWidget parent;
+    QStringList remembered;
+    askAddLink(workbench, parent, [&remembered](const QString &address) { remembered << address; });
+    auto *dialog = parent.findChild<QInputDialog *>();
+    QVERIFY(dialog);
+    dialog->setTextValue(s("serial:/dev/ttyUSB0?baud=57600"));
+    dialog->accept();
+    const auto opened = workbench.callsOf("openLink");
+    QCOMPARE(opened.size(), std::size_t{1});
+    QCOMPARE(QString::fromStdString(opened[0].text), s("serial:/dev/ttyUSB0?baud=57600"));
+    opened[0].finished(fail(Fault::LinkLost, "ttyUSB0 is in use"));
+    QVERIFY(remembered.isEmpty());
+    opened[0].finished({});
+    QCOMPARE(remembered, QStringList(s("serial:/dev/ttyUSB0?baud=57600")));
+}
+
+QTEST_MAIN(TestSerialLinks)
+#include "tst_seriallinks.moc"
