@@ -62,6 +62,8 @@ Snapshot EngineCore::snapshot()
                 shot.devices.push_back(viewOf(m_session, *device));
         }
     }
+    for (const auto &[address, diagnosis] : m_failed)
+        shot.failed.push_back({address, diagnosis});
     std::stable_sort(shot.devices.begin(), shot.devices.end(), [](const DeviceView &a, const DeviceView &b) {
         return a.link == b.link
             && (a.family == b.family ? a.identity.address < b.identity.address : a.family->key < b.family->key);
@@ -79,11 +81,14 @@ void EngineCore::openLink(const LinkAddress &address, const Finished &finished)
         if (!link) {
             notice(Severity::Danger, one.shortName(), link.error().detail);
             m_awaited.add(one);
+            m_failed[one.text()] = diagnose(link.error());
+            touch();
             answer(finished, fail(link.error()));
             return;
         }
         watch(**link);
         m_watched[*link].byItself = false;
+        m_failed.erase(one.text());
         scan(**link);
     }
     answer(finished, {});
@@ -94,6 +99,7 @@ bool EngineCore::openAwaited(const LinkAddress &address)
     auto link = m_session.openLink(address);
     if (!link)
         return false;
+    m_failed.erase(address.text());
     notice(Severity::Good, address.shortName(), "is there");
     watch(**link);
     scan(**link);
@@ -103,6 +109,7 @@ bool EngineCore::openAwaited(const LinkAddress &address)
 void EngineCore::closeLink(const std::string &address)
 {
     m_awaited.forget(address);
+    m_failed.erase(address);
     const auto parsed = LinkAddress::parse(address);
     Link *link = parsed ? m_session.findLink(*parsed) : nullptr;
     if (!link)

@@ -116,7 +116,8 @@ private:
     std::map<const Link *, Watched> m_watched;
     std::map<DeviceId, Subscription> m_streams;
     std::vector<LinkListing> m_listings;
-    std::set<std::string> m_closedByHand; ///< not opened again by themselves
+    std::map<std::string, Diagnosis> m_failed; ///< by address, until it opens or is closed
+    std::set<std::string> m_closedByHand;      ///< not opened again by themselves
     AwaitedPorts m_awaited;
     std::list<Running> m_operations;
     std::uint32_t m_lastOperation = 0;

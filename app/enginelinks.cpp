@@ -49,6 +49,7 @@ void EngineCore::openByItself()
             || m_closedByHand.count(listing.link.text()) > 0)
             continue;
         if (auto link = m_session.openLink(listing.link)) {
+            m_failed.erase(listing.link.text());
             watch(**link);
             m_watched[*link].byItself = true;
             scan(**link);

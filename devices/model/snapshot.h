@@ -67,9 +67,16 @@ struct OperationView {
     std::optional<UpdateReport> update; ///< of a finished firmware update
 };
 
+/// A link that was asked for and could not be opened.
+struct FailedLink {
+    std::string address;
+    Diagnosis diagnosis;
+};
+
 struct Snapshot {
     Instant time{};
     std::vector<LinkView> links;
+    std::vector<FailedLink> failed;
     std::vector<DeviceView> devices;       ///< grouped by link, in order of address
     std::vector<OperationView> operations; ///< oldest first
 

@@ -67,6 +67,9 @@ struct LinkSymptoms {
 [[nodiscard]] Diagnosis diagnose(
     const LinkSymptoms &link, Instant now, const std::optional<Diagnosis> &interface, bool listenable);
 
+/// Why opening a link failed, from what it failed with.
+[[nodiscard]] Diagnosis diagnose(const Error &opening);
+
 /// Commands that bring a CAN interface up, with a bit rate where it needs one.
 [[nodiscard]] std::string bringUpCommand(const std::string &name, bool needsBitrate, int bitrate);
 /// Tries the common bit rates, listening only, until frames arrive. For a shell.

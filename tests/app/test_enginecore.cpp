@@ -104,6 +104,28 @@ TEST_F(Core, TellsWhyALinkDoesNotOpen)
     EXPECT_TRUE(core.snapshot().links.empty());
 }
 
+TEST_F(Core, KeepsTheDiagnosisOfALinkThatDoesNotOpenUntilItIsClosed)
+{
+    core.openLink(*LinkAddress::parse("socketcan:nosuchcan9"), into(opened));
+    ASSERT_TRUE(opened && !*opened);
+    const Snapshot shot = core.snapshot();
+    ASSERT_EQ(shot.failed.size(), 1U);
+    EXPECT_EQ(shot.failed[0].address, "socketcan:nosuchcan9");
+    EXPECT_FALSE(shot.failed[0].diagnosis.isHealthy());
+    core.closeLink("socketcan:nosuchcan9");
+    EXPECT_TRUE(core.snapshot().failed.empty());
+}
+
+TEST_F(Core, ALostLinkHasADiagnosisUntilItIsBack)
+{
+    open("sim:can?fault=busoff@3");
+    EXPECT_TRUE(core.snapshot().links[0].diagnosis.isHealthy());
+    ASSERT_TRUE(clock.runUntil([&] { return core.session().links().front()->state() == LinkState::Lost; }, 5s));
+    EXPECT_EQ(core.snapshot().links[0].diagnosis.ailment, Ailment::BusOff);
+    clock.advance(3s);
+    EXPECT_TRUE(core.snapshot().links[0].diagnosis.isHealthy());
+}
+
 TEST_F(Core, OpensALostLinkAgainAndSaysSo)
 {
     open("sim:can?fault=busoff@3");

@@ -103,7 +103,7 @@ TEST_F(CanEngine, AVanishedInterfaceThatTheUserAskedForStays)
 
 TEST_F(CanEngine, SomebodyElsesFramesAreCountedAsUnknown)
 {
-    shell("cangen vcan0 -g 0 -n 300 -I 7A1 -L 3");
+    shell("cangen vcan0 -g 0 -n 300 -e -I 18FEF100 -L 8");
     EXPECT_TRUE(loop.runUntil([this] { return link("socketcan:vcan0")->unknown == 300; }, 5s));
     EXPECT_EQ(link("socketcan:vcan0")->counters.lost, 0U);
 }

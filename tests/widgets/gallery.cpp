@@ -57,6 +57,8 @@ void renderAll(const Theme &theme, const QString &prefix, double zoom)
     render(chromePage(source), size(1440, 640), prefix + s("-chrome.png"));
     render(controlsPage(source), size(1440, 700), prefix + s("-controls.png"));
     render(statesPage(source), size(1000, 560), prefix + s("-states.png"));
+    render(doctorPage(source, false), size(1280, 560), prefix + s("-doctor.png"));
+    render(doctorPage(source, true), size(1280, 560), prefix + s("-doctor-empty.png"));
     render(livePlotPage(source), size(1000, 760), prefix + s("-live.png"));
     render(trialPlotPage(source), size(700, 560), prefix + s("-trial.png"));
 }

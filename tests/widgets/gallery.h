@@ -10,4 +10,6 @@ QWidget *chromePage(const mb::ThemeSource &theme);
 QWidget *controlsPage(const mb::ThemeSource &theme);
 QWidget *statesPage(const mb::ThemeSource &theme);
 QWidget *livePlotPage(const mb::ThemeSource &theme);
+/// The Overview page with links that do not work; `empty`: with none open.
+QWidget *doctorPage(const mb::ThemeSource &theme, bool empty);
 QWidget *trialPlotPage(const mb::ThemeSource &theme);

@@ -16,6 +16,7 @@ private Q_SLOTS:
     void aLinkThatIsDownHasACommandToCopy();
     void aLostLinkCanBeReconnected();
     void nothingIsShownWhileAllIsWell();
+    void aLinkThatWasAskedForInVainCanBeTriedAgain();
     void theEmptyPageListsEveryLink();
     void aRowStaysWhileItSaysTheSame();
     void absentInterfacesAreNoNewsWhileALinkIsOpen();
@@ -106,6 +107,21 @@ void DoctorTest::nothingIsShownWhileAllIsWell()
     bench.shot.links.front().diagnosis = {};
     card.follow();
     QVERIFY(card.isHidden());
+}
+
+void DoctorTest::aLinkThatWasAskedForInVainCanBeTriedAgain()
+{
+    test::FakeWorkbench bench;
+    bench.shot.links = {open("sim:can")};
+    bench.shot.failed
+        = {{"serial:/dev/ttyUSB0", {Ailment::Busy, "/dev/ttyUSB0 is busy", "close the other program", ""}}};
+    DoctorCard card(bench, m_theme, false);
+    card.follow();
+    QVERIFY(texts(card).contains(QStringLiteral("/dev/ttyUSB0 is busy; close the other program")));
+    QPushButton *again = button(card, QStringLiteral("Reconnect"));
+    QVERIFY(again);
+    again->click();
+    QCOMPARE(bench.callsOf("openLink").front().text, std::string("serial:/dev/ttyUSB0"));
 }
 
 void DoctorTest::theEmptyPageListsEveryLink()

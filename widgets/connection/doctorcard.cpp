@@ -51,7 +51,15 @@ std::vector<DoctorCard::Row> DoctorCard::rows() const
         if (!link.diagnosis.isHealthy())
             rows.push_back({link.address, {}, link.diagnosis, link.state == LinkState::Lost});
     }
+    const auto failed = [&shot](const std::string &address) {
+        return std::any_of(shot.failed.begin(), shot.failed.end(),
+            [&address](const FailedLink &link) { return link.address == address; });
+    };
+    for (const FailedLink &link : shot.failed)
+        rows.push_back({link.address, {}, link.diagnosis, true});
     for (const LinkListing &listing : m_workbench.listings()) {
+        if (failed(listing.link.text()))
+            continue;
         const bool absent = listing.link.path.empty() && !shot.links.empty();
         if (shot.link(listing.link.text()) || absent || (!m_all && listing.diagnosis.isHealthy()))
             continue;
@@ -132,7 +140,7 @@ void DoctorCard::addButtons(QHBoxLayout &place, const Row &row, QWidget &parent)
     if (!row.reconnect)
         return;
     auto *button = new CommandButton(m_theme, Symbol::Refresh, tr("Reconnect"), &parent);
-    button->setToolTip(tr("Open this link again now; it is tried every second anyway"));
+    button->setToolTip(tr("Open this link now"));
     connect(button, &QPushButton::clicked, this, [this, link = row.link] {
         if (const auto address = LinkAddress::parse(link))
             m_workbench.openLink(*address, {});

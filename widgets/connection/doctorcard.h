@@ -25,7 +25,7 @@ private:
         std::string link; ///< address, as the row's title
         std::string text; ///< of a healthy one
         Diagnosis diagnosis;
-        bool reconnect = false; ///< a link of ours that is lost
+        bool reconnect = false; ///< a link of ours that is lost, or was asked for in vain
         friend bool operator==(const Row &, const Row &) = default;
     };
 
