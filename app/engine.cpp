@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine.h"
 
+#include "app/guardian/client/guardianclient.h"
 #include "transport/linkwatch.h"
 #include "widgets/common/devicetext.h"
 
@@ -20,7 +21,7 @@ constexpr std::size_t keptNotices = 5000;
 struct Engine::Room {
     Room(Engine &owner, std::span<const Family *const> families, bool opensByItself)
         : engine(owner)
-        , core(clock, families, opensByItself)
+        , core(clock, families, opensByItself, &guardian)
         , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
         , watch(clock)
         , tick(clock)
@@ -53,6 +54,7 @@ struct Engine::Room {
 
     Engine &engine;
     QtClock clock;
+    GuardianClient guardian;
     EngineCore core;
     QSocketNotifier arrivals;
     LinkWatch watch;

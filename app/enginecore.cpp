@@ -18,10 +18,10 @@ void answer(const EngineCore::Finished &finished, Result<void> result)
 
 } // namespace
 
-EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bool opensByItself)
+EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bool opensByItself, MotionGuard *guard)
     : m_clock(clock)
     , m_opensByItself(opensByItself)
-    , m_session(clock, families)
+    , m_session(clock, families, guard)
     , m_sessionChanged(m_session.changed().add([this] { touch(); }))
     , m_remarked(m_session.remarked().add([this](const Link &link, const std::string &text) {
         notice(Severity::Caution, link.address().shortName(), text);

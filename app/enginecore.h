@@ -24,7 +24,8 @@ public:
     using Finished = std::function<void(Result<void>)>;
 
     /// `opensByItself`: also opens CAN interfaces that are up, as they come (product.md, "Link addresses").
-    EngineCore(Clock &clock, std::span<const Family *const> families, bool opensByItself);
+    /// `guard` watches over motors without a watchdog, and outlives this.
+    EngineCore(Clock &clock, std::span<const Family *const> families, bool opensByItself, MotionGuard *guard = nullptr);
     EngineCore(const EngineCore &) = delete;
     EngineCore &operator=(const EngineCore &) = delete;
     ~EngineCore();

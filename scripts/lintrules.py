@@ -117,6 +117,7 @@ LAYERS = [
     ("devices/families/", ("async", "wire", "transport", "model"), True),
     ("widgets/", ("async", "wire", "transport", "model", "recording", "tuning", "widgets"), True),
     ("app/console/", ("async", "wire", "transport", "model", "tuning", "app/console", "app/guardian"), True),
+    ("app/guardian/client/", ("async", "wire", "transport", "model", "app/guardian"), True),
     ("app/guardian/", ("app/guardian",), False),
     ("app/", ("async", "wire", "transport", "model", "recording", "tuning", "widgets", "app"), True),
 ]
@@ -141,7 +142,7 @@ def layering(path, text, _code):
             yield line, "error", f"{include}: {folder} must not know this layer"
         elif not qt and re.match(r"Q[A-Z]|Qt[A-Z]|q[a-z]+\.h$", include):
             yield line, "error", f"{include}: no Qt in {folder}"
-        elif folder.startswith(("devices/", "app/console/")) and SCREEN.match(include):
+        elif folder.startswith(("devices/", "app/console/", "app/guardian/")) and SCREEN.match(include):
             yield line, "error", f"{include}: nothing of the screen in {folder}"
 
 

@@ -6,7 +6,7 @@ namespace mb::console {
 Console::Console(Clock &clock, std::span<const Family *const> families, Options options)
     : m_options(options)
     , m_output(clock)
-    , m_session(clock, families)
+    , m_session(clock, families, &m_guardian)
     , m_remarked(m_session.remarked().add([this](const Link &, const std::string &text) { note(text); }))
 {
 }

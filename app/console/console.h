@@ -3,6 +3,7 @@
 
 #include "app/console/failure.h"
 #include "app/console/output.h"
+#include "app/guardian/client/guardianclient.h"
 #include "model/session.h"
 
 #include <functional>
@@ -36,6 +37,7 @@ public:
 private:
     Options m_options;
     Output m_output;
+    GuardianClient m_guardian;
     Session m_session;
     Subscription m_remarked;
     Listeners<> m_interruptions;

@@ -151,7 +151,7 @@ TEST_F(Guarded, AProgramWithoutGuardianMayNotMoveIt)
 
 TEST_F(Guarded, ADeviceWithoutAStopScriptIsNotDriven)
 {
-    motor.hasScript = false;
+    motor.script = {};
     const auto started = stream.start(duty(), 10s);
     ASSERT_FALSE(started);
     EXPECT_EQ(started.error().fault, Fault::Unsupported);

@@ -63,7 +63,7 @@ public:
     }
 
     bool seenStopped = false;
-    bool hasScript = true;
+    StopScript script{{{extendedFrame(0x100, {0}), {}, {}, {}, std::chrono::milliseconds(5), 2}}};
 
 private:
     template <class T> static Task<T> no() { co_return fail(Fault::Unsupported); }
@@ -80,13 +80,7 @@ private:
     [[nodiscard]] Result<void> doCheck(const SetPoint &) const override { return {}; }
     Result<void> doCommand(const SetPoint &) override { return m_link.send(extendedFrame(0x100, {1})); }
     void doStop() override { (void)m_link.send(extendedFrame(0x100, {0}), Priority::Urgent); }
-    [[nodiscard]] StopScript doStopScript() const override
-    {
-        StopScript script;
-        if (hasScript)
-            script.steps.push_back({extendedFrame(0x100, {0}), {}, {}, {}, std::chrono::milliseconds(5), 2});
-        return script;
-    }
+    [[nodiscard]] StopScript doStopScript() const override { return script; }
     [[nodiscard]] bool doIsSeenStopped() const override { return seenStopped; }
 
     CanLink &m_link;

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/guardian/client/guardianprocess.h"
+
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstring>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char **environ;
+
+namespace mb {
+namespace {
+
+constexpr int childSocket = 0;
+constexpr int childLine = 3;
+constexpr int aboveTheirs = 10; // no number that is given out in the child is one that is still to be copied there
+
+const char *wordOf(Outlet::Form form)
+{
+    switch (form) {
+    case Outlet::Form::CanSocket: return "packet";
+    case Outlet::Form::Stream:
+    case Outlet::Form::SpiSocket: return "stream";
+    case Outlet::Form::SpiDevice: return "spi";
+    case Outlet::Form::None:
+    case Outlet::Form::InProcess: break;
+    }
+    return "";
+}
+
+/// A descriptor that is closed at the end of its scope.
+class Owned {
+public:
+    explicit Owned(int descriptor)
+        : m_descriptor(descriptor)
+    {
+    }
+    Owned(const Owned &) = delete;
+    Owned &operator=(const Owned &) = delete;
+    ~Owned()
+    {
+        if (m_descriptor >= 0)
+            ::close(m_descriptor);
+    }
+    [[nodiscard]] int get() const { return m_descriptor; }
+    int give() { return std::exchange(m_descriptor, -1); }
+
+private:
+    int m_descriptor;
+};
+
+int spawn(pid_t &pid, const std::string &program, const char *form, int socket, int line)
+{
+    posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawn_file_actions_adddup2(&actions, socket, childSocket);
+    ::posix_spawn_file_actions_addopen(
+        &actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0); // ours may be somebody's pipe
+    ::posix_spawn_file_actions_adddup2(&actions, line, childLine);
+    sigset_t none;
+    sigset_t all;
+    sigemptyset(&none);
+    sigfillset(&all);
+    ::posix_spawnattr_setsigmask(&attributes, &none);
+    ::posix_spawnattr_setsigdefault(&attributes, &all);
+    ::posix_spawnattr_setflags(
+        &attributes, static_cast<short>(POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF));
+    std::string name = program;
+    std::string word = form;
+    std::array<char *, 3> arguments{name.data(), word.data(), nullptr};
+    const int cause = ::posix_spawn(&pid, program.c_str(), &actions, &attributes, arguments.data(), environ);
+    ::posix_spawnattr_destroy(&attributes);
+    ::posix_spawn_file_actions_destroy(&actions);
+    return cause;
+}
+
+} // namespace
+
+Result<GuardianProcess> startGuardian(const std::string &program, const Outlet &outlet)
+{
+    if (::access(program.c_str(), X_OK) != 0)
+        return fail(Fault::Unsafe,
+            program + " is missing; without it nothing would stop this motor if the program died: install it there");
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
+        return fail(Fault::Unsafe, std::string("no guardian can be started: ") + std::strerror(errno));
+    Owned ours(ends[0]);
+    const Owned theirs(ends[1]);
+    const Owned socket(::fcntl(theirs.get(), F_DUPFD_CLOEXEC, aboveTheirs));
+    const Owned line(::fcntl(outlet.descriptor, F_DUPFD_CLOEXEC, aboveTheirs));
+    GuardianProcess process;
+    const int cause = socket.get() < 0 || line.get() < 0
+        ? errno
+        : spawn(process.pid, program, wordOf(outlet.form), socket.get(), line.get());
+    if (cause != 0)
+        return fail(Fault::Unsafe, std::string("no guardian can be started: ") + std::strerror(cause));
+    process.socket = ours.give();
+    return process;
+}
+
+std::string guardianBesideThisProgram()
+{
+    std::array<char, PATH_MAX> path{};
+    const ssize_t length = ::readlink("/proc/self/exe", path.data(), path.size());
+    const std::string self(path.data(), length > 0 ? static_cast<std::size_t>(length) : 0U);
+    return self.substr(0, self.rfind('/') + 1) + "motorbench-guardian";
+}
+
+void reap(std::vector<pid_t> &ended)
+{
+    std::erase_if(ended, [](pid_t pid) { return ::waitpid(pid, nullptr, WNOHANG) != 0; });
+}
+
+} // namespace mb

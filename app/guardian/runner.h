@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/guardian/message.h"
+
+#include <deque>
+
+namespace mb::guardian {
+
+/// On the line of some monotonic clock that the caller reads.
+using Time = std::chrono::nanoseconds;
+
+/// The link's descriptor, as the runner uses it. Nothing here waits.
+class Port {
+public:
+    enum class Sent {
+        All,
+        Later, ///< full, or off for now: the same bytes again, and what was written of them is remembered
+        Lost,  ///< the device file is dead for good
+    };
+    Port() = default;
+    Port(const Port &) = delete;
+    Port &operator=(const Port &) = delete;
+    virtual ~Port() = default;
+
+    virtual Sent send(std::span<const std::uint8_t> bytes) = 0;
+    /// What has come, in order; empty when there is nothing.
+    virtual Bytes read() = 0;
+};
+
+/// Carries out stop scripts on one line, taking turns after each attempt, so that a device that is silent does not hold up the
+/// others. Waiting for an answer keeps the line: half-duplex buses know one request at a time. Pure: the caller brings the time.
+class Runner {
+public:
+    struct Outcome {
+        std::uint32_t id = 0;
+        bool confirmed = false; ///< all was sent, and every answer came
+    };
+
+    explicit Runner(Port &port)
+        : m_port(port)
+    {
+    }
+    void add(std::uint32_t id, const Script &script, Time now);
+    /// Does what is due. Yields what came to its end.
+    [[nodiscard]] std::vector<Outcome> proceed(Time now);
+    /// When to proceed at the latest; nothing when there is nothing to do.
+    [[nodiscard]] std::optional<Time> due() const;
+    /// Proceed also when something can be read.
+    [[nodiscard]] bool isListening() const { return m_answerUntil.has_value(); }
+    [[nodiscard]] bool isIdle() const { return m_jobs.empty(); }
+
+private:
+    struct Job {
+        std::uint32_t id = 0;
+        Script script;
+        std::size_t step = 0;
+        int attempts = 0; ///< of the present step, done
+        bool confirmed = true;
+        Time notBefore{};
+    };
+
+    void listen(Time now);
+    [[nodiscard]] bool attempt(Time now);
+    void giveUp();
+    void endStep(Job &job, bool good);
+    void retire();
+
+    Port &m_port;
+    std::deque<Job> m_jobs; ///< the front one is next, or waits for its answer
+    std::optional<Time> m_answerUntil;
+    std::optional<Time> m_blockedUntil;
+    Time m_patientUntil{};
+    Bytes m_heard;
+    std::vector<Outcome> m_ended;
+};
+
+} // namespace mb::guardian

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/guardian/runner.h"
+
+#include <functional>
+#include <map>
+
+namespace mb::guardian {
+
+/// Longest silence of a program that drives motors.
+inline constexpr std::chrono::milliseconds silenceLimit{500};
+
+/// Decides when the devices of one link must be stopped: their program fell silent or ended, or says so. Pure: packets and time
+/// come from outside. What is stopped is not watched any more; the program must ask again, and learns why from the report.
+class Watchman {
+public:
+    struct Voice {
+        std::function<void(const Report &)> report;
+        std::function<void(const std::string &)> log; ///< one line about what was done
+    };
+
+    Watchman(Port &port, Voice voice);
+
+    void hear(std::span<const std::uint8_t> packet, Time now);
+    /// The other end of the pipe is closed.
+    void hangUp(Time now);
+    /// Does what is due.
+    void proceed(Time now);
+    [[nodiscard]] std::optional<Time> due() const;
+    /// Proceed also when the link can be read. While nobody is stopped, its bytes are the program's.
+    [[nodiscard]] bool isListening() const { return m_runner.isListening(); }
+    /// The program is gone, and every motor it left behind was stopped or given up.
+    [[nodiscard]] bool isDone() const { return m_hungUp && m_runner.isIdle(); }
+
+private:
+    struct Watched {
+        std::string name;
+        Script script;
+    };
+
+    void obey(const Order &order, Time now);
+    void stop(std::uint32_t id, const char *why, Time now);
+    void stopAll(const char *why, Time now);
+
+    Runner m_runner;
+    Voice m_voice;
+    std::map<std::uint32_t, Watched> m_watched;
+    std::map<std::uint32_t, std::string> m_stopping; ///< what the log will say
+    Time m_heardAt{};
+    bool m_hungUp = false;
+};
+
+} // namespace mb::guardian
