@@ -182,6 +182,21 @@ TEST_P(Contract, ADeviceWithAWatchdogStopsWhenNobodyCommandsIt)
     EXPECT_FALSE(simulatorOf(*device)->isOutputOn());
 }
 
+TEST_P(Contract, ADeviceWithoutAWatchdogSaysHowAGuardianStopsIt)
+{
+    const Device *device = online();
+    ASSERT_NE(device, nullptr);
+    const StopScript script = device->stopScript();
+    EXPECT_EQ(script.isEmpty(), family().capabilities.watchdog);
+    for (const StopStep &step : script.steps) {
+        EXPECT_EQ(step.frame.has_value(), device->link().kind() == LinkKind::Can);
+        EXPECT_EQ(step.bytes.empty(), step.frame.has_value());
+        EXPECT_TRUE(step.replyMask.empty() || step.replyMask.size() == step.reply.size());
+        EXPECT_TRUE(step.wait >= 1ms && step.wait <= 500ms) << step.wait.count();
+        EXPECT_TRUE(step.attempts >= 1 && step.attempts <= 100) << step.attempts;
+    }
+}
+
 TEST_P(Contract, EveryTimeOutSurfacesWhenTheUnitIsWithoutPower)
 {
     Device *device = online();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A program that drives a motor without watchdog under the real guardian, to be killed and frozen:
-//     guardedprogram packet|stream      drives on descriptor 5: CAN frames of a packet socket, or lines of text on a terminal
+//     guardedprogram packet|stream|INTERFACE
+// It drives on descriptor 5, CAN frames of a packet socket or lines of text on a terminal, or on a CAN interface.
 // Prints "guardian PID" once it drives, "ended: REASON" when the motion ends, and goes on until it is killed.
 #include "app/guardian/client/guardianclient.h"
 #include "model/setpointstream.h"
@@ -47,7 +48,9 @@ std::unique_ptr<CanLink> linkOf(const char *form, Clock &clock)
 {
     if (std::strcmp(form, "stream") == 0)
         return std::make_unique<TextLink>(clock);
-    return std::make_unique<SocketCanLink>(LinkAddress{"socketcan", "test", {}}, clock, line);
+    if (std::strcmp(form, "packet") == 0)
+        return std::make_unique<SocketCanLink>(LinkAddress{"socketcan", "test", {}}, clock, line);
+    return std::make_unique<SocketCanLink>(LinkAddress{"socketcan", form, {}}, clock);
 }
 
 StopScript textScript()
