@@ -2,6 +2,7 @@
 // What every family promises (docs/architecture.md). Iterates over the registry: a new folder is tested from its first day.
 #include "model/parametertransfer.h"
 #include "support/simulatedsession.h"
+#include "transport/canlink.h"
 
 #include <fstream>
 #include <sstream>
