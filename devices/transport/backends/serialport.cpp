@@ -198,12 +198,14 @@ void SerialPortLink::receive()
         deliver(now, bytes);
         endBatch();
     }
-    if (m_port && now - m_lookedAt >= lookPeriod)
+    if (now - m_lookedAt >= lookPeriod)
         lookAtDriver();
 }
 
 void SerialPortLink::lookAtDriver()
 {
+    if (!m_port)
+        return;
     m_lookedAt = clock().now();
     const auto counted = driverErrors(m_port->handle());
     if (counted && m_driverErrors) {

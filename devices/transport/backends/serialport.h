@@ -19,7 +19,7 @@ namespace mb {
 /// transmitter where it can, and otherwise leaves a remark that the adapter must; `echo=1` for adapters that read what
 /// they send. With either of the two the line is half duplex: nothing is sent before one byte time has passed since the
 /// last byte from others. `errors` and `lost` also count what the driver reports, looked at once a second while bytes
-/// come.
+/// come, and when recounted.
 class SerialPortLink final : public SerialLink {
 public:
     struct Options {
@@ -33,6 +33,7 @@ private:
     Result<void> doOpen() override;
     void doClose() override;
     [[nodiscard]] Outlet doOutlet() const override;
+    void doRecount() override { lookAtDriver(); }
     Result<void> doSend(std::span<const std::uint8_t> bytes, Priority priority) override;
     [[nodiscard]] std::size_t doBacklog() const override;
     Result<void> doSetBaudrate(int baudrate) override;
