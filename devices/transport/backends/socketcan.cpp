@@ -183,24 +183,39 @@ void SocketCanLink::countInterface()
 void SocketCanLink::receive()
 {
     bool behind = false;
-    for (int i = 0; i < batchesAtOnce; ++i) {
+    int cause = 0;
+    for (int i = 0; i < batchesAtOnce || cause != 0; ++i) {
         const int got = ::recvmmsg(m_descriptor, m_batch->messages.data(), batchSize, MSG_DONTWAIT, nullptr);
         if (got < 0) {
-            if (errno != EAGAIN && errno != EINTR)
-                end(socketFailure(address().path, errno));
-            break;
+            if (errno == EAGAIN || errno == EINTR || cause != 0)
+                break;
+            cause = errno; // told once, before the frames that came earlier: those are still ours
+            continue;
         }
         takeBatch(static_cast<unsigned>(got));
         endBatch();
         if (state() != LinkState::Open)
             return;
-        if (got < static_cast<int>(batchSize))
+        const bool full = got == static_cast<int>(batchSize);
+        behind = behind || full;
+        if (!full && cause == 0)
             break;
-        behind = true;
     }
     // A frame carries the drops before it; those after the last one are known only this way.
     if (const auto drops = behind ? droppedFrames(m_descriptor) : std::nullopt)
         noteDrops(*drops);
+    if (cause != 0)
+        end(socketFailure(address().path, cause));
+}
+
+void SocketCanLink::failLater(int cause)
+{
+    // Told from the clock: whoever sends does not expect to be called back. What was received before counts first.
+    m_failed.startIn(Duration::zero(), [this, reason = socketFailure(address().path, cause)] {
+        receive();
+        if (state() == LinkState::Open)
+            end(reason);
+    });
 }
 
 void SocketCanLink::takeBatch(unsigned count)
@@ -285,8 +300,7 @@ Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
         if (!health().stuckSince)
             setStuckSince(clock().now());
         if (!tryLater(cause)) {
-            // Told from the clock: whoever sends does not expect to be called back.
-            m_failed.startIn(Duration::zero(), [this, reason = socketFailure(address().path, cause)] { end(reason); });
+            failLater(cause);
             return fail(Fault::LinkLost, socketFailure(address().path, cause));
         }
     }
@@ -304,8 +318,7 @@ void SocketCanLink::flush()
         const int cause = writeFrame(m_descriptor, queue.front(), urgent ? Priority::Urgent : Priority::Normal);
         if (cause != 0) {
             if (!tryLater(cause))
-                m_failed.startIn(
-                    Duration::zero(), [this, reason = socketFailure(address().path, cause)] { end(reason); });
+                failLater(cause);
             return;
         }
         queue.pop_front();

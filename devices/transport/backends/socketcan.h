@@ -62,6 +62,7 @@ private:
     void countInterface();
     void flush();
     [[nodiscard]] bool tryLater(int cause);
+    void failLater(int cause);
     void end(std::string reason);
 
     int m_given = -1;
