@@ -144,8 +144,10 @@ void EngineCore::watch(Link &link)
     TrafficLog &log = *entry->second.traffic;
     UnknownFrames &unknown = *entry->second.unknown;
     entry->second.tap = link.traffic().add([&log, &unknown](const Traffic &traffic) {
-        if (!traffic.can)
+        if (!traffic.can) {
+            log.append(traffic.direction, traffic.time, traffic.bytes);
             return;
+        }
         log.append(traffic.direction, *traffic.can);
         if (traffic.direction == Direction::Received)
             unknown.take(*traffic.can);

@@ -151,7 +151,7 @@ void MainWindow::buildPages()
     addPage(new TunePage(m_workbench, m_selection, *m_arming, m_theme, m_pages), tr("Tune"));
     addPage(new PlotsPage(m_workbench, m_selection, m_theme, m_pages), tr("Plots"));
     addPage(new FirmwarePage(m_workbench, m_selection, m_theme, m_pages), tr("Firmware"));
-    addPage(new BusPage(m_workbench, m_theme, m_pages), tr("Bus"));
+    addPage(new BusPage(m_workbench, *m_arming, m_theme, m_pages), tr("Bus"));
     addPage(new LogPage(m_workbench, m_theme, m_pages), tr("Log"));
     connect(m_tabs, &QTabBar::currentChanged, this, &MainWindow::followPages);
     connect(overview, &OverviewPage::simulateRequested, this, &MainWindow::openSimulation);

@@ -70,6 +70,11 @@ class Traffic(ContractTest):
         self.assertEqual(self.run_json("decode", text=""), [])
         self.assertEqual(len(self.run_json("decode", "--dialect", "LL", text="\n" + LOG.replace("\n", "\r\n"))), 4)
 
+    def test_decode_shows_error_frames_that_no_family_knows(self):
+        (frame,) = self.run_json("decode", text="(1.0) can0 20000004#0001000000000000\n")
+        self.assertEqual(set(frame), FRAME)
+        self.assertEqual((frame["id"], frame["data"], frame["family"], frame["fields"]), (4, "0001000000000000", None, {}))
+
     def test_monitor_shows_nothing_on_a_silent_link(self):
         self.assertEqual(self.run_text("monitor", "sim:can", "--for", "0.2"), "")
         self.assertEqual(Run(["--json", "monitor", "sim:can", "--for", "0.2"]).status, 0)

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 namespace mb {
 namespace {
 
@@ -50,6 +52,76 @@ TEST(TrafficLog, GivesTheNewestWithinTheLimit)
     EXPECT_EQ(out.front().number, 46U);
     EXPECT_EQ(out.back().number, 50U);
     EXPECT_EQ(log.newest(), 50U);
+}
+
+TEST(TrafficLog, CountsEveryFrameByIdentifierThoughTheRingOverran)
+{
+    TrafficLog log(4);
+    for (std::uint32_t i = 0; i < 1000; ++i)
+        log.append(Direction::Received, frame(i % 10));
+    std::vector<TrafficRow> rows;
+    EXPECT_EQ(log.statistics(Instant{}, rows), 0U);
+    ASSERT_EQ(rows.size(), 10U);
+    for (const TrafficRow &row : rows)
+        EXPECT_EQ(row.count, 100U);
+}
+
+TEST(TrafficLog, KeepsBytesBesideFramesAndSaysWhenTheyAreGone)
+{
+    TrafficLog log;
+    const std::vector<std::uint8_t> request{0x55, 0x04, 0x00};
+    const std::vector<std::uint8_t> flood(5000, 0xAA);
+    const Instant start = Instant{} + std::chrono::seconds(7);
+    log.append(Direction::Sent, start, request);
+    log.append(Direction::Received, start, {});
+    log.append(Direction::Received, start, flood);
+    EXPECT_EQ(log.firstTime(), start);
+    std::vector<TrafficRecord> out;
+    EXPECT_EQ(log.fetch(0, 100, out), 2U) << "no bytes, no record";
+    ASSERT_EQ(out.size(), 2U);
+    EXPECT_FALSE(out[0].isFrame());
+    EXPECT_EQ(out[0].bytes, request);
+    EXPECT_EQ(out[1].length, 5000U);
+    EXPECT_EQ(out[1].bytes, std::vector<std::uint8_t>(4096, 0xAA)) << "the first of a long piece";
+    for (int i = 0; i < 64; ++i)
+        log.append(Direction::Received, start, flood);
+    out.clear();
+    log.fetch(0, 100, out);
+    ASSERT_EQ(out.size(), 66U);
+    EXPECT_TRUE(out[0].bytes.empty()) << "overwritten, but still a record";
+    EXPECT_EQ(out[0].length, 3U);
+    EXPECT_EQ(out[65].bytes.size(), 4096U);
+    std::vector<TrafficRow> rows;
+    log.statistics(start, rows);
+    EXPECT_TRUE(rows.empty()) << "bytes have no identifier";
+}
+
+TEST(TrafficLog, IsReadWhileItIsWritten)
+{
+    TrafficLog log(256);
+    std::thread writer([&log] {
+        for (std::uint32_t i = 0; i < 20000; ++i)
+            log.append(Direction::Received, frame(i % 7));
+    });
+    std::uint64_t seen = 0;
+    std::uint64_t missed = 0;
+    while (seen < 20000) {
+        std::vector<TrafficRecord> out;
+        const std::uint64_t newest = log.fetch(seen, 100, out);
+        if (!out.empty())
+            missed += out.front().number - seen - 1;
+        for (std::size_t i = 1; i < out.size(); ++i)
+            ASSERT_EQ(out[i].number, out[i - 1].number + 1);
+        seen = newest;
+        std::vector<TrafficRow> rows;
+        log.statistics(Instant{}, rows);
+        std::uint64_t counted = 0;
+        for (const TrafficRow &row : rows)
+            counted += row.count;
+        ASSERT_GE(counted, newest);
+    }
+    writer.join();
+    EXPECT_LT(missed, 20000U);
 }
 
 TEST(TrafficLog, IsEmptyAtFirst)

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/buspage.h"
 
-#include "widgets/common/devicetext.h"
-#include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
-#include "widgets/common/numberformat.h"
-#include "widgets/common/searchfield.h"
-#include "widgets/common/segmented.h"
+#include "widgets/monitor/busbar.h"
+#include "widgets/monitor/busloadview.h"
 #include "widgets/monitor/framedetail.h"
 #include "widgets/monitor/framemodel.h"
+#include "widgets/monitor/idmodel.h"
+#include "widgets/monitor/sendpanel.h"
+#include "widgets/monitor/trafficview.h"
 
-#include <QHBoxLayout>
+#include <QApplication>
+#include <QClipboard>
 #include <QHeaderView>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QSplitter>
-#include <QTableView>
 #include <QVBoxLayout>
 
 namespace mb {
@@ -25,95 +25,64 @@ constexpr std::chrono::milliseconds tickTime{50};
 
 } // namespace
 
-BusPage::BusPage(Workbench &workbench, const ThemeSource &theme, QWidget *parent)
+BusPage::BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
     , m_theme(theme)
     , m_model(new FrameModel(theme, this))
+    , m_ids(new IdModel(theme, this))
+    , m_bar(new BusBar(theme, this))
+    , m_send(new SendPanel(workbench, arming, theme, this))
 {
     setObjectName(QStringLiteral("busPage"));
     setAccessibleName(tr("Bus"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    buildBar(*column);
-    buildTable(*column);
+    buildTables();
+    buildSide();
+    buildKeys();
+    m_send->hide();
+    auto *panel = new QVBoxLayout;
+    panel->setContentsMargins(theme.theme().u(12), 0, theme.theme().u(12), 0);
+    panel->addWidget(m_send);
+    column->addWidget(m_bar);
+    column->addLayout(panel);
+    column->addWidget(separatorLine(Qt::Horizontal, this));
+    column->addWidget(m_outer, 1);
     m_tick.setInterval(tickTime);
     connect(&m_tick, &QTimer::timeout, this, &BusPage::tick);
     connect(&workbench, &Workbench::changed, this, &BusPage::followLinks);
 }
 
-void BusPage::buildBar(QVBoxLayout &column)
+void BusPage::buildTables()
 {
-    const Theme &theme = m_theme.theme();
-    auto *row = new QHBoxLayout;
-    row->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
-    row->setSpacing(theme.u(8));
-    m_filter = new SearchField(m_theme, tr("msg:STS* dev:5 -id:0206"), this);
-    m_filter->setSymbol(Symbol::Filter);
-    m_filter->setAccessibleName(tr("Filter frames"));
-    m_filter->setToolTip(tr("All words must hold: msg:STS* dev:5 id:0206 fam:dmc60c dir:tx, a minus turns one round"));
-    m_filter->setMinimumWidth(theme.u(260));
-    m_direction = new Segmented(tr("Direction"), {tr("All"), tr("rx"), tr("tx")}, this);
-    m_links = new Segmented(tr("Link"), this);
-    m_state = textLabel({}, TextRole::Body, Tone::Dim, this);
-    m_pause = new CommandButton(m_theme, Symbol::Pause, tr("Pause view"), this);
-    m_pause->setTextVariants({tr("Pause view"), tr("Go on")});
-    m_pause->setKeyHint(QStringLiteral("P"));
-    auto *clear = new CommandButton(m_theme, Symbol::Delete, tr("Clear"), this);
-    row->addWidget(m_filter);
-    row->addWidget(m_direction);
-    row->addWidget(m_links);
-    row->addStretch();
-    row->addWidget(m_state);
-    row->addWidget(m_pause);
-    row->addWidget(clear);
-    column.addLayout(row);
-    m_problem = textLabel({}, TextRole::Body, Tone::Danger, this);
-    m_problem->setContentsMargins(theme.u(12), 0, theme.u(12), theme.u(6));
-    m_problem->hide();
-    column.addWidget(m_problem);
-    connect(m_filter, &QLineEdit::textChanged, this, &BusPage::applyFilter);
-    connect(m_direction, &Segmented::currentChanged, this, &BusPage::applyFilter);
-    connect(m_links, &Segmented::currentChanged, this, &BusPage::followLinks);
-    connect(m_pause, &QPushButton::clicked, this, [this] { setPaused(!m_paused); });
-    connect(clear, &QPushButton::clicked, m_model, &FrameModel::clear);
-    auto *pauseKey = new QShortcut(QKeySequence(Qt::Key_P), this);
-    pauseKey->setContext(Qt::WidgetWithChildrenShortcut);
-    connect(pauseKey, &QShortcut::activated, this, [this] { setPaused(!m_paused); });
-}
-
-void BusPage::buildTable(QVBoxLayout &column)
-{
-    const Theme &theme = m_theme.theme();
-    auto *split = new QSplitter(Qt::Horizontal, this);
-    m_table = new QTableView(split);
-    m_table->setAccessibleName(tr("Frames"));
+    m_outer = new QSplitter(Qt::Horizontal, this);
+    auto *stack = new QSplitter(Qt::Vertical, m_outer);
+    m_lower = new QSplitter(Qt::Horizontal, stack);
+    m_table = new TrafficView(m_theme, tr("Frames"), {88, 66, 54, 88, 132, 42, 240, 208}, FrameModel::Decoded, stack);
+    m_table->setSpare(FrameModel::Data);
     m_table->setModel(m_model);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(theme.u(25));
-    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setShowGrid(false);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setWordWrap(false);
-    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    const std::array<int, FrameModel::ColumnCount> widths{86, 68, 40, 96, 140, 44, 440, 190};
-    for (int i = 0; i < FrameModel::ColumnCount; ++i)
-        m_table->setColumnWidth(i, theme.u(widths[static_cast<std::size_t>(i)]));
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    m_detail = new FrameDetail(m_theme, split);
-    split->addWidget(m_table);
-    split->addWidget(m_detail);
-    split->setStretchFactor(0, 1);
-    split->setSizes({theme.u(900), theme.u(300)});
-    column.addWidget(split, 1);
-    connect(
-        m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, [this](const QModelIndex &current) {
-            if (current.isValid())
-                m_detail->show(m_model->row(current.row()));
-        });
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_idTable = new TrafficView(
+        m_theme, tr("Identifiers"), {88, 50, 122, 42, 64, 72, 84, 208, 118, 104}, IdModel::Value, m_lower);
+    m_idTable->setSpare(IdModel::Data);
+    m_idTable->setModel(m_ids);
+    m_idTable->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_idTable->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_idTable->horizontalHeader()->setSortIndicator(IdModel::Id, Qt::AscendingOrder);
+    m_idTable->setSortingEnabled(true);
+    stack->addWidget(m_table);
+    stack->addWidget(m_lower);
+    stack->setStretchFactor(0, 3);
+    stack->setStretchFactor(1, 2);
+    stack->setChildrenCollapsible(true);
+    connect(m_table->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &BusPage::showSelected);
+    connect(m_idTable, &QWidget::customContextMenuRequested, this, &BusPage::chooseField);
+    connect(m_model, &FrameModel::olderFound, this, [this] {
+        if (!m_paused)
+            toEnd();
+    });
     // Looking back must not be scrolled away: the view stops following, the log goes on.
     connect(m_table->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] {
         const QScrollBar *bar = m_table->verticalScrollBar();
@@ -121,19 +90,87 @@ void BusPage::buildTable(QVBoxLayout &column)
     });
 }
 
+void BusPage::buildSide()
+{
+    const Theme &theme = m_theme.theme();
+    m_side = new QWidget(m_outer);
+    m_side->setMinimumWidth(theme.u(250));
+    auto *column = new QVBoxLayout(m_side);
+    column->setContentsMargins(0, 0, 0, theme.u(8));
+    column->setSpacing(theme.u(4));
+    m_detail = new FrameDetail(m_theme, m_side);
+    m_load = new BusLoadView(m_theme, m_side);
+    m_loadCaption = textLabel({}, TextRole::Caption, Tone::Dim, m_side);
+    m_facts = textLabel({}, TextRole::Caption, Tone::Dim, m_side);
+    m_facts->setWordWrap(true);
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(theme.u(12), 0, theme.u(12), 0);
+    head->addWidget(new SectionLabel(tr("Bus load, %"), m_side));
+    head->addStretch();
+    head->addWidget(m_loadCaption);
+    auto *foot = new QVBoxLayout;
+    foot->setContentsMargins(theme.u(12), 0, theme.u(12), 0);
+    foot->addWidget(m_load);
+    foot->addWidget(m_facts);
+    column->addWidget(m_detail, 1);
+    column->addWidget(separatorLine(Qt::Horizontal, m_side));
+    column->addLayout(head);
+    column->addLayout(foot);
+    m_outer->addWidget(m_side);
+    m_outer->setStretchFactor(0, 1);
+    m_outer->setStretchFactor(1, 0);
+    connect(
+        m_detail, &FrameDetail::copyRequested, this, [this] { QApplication::clipboard()->setText(selectedText()); });
+    connect(m_detail, &FrameDetail::sendRequested, this, [this](const CanFrame &frame) {
+        m_bar->setSendShown(true);
+        m_send->setFrame(frame);
+    });
+}
+
+void BusPage::buildKeys()
+{
+    const auto key = [this](const QKeySequence &sequence, auto work) {
+        auto *shortcut = new QShortcut(sequence, this);
+        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(shortcut, &QShortcut::activated, this, work);
+    };
+    key(Qt::Key_P, [this] { setPaused(!m_paused); });
+    key(QKeySequence::Find, [this] { m_bar->focusFilter(); });
+    key(Qt::Key_F3, [this] { find(true); });
+    key(QKeySequence(QStringLiteral("Shift+F3")), [this] { find(false); });
+    auto *copy = new QShortcut(QKeySequence::Copy, m_table);
+    copy->setContext(Qt::WidgetShortcut);
+    connect(copy, &QShortcut::activated, this, [this] { QApplication::clipboard()->setText(selectedText()); });
+    connect(m_bar, &BusBar::linkChanged, this, &BusPage::followLinks);
+    connect(m_bar, &BusBar::filterChanged, this, &BusPage::applyFilter);
+    connect(m_bar, &BusBar::findRequested, this, &BusPage::find);
+    connect(m_bar, &BusBar::pauseRequested, this, [this] { setPaused(!m_paused); });
+    connect(m_bar, &BusBar::clearRequested, m_model, &FrameModel::clear);
+    connect(m_bar, &BusBar::clearRequested, m_detail, &FrameDetail::clear);
+    connect(m_bar, &BusBar::exportRequested, this, &BusPage::askWhereTo);
+    connect(m_bar, &BusBar::sendToggled, m_send, &QWidget::setVisible);
+}
+
 void BusPage::setPaused(bool paused)
 {
     m_paused = paused;
-    m_pause->setText(paused ? tr("Go on") : tr("Pause view"));
-    m_pause->setSymbol(paused ? Symbol::Play : Symbol::Pause);
+    m_model->setFrozen(paused);
+    m_bar->setPaused(paused);
     if (!paused)
-        m_table->scrollToBottom();
+        toEnd();
+}
+
+void BusPage::toEnd()
+{
+    m_table->scrollToBottom();
 }
 
 void BusPage::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
     followLinks();
+    m_model->rejoin();
+    tick();
     m_tick.start();
 }
 
@@ -143,65 +180,23 @@ void BusPage::hideEvent(QHideEvent *event)
     m_tick.stop();
 }
 
-void BusPage::followLinks()
+void BusPage::resizeEvent(QResizeEvent *event)
 {
-    if (!isVisible())
-        return;
-    const Snapshot &shot = m_workbench.snapshot();
-    std::vector<std::string> names;
-    for (const LinkView &link : shot.links)
-        names.push_back(link.name);
-    for (std::size_t i = m_shownLinks.size(); i < names.size(); ++i)
-        m_links->addSegment(QString::fromStdString(names[i]));
-    for (std::size_t i = 0; i < names.size(); ++i)
-        m_links->setText(static_cast<int>(i), QString::fromStdString(names[i]));
-    if (names.size() >= m_shownLinks.size())
-        m_shownLinks = names;
-    m_links->setVisible(names.size() > 1);
-    const auto current = static_cast<std::size_t>(std::max(m_links->current(), 0));
-    if (current >= shot.links.size())
-        return;
-    std::vector<const Family *> families;
-    for (const DeviceView &device : shot.devices) {
-        if (std::find(families.begin(), families.end(), device.family) == families.end())
-            families.push_back(device.family);
-    }
-    m_model->setSource(shot.links[current].traffic, std::move(families), shot.time);
+    QWidget::resizeEvent(event);
+    arrange();
 }
 
-void BusPage::applyFilter()
+void BusPage::arrange()
 {
-    static const std::array directions{QString(), QStringLiteral(" dir:rx"), QStringLiteral(" dir:tx")};
-    const FrameFilter filter(
-        m_filter->text() + directions[static_cast<std::size_t>(std::max(m_direction->current(), 0))]);
-    m_problem->setText(filter.problem());
-    m_problem->setVisible(!filter.problem().isEmpty());
-    m_model->setFilter(filter);
-    if (!m_paused)
-        m_table->scrollToBottom();
-}
-
-void BusPage::tick()
-{
-    if (!m_paused && m_model->fetch())
-        m_table->scrollToBottom();
-    const Instant now = m_workbench.now();
-    const Snapshot &shot = m_workbench.snapshot();
-    const auto current = static_cast<std::size_t>(std::max(m_links->current(), 0));
-    if (current >= shot.links.size() || now - m_rateAt < std::chrono::milliseconds(500))
+    // Where there is room the detail stands right, full height; otherwise beside the identifiers.
+    const Theme &theme = m_theme.theme();
+    QSplitter *home = width() >= theme.u(1150) ? m_outer : m_lower;
+    if (m_side->parentWidget() == home)
         return;
-    const LinkCounters &counters = shot.links[current].counters;
-    const std::uint64_t frames = counters.rx + counters.tx;
-    if (m_rateAt != Instant{})
-        m_rate = static_cast<double>(frames - std::min(frames, m_rateFrames))
-            / std::chrono::duration<double>(now - m_rateAt).count();
-    m_rateAt = now;
-    m_rateFrames = frames;
-    m_state->setText(tr("load %1 %   %2 frames/s   lost %3")
-                         .arg(formatNumber(shot.links[current].load * 100, 0), formatNumber(m_rate, 0),
-                             formatCount(static_cast<qint64>(counters.lost))));
-    const auto shown = m_model->rowCount();
-    m_filter->setResult(m_filter->text().isEmpty() ? QString() : tr("%1 shown").arg(formatCount(shown)));
+    home->addWidget(m_side);
+    home->setStretchFactor(0, 1);
+    home->setStretchFactor(1, 0);
+    home->setSizes({width() - theme.u(300), theme.u(300)});
 }
 
 } // namespace mb

@@ -3,58 +3,90 @@
 
 #include "widgets/common/theme.h"
 #include "widgets/common/workbench.h"
+#include "widgets/monitor/framefilter.h"
 
 #include <QTimer>
 #include <QWidget>
 
-class QHBoxLayout;
+#include <deque>
+#include <map>
+
 class QLabel;
-class QTableView;
-class QVBoxLayout;
+class QSplitter;
 
 namespace mb {
 
-class CommandButton;
+class Arming;
+class BusBar;
+class BusLoadView;
 class FrameDetail;
 class FrameModel;
-class SearchField;
-class Segmented;
+class IdModel;
+class SendPanel;
+class TrafficView;
 
-/// What passes on one link, decoded: filter, pause, detail. Scrolling back pauses the view, never the recording.
+/// What passes on one link, decoded: every frame in order, every identifier with its rate, the selected frame in detail, the load;
+/// frames are sent by hand here too. Scrolling back pauses the view, never the recording.
 class BusPage : public QWidget {
     Q_OBJECT
 public:
-    BusPage(Workbench &workbench, const ThemeSource &theme, QWidget *parent = nullptr);
+    BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme, QWidget *parent = nullptr);
     [[nodiscard]] FrameModel &model() { return *m_model; }
+    [[nodiscard]] IdModel &ids() { return *m_ids; }
+    [[nodiscard]] BusBar &bar() { return *m_bar; }
     void setPaused(bool paused);
+    /// Takes what came since the last time; the page does this by itself twenty times a second while it is shown.
+    void tick();
+    /// The selected frames as lines of candump -L.
+    [[nodiscard]] QString selectedText() const;
+    /// Writes the frames that are shown, or all that are kept. Reports success or failure to the log.
+    void exportTo(const QString &path, bool all);
 
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
-    void buildBar(QVBoxLayout &column);
-    void buildTable(QVBoxLayout &column);
+    void buildTables();
+    void buildSide();
+    void buildKeys();
     void followLinks();
-    void tick();
-    void applyFilter();
+    void followLoad();
+    void showState(const LinkView &link);
+    [[nodiscard]] QString factsOf(const LinkView &link) const;
+    void showSelected();
+    void applyFilter(const FrameFilter &filter, const FrameFilter &search);
+    void find(bool forward);
+    void toEnd();
+    void askWhereTo(bool all);
+    void chooseField(const QPoint &at);
+    void arrange();
+    [[nodiscard]] const LinkView *link() const;
+    [[nodiscard]] Duration exportShift() const;
 
     Workbench &m_workbench;
     const ThemeSource &m_theme;
     FrameModel *m_model = nullptr;
-    QTableView *m_table = nullptr;
+    IdModel *m_ids = nullptr;
+    BusBar *m_bar = nullptr;
+    SendPanel *m_send = nullptr;
+    QSplitter *m_outer = nullptr;
+    QSplitter *m_lower = nullptr;
+    TrafficView *m_table = nullptr;
+    TrafficView *m_idTable = nullptr;
+    QWidget *m_side = nullptr;
     FrameDetail *m_detail = nullptr;
-    SearchField *m_filter = nullptr;
-    Segmented *m_direction = nullptr;
-    Segmented *m_links = nullptr;
-    QHBoxLayout *m_linkRow = nullptr;
-    CommandButton *m_pause = nullptr;
-    QLabel *m_state = nullptr;
-    QLabel *m_problem = nullptr;
-    std::vector<std::string> m_shownLinks;
+    BusLoadView *m_load = nullptr;
+    QLabel *m_loadCaption = nullptr;
+    QLabel *m_facts = nullptr;
     bool m_paused = false;
+    std::map<std::string, std::deque<double>> m_loads; ///< by address of the link
+    Instant m_loadAt{};
+    Instant m_idsAt{};
     Instant m_rateAt{};
     std::uint64_t m_rateFrames = 0;
+    std::string m_rateLink;
     double m_rate = 0.0;
     QTimer m_tick;
 };

@@ -1,116 +1,221 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/framefilter.h"
 
-#include "widgets/common/devicetext.h"
-#include "widgets/common/numberformat.h"
+#include "widgets/monitor/framefilterparser.h"
+#include "widgets/monitor/frametext.h"
 
-#include <QCoreApplication>
-#include <QRegularExpression>
+#include <algorithm>
+#include <array>
 
 namespace mb {
 namespace {
 
-struct FrameText {
-    Q_DECLARE_TR_FUNCTIONS(FrameText)
+char lower(char c)
+{
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool anyMatches(const std::vector<std::string> &patterns, std::string_view text)
+{
+    return std::any_of(patterns.begin(), patterns.end(),
+        [text](const std::string &pattern) { return wildcardMatches(pattern, text); });
+}
+
+/// Digits in lower case, as many as the frame is written with.
+class HexDigits {
+public:
+    explicit HexDigits(const CanFrame &frame)
+        : m_size(frame.extended || frame.error ? 8U : 3U)
+    {
+        std::uint32_t rest = frame.id;
+        for (std::size_t i = m_size; i-- > 0; rest >>= 4U)
+            m_digits.at(i) = "0123456789abcdef"[rest & 0xFU];
+    }
+    [[nodiscard]] std::string_view all() const { return {m_digits.data(), m_size}; }
+    [[nodiscard]] std::string_view significant() const
+    {
+        const auto from = all().find_first_not_of('0');
+        return from == std::string_view::npos ? all().substr(m_size - 1) : all().substr(from);
+    }
+
+private:
+    std::array<char, 8> m_digits{};
+    std::size_t m_size;
 };
 
-bool wildcard(const QString &pattern, const QString &text)
+std::string packedBytes(const TrafficRecord &record)
 {
-    const QRegularExpression expression(
-        QRegularExpression::wildcardToRegularExpression(pattern), QRegularExpression::CaseInsensitiveOption);
-    return expression.match(text).hasMatch();
+    const std::span<const std::uint8_t> bytes = record.isFrame() ? record.frame.bytes() : std::span(record.bytes);
+    std::string text;
+    for (const std::uint8_t byte : bytes) {
+        text += "0123456789abcdef"[byte >> 4U];
+        text += "0123456789abcdef"[byte & 0xFU];
+    }
+    return text;
 }
 
 } // namespace
 
-QString hexId(const CanFrame &frame)
+bool wildcardMatches(std::string_view pattern, std::string_view text)
 {
-    return QStringLiteral("%1").arg(frame.id, frame.extended || frame.error ? 8 : 3, 16, QLatin1Char('0')).toUpper();
-}
-
-QString hexBytes(const CanFrame &frame)
-{
-    if (frame.remote)
-        return FrameText::tr("remote");
-    QString text;
-    for (const std::uint8_t byte : frame.bytes())
-        text += (text.isEmpty() ? QString() : QStringLiteral(" "))
-            + QStringLiteral("%1").arg(byte, 2, 16, QLatin1Char('0')).toUpper();
-    return text;
-}
-
-QString fieldsLine(const DecodedFrame &frame)
-{
-    QStringList parts;
-    for (const DecodedField &field : frame.fields) {
-        // A flag that is off says nothing in a line; the detail panel has it.
-        if (field.name.starts_with('f') && field.unit.empty() && field.value == 0.0)
-            continue;
-        const bool unitSpeaks = !field.unit.empty() && !field.unit.starts_with("1/");
-        const QString unit = !unitSpeaks ? QString() : QLatin1Char(' ') + qt(field.unit);
-        parts += qt(field.name) + QLatin1Char('=') + QString::fromStdString(numberText(field.value)) + unit;
+    std::size_t p = 0;
+    std::size_t t = 0;
+    std::size_t star = std::string_view::npos;
+    std::size_t resume = 0;
+    while (t < text.size()) {
+        if (p < pattern.size() && pattern[p] == '*') {
+            star = p++;
+            resume = t;
+        } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == lower(text[t]))) {
+            ++p;
+            ++t;
+        } else if (star != std::string_view::npos) {
+            p = star + 1;
+            t = ++resume;
+        } else {
+            return false;
+        }
     }
-    return parts.join(QStringLiteral("  "));
+    return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+const FrameMeaning *FrameFacts::meaning() const
+{
+    if (!m_looked && m_record.isFrame())
+        m_meaning = m_decoder.decode(m_record.frame);
+    m_looked = true;
+    return m_meaning ? &*m_meaning : nullptr;
 }
 
 FrameFilter::FrameFilter(const QString &text)
 {
-    const QStringList words = text.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    for (QString word : words) {
-        Term term;
-        term.negated = word.size() > 1 && word.startsWith(QLatin1Char('-'));
-        if (term.negated)
-            word.remove(0, 1);
-        const int colon = word.indexOf(QLatin1Char(':'));
-        const QString key = colon < 0 ? QString() : word.left(colon).toLower();
-        term.pattern = word.mid(colon + 1);
-        if (colon < 0)
-            term.key = Key::Any;
-        else if (key == QLatin1String("msg"))
-            term.key = Key::Message;
-        else if (key == QLatin1String("dev"))
-            term.key = Key::Device;
-        else if (key == QLatin1String("id"))
-            term.key = Key::Id;
-        else if (key == QLatin1String("fam"))
-            term.key = Key::Family;
-        else if (key == QLatin1String("dir"))
-            term.key = Key::Direction;
-        else {
-            m_problem = FrameText::tr("'%1:' is not known; msg, dev, id, fam and dir are").arg(key);
-            continue;
-        }
-        if (!term.pattern.isEmpty())
-            m_terms.push_back(term);
-    }
+    FrameFilterParser parser(*this);
+    m_problem = parser.parse(text);
+    if (!m_problem.isEmpty())
+        m_nodes.clear();
 }
 
-bool FrameFilter::passes(const FrameRow &row) const
+QString FrameFilter::help()
 {
-    for (const Term &term : m_terms) {
-        if (holds(term, row) == term.negated)
-            return false;
-    }
-    return true;
+    return FrameFilterParser::help();
 }
 
-bool FrameFilter::holds(const Term &term, const FrameRow &row)
+FrameFilter FrameFilter::both(FrameFilter a, const FrameFilter &b)
 {
-    const QString message = row.decoded ? qt(row.decoded->message) : QString();
-    switch (term.key) {
-    case Key::Any: {
-        const QString pattern = QLatin1Char('*') + term.pattern + QLatin1Char('*');
-        return wildcard(pattern, message) || wildcard(pattern, hexId(row.record.frame));
+    if (a.isEmpty())
+        return b;
+    if (b.isEmpty())
+        return a;
+    const std::size_t shift = a.m_nodes.size();
+    for (Node node : b.m_nodes) {
+        node.left += shift;
+        node.right += shift;
+        a.m_nodes.push_back(std::move(node));
     }
-    case Key::Message: return wildcard(term.pattern, message);
-    case Key::Device: return row.decoded && wildcard(term.pattern, QString::number(row.decoded->address));
-    case Key::Id: return wildcard(term.pattern + QLatin1Char('*'), hexId(row.record.frame));
-    case Key::Family: return row.family && wildcard(term.pattern, qt(row.family->key));
-    case Key::Direction:
-        return wildcard(
-            term.pattern, row.record.direction == Direction::Sent ? QStringLiteral("tx") : QStringLiteral("rx"));
+    a.m_nodes.push_back({Join::And, a.m_root, b.m_root + shift, {}});
+    a.m_root = a.m_nodes.size() - 1;
+    return a;
+}
+
+bool FrameFilter::passes(const FrameFacts &facts) const
+{
+    return m_nodes.empty() || holds(m_root, facts);
+}
+
+bool FrameFilter::holds(std::size_t node, const FrameFacts &facts) const
+{
+    const Node &at = m_nodes[node];
+    switch (at.join) {
+    case Join::Term: return holds(at.term, facts);
+    case Join::Not: return !holds(at.left, facts);
+    case Join::And: return holds(at.left, facts) && holds(at.right, facts);
+    case Join::Or: return holds(at.left, facts) || holds(at.right, facts);
     }
     return false;
+}
+
+bool FrameFilter::holds(const Term &term, const FrameFacts &facts)
+{
+    const TrafficRecord &record = facts.record();
+    switch (term.test) {
+    case Test::Id: return record.isFrame() && holdsId(term, record.frame);
+    case Test::Sent: return record.direction == Direction::Sent;
+    case Test::Data: return holdsData(term, record);
+    case Test::Extended: return record.frame.extended;
+    case Test::Remote: return record.frame.remote;
+    case Test::Error: return record.frame.error;
+    case Test::Unknown: return record.isFrame() && !record.frame.error && !facts.meaning();
+    case Test::Word: return holdsWord(term, facts);
+    default: return facts.meaning() && holdsMeaning(term, facts);
+    }
+}
+
+bool FrameFilter::holdsMeaning(const Term &term, const FrameFacts &facts)
+{
+    const FrameMeaning &meaning = *facts.meaning();
+    switch (term.test) {
+    case Test::Family: return anyMatches(term.patterns, meaning.family->key);
+    case Test::Message: return anyMatches(term.patterns, meaning.frame.message);
+    case Test::Device:
+        return std::any_of(term.ranges.begin(), term.ranges.end(), [&meaning](const Range &range) {
+            const auto address = static_cast<std::uint32_t>(meaning.frame.address);
+            return address >= range.low && address <= range.high;
+        });
+    case Test::Control: return meaning.frame.control;
+    case Test::Field: return holdsField(term, meaning.frame);
+    default: return false;
+    }
+}
+
+bool FrameFilter::holdsId(const Term &term, const CanFrame &frame)
+{
+    if (std::any_of(term.ranges.begin(), term.ranges.end(),
+            [&frame](const Range &range) { return frame.id >= range.low && frame.id <= range.high; }))
+        return true;
+    if (term.patterns.empty())
+        return false;
+    const HexDigits digits(frame);
+    return anyMatches(term.patterns, digits.all()) || anyMatches(term.patterns, digits.significant());
+}
+
+bool FrameFilter::holdsData(const Term &term, const TrafficRecord &record)
+{
+    return !record.frame.remote && anyMatches(term.patterns, packedBytes(record));
+}
+
+bool FrameFilter::holdsField(const Term &term, const DecodedFrame &frame)
+{
+    const auto compares = [&term](const DecodedField &field) {
+        double number = term.number;
+        if (term.percent) {
+            const auto scale = fullScale(field.unit);
+            if (!scale)
+                return false;
+            number = term.number / 100.0 * *scale;
+        }
+        switch (term.comparison) {
+        case Comparison::Exists: return true;
+        case Comparison::Less: return field.value < number;
+        case Comparison::AtMost: return field.value <= number;
+        case Comparison::More: return field.value > number;
+        case Comparison::AtLeast: return field.value >= number;
+        case Comparison::Equal: return field.value == number;
+        case Comparison::Differs: return field.value != number;
+        }
+        return false;
+    };
+    return std::any_of(frame.fields.begin(), frame.fields.end(),
+        [&](const DecodedField &field) { return anyMatches(term.patterns, field.name) && compares(field); });
+}
+
+bool FrameFilter::holdsWord(const Term &term, const FrameFacts &facts)
+{
+    const TrafficRecord &record = facts.record();
+    if (record.isFrame() && anyMatches(term.patterns, HexDigits(record.frame).all()))
+        return true;
+    const FrameMeaning *meaning = facts.meaning();
+    return meaning
+        && (anyMatches(term.patterns, meaning->frame.message) || anyMatches(term.patterns, meaning->family->key));
 }
 
 } // namespace mb

@@ -3,14 +3,17 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/monitor/frametext.h"
+#include "widgets/monitor/trafficdelegate.h"
 
-#include <QFont>
+#include <algorithm>
 
 namespace mb {
 namespace {
 
-constexpr std::size_t keptRows = 20000;
-constexpr std::size_t batchLimit = 20000;
+constexpr std::size_t batchLimit = 65536;
+constexpr std::size_t scanStep = 4000;
+constexpr std::size_t mostIdentifiers = 4096; ///< whose last time is remembered for Δ
 
 double seconds(Duration time)
 {
@@ -23,60 +26,130 @@ FrameModel::FrameModel(const ThemeSource &theme, QObject *parent)
     : QAbstractTableModel(parent)
     , m_theme(theme)
 {
+    m_scan.setInterval(0);
+    connect(&m_scan, &QTimer::timeout, this, [this] { scanBack(scanStep); });
 }
 
-void FrameModel::setSource(std::shared_ptr<const TrafficLog> log, std::vector<const Family *> families, Instant origin)
+void FrameModel::setSource(std::shared_ptr<const TrafficLog> log)
 {
     if (log == m_log)
         return;
     m_log = std::move(log);
-    m_families = std::move(families);
-    m_origin = origin;
+    m_origin = {};
+    m_joins = true;
+    m_begin = 0;
     m_fetched = 0;
     clear();
+}
+
+void FrameModel::setDecoder(FrameDecoder decoder)
+{
+    if (decoder == m_decoder)
+        return;
+    m_decoder = std::move(decoder);
+    m_meanings.fill({});
+    if (!m_filter.isEmpty())
+        restart();
+    else if (rowCount() > 0)
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }
 
 void FrameModel::clear()
 {
     beginResetModel();
-    m_rows.clear();
+    m_live = {};
+    if (m_frozen)
+        *m_frozen = {};
     m_shown.clear();
-    m_firstRow = 0;
-    m_seen = 0;
+    m_unscanned = 0;
+    m_scan.stop();
     m_skipped = 0;
+    m_begin = m_fetched;
     m_last.clear();
+    m_meanings.fill({});
     endResetModel();
 }
 
-void FrameModel::setFilter(const FrameFilter &filter)
+void FrameModel::setFilter(FrameFilter filter)
+{
+    m_filter = std::move(filter);
+    restart();
+}
+
+void FrameModel::restart()
 {
     beginResetModel();
-    m_filter = filter;
     m_shown.clear();
-    for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        if (m_filter.passes(m_rows[i]))
-            m_shown.push_back(m_firstRow + i);
-    }
+    m_unscanned = m_shownStore->end();
     endResetModel();
+    scanBack(m_filter.isEmpty() ? keptRows : scanStep);
 }
 
-FrameRow FrameModel::decode(const TrafficRecord &record)
+void FrameModel::scanBack(std::size_t limit)
 {
-    FrameRow row{record, 0.0, nullptr, std::nullopt};
-    const auto [last, isNew] = m_last.try_emplace(record.frame.id, record.frame.time);
-    if (!isNew)
-        row.sinceSame = seconds(record.frame.time - last->second);
-    last->second = record.frame.time;
-    for (const Family *family : m_families) {
-        if (!family->decodeCan || record.frame.error)
-            continue;
-        row.decoded = family->decodeCan(record.frame, {});
-        if (row.decoded) {
-            row.family = family;
-            break;
-        }
+    std::vector<std::uint64_t> found;
+    const Store &store = *m_shownStore;
+    for (; m_unscanned > store.first && limit > 0; --limit) {
+        --m_unscanned;
+        if (m_filter.isEmpty() || passes(store.rows[m_unscanned - store.first]))
+            found.push_back(m_unscanned);
     }
-    return row;
+    if (!found.empty()) {
+        beginInsertRows({}, 0, static_cast<int>(found.size()) - 1);
+        m_shown.insert(m_shown.begin(), found.rbegin(), found.rend());
+        endInsertRows();
+        Q_EMIT olderFound();
+    }
+    if (m_unscanned > store.first)
+        m_scan.start();
+    else
+        m_scan.stop();
+}
+
+void FrameModel::setSearch(FrameFilter search)
+{
+    m_search = std::move(search);
+    if (rowCount() > 0)
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1), {Qt::BackgroundRole});
+}
+
+int FrameModel::findFrom(int from, bool forward) const
+{
+    if (m_search.isEmpty())
+        return -1;
+    for (int i = from; i >= 0 && i < rowCount(); i += forward ? 1 : -1) {
+        if (m_search.passes({row(i).record, m_decoder}))
+            return i;
+    }
+    return -1;
+}
+
+void FrameModel::setFrozen(bool frozen)
+{
+    if (frozen == isFrozen())
+        return;
+    if (frozen) {
+        // The numbers in m_shown stay valid: the copy counts as the original does.
+        m_frozen = std::make_unique<Store>(m_live);
+        m_shownStore = m_frozen.get();
+        return;
+    }
+    m_shownStore = &m_live;
+    restart();
+    m_frozen.reset();
+}
+
+void FrameModel::keep(TrafficRecord record)
+{
+    FrameRow row{std::move(record), 0.0};
+    const Instant time = row.record.frame.time;
+    if (m_last.size() > mostIdentifiers)
+        m_last.clear();
+    const auto [last, isNew] = m_last.try_emplace(keyOf(row.record.direction, row.record.frame), time);
+    if (!isNew)
+        row.sinceSame = seconds(time - last->second);
+    last->second = time;
+    m_live.rows.push_back(std::move(row));
 }
 
 bool FrameModel::fetch()
@@ -87,14 +160,17 @@ bool FrameModel::fetch()
     const std::uint64_t newest = m_log->fetch(m_fetched, batchLimit, m_batch);
     if (m_batch.empty())
         return false;
-    m_seen += newest - m_fetched;
-    m_skipped += m_batch.front().number - m_fetched - 1;
+    if (m_origin == Instant{})
+        m_origin = m_log->firstTime();
+    if (!m_joins)
+        m_skipped += m_batch.front().number - m_fetched - 1;
+    m_joins = false;
     m_fetched = newest;
     std::vector<std::uint64_t> passing;
-    for (const TrafficRecord &record : m_batch) {
-        m_rows.push_back(decode(record));
-        if (m_filter.passes(m_rows.back()))
-            passing.push_back(m_firstRow + m_rows.size() - 1);
+    for (TrafficRecord &record : m_batch) {
+        keep(std::move(record));
+        if (!isFrozen() && passes(m_live.rows.back()))
+            passing.push_back(m_live.end() - 1);
     }
     if (!passing.empty()) {
         const int first = static_cast<int>(m_shown.size());
@@ -103,25 +179,40 @@ bool FrameModel::fetch()
         endInsertRows();
     }
     trim();
-    return true;
+    return !passing.empty();
 }
 
 void FrameModel::trim()
 {
-    if (m_rows.size() <= keptRows)
+    if (m_live.rows.size() <= keptRows)
         return;
-    const std::uint64_t first = m_firstRow + m_rows.size() - keptRows;
-    int gone = 0;
-    while (gone < static_cast<int>(m_shown.size()) && m_shown[static_cast<std::size_t>(gone)] < first)
-        ++gone;
-    if (gone > 0) {
+    const std::uint64_t first = m_live.end() - keptRows;
+    const auto shownEnd = isFrozen() ? m_shown.begin() : std::lower_bound(m_shown.begin(), m_shown.end(), first);
+    const auto gone = static_cast<int>(shownEnd - m_shown.begin());
+    if (gone > 0)
         beginRemoveRows({}, 0, gone - 1);
-        m_shown.erase(m_shown.begin(), m_shown.begin() + gone);
-    }
-    m_rows.erase(m_rows.begin(), m_rows.begin() + static_cast<std::ptrdiff_t>(first - m_firstRow));
-    m_firstRow = first;
+    m_shown.erase(m_shown.begin(), shownEnd);
+    m_live.rows.erase(m_live.rows.begin(), m_live.rows.begin() + static_cast<std::ptrdiff_t>(first - m_live.first));
+    m_live.first = first;
+    if (!isFrozen())
+        m_unscanned = std::max(m_unscanned, first);
     if (gone > 0)
         endRemoveRows();
+}
+
+const FrameRow &FrameModel::row(int index) const
+{
+    return m_shownStore->rows[m_shown[static_cast<std::size_t>(index)] - m_shownStore->first];
+}
+
+const FrameMeaning *FrameModel::meaning(const FrameRow &row) const
+{
+    Cached &cached = m_meanings.at(row.record.number % m_meanings.size());
+    if (cached.number != row.record.number) {
+        cached.number = row.record.number;
+        cached.meaning = row.record.isFrame() ? m_decoder.decode(row.record.frame) : std::nullopt;
+    }
+    return cached.meaning ? &*cached.meaning : nullptr;
 }
 
 int FrameModel::rowCount(const QModelIndex &parent) const
@@ -136,19 +227,27 @@ int FrameModel::columnCount(const QModelIndex &parent) const
 
 QString FrameModel::text(const FrameRow &row, int column) const
 {
-    const CanFrame &frame = row.record.frame;
+    const TrafficRecord &record = row.record;
+    const CanFrame &frame = record.frame;
+    const FrameMeaning *known = meaning(row);
     switch (column) {
     case Time: return QString::number(seconds(frame.time - m_origin), 'f', 4);
     case Delta: return row.sinceSame > 0.0 ? QString::number(row.sinceSame * 1000.0, 'f', 1) : QString(UnknownMark);
-    case Dir: return frame.error ? tr("err") : row.record.direction == Direction::Sent ? tr("tx") : tr("rx");
-    case Id: return hexId(frame);
-    case Message: return frame.error ? tr("error frame") : row.decoded ? qt(row.decoded->message) : tr("unknown");
-    case Address: return row.decoded ? QString::number(row.decoded->address) : QString(UnknownMark);
+    case Dir: return frame.error ? tr("err") : record.direction == Direction::Sent ? tr("tx") : tr("rx");
+    case Id: return record.isFrame() && !frame.error ? hexId(frame) : QString(UnknownMark);
+    case Message:
+        return !record.isFrame() ? tr("%1 bytes").arg(record.length)
+            : frame.error        ? tr("error frame")
+            : known              ? qt(known->frame.message)
+                                 : tr("unknown");
+    case Address: return known ? QString::number(known->frame.address) : QString(UnknownMark);
     case Decoded:
-        return row.decoded ? fieldsLine(*row.decoded)
-            : frame.error  ? tr("class %1").arg(hexId(frame))
-                           : tr("no decoder knows this identifier");
-    case Data: return hexBytes(frame);
+        return frame.error     ? errorFrameText(frame)
+            : known            ? fieldsLine(known->frame)
+            : frame.remote     ? tr("asks for data")
+            : record.isFrame() ? tr("no decoder knows this identifier")
+                               : QString();
+    case Data: return record.isFrame() ? hexBytes(frame) : hexBytes(record.bytes);
     default: return {};
     }
 }
@@ -156,34 +255,51 @@ QString FrameModel::text(const FrameRow &row, int column) const
 QVariant FrameModel::color(const FrameRow &row, int column) const
 {
     const Theme &theme = m_theme.theme();
-    if (row.record.frame.error)
-        return theme.danger;
-    if (column == Dir && row.record.direction == Direction::Sent)
-        return theme.accent;
-    if (!row.decoded && (column == Message || column == Decoded))
-        return theme.caution;
-    if (column == Time || column == Delta || column == Id || column == Data)
+    const TrafficRecord &record = row.record;
+    if (record.frame.error)
+        return column == Time || column == Decoded ? theme.text : theme.danger;
+    if (column == Dir)
+        return record.direction == Direction::Sent ? theme.accent : theme.dim;
+    if (column == Time || column == Delta || column == Data)
         return theme.dim;
+    if ((column == Message || column == Decoded) && record.isFrame() && !meaning(row))
+        return column == Message ? theme.dim : theme.caution;
+    return theme.text;
+}
+
+QVariant FrameModel::background(const FrameRow &row) const
+{
+    if (row.record.frame.error)
+        return m_theme.theme().bannerDanger;
+    if (!m_search.isEmpty() && m_search.passes({row.record, m_decoder}))
+        return m_theme.theme().bannerCaution;
     return {};
 }
 
 QVariant FrameModel::data(const QModelIndex &index, int role) const
 {
-    if (!index.isValid())
+    if (!index.isValid() || index.row() >= rowCount())
         return {};
     const FrameRow &frame = row(index.row());
     const int column = index.column();
     switch (role) {
     case Qt::DisplayRole: return text(frame, column);
     case Qt::ForegroundRole: return color(frame, column);
+    case Qt::BackgroundRole: return background(frame);
     case Qt::TextAlignmentRole:
-        return static_cast<int>(column == Time || column == Delta || column == Address
-                ? Qt::AlignRight | Qt::AlignVCenter
-                : Qt::AlignLeft | Qt::AlignVCenter);
-    case Qt::FontRole:
-        if (column == Message && frame.decoded)
-            return m_theme.theme().font(TextRole::Emphasis, {});
-        return column == Id || column == Data ? m_theme.theme().font(TextRole::Raw, {}) : QVariant();
+        return static_cast<int>(Qt::AlignVCenter
+            | (column == Time || column == Delta || column == Address ? Qt::AlignRight : Qt::AlignLeft));
+    case TrafficDelegate::TextRoleRole:
+        if (column == Message && meaning(frame))
+            return static_cast<int>(TextRole::Emphasis);
+        return static_cast<int>(
+            column == Time || column == Delta || column == Id || column == Data ? TextRole::Raw : TextRole::Body);
+    case TrafficDelegate::DirectionRole:
+        if (column == Dir)
+            return frame.record.frame.error                 ? TrafficDelegate::ErrorMark
+                : frame.record.direction == Direction::Sent ? TrafficDelegate::SentMark
+                                                            : TrafficDelegate::ReceivedMark;
+        return {};
     default: return {};
     }
 }
@@ -193,9 +309,8 @@ QVariant FrameModel::headerData(int section, Qt::Orientation orientation, int ro
     if (orientation != Qt::Horizontal)
         return {};
     if (role == Qt::TextAlignmentRole)
-        return static_cast<int>(section == Time || section == Delta || section == Address
-                ? Qt::AlignRight | Qt::AlignVCenter
-                : Qt::AlignLeft | Qt::AlignVCenter);
+        return static_cast<int>(Qt::AlignVCenter
+            | (section == Time || section == Delta || section == Address ? Qt::AlignRight : Qt::AlignLeft));
     if (role != Qt::DisplayRole)
         return {};
     switch (section) {

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/monitor/busbar.h"
+
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/searchfield.h"
+#include "widgets/common/segmented.h"
+#include "widgets/parameters/wraplayout.h"
+
+#include <QLabel>
+#include <QMenu>
+#include <QShortcut>
+#include <QVBoxLayout>
+#include <QWhatsThis>
+
+#include <algorithm>
+#include <array>
+
+namespace mb {
+
+BusBar::BusBar(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    auto *column = new QVBoxLayout(this);
+    const int edge = theme.theme().u(12);
+    column->setContentsMargins(edge, theme.theme().u(8), edge, theme.theme().u(8));
+    column->setSpacing(theme.theme().u(6));
+    buildState(*column);
+    buildFilter(*column);
+    m_problem = textLabel({}, TextRole::Body, Tone::Danger, this);
+    m_problem->setWordWrap(true);
+    m_problem->hide();
+    column->addWidget(m_problem);
+}
+
+void BusBar::buildState(QVBoxLayout &column)
+{
+    auto *row = new WrapLayout;
+    m_links = new Segmented(tr("Link"), this);
+    m_links->hide();
+    m_state = new QLabel(this);
+    m_state->setTextFormat(Qt::RichText);
+    setTone(*m_state, Tone::Dim);
+    row->addWidget(m_links);
+    row->addWidget(m_state);
+    row->addSpring();
+    m_pause = new CommandButton(m_theme, Symbol::Pause, tr("Pause"), this);
+    m_pause->setTextVariants({tr("Pause"), tr("Go on")});
+    m_pause->setKeyHint(QStringLiteral("P"));
+    m_pause->setToolTip(tr("Holds the frames still; everything is counted and kept meanwhile"));
+    auto *clear = new CommandButton(m_theme, Symbol::Delete, tr("Clear"), this);
+    auto *save = new CommandButton(m_theme, Symbol::Export, tr("Export"), this);
+    auto *menu = new QMenu(save);
+    menu->addAction(tr("Frames that are shown…"), this, [this] { Q_EMIT exportRequested(false); });
+    menu->addAction(tr("All frames that are kept…"), this, [this] { Q_EMIT exportRequested(true); });
+    save->setMenu(menu);
+    m_send = new CommandButton(m_theme, Symbol::FrameSend, tr("Send frame…"), this);
+    m_send->setCheckable(true);
+    for (QWidget *button : {m_pause, clear, save, m_send})
+        row->addWidget(button);
+    column.addLayout(row);
+    connect(m_links, &Segmented::currentChanged, this, &BusBar::linkChanged);
+    connect(m_pause, &QPushButton::clicked, this, &BusBar::pauseRequested);
+    connect(clear, &QPushButton::clicked, this, &BusBar::clearRequested);
+    connect(m_send, &QPushButton::toggled, this, &BusBar::sendToggled);
+}
+
+void BusBar::buildFilter(QVBoxLayout &column)
+{
+    auto *row = new QHBoxLayout;
+    row->setSpacing(m_theme.theme().u(8));
+    m_mode = new Segmented(tr("What the expression does"), {tr("Filter"), tr("Find")}, this);
+    m_mode->setToolTip(tr("Filter hides what does not match; Find marks what does, F3 goes to the next"));
+    m_filter = new SearchField(m_theme, tr("such as message:STS* device:5 not is:error"), this);
+    m_filter->setSymbol(Symbol::Filter);
+    m_filter->setKeyHint(QStringLiteral("Ctrl+F"));
+    m_filter->setAccessibleName(tr("Filter frames"));
+    m_filter->setToolTip(FrameFilter::help());
+    auto *help = new IconButton(m_theme, Symbol::Help, tr("How to write a filter"), this);
+    m_direction = new Segmented(tr("Direction"), {tr("All"), tr("rx"), tr("tx"), tr("errors")}, this);
+    row->addWidget(m_mode);
+    row->addWidget(m_filter, 1);
+    row->addWidget(help);
+    row->addWidget(m_direction);
+    column.addLayout(row);
+    connect(help, &QToolButton::clicked, this, [this] {
+        QWhatsThis::showText(m_filter->mapToGlobal(QPoint(0, m_filter->height())), FrameFilter::help(), m_filter);
+    });
+    connect(m_filter, &QLineEdit::textChanged, this, &BusBar::applyFilter);
+    connect(m_filter, &QLineEdit::returnPressed, this, [this] { Q_EMIT findRequested(true); });
+    connect(m_mode, &Segmented::currentChanged, this, &BusBar::applyFilter);
+    connect(m_direction, &Segmented::currentChanged, this, &BusBar::applyFilter);
+}
+
+void BusBar::applyFilter()
+{
+    static const std::array<QString, 4> directions{
+        QString(), QStringLiteral("is:rx not is:error"), QStringLiteral("is:tx"), QStringLiteral("is:error")};
+    const FrameFilter typed(m_filter->text());
+    m_problem->setText(typed.problem());
+    m_problem->setVisible(!typed.problem().isEmpty());
+    setStyleProperty(*m_filter, "state", typed.problem().isEmpty() ? QString() : QStringLiteral("error"));
+    if (!typed.problem().isEmpty())
+        return; // what was understood before goes on
+    const FrameFilter side(directions.at(static_cast<std::size_t>(std::clamp(m_direction->current(), 0, 3))));
+    const bool finds = m_mode->current() == 1;
+    m_filter->setSymbol(finds ? Symbol::Search : Symbol::Filter);
+    Q_EMIT filterChanged(finds ? side : FrameFilter::both(typed, side), finds ? typed : FrameFilter());
+}
+
+void BusBar::setLinks(const QStringList &names)
+{
+    for (int i = m_names.size(); i < names.size(); ++i)
+        m_links->addSegment(names[i]);
+    for (int i = 0; i < names.size(); ++i)
+        m_links->setText(i, names[i]);
+    if (names.size() >= m_names.size())
+        m_names = names;
+    m_links->setVisible(m_names.size() > 1);
+}
+
+int BusBar::link() const
+{
+    return std::max(m_links->current(), 0);
+}
+
+void BusBar::setState(const QString &richText)
+{
+    if (m_state->text() != richText)
+        m_state->setText(richText);
+}
+
+void BusBar::setPaused(bool paused)
+{
+    m_pause->setText(paused ? tr("Go on") : tr("Pause"));
+    m_pause->setSymbol(paused ? Symbol::Play : Symbol::Pause);
+}
+
+void BusBar::setResult(const QString &result)
+{
+    m_filter->setResult(result);
+}
+
+void BusBar::setSendShown(bool shown)
+{
+    m_send->setChecked(shown);
+}
+
+QString BusBar::filterText() const
+{
+    return m_filter->text();
+}
+
+void BusBar::setFilterText(const QString &text)
+{
+    m_filter->setText(text);
+}
+
+void BusBar::focusFilter()
+{
+    m_filter->setFocus();
+    m_filter->selectAll();
+}
+
+} // namespace mb

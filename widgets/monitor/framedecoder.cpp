@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/monitor/framedecoder.h"
+
+#include "model/registry.h"
+
+namespace mb {
+
+FrameDecoder::FrameDecoder(std::span<const Family *const> families)
+{
+    for (const Family *family : families) {
+        if (family->decodeCan)
+            m_families.push_back(family);
+    }
+}
+
+void FrameDecoder::addDialect(const Family *family, int address, std::string dialect)
+{
+    if (!dialect.empty())
+        m_dialects[{family, address}] = std::move(dialect);
+}
+
+std::optional<FrameMeaning> FrameDecoder::decode(const CanFrame &frame) const
+{
+    if (frame.error)
+        return std::nullopt;
+    for (const Family *family : m_families) {
+        auto decoded = family->decodeCan(frame, {});
+        if (!decoded)
+            continue;
+        const auto dialect = m_dialects.find({family, decoded->address});
+        if (dialect != m_dialects.end()) {
+            if (auto better = family->decodeCan(frame, dialect->second))
+                decoded = std::move(better);
+        }
+        return FrameMeaning{family, std::move(*decoded)};
+    }
+    return std::nullopt;
+}
+
+std::optional<FrameMeaning> FrameDecoder::control(const CanFrame &frame) const
+{
+    for (const Family *family : m_families) {
+        if (auto decoded = family->decodeCan(frame, {}); decoded && decoded->control)
+            return FrameMeaning{family, std::move(*decoded)};
+    }
+    for (const auto &[device, dialect] : m_dialects) {
+        if (auto decoded = device.first->decodeCan(frame, dialect); decoded && decoded->control)
+            return FrameMeaning{device.first, std::move(*decoded)};
+    }
+    return std::nullopt;
+}
+
+FrameDecoder decoderFor(const Snapshot &shot, const std::string &link)
+{
+    FrameDecoder decoder(families());
+    for (const DeviceView &device : shot.devices) {
+        if (device.link == link && device.family && device.family->decodeCan)
+            decoder.addDialect(device.family, device.identity.address, device.identity.dialect);
+    }
+    return decoder;
+}
+
+} // namespace mb

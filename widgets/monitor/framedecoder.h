@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/snapshot.h"
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mb {
+
+/// What a family says of a frame.
+struct FrameMeaning {
+    const Family *family = nullptr;
+    DecodedFrame frame;
+};
+
+/// Finds the family that knows a frame. A device that speaks another dialect than its family's usual one is decoded in that.
+class FrameDecoder {
+public:
+    FrameDecoder() = default;
+    explicit FrameDecoder(std::span<const Family *const> families);
+
+    void addDialect(const Family *family, int address, std::string dialect);
+    [[nodiscard]] std::optional<FrameMeaning> decode(const CanFrame &frame) const;
+    /// Whether the frame makes a motor move, in any dialect that is known here.
+    [[nodiscard]] std::optional<FrameMeaning> control(const CanFrame &frame) const;
+
+    friend bool operator==(const FrameDecoder &, const FrameDecoder &) = default;
+
+private:
+    std::vector<const Family *> m_families;
+    std::map<std::pair<const Family *, int>, std::string> m_dialects;
+};
+
+/// Every family of the program, and the dialects of the devices that were found on a link.
+[[nodiscard]] FrameDecoder decoderFor(const Snapshot &shot, const std::string &link);
+
+} // namespace mb

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/monitor/frametext.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
+#include "wire/canerror.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+struct FrameText {
+    Q_DECLARE_TR_FUNCTIONS(FrameText)
+};
+
+QString trimmedNumber(double value)
+{
+    if (value == std::floor(value) && std::abs(value) < 1e15)
+        return formatNumber(value, 0);
+    const double size = std::abs(value);
+    const int digits = size >= 10000 ? 0 : size >= 1000 ? 1 : size >= 100 ? 2 : size >= 10 ? 3 : 4;
+    QString text = formatNumber(value, digits);
+    if (!text.contains(QLatin1Char('.')))
+        return text;
+    while (text.endsWith(QLatin1Char('0')))
+        text.chop(1);
+    return text.endsWith(QLatin1Char('.')) ? text.left(text.size() - 1) : text;
+}
+
+} // namespace
+
+QString hexId(const CanFrame &frame)
+{
+    return QStringLiteral("%1").arg(frame.id, frame.extended || frame.error ? 8 : 3, 16, QLatin1Char('0')).toUpper();
+}
+
+QString hexBytes(std::span<const std::uint8_t> bytes)
+{
+    static constexpr std::string_view digits = "0123456789ABCDEF";
+    QString text;
+    text.reserve(static_cast<int>(bytes.size() * 3));
+    for (const std::uint8_t byte : bytes) {
+        if (!text.isEmpty())
+            text += QLatin1Char(' ');
+        text += QLatin1Char(digits[byte >> 4U]);
+        text += QLatin1Char(digits[byte & 0xFU]);
+    }
+    return text;
+}
+
+QString hexBytes(const CanFrame &frame)
+{
+    return frame.remote ? FrameText::tr("remote") : hexBytes(frame.bytes());
+}
+
+QString errorFrameText(const CanFrame &frame)
+{
+    return tableText(describe(decodeError(frame)));
+}
+
+std::optional<double> fullScale(std::string_view unit)
+{
+    if (!unit.starts_with("1/"))
+        return std::nullopt;
+    double scale = 0.0;
+    const auto read = std::from_chars(unit.data() + 2, unit.data() + unit.size(), scale);
+    if (read.ec != std::errc{} || read.ptr != unit.data() + unit.size() || scale <= 0.0)
+        return std::nullopt;
+    return scale;
+}
+
+QString fieldValue(const DecodedField &field)
+{
+    if (const auto scale = fullScale(field.unit))
+        return formatValue(field.value / *scale * 100.0, 1, QStringLiteral("%"));
+    const QString number = trimmedNumber(field.value);
+    return field.unit.empty() ? number : number + QChar(QChar::Nbsp) + qt(field.unit);
+}
+
+QString wireValue(const DecodedField &field)
+{
+    const QString number = QString::fromStdString(numberText(field.value));
+    return field.unit.empty() || fullScale(field.unit) ? number : number + QChar(QChar::Nbsp) + qt(field.unit);
+}
+
+bool isFlag(const DecodedField &field)
+{
+    return field.unit.empty() && field.name.size() > 1 && field.name[0] == 'f' && field.name[1] >= 'A'
+        && field.name[1] <= 'Z';
+}
+
+QString fieldsLine(const DecodedFrame &frame)
+{
+    QStringList parts;
+    for (const DecodedField &field : frame.fields) {
+        if (!isFlag(field))
+            parts += qt(field.name) + QLatin1Char('=') + fieldValue(field);
+        else if (field.value != 0.0)
+            parts += qt(field.name);
+    }
+    return parts.join(QStringLiteral("  "));
+}
+
+std::optional<std::size_t> tellingField(const DecodedFrame &frame)
+{
+    const auto found = std::find_if(
+        frame.fields.begin(), frame.fields.end(), [](const DecodedField &field) { return !field.unit.empty(); });
+    if (found != frame.fields.end())
+        return static_cast<std::size_t>(found - frame.fields.begin());
+    return frame.fields.empty() ? std::nullopt : std::optional<std::size_t>(0);
+}
+
+} // namespace mb

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/family.h"
+#include "model/trafficlog.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace mb {
+
+/// "02061405" with 29 bits, "123" with 11.
+[[nodiscard]] QString hexId(const CanFrame &frame);
+/// "81 25 11"; of a remote frame the word.
+[[nodiscard]] QString hexBytes(const CanFrame &frame);
+[[nodiscard]] QString hexBytes(std::span<const std::uint8_t> bytes);
+/// What an error frame reports: "nobody acknowledged, error-passive".
+[[nodiscard]] QString errorFrameText(const CanFrame &frame);
+
+/// The number that a unit "1/32767" divides by; nothing for other units.
+[[nodiscard]] std::optional<double> fullScale(std::string_view unit);
+/// "29.4 %" for a fraction, "12.41 V", "10 236 counts"; for people, rounded to five digits.
+[[nodiscard]] QString fieldValue(const DecodedField &field);
+/// The value as the wire has it, unrounded: "9633", with its unit where that is one.
+[[nodiscard]] QString wireValue(const DecodedField &field);
+/// A flag: nothing to plot, and when off nothing to say in a line.
+[[nodiscard]] bool isFlag(const DecodedField &field);
+/// "modeSelect=1  trgt=1 200 counts": the fields in one line, without flags that are off.
+[[nodiscard]] QString fieldsLine(const DecodedFrame &frame);
+/// The field that a small line shows unless the user names another: the first that has a unit, otherwise the first. Nothing when there are none.
+[[nodiscard]] std::optional<std::size_t> tellingField(const DecodedFrame &frame);
+
+} // namespace mb

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/monitor/trafficview.h"
+
+#include "widgets/monitor/trafficdelegate.h"
+
+#include <QHeaderView>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace mb {
+
+TrafficView::TrafficView(
+    const ThemeSource &theme, const QString &name, std::vector<int> widths, int stretching, QWidget *parent)
+    : QTableView(parent)
+    , m_theme(theme)
+    , m_widths(std::move(widths))
+    , m_stretching(stretching)
+{
+    setAccessibleName(name);
+    horizontalHeader()->setAccessibleName(tr("Columns of %1").arg(name));
+    setItemDelegate(new TrafficDelegate(theme, this));
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setShowGrid(false);
+    setFrameShape(QFrame::NoFrame);
+    setWordWrap(false);
+    setTabKeyNavigation(false);
+    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    connect(&theme, &ThemeSource::changed, this, &TrafficView::layOut);
+}
+
+void TrafficView::setModel(QAbstractItemModel *model)
+{
+    QTableView::setModel(model);
+    layOut();
+}
+
+bool TrafficView::isAtEnd() const
+{
+    return verticalScrollBar()->value() >= verticalScrollBar()->maximum();
+}
+
+void TrafficView::resizeEvent(QResizeEvent *event)
+{
+    QTableView::resizeEvent(event);
+    layOut();
+}
+
+void TrafficView::layOut()
+{
+    if (!model())
+        return;
+    const Theme &theme = m_theme.theme();
+    verticalHeader()->setMinimumSectionSize(theme.u(18));
+    verticalHeader()->setDefaultSectionSize(theme.u(25));
+    int rest = viewport()->width();
+    for (std::size_t i = 0; i < m_widths.size(); ++i)
+        rest -= static_cast<int>(i) == m_stretching ? 0 : theme.u(m_widths[i]);
+    const int least = theme.u(m_widths[static_cast<std::size_t>(m_stretching)]);
+    const bool spared = m_spare >= 0 && rest < least;
+    if (m_spare >= 0) {
+        setColumnHidden(m_spare, spared);
+        rest += spared ? theme.u(m_widths[static_cast<std::size_t>(m_spare)]) : 0;
+    }
+    for (std::size_t i = 0; i < m_widths.size(); ++i) {
+        const int column = static_cast<int>(i);
+        setColumnWidth(column, column == m_stretching ? std::max(rest, least) : theme.u(m_widths[i]));
+    }
+}
+
+} // namespace mb

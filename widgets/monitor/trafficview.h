@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/theme.h"
+
+#include <QTableView>
+
+#include <vector>
+
+namespace mb {
+
+class TrafficDelegate;
+
+/// A table of the Bus page: narrow rows painted by TrafficDelegate, one column that takes the room that is left.
+class TrafficView : public QTableView {
+    Q_OBJECT
+public:
+    /// `widths` at 10 pt, of every column; the one that stretches keeps at least its own.
+    TrafficView(const ThemeSource &theme, const QString &name, std::vector<int> widths, int stretching,
+        QWidget *parent = nullptr);
+    void setModel(QAbstractItemModel *model) override;
+    /// A column that is left out where the stretching one would become too narrow.
+    void setSpare(int column) { m_spare = column; }
+    [[nodiscard]] bool isAtEnd() const;
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void layOut();
+
+    const ThemeSource &m_theme;
+    std::vector<int> m_widths;
+    int m_stretching;
+    int m_spare = -1;
+};
+
+} // namespace mb
