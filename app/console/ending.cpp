@@ -27,6 +27,17 @@ void Ending::watchPatiently(Link &link, std::function<bool(const Link &)> mayRet
     };
     m_links.push_back(link.stateChanged().add([look](LinkState) { look(); }));
     look();
+    if (ReplayLink *const recording = Session::replayOf(link)) {
+        m_recordings.push_back(recording);
+        m_links.push_back(recording->ended().add([this] { end(Cause::Time); }));
+    }
+}
+
+Event::Wait Ending::wait()
+{
+    for (ReplayLink *recording : m_recordings)
+        recording->play();
+    return m_event.wait();
 }
 
 void Ending::after(std::optional<Duration> time)

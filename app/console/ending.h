@@ -6,18 +6,21 @@
 
 namespace mb::console {
 
-/// What a verb that streams waits for: its time is up, a signal came, or the link was lost, whichever is first.
+/// What a verb that streams waits for: its time is up, a signal came, the link was lost or a recording is over, whichever
+/// is first.
 class Ending {
 public:
     enum class Cause { None, Time, Interrupted, LinkLost };
 
     explicit Ending(Console &console);
+    /// A lost link, or the end of a recording, ends it.
     void watch(Link &link);
     /// As long as `mayReturn` says so of the lost link, its loss does not end the verb.
     void watchPatiently(Link &link, std::function<bool(const Link &)> mayReturn);
     void after(std::optional<Duration> time);
 
-    [[nodiscard]] Event::Wait wait() { return m_event.wait(); }
+    /// Lets recordings play.
+    [[nodiscard]] Event::Wait wait();
     [[nodiscard]] Cause cause() const { return m_cause; }
     /// Of a lost link.
     [[nodiscard]] const std::string &reason() const { return m_reason; }
@@ -32,6 +35,7 @@ private:
     std::string m_reason;
     Subscription m_interrupted;
     std::vector<Subscription> m_links;
+    std::vector<ReplayLink *> m_recordings;
 };
 
 } // namespace mb::console

@@ -107,10 +107,13 @@ Task<int> info(Console &console, std::string text)
         co_return fail(target.error());
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
-    auto refreshing = device->refresh();
-    co_await std::move(refreshing);
+    const bool recorded = device->link().address().isRecording(); // then there is nobody to ask
+    if (!recorded) {
+        auto refreshing = device->refresh();
+        co_await std::move(refreshing);
+    }
     Faults faults;
-    if (device->identity().state != DeviceState::Bootloader) {
+    if (!recorded && device->identity().state != DeviceState::Bootloader) {
         auto reading = device->readFaults();
         faults = co_await std::move(reading);
     }

@@ -41,7 +41,7 @@ Task<int> monitor(Console &console, Arguments arguments)
     ending.watch(**link);
     ending.after(*time);
     FrameLines lines(console, {});
-    const TimeOrigin base(console.clock(), (*link)->address());
+    const TimeOrigin base(console.session().clockOf(**link), (*link)->address());
     const std::string name = (*link)->address().shortName();
     const Subscription tap = (*link)->traffic().add([&](const Traffic &traffic) {
         const Duration stamp = base.of(traffic.time);

@@ -11,8 +11,8 @@ namespace mb::console {
 SampleStream::SampleStream(Console &console, Device &device, std::vector<ChannelIndex> channels)
     : m_console(console)
     , m_device(device)
-    , m_time(console.clock(), device.link().address())
-    , m_start(console.clock().now())
+    , m_time(device.clock(), device.link().address())
+    , m_start(device.clock().now())
     , m_chosen(device.telemetry()->channels().size(), channels.empty())
 {
     for (const ChannelIndex channel : channels)

@@ -86,10 +86,10 @@ Task<int> stream(Console &console, Device &device, Plan plan, Ending &ending)
     std::optional<Error> error;
     {
         SampleStream samples(console, device, plan.channels);
-        const Instant start = console.clock().now();
+        const Instant start = device.clock().now();
         ending.after(plan.time);
         co_await ending.wait();
-        const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(console.clock().now() - start);
+        const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(device.clock().now() - start);
         summarize(console, samples, static_cast<double>(took.count()) / 1000.0);
     }
     if (ending.cause() == Ending::Cause::LinkLost)

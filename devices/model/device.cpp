@@ -68,6 +68,10 @@ Result<void> Device::mayMove() const
         return fail(Fault::Unsafe, selector() + ": " + m_busy);
     if (m_link.state() != LinkState::Open)
         return fail(Fault::LinkLost, m_link.address().shortName() + ": " + m_link.reason());
+    if (m_link.address().isRecording())
+        return fail(Fault::Unsupported,
+            m_link.address().shortName()
+                + " is a recording: what is in it can be watched, not driven; open the link that it was made on");
     switch (m_identity.state) {
     case DeviceState::Duplicate:
         return fail(Fault::Unsafe,

@@ -85,6 +85,10 @@ struct Family {
     /// Asks whether one address answers, where a scan takes long. nullptr: a scan tells.
     Task<void> (*probe)(Link &, Clock &, int address, ScanSink &) = nullptr;
     std::unique_ptr<Device> (*open)(Link &, Clock &, const Identity &) = nullptr;
+    /// What one frame tells of the device that sent it, without asking: its address at least, session, state and versions
+    /// where they are in the frame. Nothing for frames of other families, and for those that a host sends. How devices
+    /// are found in a recording; nullptr: there they are not.
+    std::optional<Identity> (*recognise)(const CanFrame &) = nullptr;
     /// Nothing when the frame is not of this family.
     std::optional<DecodedFrame> (*decodeCan)(const CanFrame &, std::string_view dialect) = nullptr;
     /// Of a family on serial links.

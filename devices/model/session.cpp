@@ -203,12 +203,34 @@ Bench *Session::bench(const Link &link) const
 
 Task<std::vector<Device *>> Session::scan(Link &link)
 {
+    if (ReplayLink *const recording = replayOf(link)) {
+        auto overhearing = overhear(*recording);
+        co_return co_await std::move(overhearing);
+    }
     ScanRound round(*this, link);
     round.start();
     co_await round.done.wait();
     if (round.error)
         co_return fail(*round.error);
     co_return round.seen;
+}
+
+Session::Entry &Session::addEntry(Link &link, const Family &family, const Identity &identity)
+{
+    Entry &entry = m_devices.emplace_back();
+    entry.id = DeviceId{++m_lastId};
+    openDevice(entry, link, family, identity);
+    m_changed.notify();
+    return entry;
+}
+
+void Session::openDevice(Entry &entry, Link &link, const Family &family, const Identity &identity)
+{
+    entry.device = family.open(link, clockOf(link), identity);
+    entry.device->guard().setSource(m_guard);
+    if (m_store)
+        entry.device->telemetry()->keepIn(m_store);
+    entry.changed = entry.device->changed().add([this] { m_changed.notify(); });
 }
 
 Device &Session::adopt(Link &link, const Family &family, const Identity &identity, std::vector<Device *> &seen)
@@ -227,14 +249,7 @@ Device &Session::adopt(Link &link, const Family &family, const Identity &identit
             match = &entry;
     }
     if (!match) {
-        Entry entry{DeviceId{++m_lastId}, family.open(link, m_clock, identity), nullptr, {}};
-        entry.device->guard().setSource(m_guard);
-        if (m_store)
-            entry.device->telemetry()->keepIn(m_store);
-        entry.changed = entry.device->changed().add([this] { m_changed.notify(); });
-        m_devices.push_back(std::move(entry));
-        match = &m_devices.back();
-        m_changed.notify();
+        match = &addEntry(link, family, identity);
     } else {
         match->device->setIdentity(merged(match->device->identity(), identity));
     }

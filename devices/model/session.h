@@ -4,6 +4,7 @@
 #include "model/bench.h"
 #include "model/family.h"
 #include "model/setpointstream.h"
+#include "transport/backends/replay.h"
 
 #include <list>
 #include <memory>
@@ -44,7 +45,16 @@ public:
     /// The bench behind a simulated link; nullptr for others. For tests and for disturbing a simulated load.
     [[nodiscard]] Bench *bench(const Link &link) const;
 
-    /// Scans with every family that speaks this kind of link, all at once; devices() grows as answers come. Yields what
+    /// The time that devices of a link live on: the session's, but for a recording its own.
+    [[nodiscard]] Clock &clockOf(Link &link) const;
+    /// The replay behind a `replay:` link; nullptr for others.
+    [[nodiscard]] static ReplayLink *replayOf(Link &link);
+    /// Takes a replay to another place. Its devices keep their ids and begin anew there, telemetry too: time may go back. Nobody
+    /// may hold on to a Device of the link, or run a task of it.
+    [[nodiscard]] Result<void> seek(ReplayLink &link, Duration position);
+
+    /// Scans with every family that speaks this kind of link, all at once; devices() grows as answers come. A recording
+    /// cannot be asked: the whole file is looked through, in pieces, for what devices sent. Yields what
     /// answered this time, in table order. A device that did not answer stays in devices() and is not heard.
     [[nodiscard]] Task<std::vector<Device *>> scan(Link &link);
     /// Opens the link, asks whether exactly this device is there. Timeout when not; Refused when the number is taken twice
@@ -79,6 +89,10 @@ private:
     };
     class ScanRound;
 
+    [[nodiscard]] Task<std::vector<Device *>> overhear(ReplayLink &link);
+    void overheard(Link &link, const Family &family, const Identity &identity);
+    Entry &addEntry(Link &link, const Family &family, const Identity &identity);
+    void openDevice(Entry &entry, Link &link, const Family &family, const Identity &identity);
     [[nodiscard]] Result<OpenLink> makeLink(const LinkAddress &address);
     Device &adopt(Link &link, const Family &family, const Identity &identity, std::vector<Device *> &seen);
     void remark(const Link &link);

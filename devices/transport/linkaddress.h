@@ -29,6 +29,8 @@ struct LinkAddress {
     [[nodiscard]] std::string shortName() const;
     [[nodiscard]] std::optional<std::string_view> option(std::string_view key) const;
     [[nodiscard]] bool isSimulated() const { return scheme == "sim"; }
+    /// Nothing can be sent: what is found there can be watched, no more.
+    [[nodiscard]] bool isRecording() const { return scheme == "replay"; }
 
     friend bool operator==(const LinkAddress &, const LinkAddress &) = default;
 };

@@ -4,6 +4,7 @@
 #include "transport/backends/caninterface.h"
 #include "transport/backends/cansocket.h"
 #include "transport/backends/qtcanbus.h"
+#include "transport/backends/replay.h"
 #include "transport/backends/serialport.h"
 #include "transport/backends/serialports.h"
 #include "transport/backends/socketcan.h"
@@ -151,6 +152,8 @@ Result<std::unique_ptr<Link>> createLink(const LinkAddress &address, Clock &cloc
     }
     if (address.scheme == "qtcan")
         return makeQtCanLink(address, clock);
+    if (address.isRecording())
+        return ReplayLink::create(address, clock);
     if (address.scheme == "serial")
         return makeSerialPortLink(address, clock);
     if (address.scheme == "pty")

@@ -9,6 +9,7 @@
 #include "families/dmc60c/protocol.h"
 #include "families/dmc60c/scan.h"
 #include "families/dmc60c/simulator.h"
+#include "families/dmc60c/unitidentity.h"
 
 #include <array>
 
@@ -52,6 +53,7 @@ const Family family{
     .bench = bench,
     .scan = scan,
     .open = open,
+    .recognise = recognise,
     .decodeCan = decodeCan,
     .update = update,
     .inspect = inspect,

@@ -60,6 +60,26 @@ std::string detailOf(DeviceState state, bool hasApplication)
 
 } // namespace
 
+std::optional<Identity> recognise(const CanFrame &frame)
+{
+    const auto first = decodeEnumResponse0(frame);
+    const auto second = decodeEnumResponse1(frame);
+    if (!first && !second && !decodeStatusGeneral(frame) && !decodeStatusEncoder(frame) && !decodeStatusAnalog(frame)
+        && !decodeParamResponse(frame) && !decodeVendorStatus(frame))
+        return std::nullopt;
+    Identity identity;
+    identity.family = "dmc60c";
+    identity.address = deviceOf(frame);
+    identity.state = identity.address == 0 ? DeviceState::Unassigned : DeviceState::Online;
+    if (first)
+        identity.session = first->session;
+    if (second) {
+        identity.session = second->session;
+        setVersions(identity, {second->image, second->application, second->bootloader});
+    }
+    return identity;
+}
+
 Identity identityOf(const EnumResponse0 &first, const EnumResponse1 &second)
 {
     Identity identity;

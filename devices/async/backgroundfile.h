@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/result.h"
+
+#include <condition_variable>
+#include <cstdint>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+
+namespace mb {
+
+/// A text file written by a thread of its own, so that no disk ever holds up who writes. Records that are taken are written in
+/// their order; what cannot be taken or written is counted, never silently gone. Plain C++, for ThreadSanitizer.
+class BackgroundFile {
+public:
+    static constexpr std::size_t mostWaiting = 64 * 1024 * 1024; ///< bytes in memory, then nothing more is taken
+
+    struct Status {
+        std::uint64_t taken = 0;   ///< records
+        std::uint64_t written = 0; ///< records that the system has accepted
+        std::uint64_t refused = 0; ///< records that append() did not take
+        bool finished = false;     ///< closed: nothing will change any more
+        std::string problem;       ///< why nothing more is written, in one clause with its remedy
+    };
+
+    /// Makes the file, or empties it. LinkLost with cause and remedy when that cannot be.
+    [[nodiscard]] static Result<std::unique_ptr<BackgroundFile>> create(const std::string &path);
+    BackgroundFile(const BackgroundFile &) = delete;
+    BackgroundFile &operator=(const BackgroundFile &) = delete;
+    /// finish(), and waits for it.
+    ~BackgroundFile();
+
+    /// One record. False, and counted, when too much waits already or the file failed. Takes a short lock.
+    bool append(std::string_view record);
+    /// What waits is written soon; without it, once some tens of kilobytes wait.
+    void flush();
+    /// Nothing more is taken; what waits is written, then the file is closed. Waits for nothing.
+    void finish();
+    [[nodiscard]] Status status() const;
+    [[nodiscard]] const std::string &path() const { return m_path; }
+
+private:
+    BackgroundFile(std::string path, int descriptor);
+    void run();
+    [[nodiscard]] std::string writeAll(std::string_view text) const;
+
+    std::string m_path;
+    int m_descriptor;
+    mutable std::mutex m_mutex;
+    std::condition_variable m_wake;
+    std::string m_waiting;
+    std::uint64_t m_waitingRecords = 0;
+    bool m_flush = false;
+    bool m_finish = false;
+    Status m_status;
+    std::thread m_writer; ///< last: it uses all the others
+};
+
+} // namespace mb

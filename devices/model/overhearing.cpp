@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/overhearing.h"
+
+#include <algorithm>
+
+namespace mb {
+
+Overhearing::Overhearing(std::span<const Family *const> families, Found found)
+    : m_families(families)
+    , m_found(std::move(found))
+{
+}
+
+void Overhearing::take(const CanFrame &frame)
+{
+    if (frame.error)
+        return;
+    for (const Family *family : m_families) {
+        auto seen = family->recognise ? family->recognise(frame) : std::nullopt;
+        if (!seen)
+            continue;
+        const bool says
+            = seen->session || !seen->firmware.empty() || !seen->bootloader.empty() || !seen->dialect.empty();
+        const auto [entry, isNew] = m_sightings.try_emplace({family, seen->address});
+        Sighting &sighting = entry->second;
+        if (!isNew && !says)
+            return; // most frames
+        Identity identity = isNew ? std::move(*seen) : merged(sighting, std::move(*seen));
+        if (!isNew && identity == sighting.identity)
+            return;
+        sighting.identity = std::move(identity);
+        m_found(*family, sighting.identity);
+        return;
+    }
+}
+
+/// One frame has a part of what is known only. Another session under one address is the unit after a power cycle; one
+/// that comes back after another is a second unit.
+Identity Overhearing::merged(Sighting &sighting, Identity seen)
+{
+    const Identity &known = sighting.identity;
+    Identity out = known;
+    if (seen.session && seen.session != known.session) {
+        if (sighting.sessions.contains(*seen.session)) {
+            out.state = DeviceState::Duplicate;
+            out.detail = "several units answer under this number in the recording";
+            return out;
+        }
+        if (known.session)
+            sighting.sessions.insert(*known.session);
+        out.session = seen.session;
+    }
+    if (!seen.firmware.empty() || !seen.bootloader.empty()) {
+        out.firmware = seen.firmware;
+        out.bootloader = seen.bootloader;
+        if (known.state != DeviceState::Duplicate) {
+            out.state = seen.state;
+            out.detail = seen.detail;
+        }
+    }
+    for (auto &[key, text] : seen.descriptors) {
+        const auto same = std::find_if(
+            out.descriptors.begin(), out.descriptors.end(), [&](const auto &entry) { return entry.first == key; });
+        if (same == out.descriptors.end())
+            out.descriptors.emplace_back(key, text);
+        else
+            same->second = text;
+    }
+    if (!seen.dialect.empty())
+        out.dialect = seen.dialect;
+    return out;
+}
+
+} // namespace mb

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/trafficrecorder.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr Duration tickTime = std::chrono::milliseconds(100);
+
+} // namespace
+
+Result<std::unique_ptr<TrafficRecorder>> TrafficRecorder::start(
+    Link &link, Clock &clock, Duration unixOffset, const std::string &path)
+{
+    if (link.kind() != LinkKind::Can)
+        return fail(Fault::Unsupported, link.address().shortName() + " is no CAN link; only those are recorded");
+    auto file = BackgroundFile::create(path);
+    if (!file)
+        return fail(file.error());
+    return std::unique_ptr<TrafficRecorder>(new TrafficRecorder(link, clock, unixOffset, std::move(*file)));
+}
+
+TrafficRecorder::TrafficRecorder(Link &link, Clock &clock, Duration unixOffset, std::unique_ptr<BackgroundFile> file)
+    : m_file(std::move(file))
+    , m_writer(formatOfName(m_file->path()))
+    , m_unixOffset(unixOffset)
+    , m_linkLostBefore(link.counters().lost)
+    , m_since(clock.now())
+    , m_tick(clock)
+    , m_traffic(link.traffic().add([this](const Traffic &traffic) { take(traffic); }))
+    , m_batch(link.batchEnded().add([this, &link] {
+        const std::uint64_t lost = link.counters().lost; // begins at 0 again when the link is opened again
+        m_linkLost += lost - std::min(lost, m_linkLostBefore);
+        m_linkLostBefore = lost;
+    }))
+{
+    m_frame.link = link.address().shortName();
+    std::replace_if(
+        m_frame.link.begin(), m_frame.link.end(), [](char c) { return c <= ' ' && c >= 0; }, '_');
+    tick();
+}
+
+TrafficRecorder::~TrafficRecorder()
+{
+    stop();
+}
+
+void TrafficRecorder::take(const Traffic &traffic)
+{
+    if (!traffic.can)
+        return;
+    ++m_frames;
+    m_frame.time = std::max(traffic.time.time_since_epoch() + m_unixOffset, Duration::zero());
+    m_frame.frame = *traffic.can;
+    m_frame.direction = traffic.direction == Direction::Sent ? LogDirection::Sent : LogDirection::Received;
+    m_text.clear();
+    m_writer.write(m_frame, m_text);
+    m_file->append(m_text);
+}
+
+void TrafficRecorder::tick()
+{
+    m_tick.startIn(tickTime, [this] { tick(); });
+    m_file->flush();
+    const BackgroundFile::Status status = m_file->status();
+    const bool news = status.finished || (!m_told && !status.problem.empty());
+    m_told = m_told || !status.problem.empty();
+    if (status.finished)
+        m_tick.stop();
+    if (news)
+        m_changed.notify(); // last: whoever hears it may destroy this
+}
+
+void TrafficRecorder::stop()
+{
+    if (std::exchange(m_stopped, true))
+        return;
+    m_traffic.reset();
+    m_batch.reset();
+    m_text.clear();
+    m_writer.finish(m_text);
+    if (!m_text.empty())
+        m_file->append(m_text);
+    m_file->finish();
+}
+
+RecordingState TrafficRecorder::state() const
+{
+    const BackgroundFile::Status status = m_file->status();
+    RecordingState state;
+    state.path = m_file->path();
+    state.since = m_since;
+    state.frames = m_frames;
+    state.lost = m_linkLost + std::min(status.refused, m_frames);
+    if (!status.problem.empty())
+        state.lost += status.taken - status.written;
+    state.finished = status.finished;
+    state.problem = status.problem;
+    return state;
+}
+
+} // namespace mb

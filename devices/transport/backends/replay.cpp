@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/backends/replay.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+bool isPace(double pace)
+{
+    return pace == 0.0 || (pace >= ReplayLink::slowest && pace <= ReplayLink::fastest);
+}
+
+tl::unexpected<Error> wrongPace(const std::string &text)
+{
+    return fail(Fault::OutOfRange, "speed=" + text + " is no speed; legal is 0.01 … 1000, or max");
+}
+
+Result<double> parsePace(std::string_view text)
+{
+    if (text == "max")
+        return 0.0;
+    double pace = -1.0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), pace);
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !isPace(pace))
+        return wrongPace(std::string(text));
+    return pace;
+}
+
+} // namespace
+
+ReplayLink::ReplayLink(const LinkAddress &address, Clock &clock, double pace, std::string interface)
+    : ReplayTime(clock)
+    , CanLink(address, time)
+    , m_pace(pace)
+    , m_interface(std::move(interface))
+    , m_timer(time)
+{
+}
+
+Result<std::unique_ptr<ReplayLink>> ReplayLink::create(const LinkAddress &address, Clock &clock)
+{
+    double pace = 1.0;
+    std::string interface;
+    for (const auto &[key, value] : address.options) {
+        if (key == "speed") {
+            const auto parsed = parsePace(value);
+            if (!parsed)
+                return fail(parsed.error());
+            pace = *parsed;
+        } else if (key == "interface") {
+            interface = value;
+        } else {
+            return fail(Fault::OutOfRange, "replay links have no option '" + key + "'; they have speed and interface");
+        }
+    }
+    return std::unique_ptr<ReplayLink>(new ReplayLink(address, clock, pace, std::move(interface)));
+}
+
+Result<void> ReplayLink::doOpen()
+{
+    auto file = RecordingFile::open(address().path, m_interface);
+    if (!file)
+        return fail(file.error());
+    m_file = std::move(*file);
+    time.pause();
+    time.jump(instantOf(m_file->start()));
+    armNext();
+    return {};
+}
+
+void ReplayLink::doClose()
+{
+    time.pause();
+    m_timer.stop();
+    m_next.reset();
+    m_file.reset();
+}
+
+Result<void> ReplayLink::doSend(const CanFrame &, Priority)
+{
+    return fail(Fault::Unsupported,
+        address().shortName()
+            + " is a recording: it can be watched, not written to or driven; open the link that it was made on");
+}
+
+ReplayState ReplayLink::replay() const
+{
+    ReplayState state;
+    state.pace = m_pace;
+    if (!m_file)
+        return state;
+    state.start = m_file->start();
+    state.position = std::max(time.now() - instantOf(m_file->start()), Duration::zero());
+    state.length = std::max(m_file->end() - m_file->start(), state.position);
+    state.surveyed = m_file->surveyedFraction();
+    state.running = time.isRunning();
+    state.ended = m_atEnd;
+    return state;
+}
+
+void ReplayLink::play()
+{
+    if (state() == LinkState::Open && !m_atEnd)
+        time.run(m_pace);
+}
+
+void ReplayLink::pause()
+{
+    time.pause();
+}
+
+Result<void> ReplayLink::setPace(double pace)
+{
+    if (!isPace(pace))
+        return wrongPace(std::to_string(pace));
+    m_pace = pace;
+    if (time.isRunning())
+        time.run(pace);
+    return {};
+}
+
+Result<void> ReplayLink::seek(Duration position)
+{
+    if (!m_file)
+        return fail(notOpen());
+    position = std::clamp(position, Duration::zero(), std::max(m_file->end() - m_file->start(), Duration::zero()));
+    const bool running = time.isRunning();
+    time.pause();
+    if (auto sought = m_file->seek(m_file->start() + position); !sought)
+        return sought;
+    time.jump(instantOf(m_file->start() + position));
+    armNext();
+    if (running)
+        play();
+    return {};
+}
+
+Result<bool> ReplayLink::survey(const std::function<void(const LoggedFrame &)> &seen)
+{
+    if (!m_file)
+        return fail(notOpen());
+    return m_file->survey(seen);
+}
+
+/// A damaged line ends the replay: survey() has named it.
+void ReplayLink::armNext()
+{
+    auto next = m_file->next();
+    m_next = next ? std::move(*next) : std::nullopt;
+    m_atEnd = !m_next;
+    m_timer.stop();
+    if (m_next)
+        m_timer.start(instantOf(m_next->time), [this] { deliverNext(); });
+}
+
+void ReplayLink::deliverNext()
+{
+    CanFrame frame = m_next->frame;
+    frame.time = instantOf(m_next->time);
+    const bool sent = m_next->direction == LogDirection::Sent && !frame.error;
+    armNext();
+    if (m_atEnd)
+        time.pause(); // before anybody hears: it may be closed or sought from there
+    if (sent)
+        passed(Traffic{frame.time, Direction::Sent, &frame, {}});
+    else
+        deliver(frame);
+    endBatch();
+    if (m_atEnd)
+        m_ended.notify();
+}
+
+} // namespace mb

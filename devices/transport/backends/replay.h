@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "transport/backends/replayclock.h"
+#include "transport/canlink.h"
+#include "transport/recordingfile.h"
+
+namespace mb {
+
+/// Where a replay stands. All from the first frame of the recording on.
+struct ReplayState {
+    Duration start{}; ///< of the first frame, since 1970, or since whatever the recording counts from
+    Duration position{};
+    Duration length{};   ///< as far as the file has been looked through
+    double surveyed = 0; ///< fraction of the file that has been looked through
+    double pace = 1.0;   ///< 0: as fast as possible
+    bool running = false;
+    bool ended = false;
+
+    friend bool operator==(const ReplayState &, const ReplayState &) = default;
+};
+
+namespace detail {
+
+/// Made before the link that is built on it.
+struct ReplayTime {
+    explicit ReplayTime(Clock &outer)
+        : time(outer)
+    {
+    }
+    ReplayClock time;
+};
+
+} // namespace detail
+
+/// A recording (RecordingFile) as a link: `replay:FILE`, options `speed` (0.01…1000, `max` or 0 as fast as possible)
+/// and `interface` (only frames of this one). It opens standing at its first frame; who has found the devices in it, by
+/// survey(), lets it play().
+///
+/// Frames carry the recording's time stamps, on the line of timeLine(): whoever follows the link must live on that
+/// clock, where time stands while the replay stands. Nothing can be sent: send() fails with Unsupported. Frames
+/// that the recorder had sent itself are seen by traffic(), not by received(), as in the original.
+class ReplayLink final : private detail::ReplayTime, public CanLink {
+public:
+    static constexpr double slowest = 0.01;
+    static constexpr double fastest = 1000.0;
+
+    /// OutOfRange for an option that is not known or does not parse.
+    [[nodiscard]] static Result<std::unique_ptr<ReplayLink>> create(const LinkAddress &address, Clock &clock);
+
+    [[nodiscard]] Clock &timeLine() { return time; }
+    [[nodiscard]] ReplayState replay() const;
+
+    /// From where it stands; does nothing at the end.
+    void play();
+    void pause();
+    /// 0, or slowest…fastest; anything else is OutOfRange.
+    [[nodiscard]] Result<void> setPace(double pace);
+    /// To the first frame at or after `position`; clipped to what survey() has seen. Those who follow the link must be
+    /// made anew: time may go back.
+    [[nodiscard]] Result<void> seek(Duration position);
+    /// See RecordingFile::survey().
+    [[nodiscard]] Result<bool> survey(const std::function<void(const LoggedFrame &)> &seen);
+
+    /// The last frame has been delivered; time stands.
+    [[nodiscard]] Listeners<> &ended() { return m_ended; }
+
+private:
+    ReplayLink(const LinkAddress &address, Clock &clock, double pace, std::string interface);
+    Result<void> doOpen() override;
+    void doClose() override;
+    Result<void> doSend(const CanFrame &frame, Priority priority) override;
+    [[nodiscard]] std::size_t doBacklog() const override { return 0; }
+    [[nodiscard]] int doBitrate() const override { return 0; }
+    void armNext();
+    void deliverNext();
+    [[nodiscard]] Instant instantOf(Duration recorded) const { return Instant(recorded - time.unixOffset()); }
+
+    double m_pace;
+    std::string m_interface;
+    std::unique_ptr<RecordingFile> m_file;
+    std::optional<LoggedFrame> m_next;
+    bool m_atEnd = false;
+    Timer m_timer;
+    Listeners<> m_ended;
+};
+
+} // namespace mb

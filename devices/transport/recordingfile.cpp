@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/recordingfile.h"
+
+#include <algorithm>
+#include <cerrno>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace mb {
+namespace {
+
+constexpr std::size_t pieceSize = 256 * 1024;
+
+/// In English whatever the locale.
+std::string causeOf(int number)
+{
+    switch (number) {
+    case ENOENT:
+    case ENOTDIR: return "no such file; check the path";
+    case EACCES:
+    case EPERM: return "no permission to read it; change its mode, or copy it";
+    default: return "cannot be read (system error " + std::to_string(number) + "); check the disk";
+    }
+}
+
+} // namespace
+
+RecordingFile::RecordingFile(std::string path, std::string interface, int descriptor)
+    : m_path(std::move(path))
+    , m_interface(std::move(interface))
+    , m_descriptor(descriptor)
+{
+}
+
+RecordingFile::~RecordingFile()
+{
+    ::close(m_descriptor);
+}
+
+Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::string &path, std::string interface)
+{
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); // a pipe must not block
+    if (descriptor < 0)
+        return fail(Fault::LinkLost, path + ": " + causeOf(errno));
+    std::unique_ptr<RecordingFile> file(new RecordingFile(path, std::move(interface), descriptor));
+    struct stat status { };
+    if (::fstat(descriptor, &status) != 0)
+        return fail(Fault::LinkLost, path + ": " + causeOf(errno));
+    if (!S_ISREG(status.st_mode))
+        return fail(Fault::OutOfRange, path + " is not a file; name a recording");
+    file->m_size = static_cast<std::uint64_t>(status.st_size);
+    file->m_places.push_back({});
+    auto first = file->read(file->m_player);
+    if (!first)
+        return fail(first.error());
+    if (!*first)
+        return fail(Fault::OutOfRange,
+            path
+                + (file->m_interface.empty() ? " has no frame in it; record again"
+                                             : " has no frame of " + file->m_interface + "; leave out interface="));
+    file->m_start = (*first)->time;
+    file->m_end = file->m_start;
+    file->m_sought = std::move(*first);
+    return file;
+}
+
+Error RecordingFile::located(const Error &error) const
+{
+    return Error{error.fault, m_path + ": " + error.detail};
+}
+
+/// The next line without its end, valid until the next call; nothing at the end of the file. `cut`: the end came first.
+Result<std::optional<std::string_view>> RecordingFile::line(Cursor &cursor, bool &cut) const
+{
+    std::size_t end = cursor.text.find('\n', cursor.used);
+    while (end == std::string::npos) {
+        if (cursor.text.size() - cursor.used > FrameLogParser::longestLine)
+            return fail(located(cursor.place.parser.tooLong()));
+        cursor.text.erase(0, std::exchange(cursor.used, 0));
+        const std::size_t kept = cursor.text.size();
+        cursor.text.resize(kept + pieceSize);
+        ssize_t got = -1;
+        do {
+            got = ::pread(
+                m_descriptor, cursor.text.data() + kept, pieceSize, static_cast<off_t>(cursor.place.offset + kept));
+        } while (got < 0 && errno == EINTR);
+        const int cause = errno;
+        cursor.text.resize(kept + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+        if (got < 0)
+            return fail(Fault::LinkLost, m_path + ": " + causeOf(cause));
+        if (got == 0) {
+            if (kept == 0)
+                return std::optional<std::string_view>();
+            cut = true;
+            end = kept;
+            break;
+        }
+        end = cursor.text.find('\n', kept);
+    }
+    const std::string_view text = std::string_view(cursor.text).substr(cursor.used, end - cursor.used);
+    const std::size_t taken = text.size() + (cut ? 0 : 1);
+    cursor.used += taken;
+    cursor.place.offset += taken;
+    return std::optional(text);
+}
+
+Result<std::optional<LoggedFrame>> RecordingFile::read(Cursor &cursor) const
+{
+    while (true) {
+        bool cut = false;
+        const auto text = line(cursor, cut);
+        if (!text)
+            return fail(text.error());
+        if (!*text)
+            return std::optional<LoggedFrame>();
+        auto frame = cursor.place.parser.parse(**text);
+        if (!frame && cut && cursor.place.parser.lines() > 1)
+            return std::optional<LoggedFrame>(); // whoever wrote it was interrupted
+        if (!frame)
+            return fail(located(frame.error()));
+        if (!*frame || (!m_interface.empty() && (*frame)->link != m_interface))
+            continue;
+        if ((*frame)->time < cursor.place.time)
+            ++cursor.misplaced;
+        cursor.place.time = std::max(cursor.place.time, (*frame)->time);
+        (*frame)->time = cursor.place.time;
+        return frame;
+    }
+}
+
+Result<std::optional<LoggedFrame>> RecordingFile::next()
+{
+    if (m_sought)
+        return std::exchange(m_sought, std::nullopt);
+    return read(m_player);
+}
+
+Result<void> RecordingFile::seek(Duration time)
+{
+    time = std::clamp(time, m_start, m_end);
+    const auto after = std::lower_bound(m_places.begin(), m_places.end(), time,
+        [](const Place &place, Duration wanted) { return place.time < wanted; });
+    m_player = Cursor{after == m_places.begin() ? m_places.front() : *std::prev(after), {}, 0, 0};
+    m_sought.reset();
+    do {
+        auto frame = read(m_player);
+        if (!frame)
+            return fail(frame.error());
+        m_sought = std::move(*frame);
+    } while (m_sought && m_sought->time < time);
+    return {};
+}
+
+Result<bool> RecordingFile::survey(const std::function<void(const LoggedFrame &)> &seen)
+{
+    const std::uint64_t until = m_surveyor.place.offset + pieceSize;
+    while (!m_surveyed && m_surveyor.place.offset < until) {
+        const auto frame = read(m_surveyor);
+        m_surveyed = !frame || !*frame;
+        if (!frame)
+            return fail(frame.error());
+        if (!*frame)
+            break;
+        m_end = (*frame)->time;
+        seen(**frame);
+        if (m_surveyor.place.offset - m_places.back().offset >= pieceSize)
+            m_places.push_back(m_surveyor.place);
+    }
+    return m_surveyed;
+}
+
+double RecordingFile::surveyedFraction() const
+{
+    if (m_surveyed || m_size == 0)
+        return 1.0;
+    return std::min(1.0, static_cast<double>(m_surveyor.place.offset) / static_cast<double>(m_size));
+}
+
+} // namespace mb

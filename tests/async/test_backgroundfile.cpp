@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/backgroundfile.h"
+#include "support/temporaryfile.h"
+
+#include <gtest/gtest.h>
+
+namespace mb {
+namespace {
+
+TEST(BackgroundFile, WritesEveryRecordInOrder)
+{
+    const test::TemporaryFolder folder;
+    std::string expected;
+    {
+        const auto file = BackgroundFile::create(folder.path("a.log"));
+        ASSERT_TRUE(file);
+        for (int i = 0; i < 20'000; ++i) {
+            const std::string record = "record " + std::to_string(i) + '\n';
+            expected += record;
+            ASSERT_TRUE((*file)->append(record));
+            if (i % 1000 == 0)
+                (*file)->flush();
+        }
+        EXPECT_EQ((*file)->status().taken, 20'000U);
+    }
+    EXPECT_EQ(folder.read("a.log"), expected);
+}
+
+TEST(BackgroundFile, TellsWhenItIsFinishedAndTakesNothingAfter)
+{
+    const test::TemporaryFolder folder;
+    const auto file = BackgroundFile::create(folder.path("a.log"));
+    ASSERT_TRUE((*file)->append("one\n"));
+    (*file)->finish();
+    EXPECT_FALSE((*file)->append("two\n"));
+    while (!(*file)->status().finished)
+        std::this_thread::yield();
+    EXPECT_EQ((*file)->status().written, 1U);
+    EXPECT_EQ((*file)->status().refused, 1U);
+    EXPECT_EQ((*file)->status().problem, "");
+    EXPECT_EQ(folder.read("a.log"), "one\n");
+}
+
+TEST(BackgroundFile, SaysWhyAFileCannotBeMade)
+{
+    const test::TemporaryFolder folder;
+    const auto nowhere = BackgroundFile::create(folder.path("none/a.log"));
+    ASSERT_FALSE(nowhere);
+    EXPECT_NE(nowhere.error().detail.find("there is no such folder; "), std::string::npos);
+    EXPECT_NE(BackgroundFile::create(folder.path()).error().detail.find("it is a folder; "), std::string::npos);
+    EXPECT_FALSE(BackgroundFile::create("/proc/motorbench.log"));
+}
+
+TEST(BackgroundFile, SaysOnceThatTheDiskIsFullAndCountsWhatIsMissing)
+{
+    const auto file = BackgroundFile::create("/dev/full");
+    if (!file)
+        GTEST_SKIP() << "there is no /dev/full here";
+    for (int i = 0; i < 10; ++i)
+        ASSERT_TRUE((*file)->append("record\n"));
+    (*file)->flush();
+    while ((*file)->status().problem.empty())
+        std::this_thread::yield();
+    EXPECT_EQ((*file)->status().problem, "/dev/full: the disk is full; make room, or record elsewhere");
+    EXPECT_EQ((*file)->status().written, 0U);
+    EXPECT_FALSE((*file)->append("record\n"));
+    EXPECT_EQ((*file)->status().taken, 10U);
+    EXPECT_EQ((*file)->status().refused, 1U);
+}
+
+TEST(BackgroundFile, RefusesWhatDoesNotFitIntoMemory)
+{
+    const test::TemporaryFolder folder;
+    const auto file = BackgroundFile::create(folder.path("a.log"));
+    EXPECT_FALSE((*file)->append(std::string(BackgroundFile::mostWaiting + 1, 'x')));
+    EXPECT_TRUE((*file)->append("small\n"));
+    EXPECT_EQ((*file)->status().refused, 1U);
+}
+
+} // namespace
+} // namespace mb

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/virtualclock.h"
+#include "support/temporaryfile.h"
+#include "transport/backends/replay.h"
+#include "transport/linkcatalog.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration began = 1436509052s;
+const std::string log = "(1436509052.000000) can0 02061405#0040110000000000\n"
+                        "(1436509052.250000) can0 02060005#0F00000000000000 T\n"
+                        "(1436509052.250000) can1 123#01\n"
+                        "(1436509053.000000) can0 20000004#0004000000000000\n"
+                        "(1436509062.000000) can0 02061485#01E240FED4000014\n";
+
+struct Replay {
+    explicit Replay(const std::string &text = log, const std::string &options = {})
+        : path(folder.write("run.log", text))
+        , opened(open("replay:" + path + options))
+    {
+    }
+    Result<void> open(const std::string &text)
+    {
+        auto made = ReplayLink::create(*LinkAddress::parse(text), clock);
+        if (!made)
+            return fail(made.error());
+        link = std::move(*made);
+        received = link->received().add([this](const CanFrame &frame) { frames.push_back(frame); });
+        traffic = link->traffic().add([this](const Traffic &t) { passed.emplace_back(t.direction, *t.can); });
+        end = link->ended().add([this] { ++ends; });
+        return link->open();
+    }
+    bool survey()
+    {
+        while (true) {
+            const auto done = link->survey([](const LoggedFrame &) {});
+            if (!done || *done)
+                return done.has_value();
+        }
+    }
+
+    test::TemporaryFolder folder;
+    VirtualClock clock;
+    std::string path;
+    std::unique_ptr<ReplayLink> link;
+    std::vector<CanFrame> frames;
+    std::vector<std::pair<Direction, CanFrame>> passed;
+    int ends = 0;
+    Subscription received;
+    Subscription traffic;
+    Subscription end;
+    Result<void> opened;
+};
+
+TEST(Replay, PlaysFramesAtTheirTimesAndStandsAtTheEnd)
+{
+    Replay replay;
+    ASSERT_TRUE(replay.opened);
+    replay.clock.advance(1h);
+    EXPECT_TRUE(replay.passed.empty()) << "it stands until it is let play";
+    replay.link->play();
+    replay.clock.advance(0ns);
+    ASSERT_EQ(replay.frames.size(), 1U);
+    EXPECT_EQ(replay.frames[0].time, Instant(began));
+    replay.clock.advance(1s);
+    EXPECT_EQ(replay.frames.size(), 2U);
+    EXPECT_EQ(replay.passed.size(), 4U);
+    EXPECT_EQ(replay.passed[1].first, Direction::Sent) << "what the recorder sent is seen, not received";
+    EXPECT_EQ(replay.link->counters().rx, 3U);
+    EXPECT_EQ(replay.link->counters().tx, 1U);
+    EXPECT_EQ(replay.link->counters().errors, 1U);
+    EXPECT_EQ(replay.ends, 0);
+    replay.clock.advance(20s);
+    EXPECT_EQ(replay.ends, 1);
+    EXPECT_EQ(replay.frames.size(), 3U);
+    EXPECT_TRUE(replay.link->replay().ended);
+    EXPECT_FALSE(replay.link->replay().running);
+    EXPECT_EQ(replay.link->replay().position, 10s);
+    EXPECT_EQ(replay.link->timeLine().now(), Instant(began + 10s));
+    EXPECT_EQ(replay.clock.armed(), 0U);
+}
+
+TEST(Replay, HasItsSpeedFromTheAddress)
+{
+    for (const auto &[option, seconds] :
+        {std::pair{"?speed=2", 5.0}, {"?speed=0.5", 20.0}, {"?speed=max", 0.0}, {"?speed=0", 0.0}}) {
+        Replay replay(log, option);
+        ASSERT_TRUE(replay.opened);
+        replay.link->play();
+        ASSERT_TRUE(replay.clock.runUntil([&] { return replay.ends == 1; })) << option;
+        EXPECT_EQ(std::chrono::duration<double>(replay.clock.now().time_since_epoch()).count(), seconds) << option;
+        EXPECT_EQ(replay.frames.back().time, Instant(began + 10s));
+    }
+}
+
+TEST(Replay, SeeksToTheFirstFrameAtOrAfterAPosition)
+{
+    Replay replay;
+    ASSERT_TRUE(replay.opened);
+    ASSERT_TRUE(replay.survey());
+    EXPECT_EQ(replay.link->replay().length, 10s);
+    EXPECT_EQ(replay.link->replay().surveyed, 1.0);
+    replay.link->play();
+    replay.clock.advance(20s);
+    ASSERT_TRUE(replay.link->seek(250ms));
+    EXPECT_EQ(replay.link->replay().position, 250ms);
+    EXPECT_FALSE(replay.link->replay().ended);
+    EXPECT_FALSE(replay.link->replay().running) << "it stood before";
+    replay.passed.clear();
+    replay.link->play();
+    replay.clock.advance(0ns);
+    ASSERT_EQ(replay.passed.size(), 2U);
+    EXPECT_EQ(replay.passed[0].second.id, 0x02060005U);
+    ASSERT_TRUE(replay.link->seek(251ms));
+    EXPECT_TRUE(replay.link->replay().running);
+    replay.passed.clear();
+    replay.clock.advance(748ms);
+    EXPECT_TRUE(replay.passed.empty());
+    replay.clock.advance(1ms);
+    EXPECT_EQ(replay.passed.size(), 1U);
+    ASSERT_TRUE(replay.link->seek(99h));
+    EXPECT_EQ(replay.link->replay().position, 10s);
+    ASSERT_TRUE(replay.link->seek(-1h));
+    EXPECT_EQ(replay.link->replay().position, 0s);
+}
+
+TEST(Replay, PlaysOneInterfaceWhenAsked)
+{
+    Replay replay(log, "?interface=can1&speed=max");
+    ASSERT_TRUE(replay.opened);
+    replay.link->play();
+    replay.clock.advance(1s);
+    ASSERT_EQ(replay.passed.size(), 1U);
+    EXPECT_EQ(replay.passed[0].second.id, 0x123U);
+    Replay none(log, "?interface=can7");
+    ASSERT_FALSE(none.opened);
+    EXPECT_EQ(none.opened.error().fault, Fault::OutOfRange);
+    EXPECT_NE(none.opened.error().detail.find("no frame of can7"), std::string::npos);
+}
+
+TEST(Replay, RefusesToSend)
+{
+    Replay replay;
+    replay.link->play();
+    const auto sent = replay.link->send(extendedFrame(0x240, {}), Priority::Urgent);
+    ASSERT_FALSE(sent);
+    EXPECT_EQ(sent.error().fault, Fault::Unsupported);
+    EXPECT_NE(sent.error().detail.find("run.log is a recording"), std::string::npos);
+    EXPECT_EQ(replay.link->counters().tx, 0U);
+    EXPECT_TRUE(replay.passed.empty());
+}
+
+TEST(Replay, ReadsAscLogsWithRelativeTimesAndSeeksInThem)
+{
+    std::string text = "date Sat Sep 30 15:06:13.191 2017\nbase hex timestamps relative\n";
+    for (int i = 0; i < 100'000; ++i)
+        text += "0.001000 1 " + std::string(i % 2 == 0 ? "123" : "2061405x") + " Rx d 2 AB CD\n";
+    Replay replay(text, "?speed=max");
+    ASSERT_TRUE(replay.opened) << replay.opened.error().detail;
+    ASSERT_TRUE(replay.survey());
+    EXPECT_EQ(replay.link->replay().length, 99'999ms);
+    ASSERT_TRUE(replay.link->seek(77'777ms));
+    replay.link->play();
+    ASSERT_TRUE(replay.clock.runUntil([&] { return replay.ends == 1; }));
+    EXPECT_EQ(replay.frames.size(), 100'000U - 77'777U);
+    EXPECT_EQ(replay.frames.front().time, Instant(1506783973s + 192ms + 77'777ms));
+}
+
+TEST(Replay, NeverLetsTimeGoBack)
+{
+    Replay replay("(10.000000) can0 001#\n(9.000000) can0 002#\n(11.000000) can0 003#\n", "?speed=max");
+    replay.link->play();
+    replay.clock.advance(1s);
+    ASSERT_EQ(replay.frames.size(), 3U);
+    EXPECT_EQ(replay.frames[1].time, Instant(10s));
+    EXPECT_EQ(replay.frames[2].time, Instant(11s));
+}
+
+TEST(Replay, SaysWhyAFileCannotBePlayed)
+{
+    Replay replay;
+    const auto refusal = [&](const std::string &address) {
+        const auto opened = replay.open(address);
+        return opened ? Error{} : opened.error();
+    };
+    const std::string here = "replay:" + replay.folder.path();
+    EXPECT_EQ(refusal(here + "/none.log").fault, Fault::LinkLost);
+    EXPECT_NE(refusal(here + "/none.log").detail.find("no such file; "), std::string::npos);
+    EXPECT_EQ(refusal(here).fault, Fault::OutOfRange);
+    replay.folder.write("empty.log", "");
+    EXPECT_NE(refusal(here + "/empty.log").detail.find("has no frame in it; "), std::string::npos);
+    replay.folder.write("text.log", "Dear diary\n");
+    EXPECT_NE(refusal(here + "/text.log").detail.find("line 1 is neither"), std::string::npos);
+    replay.folder.write("zeros.log", std::string(1 << 20, '\0'));
+    EXPECT_NE(refusal(here + "/zeros.log").detail.find("line 1 is neither"), std::string::npos);
+    for (const char *option : {"?speed=-1", "?speed=fast", "?speed=0.001", "?speed=1e9", "?pace=1"})
+        EXPECT_EQ(refusal("replay:" + replay.path + option).fault, Fault::OutOfRange) << option;
+    if (::geteuid() != 0) {
+        std::filesystem::permissions(replay.path, std::filesystem::perms::none);
+        EXPECT_NE(refusal("replay:" + replay.path).detail.find("no permission"), std::string::npos);
+    }
+}
+
+TEST(Replay, NamesADamagedLineAndEndsThere)
+{
+    Replay replay("(1.000000) can0 001#\n(2.000000) can0 002#\n(3.0000", "?speed=max");
+    EXPECT_TRUE(replay.survey()) << "a last line that was cut off is the end of the recording";
+    EXPECT_EQ(replay.link->replay().length, 1s);
+
+    Replay damaged("(1.000000) can0 001#\n(2.000000) ca\xFF\n(3.000000) can0 003#\n", "?speed=max");
+    ASSERT_TRUE(damaged.opened);
+    const auto surveyed = damaged.link->survey([](const LoggedFrame &) {});
+    ASSERT_FALSE(surveyed);
+    EXPECT_EQ(surveyed.error().fault, Fault::OutOfRange);
+    EXPECT_NE(surveyed.error().detail.find("run.log: line 2 is not a line of candump -L"), std::string::npos);
+    damaged.link->play();
+    damaged.clock.advance(1s);
+    EXPECT_EQ(damaged.frames.size(), 1U);
+    EXPECT_EQ(damaged.ends, 1);
+}
+
+TEST(Replay, IsReadInPieces)
+{
+    std::string text;
+    for (int i = 0; i < 200'000; ++i)
+        text += "(" + std::to_string(i) + ".000000) can0 123#0011223344556677\n";
+    Replay replay(text, "?speed=max");
+    int pieces = 1;
+    std::uint64_t frames = 0;
+    for (auto done = replay.link->survey([&](const LoggedFrame &) { ++frames; }); done && !*done; ++pieces)
+        done = replay.link->survey([&](const LoggedFrame &) { ++frames; });
+    EXPECT_EQ(frames, 200'000U);
+    EXPECT_GE(pieces, static_cast<int>(text.size() / (300 * 1024)));
+    for (const int second : {0, 1, 77'777, 199'999}) {
+        ASSERT_TRUE(replay.link->seek(std::chrono::seconds(second)));
+        replay.frames.clear();
+        replay.link->play();
+        replay.clock.step();
+        ASSERT_FALSE(replay.frames.empty());
+        EXPECT_EQ(replay.frames.front().time, Instant(std::chrono::seconds(second)));
+    }
+}
+
+TEST(Replay, IsMadeByTheCatalogue)
+{
+    VirtualClock clock;
+    const auto link = createLink(*LinkAddress::parse("replay:run.log"), clock);
+    ASSERT_TRUE(link);
+    EXPECT_EQ((*link)->kind(), LinkKind::Can);
+    EXPECT_FALSE(createLink(*LinkAddress::parse("replay:run.log?x=1"), clock));
+}
+
+} // namespace
+} // namespace mb
