@@ -92,6 +92,9 @@ Task<Device *> connect(Console &console, Target target)
 
 Result<void> needsApplication(const Device &device)
 {
+    if (device.link().address().isRecording())
+        return fail(Fault::Unsupported,
+            device.selector() + " is a recording: it can be watched, no more; open the link that it was made on");
     if (device.identity().state != DeviceState::Bootloader)
         return {};
     return fail(Fault::Refused,

@@ -258,17 +258,24 @@ Device &Session::adopt(Link &link, const Family &family, const Identity &identit
     return *match->device;
 }
 
+Task<std::vector<Device *>> Session::ask(Link &link, DeviceSelector selector)
+{
+    ScanRound round(*this, link);
+    round.startFor(selector);
+    co_await round.done.wait();
+    if (round.error)
+        co_return fail(*round.error);
+    co_return round.seen;
+}
+
 Task<Device *> Session::connect(DeviceSelector selector)
 {
     auto link = openLink(selector.link);
     if (!link)
         co_return fail(link.error());
-    ScanRound round(*this, **link);
-    round.startFor(selector);
-    co_await round.done.wait();
-    if (round.error)
-        co_return fail(*round.error);
-    const std::vector<Device *> &seen = round.seen;
+    ReplayLink *const recording = replayOf(**link);
+    auto looking = recording ? overhear(*recording) : ask(**link, selector);
+    const std::vector<Device *> seen = co_await std::move(looking);
     std::vector<Device *> fitting;
     for (Device *device : seen) {
         const Identity &identity = device->identity();
@@ -278,8 +285,9 @@ Task<Device *> Session::connect(DeviceSelector selector)
     }
     if (fitting.empty())
         co_return fail(Fault::Timeout,
-            "no " + selector.family + " answers as number " + std::to_string(selector.address) + " on "
-                + selector.link.text());
+            "no " + selector.family + (recording ? " sends" : " answers") + " as number "
+                + std::to_string(selector.address) + (recording ? " in " : " on ") + selector.link.text()
+                + (recording ? "; a scan of the recording lists who does" : ""));
     if (fitting.size() > 1)
         co_return fail(Fault::Refused,
             std::to_string(fitting.size()) + " units answer as number " + std::to_string(selector.address)

@@ -89,6 +89,7 @@ private:
     };
     class ScanRound;
 
+    [[nodiscard]] Task<std::vector<Device *>> ask(Link &link, DeviceSelector selector);
     [[nodiscard]] Task<std::vector<Device *>> overhear(ReplayLink &link);
     void overheard(Link &link, const Family &family, const Identity &identity);
     Entry &addEntry(Link &link, const Family &family, const Identity &identity);

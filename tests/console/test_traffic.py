@@ -22,6 +22,68 @@ Begin Triggerblock Fri Jul 10 10:24:12.249 2015
    1.001000 2  7FF             Tx   r
 End TriggerBlock
 """
+RECORDING = """(1436509052.000000) can0 02061405#0040110000000000
+(1436509052.000500) can0 02061485#01E240FED4000014
+(1436509052.010000) can0 02061405#0020110018008001
+(1436509052.015000) can0 02060005#0F00000000000000 T
+(1436509052.020000) can0 02061405#0040110000000000
+(1436509053.000000) can0 0206F007#341203012060
+(1436509053.000200) can0 0206F007#3412000017010901
+"""
+
+
+class Replay(ContractTest):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.link = "replay:" + self.record("run.log", RECORDING)
+
+    def record(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
+    def test_scan_finds_who_sends_in_a_recording(self):
+        devices = self.run_one("scan", self.link)["devices"]
+        self.assertEqual([(d["address"], d["state"], d["session"], d["firmware"]) for d in devices],
+                         [(5, "online", None, None), (7, "online", 0x1234, "1.23")])
+        self.assertEqual(devices[0]["device"], self.link + "/dmc60c:5")
+        self.assertEqual(self.run_one("info", self.link + "/dmc60c:7")["bootloader"], "1.9")
+
+    def test_watch_gives_the_samples_with_the_times_of_the_recording_and_ends_with_it(self):
+        for options in ("?speed=max", "?speed=20", ""):
+            lines = self.run_json("watch", self.link + options + "/dmc60c:5", "--channel", "duty", "--channel", "position")
+            self.assertEqual([(line["t"], line["channel"], round(line["value"], 4)) for line in lines[:-1]],
+                             [(1436509052.0, "duty", 0.5), (1436509052.0005, "position", 123456), (1436509052.01, "duty", 0.25),
+                              (1436509052.02, "duty", 0.5)])
+            self.assertEqual(lines[-1]["summary"], {"samples": 4, "lost": 0, "seconds": 1.0})
+
+    def test_monitor_prints_the_recording_as_it_is(self):
+        out = self.run_text("monitor", self.link + "?speed=max")
+        self.assertEqual([line.split(" ", 1)[0] + " " + line.split(" ")[2] for line in out.splitlines()],
+                         [line.split(" ", 1)[0] + " " + line.split(" ")[2] for line in RECORDING.splitlines()])
+
+    def test_asc_recordings_are_replayed_too(self):
+        rows = self.run_json("watch", "replay:" + self.record("run.asc", ASC) + "?speed=max/dmc60c:5", "--channel", "duty")
+        self.assertEqual(rows[0]["value"], 16384 / 32767)
+        self.assertAlmostEqual(rows[0]["t"], 1436523852.249713, places=6)
+
+    def test_a_recording_is_neither_driven_nor_written(self):
+        device = self.link + "/dmc60c:5"
+        self.assert_error(2, "drive", device, "--mode", "duty", "--target", "0.1", "--for", "1", says="is a recording")
+        self.assert_error(2, "set", device, "slot0.p=1", says="is a recording")
+        self.assert_error(3, "watch", self.link + "/dmc60c:9", says="no dmc60c sends as number 9")
+
+    def test_what_cannot_be_replayed_is_told_in_one_line(self):
+        self.assert_error(5, "scan", "replay:" + self.folder + "/none.log", says="no such file")
+        self.assert_error(2, "scan", "replay:" + self.folder, says="is not a file")
+        self.assert_error(2, "scan", "replay:" + self.record("bad.log", RECORDING + "rubbish\nmore\n"), says="bad.log: line 8 is not")
+        self.assert_error(2, "monitor", "replay:" + self.record("empty.log", ""), says="no frame")
+        self.assert_error(2, "scan", self.link + "?speed=fast", says="speed=fast")
+        self.assert_error(2, "scan", self.link + "?rate=1", says="no option 'rate'")
+        self.assertEqual(len(self.run_one("scan", "replay:" + self.record("cut.log", RECORDING + "(14365"))["devices"]), 2)
 
 
 class Traffic(ContractTest):

@@ -20,6 +20,13 @@ struct ReplayState {
     friend bool operator==(const ReplayState &, const ReplayState &) = default;
 };
 
+/// What to do with a replay; what is not set stays as it is.
+struct ReplayOrder {
+    std::optional<double> pace;       ///< 0: as fast as possible
+    std::optional<Duration> position; ///< from the first frame on
+    std::optional<bool> run;
+};
+
 namespace detail {
 
 /// Made before the link that is built on it.
