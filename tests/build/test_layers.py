@@ -54,6 +54,15 @@ class Layers(unittest.TestCase):
         self.expect_refusal("motorbenchctl", "PRIVATE", "widgets")
         self.expect_refusal("motorbenchctl", "PRIVATE", "Qt5::Widgets")
 
+    def test_the_guardian_knows_nothing_of_ours(self):
+        for layer in ("Qt5::Core", "async", "model", "guardianclient"):
+            self.expect_refusal("guardian", "PRIVATE", layer)
+        self.expect_refusal("motorbench-guardian", "PRIVATE", "Qt5::Core")
+
+    def test_the_client_of_the_guardian_has_no_screen(self):
+        self.expect_refusal("guardianclient", "PRIVATE", "Qt5::Gui")
+        self.expect_refusal("guardianclient", "PRIVATE", "devices")
+
     def test_a_private_link_of_a_library_between_is_found(self):
         self.expect_refusal("model", "PRIVATE", "harmless", reached="Qt5::Gui")
 
