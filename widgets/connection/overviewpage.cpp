@@ -80,6 +80,7 @@ void OverviewPage::buildEmpty()
 QWidget *OverviewPage::buildTry(QWidget *parent)
 {
     auto *card = new Card(m_theme, tr("Try with simulated motors"), parent);
+    card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     auto *text = textLabel(tr("A bench of simulated controllers with real bus timing: #5 a CIM that is tuned well, #7 "
                               "a 775pro that overshoots about 20 %, "
                               "#9 a unit that waits in its bootloader for firmware. Everything works as on a real bus, "
