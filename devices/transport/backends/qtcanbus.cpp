@@ -195,7 +195,9 @@ std::vector<QtCanAdapter> qtCanAdapters()
         if (!devices.isEmpty())
             continue;
         // A vendor's library that is missing is told in many words; the first of them name it.
-        const std::string why = cause.section(QLatin1Char('('), 0, 0).trimmed().toStdString();
+        QString first = cause.section(QLatin1Char('('), 0, 0).trimmed();
+        first.chop(first.endsWith(QLatin1Char(':')) ? 1 : 0);
+        const std::string why = first.toStdString();
         adapters.push_back(
             {name, {}, "the plugin " + name + " finds no adapter" + (why.empty() ? "" : " (" + why + ')'),
                 why.empty() ? "plug one in" : "install its vendor's driver"});
