@@ -41,8 +41,9 @@ TEST(LinkCatalog, RefusesKindsThatAreNotSupported)
 TEST(LinkCatalog, RefusesOptionsAndPathsThatAKindDoesNotHave)
 {
     VirtualClock clock;
-    for (const char *text : {"socketcan:can0?bitrate=5", "qtcan:peakcan", "qtcan::usb0",
-             "qtcan:peakcan:usb0?bitrate=fast", "qtcan:peakcan:usb0?speed=5", "serial:/dev/ttyUSB0?speed=5", "pty:./tty0"}) {
+    for (const char *text :
+        {"socketcan:can0?bitrate=5", "qtcan:peakcan", "qtcan::usb0", "qtcan:peakcan:usb0?bitrate=fast",
+            "qtcan:peakcan:usb0?speed=5", "serial:/dev/ttyUSB0?speed=5", "pty:./tty0"}) {
         const auto link = createLink(LinkAddress::parse(text).value(), clock);
         ASSERT_FALSE(link) << text;
         EXPECT_EQ(link.error().fault, Fault::OutOfRange) << text;
