@@ -91,6 +91,8 @@ Result<void> Device::mayMove() const
 Result<void> Device::command(const SetPoint &setPoint)
 {
     if (setPoint.mode == Mode::Off) {
+        if (m_family.capabilities.axes > 1)
+            return doCommand(setPoint); // the other axes go on
         stop();
         return {};
     }

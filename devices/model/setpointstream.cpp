@@ -37,7 +37,8 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease)
         if (auto checked = m_device.check(setPoint); !checked)
             return checked;
     }
-    m_setPoint = setPoint;
+    m_setPoints.clear();
+    remember(setPoint);
     if (auto sent = sendOrWait(); !sent)
         return sent;
     m_running = true;
@@ -46,6 +47,23 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease)
     watch(lease);
     begin();
     m_changed.notify();
+    return {};
+}
+
+void SetPointStream::remember(const SetPoint &setPoint)
+{
+    m_setPoint = setPoint;
+    std::erase_if(m_setPoints, [&setPoint](const SetPoint &known) { return known.axis == setPoint.axis; });
+    if (setPoint.mode != Mode::Off || m_device.family().capabilities.axes == 1)
+        m_setPoints.push_back(setPoint);
+}
+
+Result<void> SetPointStream::sendAll()
+{
+    for (const SetPoint &setPoint : m_setPoints) {
+        if (auto sent = m_device.command(setPoint); !sent)
+            return sent;
+    }
     return {};
 }
 
@@ -83,7 +101,7 @@ void SetPointStream::guardChanged()
     if (!checkDevice() || !m_waiting || !m_device.guard().stands())
         return;
     m_waiting = false;
-    if (auto sent = m_device.command(m_setPoint); !sent)
+    if (auto sent = sendAll(); !sent)
         finish(End::Refused, sent.error().detail);
     else
         begin();
@@ -95,7 +113,7 @@ Result<void> SetPointStream::update(const SetPoint &setPoint)
         return fail(Fault::Unsafe, "the motor was stopped; arm again");
     if (auto checked = m_device.check(setPoint); !checked)
         return checked;
-    m_setPoint = setPoint;
+    remember(setPoint);
     renew();
     const bool waited = m_waiting;
     if (auto sent = sendOrWait(); !sent) {
@@ -144,7 +162,7 @@ void SetPointStream::tick()
 {
     if (!checkDevice())
         return;
-    if (auto sent = m_device.command(m_setPoint); !sent) {
+    if (auto sent = sendAll(); !sent) {
         finish(End::Refused, sent.error().detail);
         return;
     }

@@ -8,7 +8,7 @@
 
 namespace mb {
 
-/// Keeps a motor's set-point alive: one control frame every command period, only as long as somebody renews the lease
+/// Keeps a motor's set-point alive, or those of several axes of one device: one control frame an axis every command period, only as long as somebody renews the lease
 /// (docs/architecture.md, Motion lease). Whatever ends it ends in Device::stop(): the lease, another master, a lost link, a
 /// restarted or silent device, its destruction. It never starts again by itself. Engine thread.
 class SetPointStream {
@@ -34,13 +34,17 @@ public:
     /// two seconds). Fails without sending when the device may not move or cannot do it.
     [[nodiscard]] Result<void> start(const SetPoint &setPoint, Duration lease);
     /// A new target for the next frame, sent now; renews the lease. Fails and goes on with the old one when it is not legal.
+    /// For another axis than before it joins the others; Mode::Off takes an axis out while others run.
     [[nodiscard]] Result<void> update(const SetPoint &setPoint);
     void renew();
     /// Stops the motor now. Safe at any time.
     void stop();
 
     [[nodiscard]] bool isRunning() const { return m_running; }
+    /// The latest.
     [[nodiscard]] const SetPoint &setPoint() const { return m_setPoint; }
+    /// Of every axis that is kept alive.
+    [[nodiscard]] const std::vector<SetPoint> &setPoints() const { return m_setPoints; }
     [[nodiscard]] End end() const { return m_end; }
     /// One clause for people about why it ended.
     [[nodiscard]] const std::string &reason() const { return m_reason; }
@@ -48,6 +52,8 @@ public:
 
 private:
     [[nodiscard]] Result<void> sendOrWait();
+    [[nodiscard]] Result<void> sendAll();
+    void remember(const SetPoint &setPoint);
     void watch(Duration lease);
     void begin();
     void scheduleNext(Instant last);
@@ -59,6 +65,7 @@ private:
     Device &m_device;
     Clock &m_clock;
     SetPoint m_setPoint;
+    std::vector<SetPoint> m_setPoints;
     bool m_running = false;
     bool m_waiting = false; ///< for the guardian; nothing was sent yet
     End m_end = End::None;
