@@ -2,6 +2,7 @@
 #include "app/console/simulatedunits.h"
 
 #include "app/console/target.h"
+#include "transport/backends/unixspiserver.h"
 #include "transport/linkcatalog.h"
 
 #include <algorithm>
@@ -48,6 +49,8 @@ Result<Link *> SimulatedUnits::endOf(const LinkAddress &address)
 
 Result<std::unique_ptr<Link>> SimulatedUnits::makeEnd(const LinkAddress &address)
 {
+    if (address.scheme == "unix")
+        return std::make_unique<UnixSpiServer>(address, m_console.clock());
     if (address.scheme != "pty")
         return createLink(address, m_console.clock());
     const auto same = [&address](const Terminal &terminal) { return terminal.address == address; };

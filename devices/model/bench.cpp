@@ -121,7 +121,7 @@ Result<void> Bench::addUnit(const Family &family, SimulatedUnit unit)
 
 std::unique_ptr<Link> Bench::hostLink()
 {
-    auto link = m_bus->makeEnd(m_address);
+    auto link = m_bus->makeHost(m_address);
     if (m_busOffAt) {
         const auto at = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(*m_busOffAt));
         m_busOff.startIn(at, [this, host = link.get()] { m_bus->dropOut(*host); });

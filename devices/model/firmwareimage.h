@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -54,12 +55,18 @@ public:
         return std::span(m_bytes).subspan(segment.offset, segment.size());
     }
 
+    /// The lines of the file as they were read, without blanks at their ends and without empty ones: for bootloaders that
+    /// want the text itself.
+    [[nodiscard]] const std::vector<std::string> &lines() const { return m_lines; }
+
 private:
     friend class IntelHexReader;
+    void keepLines(std::string_view text);
     [[nodiscard]] std::vector<Segment>::const_iterator firstReaching(std::uint32_t address) const;
 
     std::vector<Segment> m_segments;
     std::vector<std::uint8_t> m_bytes; ///< of all segments, in their order
+    std::vector<std::string> m_lines;
 };
 
 } // namespace mb

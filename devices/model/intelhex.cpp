@@ -274,7 +274,25 @@ Result<FirmwareImage> FirmwareImage::fromIntelHex(std::string_view text)
     IntelHexReader reader;
     if (auto status = reader.read(text); !status)
         return fail(status.error());
-    return reader.join();
+    auto image = reader.join();
+    if (image)
+        image->keepLines(text);
+    return image;
+}
+
+void FirmwareImage::keepLines(std::string_view text)
+{
+    constexpr std::string_view ends = "\r\n";
+    constexpr std::string_view blanks = " \t\xEF\xBB\xBF"; // and the byte order mark
+    while (!text.empty()) {
+        const auto end = text.find_first_of(ends);
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+        line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+        if (line.empty())
+            continue;
+        m_lines.emplace_back(line.substr(0, line.find_last_not_of(blanks) + 1));
+    }
 }
 
 } // namespace mb

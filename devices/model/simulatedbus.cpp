@@ -3,6 +3,9 @@
 
 #include "transport/backends/virtualcan.h"
 #include "transport/backends/virtualserial.h"
+#include "transport/backends/virtualspi.h"
+
+#include <optional>
 
 namespace mb {
 namespace {
@@ -45,6 +48,41 @@ private:
     int m_bitrate;
 };
 
+/// One board and its master.
+class SimulatedSpi final : public SimulatedBus {
+public:
+    SimulatedSpi(Clock &clock, int hertz, std::uint64_t seed)
+        : m_clock(clock)
+        , m_hertz(hertz)
+        , m_seed(seed)
+    {
+    }
+    std::unique_ptr<Link> makeEnd(const LinkAddress &address) override
+    {
+        auto board = std::make_unique<VirtualSpiSlaveLink>(address);
+        m_board = board.get();
+        return board;
+    }
+    std::unique_ptr<Link> makeHost(const LinkAddress &address) override
+    {
+        if (!m_board)
+            m_board = &m_nobody.emplace(address);
+        auto host = std::make_unique<VirtualSpiLink>(address, m_clock, *m_board, m_hertz, m_seed);
+        host->setLoss(m_loss);
+        return host;
+    }
+    void setLoss(double fraction) override { m_loss = fraction; }
+    void dropOut(Link &end) override { static_cast<VirtualSpiLink &>(end).unplug(); }
+
+private:
+    Clock &m_clock;
+    int m_hertz;
+    std::uint64_t m_seed;
+    double m_loss = 0.0;
+    VirtualSpiSlaveLink *m_board = nullptr; ///< the last one that was made
+    std::optional<VirtualSpiSlaveLink> m_nobody;
+};
+
 struct Rates {
     int usual;
     int lowest;
@@ -76,7 +114,7 @@ Result<std::unique_ptr<SimulatedBus>> makeSimulatedBus(LinkKind kind, Clock &clo
     case LinkKind::Can: return make<SimulatedCan>(clock, bitrate, seed, {1'000'000, 1250, 1'000'000});
     case LinkKind::Serial:
         return make<SimulatedLine>(clock, bitrate, seed, {115'200, SerialLink::slowest, SerialLink::fastest});
-    case LinkKind::Spi: break;
+    case LinkKind::Spi: return make<SimulatedSpi>(clock, bitrate, seed, {500'000, 10'000, 10'000'000});
     }
     return fail(Fault::Unsupported, "this build simulates no devices on sim:" + std::string(toString(kind)));
 }

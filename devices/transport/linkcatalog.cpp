@@ -8,6 +8,8 @@
 #include "transport/backends/serialport.h"
 #include "transport/backends/serialports.h"
 #include "transport/backends/socketcan.h"
+#include "transport/backends/spidev.h"
+#include "transport/backends/unixspi.h"
 
 #include <QDir>
 
@@ -74,13 +76,13 @@ void listCan(std::vector<LinkListing> &rows)
 
 LinkListing listedSpi(const std::string &path)
 {
-    LinkListing row{
-        {"spidev", path, {}}, LinkKind::Spi, "available", "spi links are not supported yet", false, {}, false};
+    LinkListing row{{"spidev", path, {}}, LinkKind::Spi, "available", {}, true, {}, false};
     if (::access(path.c_str(), R_OK | W_OK) != 0) {
         row.state = "no-permission";
         row.diagnosis = {Ailment::NoPermission, "no permission to use " + path, "become a member of its group",
             "sudo usermod -aG spi $USER"};
         row.detail = row.diagnosis.text();
+        row.openable = false;
     }
     return row;
 }
@@ -159,6 +161,13 @@ Result<std::unique_ptr<Link>> createLink(const LinkAddress &address, Clock &cloc
     if (address.scheme == "pty")
         return fail(Fault::OutOfRange,
             "pty: is where 'simulate' puts its devices; open that terminal as serial:" + address.path);
+    if (address.scheme == "spidev")
+        return SpidevLink::make(address, clock);
+    if (address.scheme == "unix") {
+        if (!address.options.empty())
+            return fail(Fault::OutOfRange, "unix links have no option '" + address.options.front().first + "'");
+        return std::make_unique<UnixSpiLink>(address, clock);
+    }
     if (address.isSimulated())
         return fail(Fault::Unsupported, "simulated links belong to a bench");
     return fail(Fault::Unsupported, address.scheme + " links are not supported yet");

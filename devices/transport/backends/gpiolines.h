@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/result.h"
+
+#include <functional>
+#include <memory>
+#include <string_view>
+
+class QSocketNotifier;
+struct gpiod_chip;
+struct gpiod_line;
+
+namespace mb {
+
+/// One GPIO line, named CHIP:LINE as in `gpiochip0:25`, through libgpiod 1.6. Compile-tested only: no machine of ours has one.
+class GpioLine {
+public:
+    GpioLine();
+    GpioLine(const GpioLine &) = delete;
+    GpioLine &operator=(const GpioLine &) = delete;
+    ~GpioLine();
+
+    /// `changed` hears every edge, from the event loop of this thread.
+    [[nodiscard]] Result<void> openInput(std::string_view name, std::function<void(bool level)> changed);
+    /// Open drain, released.
+    [[nodiscard]] Result<void> openOpenDrain(std::string_view name);
+    void close();
+    [[nodiscard]] bool isOpen() const { return m_line != nullptr; }
+    [[nodiscard]] bool level() const;
+    /// Of an output: false pulls it low.
+    void set(bool released);
+
+private:
+    [[nodiscard]] Result<void> find(std::string_view name);
+    void takeEvent();
+
+    gpiod_chip *m_chip = nullptr;
+    gpiod_line *m_line = nullptr;
+    std::function<void(bool)> m_changed;
+    std::unique_ptr<QSocketNotifier> m_events;
+};
+
+} // namespace mb

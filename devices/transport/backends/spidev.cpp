@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/backends/spidev.h"
+
+#include <QSocketNotifier>
+
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+
+#include <fcntl.h>
+#include <linux/spi/spidev.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace mb {
+namespace {
+
+constexpr int usualSpeed = 500'000;
+constexpr int slowest = 10'000;
+constexpr int quickest = 10'000'000;
+constexpr Duration resetPulse = std::chrono::milliseconds(1);
+
+std::string causeOf(int error, const std::string &path)
+{
+    switch (error) {
+    case ENOENT:
+        return "there is no " + path
+            + "; enable SPI in the device tree (on a Raspberry Pi: dtparam=spi=on) and restart";
+    case EACCES: return "no permission to use " + path + "; become a member of its group: sudo usermod -aG spi $USER";
+    case EBUSY: return path + " is used by another program";
+    case EINVAL: return path + " cannot do SPI mode 1 at this speed; try a lower speed=";
+    default: return path + ": " + std::strerror(error);
+    }
+}
+
+tl::unexpected<Error> lost(int error, const std::string &path)
+{
+    return fail(Fault::LinkLost, causeOf(error, path));
+}
+
+} // namespace
+
+Result<std::unique_ptr<SpidevLink>> SpidevLink::make(const LinkAddress &address, Clock &clock)
+{
+    int hertz = usualSpeed;
+    for (const auto &[key, value] : address.options) {
+        if (key == "ready" || key == "reset")
+            continue;
+        if (key != "speed")
+            return fail(
+                Fault::OutOfRange, "spidev links have no option '" + key + "'; speed, ready and reset are known");
+        const auto parsed = std::from_chars(value.data(), value.data() + value.size(), hertz);
+        const bool whole = parsed.ec == std::errc{} && parsed.ptr == value.data() + value.size();
+        if (!whole || hertz < slowest || hertz > quickest)
+            return fail(Fault::OutOfRange, "speed is 10000 to 10000000 Hz, not '" + value + "'");
+    }
+    return std::unique_ptr<SpidevLink>(new SpidevLink(address, clock, hertz));
+}
+
+SpidevLink::SpidevLink(LinkAddress address, Clock &clock, int hertz)
+    : SpiLink(std::move(address), clock)
+    , m_hertz(hertz)
+    , m_released(clock)
+{
+}
+
+SpidevLink::~SpidevLink()
+{
+    close();
+}
+
+Result<void> SpidevLink::doOpen()
+{
+    if (auto opened = openDevice(); !opened)
+        return opened;
+    if (auto opened = openLines(); !opened) {
+        doClose();
+        return opened;
+    }
+    startWorker();
+    return {};
+}
+
+Result<void> SpidevLink::openDevice()
+{
+    const std::string &path = address().path;
+    m_descriptor = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+    if (m_descriptor < 0)
+        return lost(errno, path);
+    std::uint8_t mode = SPI_MODE_1;
+    std::uint8_t bits = 8;
+    auto speed = static_cast<std::uint32_t>(m_hertz);
+    const bool good = ::ioctl(m_descriptor, SPI_IOC_WR_MODE, &mode) == 0
+        && ::ioctl(m_descriptor, SPI_IOC_WR_BITS_PER_WORD, &bits) == 0
+        && ::ioctl(m_descriptor, SPI_IOC_WR_MAX_SPEED_HZ, &speed) == 0;
+    if (good)
+        return {};
+    const int error = errno == ENOTTY ? EINVAL : errno;
+    ::close(std::exchange(m_descriptor, -1));
+    return lost(error, path);
+}
+
+Result<void> SpidevLink::openLines()
+{
+    setReady(std::nullopt);
+    if (const auto line = address().option("ready")) {
+        if (auto opened = m_readyLine.openInput(*line, [this](bool level) { setReady(level); }); !opened)
+            return opened;
+        setReady(m_readyLine.level());
+    }
+    if (const auto line = address().option("reset"))
+        return m_resetLine.openOpenDrain(*line);
+    return {};
+}
+
+void SpidevLink::startWorker()
+{
+    m_done = std::make_unique<Mailbox>();
+    m_arrivals = std::make_unique<QSocketNotifier>(m_done->descriptor(), QSocketNotifier::Read);
+    QObject::connect(m_arrivals.get(), &QSocketNotifier::activated, m_arrivals.get(), [this] { m_done->drain(); });
+    m_ending = false;
+    m_worker = std::thread([this] { work(); });
+}
+
+void SpidevLink::doClose()
+{
+    m_released.stop();
+    if (m_worker.joinable()) {
+        {
+            const std::lock_guard lock(m_mutex);
+            m_ending = true;
+        }
+        m_wake.notify_one();
+        m_worker.join(); // after the transfer that was handed over, a stop perhaps
+        m_done->close();
+    }
+    m_arrivals.reset();
+    m_readyLine.close();
+    m_resetLine.close();
+    if (m_descriptor >= 0)
+        ::close(std::exchange(m_descriptor, -1));
+    dropTransfers();
+}
+
+void SpidevLink::doTransfer(const Bytes &mosi)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_next = mosi;
+    }
+    m_wake.notify_one();
+}
+
+void SpidevLink::work()
+{
+    std::unique_lock lock(m_mutex);
+    while (true) {
+        m_wake.wait(lock, [this] { return m_next || m_ending; });
+        if (!m_next)
+            return;
+        const Bytes mosi = std::move(*m_next);
+        m_next.reset();
+        lock.unlock();
+        Bytes miso(mosi.size());
+        spi_ioc_transfer transfer{};
+        transfer.tx_buf = reinterpret_cast<std::uintptr_t>(mosi.data());
+        transfer.rx_buf = reinterpret_cast<std::uintptr_t>(miso.data());
+        transfer.len = static_cast<std::uint32_t>(mosi.size());
+        const int error = ::ioctl(m_descriptor, SPI_IOC_MESSAGE(1), &transfer) < 0 ? errno : 0;
+        m_done->post([this, miso = std::move(miso), error] { transferred(miso, error); });
+        lock.lock();
+    }
+}
+
+void SpidevLink::transferred(Bytes miso, int error)
+{
+    if (m_readyLine.isOpen())
+        setReady(m_readyLine.level());
+    if (error == 0) {
+        finishTransfer(std::move(miso));
+        return;
+    }
+    lose(causeOf(error, address().path));
+    dropTransfers();
+}
+
+Result<void> SpidevLink::doPulseReset()
+{
+    if (!m_resetLine.isOpen())
+        return fail(Fault::Unsupported, "no reset line is wired; add reset=CHIP:LINE to the address");
+    m_resetLine.set(false);
+    m_released.startIn(resetPulse, [this] { m_resetLine.set(true); });
+    return {};
+}
+
+} // namespace mb

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transport/backends/unixspiserver.h"
+
+#include "transport/backends/unixsocket.h"
+#include "wire/bytes.h"
+
+#include <QSocketNotifier>
+
+#include <array>
+#include <cerrno>
+
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace mb {
+namespace {
+
+constexpr std::size_t headSize = 2;
+constexpr std::uint16_t resetPulse = 65535;
+constexpr Duration byteTime = std::chrono::microseconds(16); ///< 500 kHz
+
+} // namespace
+
+UnixSpiServer::UnixSpiServer(LinkAddress address, Clock &clock)
+    : SpiSlaveLink(std::move(address))
+    , m_clock(clock)
+    , m_paced(this->address().option("pace") == "1")
+    , m_wire(clock)
+    , m_gone(clock)
+{
+}
+
+UnixSpiServer::~UnixSpiServer()
+{
+    close();
+}
+
+Result<void> UnixSpiServer::doOpen()
+{
+    auto listening = listenOnUnixSocket(address().path);
+    if (!listening)
+        return fail(listening.error());
+    m_listening = *listening;
+    m_calls = std::make_unique<QSocketNotifier>(m_listening, QSocketNotifier::Read);
+    QObject::connect(m_calls.get(), &QSocketNotifier::activated, m_calls.get(), [this] { accept(); });
+    return {};
+}
+
+void UnixSpiServer::doClose()
+{
+    m_gone.stop();
+    hangUp();
+    m_calls.reset();
+    if (m_listening >= 0) {
+        ::close(std::exchange(m_listening, -1));
+        ::unlink(address().path.c_str());
+    }
+}
+
+void UnixSpiServer::accept()
+{
+    if (m_client >= 0)
+        return; // waits in the backlog
+    m_client = ::accept4(m_listening, nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK);
+    if (m_client < 0)
+        return;
+    m_calls->setEnabled(false);
+    m_readable = std::make_unique<QSocketNotifier>(m_client, QSocketNotifier::Read);
+    QObject::connect(m_readable.get(), &QSocketNotifier::activated, m_readable.get(), [this] { receive(); });
+}
+
+void UnixSpiServer::hangUp()
+{
+    m_wire.stop();
+    m_readable.reset();
+    m_in.clear();
+    if (m_client >= 0)
+        ::close(std::exchange(m_client, -1));
+    if (m_calls)
+        m_calls->setEnabled(true);
+}
+
+void UnixSpiServer::receive()
+{
+    std::array<std::uint8_t, 4096> chunk{};
+    const auto got = ::recv(m_client, chunk.data(), chunk.size(), MSG_DONTWAIT);
+    if (got < 0 && (errno == EAGAIN || errno == EINTR))
+        return;
+    if (got <= 0) {
+        m_readable->setEnabled(false);
+        m_gone.startIn(Duration::zero(), [this] { hangUp(); });
+        return;
+    }
+    m_in.insert(m_in.end(), chunk.begin(), chunk.begin() + got);
+    serve();
+}
+
+void UnixSpiServer::serve()
+{
+    while (!m_wire.isActive() && m_in.size() >= headSize) {
+        const std::uint16_t length = readU16le(m_in, 0);
+        const std::size_t size = length == resetPulse ? 0 : length;
+        if (m_in.size() < headSize + size)
+            return;
+        if (length == resetPulse && slave())
+            slave()->reset();
+        const Duration wire = m_paced ? byteTime * static_cast<std::int64_t>(size) : Duration::zero();
+        if (wire == Duration::zero()) {
+            send(answer(size));
+            continue;
+        }
+        m_wire.startIn(wire, [this, size] {
+            send(answer(size));
+            serve();
+        });
+    }
+}
+
+UnixSpiServer::Bytes UnixSpiServer::answer(std::size_t length)
+{
+    const Bytes mosi(m_in.begin() + headSize, m_in.begin() + static_cast<std::ptrdiff_t>(headSize + length));
+    m_in.erase(m_in.begin(), m_in.begin() + static_cast<std::ptrdiff_t>(headSize + length));
+    Bytes miso(length);
+    if (slave() && length > 0) {
+        slave()->transfer(mosi, miso);
+        passed(Traffic{m_clock.now(), Direction::Received, nullptr, mosi});
+        passed(Traffic{m_clock.now(), Direction::Sent, nullptr, miso});
+    }
+    miso.push_back(slave() && slave()->isReady() ? 1 : 0);
+    return miso;
+}
+
+void UnixSpiServer::send(const Bytes &bytes)
+{
+    // A client that asks without reading its answers is cut off rather than waited for.
+    if (::send(m_client, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT) != static_cast<ssize_t>(bytes.size()))
+        m_gone.startIn(Duration::zero(), [this] { hangUp(); });
+}
+
+} // namespace mb
