@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/event.h"
+#include "async/task.h"
+#include "transport/seriallink.h"
+
+#include <deque>
+#include <string>
+
+namespace mb::quadquad2drv {
+
+/// The bootloader's text (section 7): lines of whatever ending, blank ones left out, cut at 256 characters.
+class BootConsole {
+public:
+    BootConsole(SerialLink &link, Clock &clock);
+    BootConsole(const BootConsole &) = delete;
+    BootConsole &operator=(const BootConsole &) = delete;
+
+    /// Sends text and a carriage return, as the terminal program of the data sheet does.
+    Result<void> send(const std::string &text);
+    /// The next line; Timeout, LinkLost. What stands without an end for 200 ms counts as a line: a prompt has none.
+    [[nodiscard]] Task<std::string> line(Duration timeout);
+    void clear();
+
+private:
+    void hear(std::span<const std::uint8_t> bytes);
+    void finishLine();
+    void wake();
+
+    SerialLink &m_link;
+    Clock &m_clock;
+    std::string m_partial;
+    std::deque<std::string> m_lines;
+    Event *m_waiting = nullptr;
+    Timer m_unfinished;
+    Subscription m_received;
+    Subscription m_state;
+};
+
+} // namespace mb::quadquad2drv

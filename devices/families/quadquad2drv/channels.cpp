@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/quadquad2drv/channels.h"
+
+#include <QtGlobal>
+
+#include <array>
+
+namespace mb::quadquad2drv {
+namespace {
+
+constexpr std::string_view status = QT_TRANSLATE_NOOP("table", "Status bits");
+
+constexpr std::array<Channel, 12> table{{
+    {"ch1.position", "counts", QT_TRANSLATE_NOOP("table", "Position"), Quantity::Position},
+    {"ch1.velocity", "counts/s", QT_TRANSLATE_NOOP("table", "Velocity"), Quantity::Velocity},
+    {"ch1.status", "", status, Quantity::Other},
+    {"ch2.position", "counts", QT_TRANSLATE_NOOP("table", "Position"), Quantity::Position},
+    {"ch2.velocity", "counts/s", QT_TRANSLATE_NOOP("table", "Velocity"), Quantity::Velocity},
+    {"ch2.status", "", status, Quantity::Other},
+    {"ch3.position", "counts", QT_TRANSLATE_NOOP("table", "Position"), Quantity::Position},
+    {"ch3.velocity", "counts/s", QT_TRANSLATE_NOOP("table", "Velocity"), Quantity::Velocity},
+    {"ch3.status", "", status, Quantity::Other},
+    {"ch4.position", "counts", QT_TRANSLATE_NOOP("table", "Position"), Quantity::Position},
+    {"ch4.velocity", "counts/s", QT_TRANSLATE_NOOP("table", "Velocity"), Quantity::Velocity},
+    {"ch4.status", "", status, Quantity::Other},
+}};
+
+static_assert(checkChannels(table));
+static_assert(table[channelOf(3, AxisChannel::Status).value].key == "ch4.status");
+
+} // namespace
+
+std::span<const Channel> channelTable()
+{
+    return table;
+}
+
+} // namespace mb::quadquad2drv

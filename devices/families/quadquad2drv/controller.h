@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/scope.h"
+#include "families/quadquad2drv/packetport.h"
+#include "families/quadquad2drv/parameters.h"
+#include "model/device.h"
+
+#include <array>
+#include <optional>
+
+namespace mb::quadquad2drv {
+
+/// One board with four axes. Asks for motion data while nobody streams, 100 times a second; setRate() makes the board stream.
+/// Whoever writes or drives makes it tell position, velocity and status of every channel (data mask 0x2B): finding the
+/// start-up mask again means that the board was reset, and `liveness().restarted` holds until refresh() succeeds.
+class Controller final : public Device {
+public:
+    Controller(const Family &family, SpiLink &link, Clock &clock, Identity identity);
+
+private:
+    struct Drive {
+        ControlMode mode = ControlMode::Off;
+        std::optional<SetPoint> profile; ///< of a ramp under way, which is sent once
+    };
+    struct Tracked {
+        std::optional<std::int64_t> position; ///< unwrapped
+        std::uint8_t status = 0;
+    };
+
+    // Device: controllertasks.cpp
+    Task<void> doRefresh() override;
+    Task<std::int64_t> doRead(ParameterIndex index) override;
+    Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) override;
+    Task<bool> doStore(Progress &progress) override;
+    Task<std::vector<FaultRecord>> doReadFaults() override;
+    Task<std::vector<FaultRecord>> doClearFaults() override { return doReadFaults(); }
+    Task<void> doIdentify() override;
+    Task<void> doRename(std::string name) override;
+    Task<void> doRenumber(int address) override;
+    Task<void> doSetRate(ChannelIndex channel, double hertz) override;
+    [[nodiscard]] Task<std::int64_t> readBoard(BoardParameter which);
+    [[nodiscard]] Task<void> takeLayout();
+    [[nodiscard]] Task<void> tellEverything();
+    [[nodiscard]] Bytes groupRequest(int axis, AxisParameter which, std::int64_t raw);
+    [[nodiscard]] Result<Bytes> writeRequest(ParameterIndex index, std::int64_t raw);
+    [[nodiscard]] std::int64_t known(int axis, AxisParameter which);
+
+    // Device, at once: controllermotion.cpp
+    [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
+    Result<void> doCommand(const SetPoint &setPoint) override;
+    void doStop() override;
+    [[nodiscard]] bool doIsSeenStopped() const override;
+    [[nodiscard]] StopScript doStopScript() const override;
+    void enter(int axis, ControlMode mode);
+    void limitFirstMotion(int axis);
+    void aim(int axis, const SetPoint &setPoint);
+    void post(Bytes request);
+    [[nodiscard]] Task<void> work();
+    [[nodiscard]] Task<void> confirmStop();
+
+    // What the board tells, and what follows from silence: controller.cpp
+    void onPacket(const Packet &packet, Instant time);
+    void onMotion(const Motion &motion, Instant time);
+    void onAxis(int axis, const AxisMotion &motion, Instant time);
+    [[nodiscard]] std::int64_t unwrapped(int axis, std::int32_t position) const;
+    [[nodiscard]] Task<void> poll();
+    void schedulePoll();
+    void look();
+    [[nodiscard]] Task<void> checkReset();
+    void updateLiveness();
+
+    SpiLink &m_spi;
+    PacketPort m_port;
+    std::array<Tracked, axes> m_tracked;
+    std::array<Drive, axes> m_drives;
+    std::uint16_t m_streamPeriod = 0;
+    bool m_changed = false; ///< we told the board something that a reset undoes
+    bool m_heard = false;
+    bool m_restarted = false;
+    bool m_polling = false;
+    bool m_checking = false;
+    bool m_stopConfirmed = false;
+    std::optional<Instant> m_motionAt;
+    std::optional<Instant> m_streamAt;
+    std::deque<Bytes> m_orders; ///< of set-points, waiting for the board
+    bool m_working = false;
+    Subscription m_received;
+    Subscription m_readyRaised;
+    Subscription m_state;
+    Timer m_poll;
+    Timer m_look;
+    Scope m_scope; ///< last: its tasks use everything above
+};
+
+/// Family::open.
+[[nodiscard]] std::unique_ptr<Device> open(Link &link, Clock &clock, const Identity &identity);
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/decoded.h"
+
+#include <memory>
+
+namespace mb::quadquad2drv {
+
+/// Family::decodeBytes: packets in both directions with the names of the reference, section 2. Motion data reads as the data
+/// masks say that passed before, or as at start-up. What belongs to no packet (filler) has no frame.
+[[nodiscard]] std::unique_ptr<ByteDecoder> decodeBytes(std::string_view dialect);
+
+} // namespace mb::quadquad2drv

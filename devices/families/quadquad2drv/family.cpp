@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/family.h"
+
+#include "families/quadquad2drv/channels.h"
+#include "families/quadquad2drv/controller.h"
+#include "families/quadquad2drv/decode.h"
+#include "families/quadquad2drv/firmware.h"
+#include "families/quadquad2drv/parameters.h"
+#include "families/quadquad2drv/scan.h"
+#include "families/quadquad2drv/simulator.h"
+
+#include <array>
+
+namespace mb::quadquad2drv {
+namespace {
+
+constexpr std::array links{LinkKind::Spi};
+constexpr std::array modes{Mode::Duty, Mode::Position, Mode::Velocity, Mode::RampPosition, Mode::RampVelocity};
+constexpr std::array<std::string_view, 1> bench{"quadquad2drv:0"};
+
+constexpr Capabilities capabilities{
+    .readback = true,
+    .watchdog = false,
+    .versionOnWire = true,
+    .identify = false,
+    .rename = false,
+    .renumber = false,
+    .axes = axes,
+    .gainSlots = 1,
+    .commandPeriod = std::chrono::milliseconds(50),
+    .storesAfter = std::chrono::seconds(0),
+};
+
+} // namespace
+
+extern const Family family;
+const Family family{
+    .key = "quadquad2drv",
+    .title = "QuadQuad2Drv",
+    .links = links,
+    .parameters = parameterTable(),
+    .channels = channelTable(),
+    .modes = modes,
+    .capabilities = capabilities,
+    .bench = bench,
+    .scan = scan,
+    .open = open,
+    .decodeBytes = decodeBytes,
+    .update = update,
+    .inspect = inspect,
+    .simulate = simulate,
+};
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/quadquad2drv/packetport.h"
+
+#include "async/sleep.h"
+
+#include <algorithm>
+
+namespace mb::quadquad2drv {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Without a ready line: how long the board gets before it is asked, and how far its answer is looked for (section 6).
+constexpr Duration blindPause = 1ms;
+constexpr std::size_t blindBytes = 64;
+constexpr int mostWaiting = 16; ///< packets read in a row
+
+} // namespace
+
+PacketPort::PacketPort(SpiLink &link, Clock &clock)
+    : m_link(link)
+    , m_clock(clock)
+    , m_traffic(link.traffic().add([this](const Traffic &traffic) { hear(traffic); }))
+{
+}
+
+void PacketPort::setLayout(const DataMasks &masks, std::uint8_t streamConfig)
+{
+    m_masks = masks;
+    m_streamConfig = streamConfig;
+}
+
+void PacketPort::hear(const Traffic &traffic)
+{
+    if (traffic.direction != Direction::Received)
+        return;
+    m_reader.feed(traffic.bytes);
+    while (const auto packet = m_reader.next()) {
+        if (m_round && !m_round->reply && packet->id == m_round->id)
+            m_round->reply = *packet;
+        m_received.notify(*packet, traffic.time);
+    }
+}
+
+Task<void> PacketPort::clockOut(std::size_t bytes)
+{
+    Bytes filler(bytes);
+    const Result<Bytes> got = co_await m_link.transfer(std::move(filler));
+    if (!got)
+        co_return fail(got.error());
+    co_return {};
+}
+
+Task<void> PacketPort::searchStart()
+{
+    co_await Sleep(m_clock, blindPause);
+    for (std::size_t i = 0; i < blindBytes && m_reader.missing() == 0; ++i) {
+        auto one = clockOut(1);
+        co_await std::move(one);
+    }
+    co_return {};
+}
+
+/// Reads until the reply of the round is there or its time is over (1.4, steps 2 to 4).
+Task<void> PacketPort::listenFor(Round &round, std::size_t expected)
+{
+    const bool blind = !m_link.ready().has_value();
+    while (!round.reply) {
+        if (m_clock.now() >= round.deadline)
+            co_return fail(Fault::Timeout, "the board did not answer");
+        if (const std::size_t missing = m_reader.missing(); missing > 0) {
+            auto rest = clockOut(missing);
+            co_await std::move(rest);
+            continue;
+        }
+        if (blind) {
+            auto search = searchStart();
+            co_await std::move(search);
+            continue;
+        }
+        auto waiting = m_link.waitReady(round.deadline - m_clock.now());
+        co_await std::move(waiting);
+        auto reading = clockOut(expected);
+        co_await std::move(reading);
+    }
+    co_return {};
+}
+
+Task<Packet> PacketPort::ask(const Bytes &request)
+{
+    const Turns::Turn turn = co_await m_link.turns().take();
+    // A packet that is ready first would be clocked out by the request.
+    if (m_link.ready().value_or(false)) {
+        auto pending = clockOut(streamPacketSize(m_masks, m_streamConfig));
+        co_await std::move(pending);
+    }
+    Round round{request[2], {}, m_clock.now() + answerTime};
+    struct Hearing {
+        Hearing(Round *&slot, Round &round)
+            : m_slot(slot)
+        {
+            m_slot = &round;
+        }
+        ~Hearing() { m_slot = nullptr; }
+        Round *&m_slot;
+    };
+    const Hearing hearing(m_round, round);
+    const Result<Bytes> sent = co_await m_link.transfer(request);
+    if (!sent)
+        co_return fail(sent.error());
+    auto listening = listenFor(round, replySize(request, m_masks));
+    const Result<void> heard = co_await std::move(listening).attempt();
+    if (!heard) {
+        m_reader.clear(); // half a packet must not eat the next one
+        co_return fail(heard.error());
+    }
+    auto emptying = takeWaiting(); // the line will not rise again while a packet waits
+    (void)co_await std::move(emptying).attempt();
+    co_return std::move(*round.reply);
+}
+
+Task<Packet> PacketPort::request(Bytes request, int tries)
+{
+    Error last{Fault::Timeout, "the board did not answer"};
+    for (int i = 0; i < tries; ++i) {
+        auto asking = ask(request);
+        Result<Packet> reply = co_await std::move(asking).attempt();
+        if (reply) {
+            const auto code = returnCode(*reply);
+            if (code == std::int8_t{0})
+                co_return std::move(*reply);
+            if (code)
+                co_return fail(Fault::Refused, std::string(explain(*code)) + " (code " + std::to_string(*code) + ")");
+            last = {Fault::BadReply, "the board sent a reply without a return code"};
+            continue;
+        }
+        if (reply.error().fault != Fault::Timeout)
+            co_return fail(reply.error());
+        last = reply.error();
+    }
+    co_return fail(last);
+}
+
+Task<void> PacketPort::takeWaiting()
+{
+    for (int i = 0; i < mostWaiting && m_link.ready().value_or(false); ++i) {
+        const std::size_t missing = m_reader.missing();
+        auto reading = clockOut(missing > 0 ? missing : streamPacketSize(m_masks, m_streamConfig));
+        co_await std::move(reading);
+    }
+    co_return {};
+}
+
+Task<void> PacketPort::fetch()
+{
+    const Turns::Turn turn = co_await m_link.turns().take();
+    auto emptying = takeWaiting();
+    co_await std::move(emptying);
+    co_return {};
+}
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/quadquad2drv/codec.h"
+#include "transport/spilink.h"
+
+namespace mb::quadquad2drv {
+
+/// The conversation with one board (1.4). Several ports may share a link: each hears every packet that comes, whoever
+/// clocked it out, so a stream packet between request and reply is never lost; requests take turns.
+class PacketPort {
+public:
+    PacketPort(SpiLink &link, Clock &clock);
+    PacketPort(const PacketPort &) = delete;
+    PacketPort &operator=(const PacketPort &) = delete;
+
+    /// Sends a request and yields its reply when the board accepted it; Refused with what it said, Timeout (asked `tries`
+    /// times), LinkLost.
+    [[nodiscard]] Task<Packet> request(Bytes request, int tries = 3);
+    /// Clocks out what is pending without a request, a stream packet most likely; ends at once when nothing is.
+    [[nodiscard]] Task<void> fetch();
+    /// Without reply and before everything else; the reply comes through received().
+    Result<void> urgent(const Bytes &request) { return m_link.sendUrgent(request); }
+
+    /// How long packets are, from what the board was last told or said.
+    void setLayout(const DataMasks &masks, std::uint8_t streamConfig);
+    [[nodiscard]] const DataMasks &masks() const { return m_masks; }
+    [[nodiscard]] std::uint8_t streamConfig() const { return m_streamConfig; }
+    /// Every packet, in order, with the time its last byte came.
+    [[nodiscard]] Listeners<const Packet &, Instant> &received() { return m_received; }
+    [[nodiscard]] std::uint64_t bad() const { return m_reader.bad(); }
+
+private:
+    struct Round {
+        std::uint8_t id = 0;
+        std::optional<Packet> reply;
+        Instant deadline{};
+    };
+    void hear(const Traffic &traffic);
+    [[nodiscard]] Task<Packet> ask(const Bytes &request);
+    [[nodiscard]] Task<void> listenFor(Round &round, std::size_t expected);
+    [[nodiscard]] Task<void> takeWaiting();
+    [[nodiscard]] Task<void> clockOut(std::size_t bytes);
+    [[nodiscard]] Task<void> searchStart();
+
+    SpiLink &m_link;
+    Clock &m_clock;
+    PacketReader m_reader;
+    DataMasks m_masks{datamask::startUp, datamask::startUp, datamask::startUp, datamask::startUp};
+    std::uint8_t m_streamConfig = 0;
+    Round *m_round = nullptr;
+    Listeners<const Packet &, Instant> m_received;
+    Subscription m_traffic;
+};
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/family.h"
+
+namespace mb::quadquad2drv {
+
+/// Section 6: asks for the version, which changes nothing; there is one board on a link, under address 0. Unsupported when
+/// the link is no SPI link.
+[[nodiscard]] Task<void> scan(Link &link, Clock &clock, ScanSink &sink);
+
+/// What a version says about a board.
+void setVersion(Identity &identity, int major, int minor, int protocol);
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/quadquad2drv/simulator.h"
+
+#include "families/quadquad2drv/simulatorboot.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace mb::quadquad2drv {
+namespace simulation {
+namespace {
+
+template <class T> bool parseNumber(std::string_view text, T &out)
+{
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), out);
+    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size();
+}
+
+bool setVersion(BoardOptions &options, std::string_view text)
+{
+    const auto dot = text.find('.');
+    return dot != std::string_view::npos && parseNumber(text.substr(0, dot), options.version[0])
+        && parseNumber(text.substr(dot + 1), options.version[1]);
+}
+
+bool setOption(BoardOptions &options, std::string_view key, std::string_view value)
+{
+    if (key == "motor") {
+        options.motors.fill(std::string(value));
+        return motorByName(value) != nullptr;
+    }
+    if (key == "load") {
+        double load = 0.0;
+        const bool good = parseNumber(value, load) && load >= 1.0 && load <= 1000.0;
+        options.loads.fill(load);
+        return good;
+    }
+    if (key == "boot") {
+        auto address = LinkAddress::parse(value);
+        if (address)
+            options.boot = *address;
+        return address.has_value();
+    }
+    if (key == "state") {
+        options.jumper = value == "bootloader";
+        return options.jumper || value == "application";
+    }
+    return key == "serial" || (key == "firmware" && setVersion(options, value));
+}
+
+} // namespace
+
+Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
+{
+    if (unit.address != 0)
+        return fail(Fault::OutOfRange, "a QuadQuad2Drv has no address but 0");
+    BoardOptions options;
+    options.motors = {"25d", "n20", "25dlp", "25d"};
+    options.seed = unit.seed;
+    options.faults = unit.faults;
+    // the timed ones in order, so that one index serves
+    std::stable_sort(options.faults.begin(), options.faults.end(),
+        [](const SimulatedFault &a, const SimulatedFault &b) { return a.at < b.at; });
+    for (const auto &[key, value] : unit.options) {
+        constexpr std::array<std::string_view, 6> known{"motor", "load", "firmware", "serial", "boot", "state"};
+        if (std::find(known.begin(), known.end(), key) == known.end())
+            return fail(Fault::OutOfRange, "a simulated QuadQuad2Drv has no option '" + key + "'");
+        if (!setOption(options, key, value))
+            return fail(Fault::OutOfRange,
+                "'" + value + "' is no value for the option '" + key + "' of a simulated QuadQuad2Drv");
+    }
+    if (options.jumper && !options.boot)
+        return fail(Fault::OutOfRange, "state=bootloader needs the board's serial line, such as boot=pty:./boot");
+    return options;
+}
+
+} // namespace simulation
+
+namespace {
+
+class SimulatedQuadQuad final : public Simulator {
+public:
+    SimulatedQuadQuad(SpiSlaveLink &link, Clock &clock, const simulation::BoardOptions &options)
+        : m_board(link, clock, options,
+            [this, &clock](std::string_view what, double value) { emitEvent(clock.now(), std::string(what), value); })
+    {
+    }
+    Result<void> openBoot(Clock &clock, const simulation::BoardOptions &options)
+    {
+        if (!options.boot)
+            return {};
+        auto boot = simulation::Boot::open(*options.boot, clock, m_board, options);
+        if (!boot)
+            return fail(boot.error());
+        m_boot = std::move(*boot);
+        return {};
+    }
+
+    [[nodiscard]] std::string name() const override { return "quadquad2drv:0"; }
+    [[nodiscard]] bool isOutputOn() const override
+    {
+        bool on = false;
+        for (int i = 0; i < axes; ++i)
+            on = on || m_board.axis(i).output() != 0.0;
+        return on;
+    }
+    [[nodiscard]] double speed() const override { return m_board.axis(0).motor().countSpeed(); }
+    [[nodiscard]] double position() const override { return m_board.axis(0).motor().countPosition(); }
+    void setPowered(bool powered) override { m_board.setPowered(powered); }
+    bool disturb(std::string_view what, double value) override
+    {
+        if (what.size() == 6 && what.starts_with("input") && what[5] >= '1' && what[5] <= '4') {
+            m_board.axis(what[5] - '1').setInputLevel(value != 0.0);
+            return true;
+        }
+        if (what == "jumper" && m_boot) {
+            m_boot->setJumper(value != 0.0);
+            return true;
+        }
+        bool known = true;
+        for (int i = 0; i < axes; ++i)
+            known = disturbMotor(m_board.axis(i).motor(), what, value) && known;
+        return known;
+    }
+
+private:
+    static bool disturbMotor(MotorModel &motor, std::string_view what, double value)
+    {
+        if (what == "load-torque")
+            motor.setLoadTorque(value);
+        else if (what == "stall")
+            motor.setLocked(value != 0.0);
+        else if (what == "bus-voltage")
+            motor.setSupplyVoltage(value);
+        else
+            return false;
+        return true;
+    }
+
+    simulation::Board m_board;
+    std::unique_ptr<simulation::Boot> m_boot;
+};
+
+} // namespace
+
+Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const SimulatedUnit &unit)
+{
+    auto *slave = dynamic_cast<SpiSlaveLink *>(&link);
+    if (!slave)
+        return fail(Fault::OutOfRange, "a QuadQuad2Drv is simulated on the board's end of an SPI link");
+    const auto options = simulation::BoardOptions::parse(unit);
+    if (!options)
+        return fail(options.error());
+    auto simulated = std::make_unique<SimulatedQuadQuad>(*slave, clock, *options);
+    if (auto opened = simulated->openBoot(clock, *options); !opened)
+        return fail(opened.error());
+    return simulated;
+}
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/quadquad2drv/simulatorboot.h"
+
+#include "transport/linkcatalog.h"
+
+#include <charconv>
+
+namespace mb::quadquad2drv::simulation {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int baudrate = 115200;
+constexpr Duration bannerPeriod = 2s;
+constexpr Duration programming = 5ms; ///< a line
+constexpr std::size_t longestLine = 600;
+constexpr std::string_view endOfFile = ":00000001FF";
+
+std::optional<unsigned> hexByte(std::string_view text, std::size_t at)
+{
+    unsigned value = 0;
+    if (text.size() < at + 2)
+        return std::nullopt;
+    const auto parsed = std::from_chars(text.data() + at, text.data() + at + 2, value, 16);
+    return parsed.ptr == text.data() + at + 2 ? std::optional(value) : std::nullopt;
+}
+
+/// A record whose length and checksum are right.
+bool isRecord(std::string_view line)
+{
+    const auto count = line.starts_with(':') ? hexByte(line, 1) : std::nullopt;
+    if (!count || line.size() != 11 + 2 * *count)
+        return false;
+    unsigned sum = 0;
+    for (std::size_t at = 1; at < line.size(); at += 2) {
+        const auto byte = hexByte(line, at);
+        if (!byte)
+            return false;
+        sum += *byte;
+    }
+    return (sum & 0xFFU) == 0;
+}
+
+} // namespace
+
+Result<std::unique_ptr<Boot>> Boot::open(
+    const LinkAddress &address, Clock &clock, Board &board, const BoardOptions &options)
+{
+    std::unique_ptr<PtyLine> terminal;
+    std::unique_ptr<SerialLink> own;
+    if (address.scheme == "pty") {
+        auto made = PtyLine::create(address, clock);
+        if (!made)
+            return fail(made.error());
+        terminal = std::move(*made);
+        if (auto opened = terminal->open(); !opened)
+            return fail(opened.error());
+        own = terminal->makeEnd();
+    } else {
+        auto made = createLink(address, clock);
+        if (!made)
+            return fail(made.error());
+        if ((*made)->kind() != LinkKind::Serial)
+            return fail(Fault::OutOfRange, "boot= names a serial link, such as pty:./boot");
+        own.reset(static_cast<SerialLink *>(made->release()));
+    }
+    if (!own->fixedBaudrate())
+        (void)own->setBaudrate(baudrate);
+    if (auto opened = own->open(); !opened)
+        return fail(opened.error());
+    auto boot = std::make_unique<Boot>(*own, clock, board, options);
+    boot->m_terminal = std::move(terminal);
+    boot->m_own = std::move(own);
+    return boot;
+}
+
+Boot::Boot(SerialLink &link, Clock &clock, Board &board, const BoardOptions &options)
+    : m_link(link)
+    , m_board(board)
+    , m_received(link.received().add([this](std::span<const std::uint8_t> bytes) { hear(bytes); }))
+    , m_banner(clock)
+    , m_answer(clock)
+{
+    for (const SimulatedFault &fault : options.faults) {
+        if (fault.kind == "power-page")
+            m_failLine = static_cast<int>(fault.at);
+    }
+    if (options.jumper)
+        setJumper(true);
+}
+
+void Boot::setJumper(bool closed)
+{
+    if (closed)
+        start();
+    else
+        m_banner.stop();
+}
+
+void Boot::start()
+{
+    m_running = true;
+    m_whole = false;
+    m_lines = 0;
+    m_text.clear();
+    m_board.setRunning(false);
+    announce();
+}
+
+void Boot::announce()
+{
+    say("QuadQuad2Drv bootloader 1.0");
+    m_banner.startIn(bannerPeriod, [this] { announce(); });
+}
+
+void Boot::hear(std::span<const std::uint8_t> bytes)
+{
+    if (!m_running)
+        return;
+    for (const std::uint8_t byte : bytes) {
+        const char c = static_cast<char>(byte);
+        if (c == '\r' || c == '\n') {
+            if (!m_text.empty())
+                take(std::exchange(m_text, {}));
+        } else if (m_text.size() < longestLine) {
+            m_text += c;
+        }
+    }
+}
+
+void Boot::take(const std::string &line)
+{
+    m_banner.stop();
+    if (line == "reset") {
+        m_running = false;
+        auto version = m_board.version();
+        if (m_whole)
+            ++version[1];
+        m_board.setVersion(version);
+        m_board.setRunning(true);
+        return;
+    }
+    if (++m_lines == m_failLine) {
+        m_failLine = 0; // the supply comes back with the jumper still closed
+        start();
+        return;
+    }
+    const bool good = program(line);
+    m_answer.startIn(programming, [this, good] { say(good ? "ok" : "error: bad line"); });
+}
+
+bool Boot::program(const std::string &line)
+{
+    if (!isRecord(line))
+        return false;
+    m_whole = m_whole || line == endOfFile;
+    return true;
+}
+
+void Boot::say(const std::string &text)
+{
+    const std::string line = text + "\r\n";
+    (void)m_link.send({reinterpret_cast<const std::uint8_t *>(line.data()), line.size()});
+}
+
+} // namespace mb::quadquad2drv::simulation

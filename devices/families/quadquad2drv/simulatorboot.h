@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/quadquad2drv/simulatorboard.h"
+#include "transport/backends/ptyline.h"
+#include "transport/seriallink.h"
+
+#include <map>
+#include <memory>
+#include <string>
+
+namespace mb::quadquad2drv::simulation {
+
+/// The board's bootloader on its UART (section 7; what the reference calls unknown is invented here). It runs while the jumper
+/// is closed, and says so every two seconds, as if somebody pressed reset, until the first line comes. Every good line of
+/// Intel HEX is confirmed with "ok", others with "error". `reset` starts the application, whose version has risen by 0.1
+/// when the file was whole.
+class Boot {
+public:
+    /// `address`: pty:PATH or a serial link, 115200 baud. LinkLost or OutOfRange when it cannot be opened.
+    [[nodiscard]] static Result<std::unique_ptr<Boot>> open(
+        const LinkAddress &address, Clock &clock, Board &board, const BoardOptions &options);
+    /// On a link that is open and outlives this.
+    Boot(SerialLink &link, Clock &clock, Board &board, const BoardOptions &options);
+
+    void setJumper(bool closed);
+    [[nodiscard]] bool isRunning() const { return m_running; }
+
+private:
+    void start();
+    void announce();
+    void hear(std::span<const std::uint8_t> bytes);
+    void take(const std::string &line);
+    [[nodiscard]] bool program(const std::string &line);
+    void say(const std::string &text);
+
+    std::unique_ptr<PtyLine> m_terminal;
+    std::unique_ptr<SerialLink> m_own;
+    SerialLink &m_link;
+    Board &m_board;
+    int m_failLine = 0; ///< of the fault power-page: the line at which the supply goes
+    std::string m_text;
+    int m_lines = 0;
+    bool m_running = false;
+    bool m_whole = false;
+    Subscription m_received;
+    Timer m_banner;
+    Timer m_answer;
+};
+
+} // namespace mb::quadquad2drv::simulation

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/quadquad2drv/updater.h"
+
+#include "async/sleep.h"
+#include "transport/spilink.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+namespace mb::quadquad2drv {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::array<std::string_view, 4> failureWords{"err", "fail", "bad", "invalid"};
+constexpr std::string_view bannerWord = "bootloader";
+constexpr Duration verifyPeriod = 500ms;
+constexpr Duration verifyTime = 30s; ///< the jumper is taken out by hand
+
+bool holds(std::string text, std::string_view word)
+{
+    std::transform(
+        text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return text.find(word) != std::string::npos;
+}
+
+bool isFailure(const std::string &text)
+{
+    return std::any_of(failureWords.begin(), failureWords.end(), [&](std::string_view w) { return holds(text, w); });
+}
+
+} // namespace
+
+Updater::Updater(
+    Device &device, SerialLink &link, const FirmwareImage &image, Progress &progress, BootSettings settings)
+    : m_device(device)
+    , m_link(link)
+    , m_clock(device.clock())
+    , m_image(image)
+    , m_progress(progress)
+    , m_settings(settings)
+    , m_console(link, device.clock())
+{
+    m_report.from = device.identity().firmware;
+}
+
+void Updater::say(const std::string &text)
+{
+    m_progress.log(Severity::Info, "> " + text);
+}
+
+void Updater::heard(const std::string &text)
+{
+    m_progress.log(isFailure(text) ? Severity::Danger : Severity::Info, "< " + text);
+}
+
+void Updater::resetBoard()
+{
+    auto &spi = static_cast<SpiLink &>(m_device.link());
+    if (spi.pulseReset())
+        m_progress.log(Severity::Info, "the reset line was pulsed");
+}
+
+UpdateReport Updater::failed(const Error &error) const
+{
+    UpdateReport report = m_report;
+    report.outcome = UpdateOutcome::Failed;
+    report.fault = error.fault;
+    report.evidence = error.detail;
+    if (m_sent > 0)
+        report.evidence += "; " + std::to_string(m_sent) + " of " + std::to_string(m_image.lines().size())
+            + " lines were confirmed. The bootloader keeps waiting: leave the jumper in and run the update again";
+    return report;
+}
+
+Task<UpdateReport> Updater::run(bool dryRun)
+{
+    if (dryRun) {
+        m_report.outcome = UpdateOutcome::Done;
+        m_report.evidence = "dry run: " + std::to_string(m_image.lines().size()) + " lines would be sent over "
+            + m_link.address().text();
+        co_return m_report;
+    }
+    auto opening = openLine();
+    Result<void> done = co_await std::move(opening).attempt();
+    if (done) {
+        auto waiting = awaitBanner();
+        done = co_await std::move(waiting).attempt();
+    }
+    if (done) {
+        auto sending = sendAll();
+        done = co_await std::move(sending).attempt();
+    }
+    if (done) {
+        auto leaving = leave();
+        done = co_await std::move(leaving).attempt();
+    }
+    if (done) {
+        auto verifying = verify();
+        done = co_await std::move(verifying).attempt();
+    }
+    if (!done)
+        co_return failed(done.error());
+    co_return m_report;
+}
+
+Task<void> Updater::openLine()
+{
+    if (!m_link.fixedBaudrate()) {
+        if (auto set = m_link.setBaudrate(m_settings.baudrate); !set)
+            co_return fail(set.error());
+    }
+    if (auto opened = m_link.open(); !opened)
+        co_return fail(opened.error());
+    co_return {};
+}
+
+Task<void> Updater::awaitBanner()
+{
+    m_progress.step("close the jumper between AUX1 and AUX2, then reset the board or switch it off and on", 0, 0);
+    m_device.stop();
+    resetBoard();
+    const Instant deadline = m_clock.now() + m_settings.bannerTime;
+    while (m_clock.now() < deadline) {
+        auto listening = m_console.line(deadline - m_clock.now());
+        const Result<std::string> text = co_await std::move(listening).attempt();
+        if (!text && text.error().fault != Fault::Timeout)
+            co_return fail(text.error());
+        if (!text)
+            break;
+        heard(*text);
+        if (holds(*text, bannerWord))
+            co_return {};
+    }
+    co_return fail(Fault::Timeout,
+        "the bootloader did not announce itself; check the jumper AUX1–AUX2, the crossed wires TX and RX, and the 3.3 "
+        "V "
+        "levels, then reset the board");
+}
+
+Task<void> Updater::sendAll()
+{
+    const std::size_t total = m_image.lines().size();
+    m_progress.part(0, PartState::Active);
+    for (std::size_t i = 0; i < total; ++i) {
+        m_progress.step("sending the firmware", static_cast<int>(i), static_cast<int>(total));
+        auto sending = sendLine(i);
+        co_await std::move(sending);
+        m_sent = i + 1;
+    }
+    m_report.pages = static_cast<int>(total);
+    m_progress.part(0, PartState::Done);
+    m_progress.step("sending the firmware", static_cast<int>(total), static_cast<int>(total));
+    co_return {};
+}
+
+/// Every line is confirmed before the next, and never sooner than 50 ms after it.
+Task<void> Updater::sendLine(std::size_t index)
+{
+    m_console.clear();
+    const Instant begin = m_clock.now();
+    const std::string &text = m_image.lines()[index];
+    say(text);
+    if (auto sent = m_console.send(text); !sent)
+        co_return fail(sent.error());
+    bool confirmed = false;
+    while (!confirmed) {
+        const Duration left = begin + m_settings.answerTime - m_clock.now();
+        auto listening = m_console.line(std::max<Duration>(left, 1ms));
+        const Result<std::string> answer = co_await std::move(listening).attempt();
+        const std::string line = "line " + std::to_string(index + 1);
+        if (!answer && answer.error().fault == Fault::Timeout)
+            co_return fail(Fault::Timeout, line + " was not confirmed");
+        if (!answer)
+            co_return fail(answer.error());
+        heard(*answer);
+        if (isFailure(*answer))
+            co_return fail(Fault::Refused, line + " was refused: " + *answer);
+        confirmed = *answer != text; // a terminal may echo what it hears
+    }
+    const Instant next = begin + m_settings.lineTime;
+    if (next > m_clock.now())
+        co_await Sleep(m_clock, next - m_clock.now());
+    co_return {};
+}
+
+Task<void> Updater::leave()
+{
+    say("reset");
+    if (auto sent = m_console.send("reset"); !sent)
+        co_return fail(sent.error());
+    m_progress.step("take the jumper out; the board is asked for its version", 0, 0);
+    co_await Sleep(m_clock, 200ms);
+    resetBoard();
+    co_return {};
+}
+
+Task<void> Updater::verify()
+{
+    const Instant deadline = m_clock.now() + verifyTime;
+    while (m_clock.now() < deadline) {
+        auto asking = m_device.refresh();
+        const Result<void> answered = co_await std::move(asking).attempt();
+        if (answered) {
+            m_report.to = m_device.identity().firmware;
+            m_report.verified = true;
+            m_report.outcome = UpdateOutcome::Done;
+            m_report.evidence = "every line was confirmed, and the board answers with version " + m_report.to;
+            if (m_report.to == m_report.from)
+                m_report.evidence += ", the same as before";
+            co_return {};
+        }
+        if (answered.error().fault == Fault::LinkLost)
+            co_return fail(answered.error());
+        co_await Sleep(m_clock, verifyPeriod);
+    }
+    co_return fail(Fault::Timeout,
+        "every line was confirmed, but the board does not answer over SPI; take the jumper out and reset it");
+}
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/quadquad2drv/bootconsole.h"
+#include "families/quadquad2drv/firmware.h"
+
+namespace mb::quadquad2drv {
+
+/// One update over the bootloader's serial line (section 7). Everything outlives the task of run().
+class Updater {
+public:
+    Updater(
+        Device &device, SerialLink &link, const FirmwareImage &image, Progress &progress, BootSettings settings = {});
+
+    [[nodiscard]] Task<UpdateReport> run(bool dryRun);
+
+private:
+    [[nodiscard]] Task<void> openLine();
+    [[nodiscard]] Task<void> awaitBanner();
+    [[nodiscard]] Task<void> sendAll();
+    [[nodiscard]] Task<void> sendLine(std::size_t index);
+    [[nodiscard]] Task<void> leave();
+    [[nodiscard]] Task<void> verify();
+    void say(const std::string &text);
+    void heard(const std::string &text);
+    void resetBoard();
+    [[nodiscard]] UpdateReport failed(const Error &error) const;
+
+    Device &m_device;
+    SerialLink &m_link;
+    Clock &m_clock;
+    const FirmwareImage &m_image;
+    Progress &m_progress;
+    BootSettings m_settings;
+    BootConsole m_console;
+    UpdateReport m_report;
+    std::size_t m_sent = 0;
+};
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The controller against the simulated board, in virtual time.
+#include "families/quadquad2drv/channels.h"
+#include "families/quadquad2drv/packetport.h"
+#include "families/quadquad2drv/parameters.h"
+#include "families/quadquad2drv/protocol.h"
+#include "model/parametertransfer.h"
+#include "support/simulatedsession.h"
+#include "transport/backends/virtualspi.h"
+
+#include <cmath>
+#include <iostream>
+
+namespace mb::quadquad2drv {
+namespace {
+
+using namespace std::chrono_literals;
+using test::run;
+using test::SimulatedSession;
+
+struct QuadQuad2Drv : testing::Test {
+    QuadQuad2Drv()
+        : QuadQuad2Drv("sim:spi")
+    {
+    }
+    explicit QuadQuad2Drv(std::string_view address)
+        : bench(address)
+    {
+        bench.scan();
+        device = bench.device(0);
+        board = bench.simulator("quadquad2drv:0");
+    }
+    void SetUp() override { ASSERT_NE(device, nullptr); }
+    [[nodiscard]] double last(int axis, AxisChannel channel) const
+    {
+        return device->telemetry()->latest(channelOf(axis, channel)).value_or(Point{}).value;
+    }
+    SimulatedSession bench;
+    Device *device = nullptr;
+    Simulator *board = nullptr;
+};
+
+SetPoint setPoint(Mode mode, double target, int axis = 1)
+{
+    SetPoint made;
+    made.mode = mode;
+    made.target = target;
+    made.axis = axis;
+    return made;
+}
+
+TEST_F(QuadQuad2Drv, ScanNamesVersionAndProtocol)
+{
+    EXPECT_EQ(device->identity().firmware, "1.3");
+    EXPECT_EQ(device->identity().dialect, "protocol 1");
+    EXPECT_EQ(device->selector(), "sim:spi/quadquad2drv:0");
+}
+
+TEST_F(QuadQuad2Drv, PositionAndVelocityComeAHundredTimesASecondWithoutAskingForAStream)
+{
+    bench.clock.advance(5s);
+    EXPECT_TRUE(device->liveness().heard);
+    EXPECT_NEAR(device->telemetry()->rate(channelOf(0, AxisChannel::Position)), 100.0, 5.0);
+    EXPECT_NEAR(device->telemetry()->rate(channelOf(3, AxisChannel::Velocity)), 100.0, 5.0);
+}
+
+TEST_F(QuadQuad2Drv, StreamsFiveHundredTimesASecondAndLosesNothing)
+{
+    ASSERT_TRUE(run(bench.clock, device->setRate(channelOf(0, AxisChannel::Position), 500.0)));
+    const auto before = device->telemetry()->size(channelOf(0, AxisChannel::Position));
+    bench.clock.advance(10s);
+    const auto got = device->telemetry()->size(channelOf(0, AxisChannel::Position)) - before;
+    EXPECT_NEAR(static_cast<double>(got), 10.0 / 0.00200704, 5.0);
+    EXPECT_EQ(device->telemetry()->lost(channelOf(0, AxisChannel::Position)), 0U);
+}
+
+TEST_F(QuadQuad2Drv, TheStreamGoesOnWhileParametersAreRead)
+{
+    ASSERT_TRUE(run(bench.clock, device->setRate(channelOf(0, AxisChannel::Position), 500.0)));
+    bench.clock.advance(1s);
+    const auto before = device->telemetry()->size(channelOf(0, AxisChannel::Position));
+    const Instant begin = bench.clock.now();
+    NoProgress progress;
+    for (int i = 0; i < 20; ++i) {
+        const auto outcomes = run(bench.clock, readParameters(*device, readable(*device), progress));
+        ASSERT_TRUE(outcomes);
+        for (const TransferOutcome &outcome : *outcomes)
+            EXPECT_TRUE(outcome.raw);
+    }
+    bench.clock.advance(10ms);
+    const double seconds = std::chrono::duration<double>(bench.clock.now() - begin).count();
+    const auto got = static_cast<double>(device->telemetry()->size(channelOf(0, AxisChannel::Position)) - before
+        + device->telemetry()->lost(channelOf(0, AxisChannel::Position)));
+    EXPECT_NEAR(got, seconds / 0.00200704, 3.0);
+    EXPECT_EQ(device->telemetry()->lost(channelOf(0, AxisChannel::Position)), 0U);
+}
+
+TEST_F(QuadQuad2Drv, TheFirstMotionIsLimitedToAQuarterOfThePower)
+{
+    SetPointStream &stream = bench.session.stream(*device);
+    bench.clock.advance(200ms);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 1.0), 10s));
+    bench.clock.advance(2s);
+    const double limited = last(0, AxisChannel::Velocity);
+    EXPECT_GT(limited, 500.0);
+    EXPECT_LT(limited, 2500.0) << "full power is 8200 counts/s";
+    const auto &limit = device->parameters().entry(indexOf(0, AxisParameter::LimitPower));
+    EXPECT_EQ(limit.raw, 2048);
+    EXPECT_EQ(limit.state, ParameterState::Assumed);
+}
+
+TEST_F(QuadQuad2Drv, TakingPositionModeDoesNotMoveTheMotor)
+{
+    SetPointStream &stream = bench.session.stream(*device);
+    bench.clock.advance(200ms);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.5), 10s));
+    bench.clock.advance(1s);
+    stream.stop();
+    bench.clock.advance(1s);
+    const double here = last(0, AxisChannel::Position);
+    ASSERT_GT(std::abs(here), 100.0);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Position, here), 10s));
+    double furthest = 0.0;
+    for (int i = 0; i < 100; ++i) {
+        bench.clock.advance(10ms);
+        furthest = std::max(furthest, std::abs(last(0, AxisChannel::Position) - here));
+    }
+    EXPECT_LE(furthest, 3.0);
+}
+
+TEST_F(QuadQuad2Drv, EachAxisGoesToItsOwnPositionAtOnce)
+{
+    SetPointStream &stream = bench.session.stream(*device);
+    bench.clock.advance(200ms);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Position, 500.0, 1), 20s));
+    for (int axis = 2; axis <= axes; ++axis)
+        ASSERT_TRUE(stream.update(setPoint(Mode::Position, 500.0 * axis, axis)));
+    bench.clock.advance(6s);
+    for (int axis = 1; axis <= axes; ++axis)
+        // the default windup does not overcome the stiction of the small motor on axis 2
+        EXPECT_NEAR(last(axis - 1, AxisChannel::Position), 500.0 * axis, axis == 2 ? 80.0 : 25.0) << "axis " << axis;
+    stream.stop();
+    bench.clock.advance(5ms);
+    EXPECT_FALSE(board->isOutputOn()) << "all four are off at once";
+    bench.clock.advance(300ms);
+    EXPECT_TRUE(device->isSeenStopped());
+}
+
+TEST_F(QuadQuad2Drv, OneAxisCanBeTakenOutWhileAnotherRuns)
+{
+    SetPointStream &stream = bench.session.stream(*device);
+    bench.clock.advance(200ms);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.5, 1), 20s));
+    ASSERT_TRUE(stream.update(setPoint(Mode::Duty, 0.5, 2)));
+    bench.clock.advance(1s);
+    EXPECT_GT(last(1, AxisChannel::Velocity), 300.0);
+    ASSERT_TRUE(stream.update(setPoint(Mode::Off, 0.0, 2)));
+    bench.clock.advance(3s);
+    EXPECT_NEAR(last(1, AxisChannel::Velocity), 0.0, 4.0);
+    EXPECT_GT(last(0, AxisChannel::Velocity), 300.0);
+}
+
+TEST_F(QuadQuad2Drv, AStopLosesNoneOfTheStreamAroundIt)
+{
+    ASSERT_TRUE(run(bench.clock, device->setRate(channelOf(0, AxisChannel::Position), 500.0)));
+    bench.clock.advance(1s);
+    const auto before = device->telemetry()->size(channelOf(0, AxisChannel::Position));
+    const Instant begin = bench.clock.now();
+    for (int i = 0; i < 100; ++i) {
+        device->stop();
+        bench.clock.advance(7ms + std::chrono::microseconds(37 * i));
+    }
+    const double seconds = std::chrono::duration<double>(bench.clock.now() - begin).count();
+    const auto got = static_cast<double>(device->telemetry()->size(channelOf(0, AxisChannel::Position)) - before
+        + device->telemetry()->lost(channelOf(0, AxisChannel::Position)));
+    EXPECT_NEAR(got, seconds / 0.00200704, 3.0);
+}
+
+TEST_F(QuadQuad2Drv, AGainTravelsWithTheOthersOfItsGroupWhichAreAssumedFromThenOn)
+{
+    NoProgress progress;
+    const ParameterIndex p = indexOf(1, AxisParameter::PositionP);
+    const auto outcomes = run(bench.clock, writeParameters(*device, {{p, 250}}, progress));
+    ASSERT_TRUE(outcomes);
+    EXPECT_FALSE(outcomes->front().verified.has_value()) << "it cannot be read back";
+    EXPECT_EQ(device->parameters().entry(p).state, ParameterState::Assumed);
+    EXPECT_EQ(device->parameters().entry(indexOf(1, AxisParameter::PositionWindup)).raw, 600);
+    EXPECT_FALSE(device->parameters().entry(indexOf(0, AxisParameter::PositionP)).raw) << "another axis";
+    EXPECT_FALSE(run(bench.clock, device->read(p)));
+}
+
+TEST_F(QuadQuad2Drv, AResetIsNoticedAndEndsTheMotion)
+{
+    SetPointStream &stream = bench.session.stream(*device);
+    bench.clock.advance(200ms);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.5), 20s));
+    bench.clock.advance(1s);
+    board->setPowered(false);
+    board->setPowered(true);
+    bench.clock.advance(1500ms);
+    EXPECT_FALSE(stream.isRunning());
+    EXPECT_TRUE(device->liveness().restarted);
+    EXPECT_FALSE(device->parameters().entry(indexOf(0, AxisParameter::LimitPower)).raw);
+    ASSERT_TRUE(run(bench.clock, device->refresh()));
+    EXPECT_FALSE(device->liveness().restarted);
+}
+
+TEST_F(QuadQuad2Drv, AWrongTargetIsRefusedAndNothingIsSent)
+{
+    EXPECT_EQ(device->check(setPoint(Mode::Duty, 1.5)).error().fault, Fault::OutOfRange);
+    EXPECT_EQ(device->check(setPoint(Mode::Velocity, 100'001.0)).error().fault, Fault::OutOfRange);
+    EXPECT_EQ(device->check(setPoint(Mode::Position, 3e9)).error().fault, Fault::OutOfRange);
+    EXPECT_EQ(device->check(setPoint(Mode::Duty, 0.1, 5)).error().fault, Fault::OutOfRange);
+    EXPECT_EQ(device->check(setPoint(Mode::Duty, std::nan(""))).error().fault, Fault::OutOfRange);
+    EXPECT_EQ(device->check(setPoint(Mode::Current, 1.0)).error().fault, Fault::Unsupported);
+}
+
+TEST_F(QuadQuad2Drv, ARampIsSentOnceAndArrivesWithItsVelocity)
+{
+    SetPointStream &stream = bench.session.stream(*device);
+    bench.clock.advance(200ms);
+    SetPoint ramp = setPoint(Mode::RampPosition, 2000.0);
+    ramp.velocity = 1000.0;
+    ramp.acceleration = 4000.0;
+    ASSERT_TRUE(stream.start(ramp, 20s));
+    double fastestSeen = 0.0;
+    for (int i = 0; i < 500; ++i) {
+        bench.clock.advance(10ms);
+        fastestSeen = std::max(fastestSeen, last(0, AxisChannel::Velocity));
+    }
+    EXPECT_NEAR(last(0, AxisChannel::Position), 2000.0, 20.0);
+    EXPECT_NEAR(fastestSeen, 1000.0, 150.0);
+}
+
+TEST(QuadQuad2DrvLoss, EveryParameterComesThroughWhenATenthOfTheTransfersIsGarbled)
+{
+    SimulatedSession bench("sim:spi?loss=0.1");
+    bench.scan();
+    Device *device = bench.device(0);
+    ASSERT_NE(device, nullptr);
+    NoProgress progress;
+    const auto outcomes = run(bench.clock, readParameters(*device, readable(*device), progress));
+    ASSERT_TRUE(outcomes);
+    for (const TransferOutcome &outcome : *outcomes)
+        EXPECT_TRUE(outcome.raw) << device->parameters().parameter(outcome.index).key;
+}
+
+TEST_F(QuadQuad2Drv, MotionIsPolledAtNineTenthsOfTheWireLimit)
+{
+    bench.clock.advance(100ms);
+    auto &spi = static_cast<SpiLink &>(*bench.link);
+    (void)spi;
+    PacketPort port(spi, bench.clock);
+    const Instant begin = bench.clock.now();
+    constexpr int polls = 500;
+    for (int i = 0; i < polls; ++i)
+        ASSERT_TRUE(run(bench.clock, port.request(getRequest(PacketId::GetMotion))));
+    const double hertz = polls / std::chrono::duration<double>(bench.clock.now() - begin).count();
+    constexpr double wireLimit = 1e6 / 656.0; // section 5: 4 + 37 bytes at 500 kHz
+    std::cout << "motion polled " << hertz << " times a second, wire limit " << wireLimit << '\n';
+    EXPECT_GE(hertz, 0.9 * wireLimit);
+}
+
+} // namespace
+} // namespace mb::quadquad2drv
