@@ -44,6 +44,7 @@ const Family family{
     .capabilities = capabilities,
     .bench = bench,
     .scan = scan,
+    .probe = probe,
     .open = open,
     .decodeBytes = decodeBytes,
     .update = update,

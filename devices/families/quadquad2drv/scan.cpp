@@ -40,4 +40,37 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
     co_return {};
 }
 
+Task<void> probe(Link &link, Clock &clock, int address, ScanSink &sink)
+{
+    if (address != 0)
+        co_return fail(Fault::OutOfRange, "a QuadQuad2Drv has no address but 0");
+    struct Watching final : ScanSink {
+        explicit Watching(ScanSink &behind)
+            : next(behind)
+        {
+        }
+        void found(const Identity &identity) override
+        {
+            any = true;
+            next.found(identity);
+        }
+        void progress(const std::string &what, int done, int total) override { next.progress(what, done, total); }
+        ScanSink &next;
+        bool any = false;
+    };
+    Watching watching(sink);
+    auto scanning = scan(link, clock, watching);
+    co_await std::move(scanning);
+    if (!watching.any) {
+        Identity silent;
+        silent.family = "quadquad2drv";
+        silent.state = DeviceState::Bootloader;
+        silent.detail
+            = "nothing answers over SPI; the board has no power or wrong wiring, or it waits in its bootloader: "
+              "update it, or take the jumper out and reset it";
+        sink.found(silent);
+    }
+    co_return {};
+}
+
 } // namespace mb::quadquad2drv

@@ -9,6 +9,10 @@ namespace mb::quadquad2drv {
 /// the link is no SPI link.
 [[nodiscard]] Task<void> scan(Link &link, Clock &clock, ScanSink &sink);
 
+/// Family::probe: like scan, but a board that was named and does not answer is reported too, as one that may wait in its
+/// bootloader, which does not listen to SPI: so it can be updated again after a cut.
+[[nodiscard]] Task<void> probe(Link &link, Clock &clock, int address, ScanSink &sink);
+
 /// What a version says about a board.
 void setVersion(Identity &identity, int major, int minor, int protocol);
 

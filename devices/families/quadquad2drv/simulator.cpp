@@ -42,8 +42,12 @@ bool setOption(BoardOptions &options, std::string_view key, std::string_view val
         return address.has_value();
     }
     if (key == "state") {
-        options.jumper = value == "bootloader";
-        return options.jumper || value == "application";
+        options.inBootloader = value == "bootloader";
+        return options.inBootloader || value == "application";
+    }
+    if (key == "jumper") {
+        options.jumper = value == "closed";
+        return options.jumper || value == "open";
     }
     return key == "serial" || (key == "firmware" && setVersion(options, value));
 }
@@ -62,15 +66,16 @@ Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
     std::stable_sort(options.faults.begin(), options.faults.end(),
         [](const SimulatedFault &a, const SimulatedFault &b) { return a.at < b.at; });
     for (const auto &[key, value] : unit.options) {
-        constexpr std::array<std::string_view, 6> known{"motor", "load", "firmware", "serial", "boot", "state"};
+        constexpr std::array<std::string_view, 7> known{
+            "motor", "load", "firmware", "serial", "boot", "state", "jumper"};
         if (std::find(known.begin(), known.end(), key) == known.end())
             return fail(Fault::OutOfRange, "a simulated QuadQuad2Drv has no option '" + key + "'");
         if (!setOption(options, key, value))
             return fail(Fault::OutOfRange,
                 "'" + value + "' is no value for the option '" + key + "' of a simulated QuadQuad2Drv");
     }
-    if (options.jumper && !options.boot)
-        return fail(Fault::OutOfRange, "state=bootloader needs the board's serial line, such as boot=pty:./boot");
+    if ((options.jumper || options.inBootloader) && !options.boot)
+        return fail(Fault::OutOfRange, "a bootloader needs the board's serial line, such as boot=pty:./boot");
     return options;
 }
 

@@ -8,7 +8,7 @@ namespace mb::quadquad2drv {
 /// The simulated board with four motors, on the board's end of an SPI link (SpiSlaveLink).
 ///
 /// Options: `motor=` and `load=` for all four motors, `firmware=1.3`, `boot=LINK` (its bootloader's serial line),
-/// `state=bootloader` (with the jumper closed).
+/// `jumper=closed` (a reset enters the bootloader), `state=bootloader`.
 /// Faults: drop, corrupt, silent, power (N-th packet sent by the board), reset, encoder-dead, stall (seconds),
 /// encoder-reversed; the last four concern channel 1. Disturbances: load-torque, stall, bus-voltage (all axes), `input1`… (level), jumper.
 [[nodiscard]] Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const SimulatedUnit &unit);

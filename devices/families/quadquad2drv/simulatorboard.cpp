@@ -70,7 +70,7 @@ void Board::afterFault(double seconds)
         if (timed && fault.at > seconds)
             return;
         if (fault.kind == "reset")
-            reset();
+            restart();
         else if (fault.kind == "encoder-dead")
             m_axes.front()->motor().setEncoderDead(true);
         else if (fault.kind == "stall")
@@ -87,6 +87,13 @@ void Board::noteOutput()
 }
 
 void Board::reset()
+{
+    restart();
+    if (m_pulsed)
+        m_pulsed();
+}
+
+void Board::restart()
 {
     for (const auto &axis : m_axes)
         axis->reset();
@@ -111,7 +118,7 @@ void Board::setPowered(bool powered)
     if (powered == m_powered)
         return;
     m_powered = powered;
-    reset();
+    restart();
     if (powered)
         start();
     else
@@ -123,7 +130,7 @@ void Board::setRunning(bool running)
     if (running == m_running)
         return;
     m_running = running;
-    reset();
+    restart();
 }
 
 void Board::transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t> miso)

@@ -17,7 +17,8 @@ struct BoardOptions {
     std::array<double, axes> loads{5.0, 5.0, 5.0, 9.0};
     std::array<std::uint8_t, 3> version{1, 3, 1}; ///< major, minor, protocol
     std::optional<LinkAddress> boot;              ///< the bootloader's serial line
-    bool jumper = false;                          ///< starts in the bootloader
+    bool inBootloader = false;                    ///< starts there
+    bool jumper = false;                          ///< AUX1–AUX2 closed: a reset enters the bootloader
     std::vector<SimulatedFault> faults;
     std::uint64_t seed = 1;
 
@@ -34,8 +35,11 @@ public:
 
     void transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t> miso) override;
     [[nodiscard]] bool isReady() const override { return m_powered && m_running && !m_out.empty(); }
+    /// A pulse on the reset line.
     void reset() override;
 
+    /// Hears of each pulse on the reset line.
+    void setResetListener(std::function<void()> listener) { m_pulsed = std::move(listener); }
     void setPowered(bool powered);
     /// No application answers while the bootloader runs.
     void setRunning(bool running);
@@ -48,6 +52,7 @@ private:
     using Bytes = std::vector<std::uint8_t>;
 
     void loop();
+    void restart();
     void listen(std::uint8_t byte);
     void understand();
     void execute(const Bytes &packet);
@@ -72,6 +77,7 @@ private:
     Clock &m_clock;
     BoardOptions m_options;
     Notify m_notify;
+    std::function<void()> m_pulsed;
     std::array<std::unique_ptr<Axis>, axes> m_axes;
     Bytes m_in;
     std::deque<Bytes> m_out;

@@ -85,16 +85,13 @@ Boot::Boot(SerialLink &link, Clock &clock, Board &board, const BoardOptions &opt
         if (fault.kind == "power-page")
             m_failLine = static_cast<int>(fault.at);
     }
-    if (options.jumper)
-        setJumper(true);
-}
-
-void Boot::setJumper(bool closed)
-{
-    if (closed)
+    m_jumper = options.jumper || options.inBootloader;
+    m_board.setResetListener([this] {
+        if (m_jumper)
+            start();
+    });
+    if (options.inBootloader)
         start();
-    else
-        m_banner.stop();
 }
 
 void Boot::start()

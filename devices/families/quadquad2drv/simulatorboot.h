@@ -11,8 +11,8 @@
 
 namespace mb::quadquad2drv::simulation {
 
-/// The board's bootloader on its UART (section 7; what the reference calls unknown is invented here). It runs while the jumper
-/// is closed, and says so every two seconds, as if somebody pressed reset, until the first line comes. Every good line of
+/// The board's bootloader on its UART (section 7; what the reference calls unknown is invented here). A reset with the jumper
+/// closed enters it, and it says so every two seconds, as if somebody pressed reset, until the first line comes. Every good line of
 /// Intel HEX is confirmed with "ok", others with "error". `reset` starts the application, whose version has risen by 0.1
 /// when the file was whole.
 class Boot {
@@ -23,7 +23,11 @@ public:
     /// On a link that is open and outlives this.
     Boot(SerialLink &link, Clock &clock, Board &board, const BoardOptions &options);
 
-    void setJumper(bool closed);
+    Boot(const Boot &) = delete;
+    Boot &operator=(const Boot &) = delete;
+    ~Boot() { m_board.setResetListener({}); }
+
+    void setJumper(bool closed) { m_jumper = closed; }
     [[nodiscard]] bool isRunning() const { return m_running; }
 
 private:
@@ -42,6 +46,7 @@ private:
     std::string m_text;
     int m_lines = 0;
     bool m_running = false;
+    bool m_jumper = false;
     bool m_whole = false;
     Subscription m_received;
     Timer m_banner;

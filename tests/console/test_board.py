@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A board on SPI in another process: QuadQuad2Drv over a socket, its bootloader over a pseudo terminal."""
+import json
+import os
+import subprocess
+import tempfile
+
+import contract
+from contract import ContractTest
+
+FIRMWARE = "resources/firmware/dmc60c-demo.hex"  # any Intel HEX: the file names no board
+
+
+class BoardTest(ContractTest):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.socket = os.path.join(folder.name, "board")
+        self.boot = os.path.join(folder.name, "boot")
+        self.device = f"unix:{self.socket}/quadquad2drv:0"
+
+    def simulate(self, options=""):
+        process = subprocess.Popen([contract.PROGRAM, "simulate", "--on", "unix:" + self.socket, "quadquad2drv:0" + options],
+                                   stdout=subprocess.PIPE, text=True)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.wait, contract.LIMIT)
+        self.addCleanup(process.terminate)
+        self.assertEqual(json.loads(process.stdout.readline()), {"ready": True, "links": ["unix:" + self.socket]})
+        return process
+
+    def test_scan_names_the_board(self):
+        self.simulate()
+        rows = self.run_one("scan", "unix:" + self.socket)["devices"]
+        self.assertEqual([(row["family"], row["address"], row["firmware"]) for row in rows], [("quadquad2drv", 0, "1.3")])
+
+    def test_a_value_that_can_be_read_is_set_and_verified_and_a_gain_is_not(self):
+        self.simulate()
+        self.assertEqual(self.run_one("set", self.device, "history.length=8")["verified"], True)
+        self.assertEqual(self.run_one("get", self.device, "history.length")["parameters"]["history.length"]["value"], 8)
+        self.assertIsNone(self.run_one("set", self.device, "ch2.position.p=250")["verified"])
+
+    def test_every_axis_drives_and_stops(self):
+        self.simulate()
+        for axis in "1234":
+            last = self.run_json("drive", self.device, "--mode", "duty", "--target", "0.3", "--axis", axis, "--for", "0.5")[-1]
+            self.assertEqual((last["stopped"], last["reason"]), (True, "done"), axis)
+            moved = [row for row in self.run_json("watch", self.device, "--channel", f"ch{axis}.position", "--for", "0.2")[:-1]]
+            self.assertGreater(abs(moved[-1]["value"]), 10, axis)
+
+    def test_watch_streams_up_to_500_times_a_second(self):
+        self.simulate()
+        rows = self.run_json("watch", self.device, "--channel", "ch1.position", "--rate", "500", "--for", "2")
+        summary = rows[-1]["summary"]
+        print(f"unix socket: {summary['samples'] / summary['seconds']:.0f} samples a second of 498 asked for, "
+              f"{summary['lost']} lost; the wire of a real board would carry 1453")
+        self.assertGreater(summary["samples"] + summary["lost"], 0.5 * 498 * summary["seconds"])
+
+    def test_a_board_that_goes_away_is_reported(self):
+        process = self.simulate()
+        with subprocess.Popen([contract.PROGRAM, "watch", self.device], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              text=True) as watching:
+            watching.stdout.readline()
+            watching.stdout.readline()
+            process.kill()
+            _, err = watching.communicate(timeout=contract.LIMIT)
+        self.assertEqual(watching.returncode, 5, err)
+        self.assertIn("closed the connection; start it again", err)
+
+    def test_an_update_goes_over_the_bootloaders_terminal(self):
+        self.simulate(f",boot=pty:{self.boot},jumper=closed")
+        short = self.short_file()
+        done = self.run_one("flash", self.device, short, "--via", "serial:" + self.boot)
+        self.assertEqual((done["result"], done["from"], done["to"], done["verified"]), ("done", "1.3", "1.4", True))
+
+    def test_an_update_that_is_cut_is_reported_and_can_be_repeated(self):
+        self.simulate(f",boot=pty:{self.boot},jumper=closed,fault=power-page@5")
+        short = self.short_file()
+        cut = self.run_one("flash", self.device, short, "--via", "serial:" + self.boot, status=3)
+        self.assertEqual((cut["result"], cut["verified"]), ("failed", False))
+        self.assertIn("4 of", cut["evidence"])
+        again = self.run_one("flash", self.device, short, "--via", "serial:" + self.boot)
+        self.assertEqual((again["result"], again["to"], again["verified"]), ("done", "1.4", True))
+
+    def test_an_update_without_its_serial_port_is_refused_with_the_remedy(self):
+        self.simulate()
+        refused = self.run_one("flash", self.device, self.short_file(), status=2)
+        self.assertEqual(refused["result"], "refused")
+        self.assertIn("--via serial:", refused["evidence"])
+
+    def short_file(self):
+        """The first records of the demo firmware and its end."""
+        with open(os.path.join(contract.SOURCE, FIRMWARE), encoding="ascii") as source:
+            lines = source.read().splitlines()
+        path = os.path.join(os.path.dirname(self.socket), "short.hex")
+        with open(path, "w", encoding="ascii") as out:
+            out.write("\n".join([*lines[:12], ":00000001FF"]) + "\n")
+        return path
