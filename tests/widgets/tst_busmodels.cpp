@@ -286,7 +286,7 @@ void BusModelsTest::identifiersHaveExactNumbers()
     QCOMPARE(cell(model, 0, IdModel::Count), QString::fromUtf8("1\u202F000"));
     QCOMPARE(cell(model, 0, IdModel::Rate), QStringLiteral("100"));
     QCOMPARE(cell(model, 0, IdModel::Jitter), QStringLiteral("1.00"));
-    QCOMPARE(cell(model, 0, IdModel::Value), QString::fromUtf8("dtcApplied 29.4\u00A0%"));
+    QCOMPARE(cell(model, 0, IdModel::Value), QString::fromUtf8("29.4\u00A0%  dtcApplied"));
     QCOMPARE(cell(model, 1, IdModel::Message), QStringLiteral("STSENCODER"));
     QVERIFY(model.busiest() != nullptr);
     QCOMPARE(model.busiest()->rate, 100.0);
@@ -355,8 +355,8 @@ void BusModelsTest::theChosenFieldIsShownForAllOfItsMessage()
     traffic.add(unknown);
     model.refresh(traffic.now);
     model.chooseField(0, QStringLiteral("modeSelect"));
-    QCOMPARE(cell(model, 0, IdModel::Value), QStringLiteral("modeSelect 1"));
-    QCOMPARE(cell(model, 1, IdModel::Value), QStringLiteral("modeSelect 2"));
+    QCOMPARE(cell(model, 0, IdModel::Value), QStringLiteral("1  modeSelect"));
+    QCOMPARE(cell(model, 1, IdModel::Value), QStringLiteral("2  modeSelect"));
     model.chooseField(2, QStringLiteral("modeSelect"));
     QCOMPARE(cell(model, 2, IdModel::Value), QString::fromUtf8("–"));
 }

@@ -13,6 +13,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QShortcut>
 #include <QSplitter>
@@ -45,6 +46,7 @@ BusPage::BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme,
     m_send->hide();
     auto *panel = new QVBoxLayout;
     panel->setContentsMargins(theme.theme().u(12), 0, theme.theme().u(12), 0);
+    panel->setSpacing(0);
     panel->addWidget(m_send);
     column->addWidget(m_bar);
     column->addLayout(panel);
@@ -67,6 +69,7 @@ void BusPage::buildTables()
     m_idTable = new TrafficView(
         m_theme, tr("Identifiers"), {88, 50, 122, 42, 64, 72, 84, 208, 118, 104}, IdModel::Value, m_lower);
     m_idTable->setSpare(IdModel::Data);
+    m_idTable->setSharing(IdModel::Spark);
     m_idTable->setModel(m_ids);
     m_idTable->setSelectionMode(QAbstractItemView::SingleSelection);
     m_idTable->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -93,19 +96,38 @@ void BusPage::buildTables()
 void BusPage::buildSide()
 {
     const Theme &theme = m_theme.theme();
-    m_side = new QWidget(m_outer);
-    m_side->setMinimumWidth(theme.u(250));
-    auto *column = new QVBoxLayout(m_side);
+    // At large fonts it is higher than the room that is left.
+    auto *scroll = new QScrollArea(m_outer);
+    m_side = scroll;
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(theme.u(250));
+    auto *content = new QWidget(scroll);
+    setStyleProperty(*content, "surface", QStringLiteral("window"));
+    content->setAttribute(Qt::WA_StyledBackground);
+    scroll->setWidget(content);
+    buildSideContent(*content);
+    m_outer->addWidget(m_side);
+    m_outer->setStretchFactor(0, 1);
+    m_outer->setStretchFactor(1, 0);
+}
+
+void BusPage::buildSideContent(QWidget &content)
+{
+    const Theme &theme = m_theme.theme();
+    auto *column = new QVBoxLayout(&content);
     column->setContentsMargins(0, 0, 0, theme.u(8));
     column->setSpacing(theme.u(4));
-    m_detail = new FrameDetail(m_theme, m_side);
-    m_load = new BusLoadView(m_theme, m_side);
-    m_loadCaption = textLabel({}, TextRole::Caption, Tone::Dim, m_side);
-    m_facts = textLabel({}, TextRole::Caption, Tone::Dim, m_side);
+    m_detail = new FrameDetail(m_theme, &content);
+    m_load = new BusLoadView(m_theme, &content);
+    m_loadCaption = textLabel({}, TextRole::Caption, Tone::Dim, &content);
+    m_facts = textLabel({}, TextRole::Caption, Tone::Dim, &content);
     m_facts->setWordWrap(true);
     auto *head = new QHBoxLayout;
     head->setContentsMargins(theme.u(12), 0, theme.u(12), 0);
-    head->addWidget(new SectionLabel(tr("Bus load, %"), m_side));
+    head->addWidget(new SectionLabel(tr("Bus load, %"), &content));
     head->addStretch();
     head->addWidget(m_loadCaption);
     auto *foot = new QVBoxLayout;
@@ -113,12 +135,9 @@ void BusPage::buildSide()
     foot->addWidget(m_load);
     foot->addWidget(m_facts);
     column->addWidget(m_detail, 1);
-    column->addWidget(separatorLine(Qt::Horizontal, m_side));
+    column->addWidget(separatorLine(Qt::Horizontal, &content));
     column->addLayout(head);
     column->addLayout(foot);
-    m_outer->addWidget(m_side);
-    m_outer->setStretchFactor(0, 1);
-    m_outer->setStretchFactor(1, 0);
     connect(
         m_detail, &FrameDetail::copyRequested, this, [this] { QApplication::clipboard()->setText(selectedText()); });
     connect(m_detail, &FrameDetail::sendRequested, this, [this](const CanFrame &frame) {
@@ -196,7 +215,7 @@ void BusPage::arrange()
     home->addWidget(m_side);
     home->setStretchFactor(0, 1);
     home->setStretchFactor(1, 0);
-    home->setSizes({width() - theme.u(300), theme.u(300)});
+    home->setSizes({width() - theme.u(270), theme.u(270)});
 }
 
 } // namespace mb

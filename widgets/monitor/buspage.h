@@ -50,6 +50,7 @@ protected:
 private:
     void buildTables();
     void buildSide();
+    void buildSideContent(QWidget &content);
     void buildKeys();
     void followLinks();
     void followLoad();

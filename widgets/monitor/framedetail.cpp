@@ -192,10 +192,11 @@ void FrameDetail::showFields(const FrameMeaning *meaning, const std::vector<std:
         }
         const bool scaled = fullScale(fields[i].unit).has_value();
         const std::array texts{qt(fields[i].name), i < bits.size() ? bitsText(bits[i]) : QString(),
-            scaled ? tr("%1 = %2").arg(wireValue(fields[i]), fieldValue(fields[i])) : wireValue(fields[i])};
+            scaled ? tr("%1 = %2").arg(wireValue(fields[i]), fieldValue(fields[i])) : fieldValue(fields[i])};
         for (int column = 0; column < 3; ++column) {
             auto *item = new QTableWidgetItem(texts.at(static_cast<std::size_t>(column)));
             item->setTextAlignment(static_cast<int>(Qt::AlignVCenter | (column == 0 ? Qt::AlignLeft : Qt::AlignRight)));
+            item->setToolTip(QStringLiteral("%1 = %2").arg(qt(fields[i].name), wireValue(fields[i])));
             if (column == 0)
                 item->setIcon(QIcon(swatch(theme, color)));
             if (column == 1)

@@ -59,7 +59,7 @@ QString IdModel::valueText(const Row &row) const
     if (field < 0)
         return UnknownMark;
     const DecodedField &shown = row.meaning->frame.fields[static_cast<std::size_t>(field)];
-    return qt(shown.name) + QLatin1Char(' ') + fieldValue(shown);
+    return fieldValue(shown) + QStringLiteral("  ") + qt(shown.name);
 }
 
 QString IdModel::text(const Row &row, int column) const

@@ -37,6 +37,7 @@ SendPanel::SendPanel(Workbench &workbench, Arming &arming, const ThemeSource &th
     m_outcome = textLabel({}, TextRole::Body, Tone::Dim, this);
     column->addWidget(m_meaning);
     column->addWidget(m_outcome);
+    m_outcome->hide();
     m_repeat.setTimerType(Qt::PreciseTimer);
     connect(&m_repeat, &QTimer::timeout, this, &SendPanel::send);
     connect(&workbench, &Workbench::changed, this, &SendPanel::follow);
@@ -83,7 +84,7 @@ void SendPanel::setLink(const std::string &link)
         return;
     endRepeat();
     m_link = link;
-    m_outcome->clear();
+    say({}, Tone::Dim);
     follow();
 }
 
@@ -183,6 +184,7 @@ void SendPanel::endRepeat(const QString &why)
 void SendPanel::say(const QString &text, Tone tone)
 {
     m_outcome->setText(text);
+    m_outcome->setVisible(!text.isEmpty());
     setTone(*m_outcome, tone);
 }
 

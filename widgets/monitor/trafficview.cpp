@@ -64,9 +64,11 @@ void TrafficView::layOut()
         setColumnHidden(m_spare, spared);
         rest += spared ? theme.u(m_widths[static_cast<std::size_t>(m_spare)]) : 0;
     }
+    const int shared = m_sharing >= 0 ? std::max(0, rest - least) / 2 : 0;
     for (std::size_t i = 0; i < m_widths.size(); ++i) {
         const int column = static_cast<int>(i);
-        setColumnWidth(column, column == m_stretching ? std::max(rest, least) : theme.u(m_widths[i]));
+        const int own = theme.u(m_widths[i]) + (column == m_sharing ? shared : 0);
+        setColumnWidth(column, column == m_stretching ? std::max(rest - shared, least) : own);
     }
 }
 

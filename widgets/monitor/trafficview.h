@@ -21,6 +21,8 @@ public:
     void setModel(QAbstractItemModel *model) override;
     /// A column that is left out where the stretching one would become too narrow.
     void setSpare(int column) { m_spare = column; }
+    /// A column that takes half of what the stretching one has beyond its least.
+    void setSharing(int column) { m_sharing = column; }
     [[nodiscard]] bool isAtEnd() const;
 
 protected:
@@ -33,6 +35,7 @@ private:
     std::vector<int> m_widths;
     int m_stretching;
     int m_spare = -1;
+    int m_sharing = -1;
 };
 
 } // namespace mb
