@@ -192,6 +192,17 @@ void Engine::clearFaults(DeviceId device, Finished finished)
     post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.clearFaults(device, back); });
 }
 
+void Engine::calibrate(DeviceId device, const std::string &key, std::optional<double> value, Finished finished)
+{
+    post([device, key, value, back = comeBack(std::move(finished))](
+             EngineCore &core) { core.calibrate(device, key, value, back); });
+}
+
+void Engine::setDialect(DeviceId device, const std::string &key, Finished finished)
+{
+    post([device, key, back = comeBack(std::move(finished))](EngineCore &core) { core.setDialect(device, key, back); });
+}
+
 void Engine::setRate(DeviceId device, ChannelIndex channel, double hertz)
 {
     post([device, channel, hertz](EngineCore &core) { core.setRate(device, channel, hertz); });

@@ -37,6 +37,8 @@ public:
     void rename(DeviceId device, const QString &name, Finished finished) override;
     void renumber(DeviceId device, int address, Finished finished) override;
     void clearFaults(DeviceId device, Finished finished) override;
+    void calibrate(DeviceId device, const std::string &key, std::optional<double> value, Finished finished) override;
+    void setDialect(DeviceId device, const std::string &key, Finished finished) override;
     void setRate(DeviceId device, ChannelIndex channel, double hertz) override;
     void startMotion(
         DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished) override;

@@ -26,6 +26,8 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
     , m_remarked(m_session.remarked().add([this](const Link &link, const std::string &text) {
         notice(Severity::Caution, link.address().shortName(), text);
     }))
+    , m_profileTrouble(
+          m_session.profileTrouble().add([this](const std::string &text) { notice(Severity::Danger, {}, text); }))
     , m_look(clock)
     , m_scope(clock)
 {
@@ -361,6 +363,21 @@ void EngineCore::clearFaults(DeviceId id, Finished finished)
             answer(finished, faults ? Result<void>() : Result<void>(fail(faults.error())));
         },
         finished);
+}
+
+void EngineCore::calibrate(DeviceId id, const std::string &key, std::optional<double> value, const Finished &finished)
+{
+    Device *device = m_session.find(id);
+    answer(finished, device ? device->calibrate(key, value) : fail(Fault::Timeout, "the device is gone"));
+}
+
+void EngineCore::setDialect(DeviceId id, const std::string &key, const Finished &finished)
+{
+    Device *device = m_session.find(id);
+    if (device && m_session.stream(*device).isRunning())
+        answer(finished, fail(Fault::Unsafe, "stop the motor before its dialect is changed"));
+    else
+        answer(finished, device ? device->setDialect(key) : fail(Fault::Timeout, "the device is gone"));
 }
 
 void EngineCore::setRate(DeviceId id, ChannelIndex channel, double hertz)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/parametertransfer.h"
 
+#include "model/family.h"
+
 namespace mb {
 
 std::vector<ParameterIndex> readable(const Device &device)
@@ -66,6 +68,8 @@ Task<std::vector<TransferOutcome>> writeParameters(
 {
     std::vector<TransferOutcome> outcomes;
     const int total = static_cast<int>(changes.size());
+    if (device.family().arrange)
+        device.family().arrange(device.parameters(), changes);
     for (const ParameterChange change : changes) {
         const std::string key(device.parameters().parameter(change.index).key);
         progress.step("Writing " + key, static_cast<int>(outcomes.size()), total);
