@@ -312,7 +312,9 @@ void EngineCore::writeParameters(DeviceId id, std::vector<ParameterChange> chang
                 result = fail(outcomes->back().raw.error());
             if (device && result)
                 notice(Severity::Good, labelOf(*device),
-                    std::to_string(outcomes->size()) + " written, read back and equal");
+                    std::to_string(outcomes->size())
+                        + (device->family().capabilities.readback ? " written, read back and equal"
+                                                                  : " written; this device cannot be read back"));
             else if (device)
                 notice(Severity::Danger, labelOf(*device), result.error().detail);
             answer(finished, result);

@@ -78,6 +78,14 @@ struct UpdateOptions {
     bool eraseSettings = false; ///< what the unit has stored goes too; families without such a thing refuse it
 };
 
+/// A way in for an update besides the device's own link: what `--via` is to name.
+struct UpdateRoute {
+    std::string_view scheme;                     ///< before the first colon: openocd
+    std::string_view example;                    ///< openocd:stlink
+    std::span<const std::string_view> targets{}; ///< of `--target`; empty: it needs none
+    bool erasesSettings = false;                 ///< UpdateOptions::eraseSettings
+};
+
 enum class UpdateOutcome { Done, UpToDate, Refused, Failed, Cancelled };
 [[nodiscard]] std::string_view toString(UpdateOutcome outcome);
 
@@ -114,6 +122,7 @@ struct Family {
 
     std::span<const DialectChoice> dialects{};   ///< empty: there is one
     std::span<const Calibration> calibrations{}; ///< empty: everything is known
+    std::span<const UpdateRoute> routes{};       ///< of update(); empty: the device's own link
     const LoopScale *loop = nullptr;             ///< nullptr: what the gains mean is not known
     /// Puts changes of write-only or interlocked parameters into the order that passes through safe states only.
     void (*arrange)(const ParameterStore &known, std::vector<ParameterChange> &changes) = nullptr;

@@ -93,6 +93,62 @@ TEST_P(Contract, EveryWritableParameterWritesAndReadsBackWhereTheDeviceCan)
         if (family().capabilities.readback && parameter.access == Access::ReadWrite) {
             EXPECT_TRUE(outcomes->front().verified.value_or(false)) << parameter.key;
         }
+        if (parameter.access == Access::WriteOnly) {
+            EXPECT_FALSE(outcomes->front().verified) << parameter.key << ": nobody can know";
+            EXPECT_EQ(device->parameters().entry({i}).state, ParameterState::Assumed) << parameter.key;
+            EXPECT_EQ(device->parameters().entry({i}).raw, *raw) << parameter.key;
+            EXPECT_EQ(device->profile().written.at(std::string(parameter.key)), *raw) << "kept for the next run";
+        }
+    }
+}
+
+TEST_P(Contract, WhatCannotBeReadBackIsNeverCalledStored)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    if (family().capabilities.readback)
+        return;
+    for (const Parameter &parameter : family().parameters)
+        EXPECT_EQ(parameter.access, Access::WriteOnly) << parameter.key;
+    const auto raw = toRaw(family().parameters[0], family().parameters[0].fallback);
+    ASSERT_TRUE(raw);
+    NoProgress progress;
+    ASSERT_TRUE(run(bench->clock, device->write({0}, *raw)));
+    const auto proved = run(bench->clock, device->store(progress));
+    ASSERT_TRUE(proved) << proved.error().detail;
+    EXPECT_FALSE(*proved);
+    EXPECT_EQ(device->parameters().entry({0}).state, ParameterState::Assumed);
+    EXPECT_EQ(run(bench->clock, device->read({0})).error().fault, Fault::Unsupported);
+}
+
+TEST_P(Contract, AChosenDialectIsShownWithItsWarningAndForgottenAgain)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    EXPECT_FALSE(device->setDialect("no such dialect"));
+    const std::string probed = device->identity().dialect;
+    for (const DialectChoice &choice : family().dialects) {
+        ASSERT_TRUE(device->setDialect(choice.key)) << choice.key;
+        EXPECT_EQ(device->identity().dialect, choice.key);
+        EXPECT_FALSE(choice.warning.empty());
+        EXPECT_EQ(device->identity().detail.find(choice.warning) != std::string::npos, choice.key != probed);
+    }
+    ASSERT_TRUE(device->setDialect({}));
+    EXPECT_EQ(device->identity().dialect, probed);
+}
+
+TEST_P(Contract, CalibrationsAreCheckedKeptAndForgotten)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    EXPECT_FALSE(device->calibrate("no_such_key", 1.0));
+    for (const Calibration &row : family().calibrations) {
+        EXPECT_FALSE(row.label.empty() || row.help.empty()) << row.key;
+        EXPECT_FALSE(device->calibrate(row.key, row.maximum * 2.0)) << row.key;
+        ASSERT_TRUE(device->calibrate(row.key, row.minimum)) << row.key;
+        EXPECT_EQ(device->profile().calibrated(row.key), row.minimum);
+        ASSERT_TRUE(device->calibrate(row.key, std::nullopt)) << row.key;
+        EXPECT_EQ(device->profile().calibrated(row.key, -1.0), -1.0);
     }
 }
 
@@ -209,6 +265,11 @@ TEST_P(Contract, EveryTimeOutSurfacesWhenTheUnitIsWithoutPower)
         ASSERT_FALSE(raw);
         EXPECT_EQ(raw.error().fault, Fault::Timeout);
     }
+    for (std::uint16_t i = 0; indices.empty() && i < 1; ++i) {
+        const auto raw = run(bench->clock, device->write({i}, 1));
+        ASSERT_FALSE(raw);
+        EXPECT_EQ(raw.error().fault, Fault::Timeout);
+    }
     const auto refreshed = run(bench->clock, device->refresh());
     ASSERT_FALSE(refreshed);
     EXPECT_EQ(refreshed.error().fault, Fault::Timeout);
@@ -260,8 +321,14 @@ TEST_P(Contract, CancellingATransferAtEveryStepLeavesNoListener)
     auto indices = readable(*device);
     indices.resize(std::min<std::size_t>(indices.size(), 2));
     NoProgress progress;
+    const std::vector<ParameterChange> changes{{{0}, 1}, {{1}, 1}};
     cancelEverywhere<std::vector<TransferOutcome>>(
-        *bench, [&] { return readParameters(*device, indices, progress); }, 5000);
+        *bench,
+        [&] {
+            return indices.empty() ? writeParameters(*device, changes, progress)
+                                   : readParameters(*device, indices, progress);
+        },
+        5000);
 }
 
 TEST_P(Contract, KeysAndChannelsFollowTheNamingOfTheProduct)

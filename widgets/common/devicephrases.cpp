@@ -154,6 +154,7 @@ constexpr auto phrases = std::to_array<const char *>({
     QT_TRANSLATE_NOOP("table", "%1 parameters gave no answer"),
     QT_TRANSLATE_NOOP("table", "all %1 read"),
     QT_TRANSLATE_NOOP("table", "%1 written, read back and equal"),
+    QT_TRANSLATE_NOOP("table", "%1 written; this device cannot be read back"),
     QT_TRANSLATE_NOOP("table", "stored, the flash sequence number advanced"),
     QT_TRANSLATE_NOOP("table", "stored, not verifiable"),
     QT_TRANSLATE_NOOP("table", "Waiting until the device has written its flash"),

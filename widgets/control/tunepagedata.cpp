@@ -78,6 +78,8 @@ void TunePage::followDevice(const DeviceView &view)
     }
     if (m_shown != view.id) {
         m_shown = view.id;
+        if (const double counts = view.profile.calibrated(countsPerRevolutionKey); counts > 0.0)
+            chosen.units.countsPerRevolution = counts;
         m_modes->setFamily(*view.family);
         m_modes->chainAfter(m_run);
         m_modes->show(chosen.mode, chosen.editedSlot, chosen.runningSlot);

@@ -18,6 +18,9 @@ class Controller final : public Device {
 public:
     Controller(const Family &family, CanLink &link, Clock &clock, Identity identity);
 
+    /// The settings pages are blank, by order of this program.
+    void settingsErased();
+
 private:
     // Device, in controllertasks.cpp
     Task<void> doRefresh() override;

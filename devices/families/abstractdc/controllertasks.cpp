@@ -173,6 +173,15 @@ Task<bool> Controller::doStore(Progress &progress)
     co_return false;
 }
 
+void Controller::settingsErased()
+{
+    for (const Loop loop : loops)
+        setCounter(counterOf(loop), 0);
+    for (std::uint16_t i = 0; i < parameterTable().size(); ++i)
+        assume({i}, fieldOf(parameterTable()[i]) == Field::Averaging ? 1 : 0);
+    m_unsaved.clear();
+}
+
 Task<std::vector<FaultRecord>> Controller::doReadFaults()
 {
     std::vector<FaultRecord> records;

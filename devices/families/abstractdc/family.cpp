@@ -4,6 +4,7 @@
 #include "families/abstractdc/channels.h"
 #include "families/abstractdc/controller.h"
 #include "families/abstractdc/decode.h"
+#include "families/abstractdc/firmware.h"
 #include "families/abstractdc/parameters.h"
 #include "families/abstractdc/protocol.h"
 #include "families/abstractdc/scan.h"
@@ -52,6 +53,9 @@ constexpr std::array<Calibration, 3> calibrations{{
         1e-6, 1e3},
 }};
 
+constexpr std::array<std::string_view, 2> targets{"f1", "f4"};
+constexpr std::array routes{UpdateRoute{"openocd", "openocd:stlink", targets, true}};
+
 /// Section 4: time in milliseconds, the change taken the wrong way round.
 constexpr LoopScale loop{
     .fullDuty = fullPwm,
@@ -91,11 +95,14 @@ const Family family{
     .bench = bench,
     .dialects = dialectChoices,
     .calibrations = calibrations,
+    .routes = routes,
     .loop = &loop,
     .arrange = arrange,
     .scan = scan,
     .open = open,
     .decodeCan = decodeCan,
+    .update = update,
+    .inspect = inspect,
     .simulate = simulate,
 };
 

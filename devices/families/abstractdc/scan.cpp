@@ -45,17 +45,23 @@ private:
         if (frame.extended || frame.remote || frame.error)
             return;
         const bool request = frame.size == 1 && frame.data[0] == dialectF.codeOf(Log::Velocity);
+        // Somebody asks a legacy drive for its position: that answer looks like the speed of another drive.
+        if (frame.size == 1 && frame.id >= id::logRequest && frame.id <= id::logRequest + maxOffset
+            && frame.data[0] == dialectL.codeOf(Log::Position))
+            m_explained.insert(frame.id - id::logRequest + id::positionLogLegacy);
         if (request && frame.id == id::logRequest) {
             ++m_broadcasts;
         } else if (request && frame.id > id::logRequest && frame.id <= id::logRequest + maxOffset) {
             ++m_asked.at(frame.id - id::logRequest);
-        } else if (frame.size == 4 && frame.id >= id::velocityLogLegacy && frame.id <= id::velocityLog + maxOffset) {
+        } else if (frame.size == 4 && frame.id >= id::velocityLogLegacy && frame.id <= id::velocityLog + maxOffset
+            && m_explained.count(frame.id) == 0) {
             m_velocity.insert(frame.id);
             m_answers.push_back(frame.id);
         }
     }
 
     std::set<std::uint32_t> m_velocity;
+    std::set<std::uint32_t> m_explained;
     std::vector<std::uint32_t> m_answers;
     int m_broadcasts = 0;
     std::array<int, maxOffset + 1> m_asked{};
