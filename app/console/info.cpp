@@ -5,8 +5,8 @@
 #include "transport/canlink.h"
 #include "transport/linkcatalog.h"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 
 namespace mb::console {
@@ -44,15 +44,11 @@ void printJson(Console &console, const Device &device, const Faults &faults)
     QJsonObject descriptors;
     for (const auto &[key, text] : device.identity().descriptors)
         descriptors.insert(qt(key), qt(text));
+    for (const auto &[key, number] : device.profile().calibration)
+        descriptors.insert(qt(key), qt(numberText(number)));
     object.insert(QStringLiteral("descriptors"), descriptors);
     object.insert(QStringLiteral("faults"), faults ? QJsonValue(toJson(*faults)) : QJsonValue());
     object.insert(QStringLiteral("counters"), toJson(device.link().counters()));
-    QJsonObject calibration;
-    for (const Calibration &row : device.family().calibrations) {
-        const double known = device.profile().calibrated(row.key);
-        calibration.insert(qt(row.key), known > 0.0 ? QJsonValue(known) : QJsonValue());
-    }
-    object.insert(QStringLiteral("calibration"), calibration);
     console.out().json(object);
 }
 

@@ -75,9 +75,7 @@ Task<std::vector<TransferOutcome>> writeParameters(
         progress.step("Writing " + key, static_cast<int>(outcomes.size()), total);
         auto task = writeOne(device, change);
         TransferOutcome outcome = co_await std::move(task);
-        const bool failed = !outcome.raw;
-        if (failed)
-            progress.log(Severity::Danger, key + ": " + outcome.raw.error().detail);
+        const bool failed = !outcome.raw; // who asked for it says so
         outcomes.push_back(std::move(outcome));
         if (failed)
             break;

@@ -212,6 +212,12 @@ Task<std::vector<Device *>> Session::scan(Link &link)
     co_await round.done.wait();
     if (round.error)
         co_return fail(*round.error);
+    const auto rank = [this](const Device *device) {
+        const auto family = std::find(m_families.begin(), m_families.end(), &device->family());
+        return std::pair(family - m_families.begin(), device->identity().address);
+    };
+    std::stable_sort(
+        round.seen.begin(), round.seen.end(), [&rank](const Device *a, const Device *b) { return rank(a) < rank(b); });
     co_return round.seen;
 }
 

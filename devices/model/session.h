@@ -59,7 +59,7 @@ public:
 
     /// Scans with every family that speaks this kind of link, all at once; devices() grows as answers come. A recording
     /// cannot be asked: the whole file is looked through, in pieces, for what devices sent. Yields what
-    /// answered this time, in table order. A device that did not answer stays in devices() and is not heard.
+    /// answered this time, family by family, in order of address. A device that did not answer stays in devices() and is not heard.
     [[nodiscard]] Task<std::vector<Device *>> scan(Link &link);
     /// Opens the link, asks whether exactly this device is there. Timeout when not; Refused when the number is taken twice
     /// and the selector does not say which.

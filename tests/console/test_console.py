@@ -4,6 +4,7 @@ import sys
 import unittest
 
 import contract
+from test_abstractdc import AbstractDc  # noqa: F401
 from test_devices import DeviceVerbs  # noqa: F401
 from test_motion import Motion  # noqa: F401
 from test_serial import SerialTest  # noqa: F401

@@ -47,11 +47,9 @@ std::optional<Log> logOf(ChannelIndex channel)
 Task<void> Controller::expectAnswer()
 {
     const Dialect &dialect = m_dialect ? *m_dialect : dialectF;
-    const Log log = m_dialect ? Log::Position : Log::Velocity;
+    const Log log = Log::Velocity; // the one code that is the same in F, L and D, should the dialect be mistaken
     const int offset = identity().address;
-    std::vector<std::uint32_t> answers{replyId(dialect, offset, log)};
-    if (!m_dialect)
-        answers.push_back(replyId(dialectL, offset, log));
+    const std::array answers{replyId(dialectF, offset, log), replyId(dialectL, offset, log)};
     CanInbox::Match match = [answers](const CanFrame &frame) {
         return !frame.extended && frame.size == 4
             && std::find(answers.begin(), answers.end(), frame.id) != answers.end();
@@ -88,22 +86,20 @@ Task<std::int64_t> Controller::doRead(ParameterIndex)
 
 Result<void> Controller::mayWrite(const Parameter &parameter, std::int64_t raw) const
 {
-    const std::string key(parameter.key);
     if (!m_dialect)
-        return fail(Fault::Unsafe, key + ": it is not proven which codes this drive speaks; nothing was written");
+        return fail(Fault::Unsafe, "it is not proven which codes this drive speaks; nothing was written");
     const Field field = fieldOf(parameter);
     if (field == Field::Divisor && raw == 0)
-        return fail(Fault::OutOfRange, key + ": 0 is no divisor; the loop would be undefined");
+        return fail(Fault::OutOfRange, "0 is no divisor; the loop would be undefined");
     if (field == Field::Divisor && m_loop == loopOf(parameter))
-        return fail(Fault::Unsafe, key + ": a divisor changes all gains at once; stop the motor first");
+        return fail(Fault::Unsafe, "a divisor changes all gains at once; stop the motor first");
     if (field != Field::Averaging)
         return {};
     if (raw < 1 || raw > averagingMost)
-        return fail(
-            Fault::OutOfRange, key + ": legal is 1 … 500; the drive does not check it and would overwrite its memory");
+        return fail(Fault::OutOfRange, "legal is 1 … 500; the drive does not check it and would overwrite its memory");
     const auto before = parameters().entry(*parameterOf(Loop::Current, Field::Averaging)).raw;
     if (before && raw < *before && isDriven())
-        return fail(Fault::Unsafe, key + ": lowering it needs a stopped motor");
+        return fail(Fault::Unsafe, "lowering it needs a stopped motor");
     return {};
 }
 

@@ -63,8 +63,13 @@ Result<std::unique_ptr<QTemporaryFile>> written(const FirmwareImage &image)
 }
 
 /// Runs OpenOCD to its end; fails with one line that names the remedy.
-Task<openocd::Reading> program(Clock &clock, openocd::Job job, Progress &progress)
+Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> pages, Progress &progress)
 {
+    const auto mark = [&pages, &progress](PartState state) {
+        for (const int page : pages)
+            progress.part(page, state);
+    };
+    mark(PartState::Waiting);
     ExternalProgram openocd(clock);
     if (!ExternalProgram::locate("openocd"))
         co_return fail(Fault::LinkLost, "openocd is not installed; install it with: sudo apt install openocd");
@@ -82,7 +87,12 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, Progress &progres
             break;
         if (!(*piece)->complete)
             continue;
+        const Stage before = reading.stage();
         reading.take((*piece)->text);
+        if (reading.stage() != before && reading.stage() == Stage::Writing)
+            mark(PartState::Active);
+        if (reading.stage() != before && reading.stage() == Stage::Verifying)
+            mark(PartState::Done);
         progress.log(Severity::Info, (*piece)->text);
     }
     if (!openocd.exit().isSuccess() || !reading.isVerified())
@@ -189,7 +199,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         progress.log(Severity::Caution,
             "the gains stored in the drive are erased; all its loops do nothing until they are written again");
     device.stop();
-    auto programming = program(device.clock(), *job, progress);
+    auto programming = program(device.clock(), *job, summary->parts, progress);
     const openocd::Reading reading = co_await std::move(programming);
     progress.step(std::string(titleOf(Stage::Over)), static_cast<int>(Stage::Over), static_cast<int>(Stage::Over));
     if (reading.isErased())

@@ -131,9 +131,9 @@ void LogPoller::ask()
         return;
     }
     wish.due = std::max(wish.due + wish.period, m_clock.now());
-    m_open = log;
     m_timer.startIn(answerTime(m_link), [this] { timedOut(); });
-    (void)m_link.send(encodeLogRequest(m_dialect ? *m_dialect : dialectF, m_offset, log));
+    if (m_link.send(encodeLogRequest(m_dialect ? *m_dialect : dialectF, m_offset, log)))
+        m_open = log; // else, as on a recording, nobody was asked and no answer is missing
 }
 
 void LogPoller::timedOut()

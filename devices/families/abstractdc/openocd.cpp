@@ -51,15 +51,31 @@ std::string eraseCommand()
     return text.data();
 }
 
+/// SWD, as each probe calls it; the repository's own choice for its ST-Link.
+std::string_view transportOf(std::string_view interface)
+{
+    if (interface == "stlink-dap")
+        return "dapdirect_swd";
+    const bool highLevel = interface.find("stlink") != std::string_view::npos
+        || interface.find("nulink") != std::string_view::npos || interface == "ti-icdi";
+    return highLevel ? "hla_swd" : "swd";
+}
+
 /// What a piece of output means for the user; the first that is found counts.
 struct Meaning {
     std::string_view words;
     Fault fault;
     std::string_view line;
 };
+constexpr std::string_view noProbe
+    = "OpenOCD finds no debug probe; plug it in, and check that its kind is the one named after openocd:";
 constexpr std::array meanings{
     Meaning{"can't find interface/", Fault::OutOfRange,
         "OpenOCD has no interface of this name; name one of its interface files, such as openocd:stlink"},
+    Meaning{"can't change session's transport", Fault::OutOfRange,
+        "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink"},
+    Meaning{"doesn't support '", Fault::OutOfRange,
+        "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink"},
     Meaning{"** verify failed **", Fault::BadCheck,
         "the microcontroller does not hold what was written; run it again with shorter wires or a lower speed"},
     Meaning{"** programming failed **", Fault::Refused,
@@ -74,12 +90,13 @@ constexpr std::array meanings{
         "the microcontroller could not be halted; check the reset wire and the power of the drive"},
     Meaning{"libusb_error_access", Fault::LinkLost,
         "the debug probe is there but may not be opened; install OpenOCD's udev rules or ask your administrator"},
-    Meaning{"open failed", Fault::LinkLost,
-        "OpenOCD finds no debug probe; plug it in, and check that its kind is the one named after openocd:"},
-    Meaning{"unable to find", Fault::LinkLost,
-        "OpenOCD finds no debug probe; plug it in, and check that its kind is the one named after openocd:"},
-    Meaning{"no j-link device found", Fault::LinkLost,
-        "OpenOCD finds no debug probe; plug it in, and check that its kind is the one named after openocd:"},
+    Meaning{"open failed", Fault::LinkLost, noProbe},
+    Meaning{"unable to find", Fault::LinkLost, noProbe},
+    Meaning{"unable to open", Fault::LinkLost, noProbe},
+    Meaning{"no j-link device found", Fault::LinkLost, noProbe},
+    Meaning{"failed to open or find", Fault::LinkLost, noProbe},
+    Meaning{"xds110: failed to connect", Fault::LinkLost, noProbe},
+    Meaning{"no device found", Fault::LinkLost, noProbe},
 };
 
 } // namespace
@@ -105,9 +122,8 @@ Result<Job> jobOf(std::string_view via, std::string_view target)
 ExternalProgram::Command commandOf(const Job &job)
 {
     const Target &target = *targetOf(job.target);
-    const bool highLevel = job.interface.find("stlink") != std::string::npos; // the repository's own choice for it
     std::vector<std::string> arguments{"-f", "interface/" + job.interface + ".cfg", "-c",
-        highLevel ? "transport select hla_swd" : "transport select swd", "-f", std::string(target.file)};
+        "transport select " + std::string(transportOf(job.interface)), "-f", std::string(target.file)};
     const auto order = [&arguments](std::string command) {
         arguments.emplace_back("-c");
         arguments.push_back(std::move(command));

@@ -197,7 +197,8 @@ Task<std::vector<int>> findOldest(CanLink &link, Clock &clock)
         if (auto sent = link.send(encodeLogRequest(dialectLL, offset, Log::Position)); !sent)
             co_return fail(sent.error());
     }
-    co_await Sleep(clock, answerTime(link) + (all ? roundTrip(link) * maxOffset : Duration::zero()));
+    const Duration wait = answerTime(link) + (all ? roundTrip(link) * maxOffset : Duration::zero());
+    co_await Sleep(clock, wait);
     co_return std::vector<int>(offsets.begin(), offsets.end());
 }
 
