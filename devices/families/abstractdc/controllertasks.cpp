@@ -6,6 +6,8 @@
 #include "families/abstractdc/parameters.h"
 #include "transport/exchange.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,25 +83,29 @@ Task<void> Controller::doRefresh()
 
 Task<std::int64_t> Controller::doRead(ParameterIndex)
 {
-    co_return fail(Fault::Unsupported, "an Abstract DC Drive cannot be asked for its settings");
+    co_return fail(
+        Fault::Unsupported, QT_TRANSLATE_NOOP("table", "an Abstract DC Drive cannot be asked for its settings"));
 }
 
 Result<void> Controller::mayWrite(const Parameter &parameter, std::int64_t raw) const
 {
     if (!m_dialect)
-        return fail(Fault::Unsafe, "it is not proven which codes this drive speaks; nothing was written");
+        return fail(Fault::Unsafe,
+            QT_TRANSLATE_NOOP("table", "it is not proven which codes this drive speaks; nothing was written"));
     const Field field = fieldOf(parameter);
     if (field == Field::Divisor && raw == 0)
-        return fail(Fault::OutOfRange, "0 is no divisor; the loop would be undefined");
+        return fail(Fault::OutOfRange, QT_TRANSLATE_NOOP("table", "0 is no divisor; the loop would be undefined"));
     if (field == Field::Divisor && m_loop == loopOf(parameter))
-        return fail(Fault::Unsafe, "a divisor changes all gains at once; stop the motor first");
+        return fail(
+            Fault::Unsafe, QT_TRANSLATE_NOOP("table", "a divisor changes all gains at once; stop the motor first"));
     if (field != Field::Averaging)
         return {};
     if (raw < 1 || raw > averagingMost)
-        return fail(Fault::OutOfRange, "legal is 1 … 500; the drive does not check it and would overwrite its memory");
+        return fail(Fault::OutOfRange,
+            QT_TRANSLATE_NOOP("table", "legal is 1 … 500; the drive does not check it and would overwrite its memory"));
     const auto before = parameters().entry(*parameterOf(Loop::Current, Field::Averaging)).raw;
     if (before && raw < *before && isDriven())
-        return fail(Fault::Unsafe, "lowering it needs a stopped motor");
+        return fail(Fault::Unsafe, QT_TRANSLATE_NOOP("table", "lowering it needs a stopped motor"));
     return {};
 }
 
@@ -123,8 +129,8 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
         co_await std::move(saving);
         m_needsPowerCycle = true;
         Identity known = identity();
-        known.detail
-            = "Its averaging was lowered and saved. Switch it off and on now: until then it overwrites its memory.";
+        known.detail = QT_TRANSLATE_NOOP("table",
+            "Its averaging was lowered and saved. Switch it off and on now: until then it overwrites its memory.");
         setIdentity(std::move(known));
     }
     co_return raw;
@@ -155,9 +161,11 @@ Task<void> Controller::save(Loop loop, Progress &progress)
 Task<bool> Controller::doStore(Progress &progress)
 {
     if (!m_dialect)
-        co_return fail(Fault::Unsafe, "it is not proven which codes this drive speaks; nothing was saved");
+        co_return fail(Fault::Unsafe,
+            QT_TRANSLATE_NOOP("table", "it is not proven which codes this drive speaks; nothing was saved"));
     if (isDriven())
-        co_return fail(Fault::Unsafe, "stop the motor first: the drive stands still while it writes its flash");
+        co_return fail(Fault::Unsafe,
+            QT_TRANSLATE_NOOP("table", "stop the motor first: the drive stands still while it writes its flash"));
     const std::set<Loop> all = m_unsaved;
     int done = 0;
     for (const Loop loop : all) {
@@ -197,26 +205,29 @@ Task<std::vector<FaultRecord>> Controller::doClearFaults()
 
 Task<void> Controller::doIdentify()
 {
-    co_return fail(Fault::Unsupported, "an Abstract DC Drive has no lamp to blink");
+    co_return fail(Fault::Unsupported, QT_TRANSLATE_NOOP("table", "an Abstract DC Drive has no lamp to blink"));
 }
 
 Task<void> Controller::doRename(std::string)
 {
-    co_return fail(Fault::Unsupported, "an Abstract DC Drive has no name");
+    co_return fail(Fault::Unsupported, QT_TRANSLATE_NOOP("table", "an Abstract DC Drive has no name"));
 }
 
 Task<void> Controller::doRenumber(int)
 {
-    co_return fail(Fault::Unsupported, "the offset of an Abstract DC Drive is compiled into its firmware");
+    co_return fail(Fault::Unsupported,
+        QT_TRANSLATE_NOOP("table", "the offset of an Abstract DC Drive is compiled into its firmware"));
 }
 
 Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
 {
     const auto log = logOf(channel);
     if (!log)
-        co_return fail(Fault::Unsupported, "the set-point comes from here, not from the device");
+        co_return fail(
+            Fault::Unsupported, QT_TRANSLATE_NOOP("table", "the set-point comes from here, not from the device"));
     if (!std::isfinite(hertz) || hertz < 0.0)
-        co_return fail(Fault::OutOfRange, "a rate is a positive number, or 0 for the usual one");
+        co_return fail(
+            Fault::OutOfRange, QT_TRANSLATE_NOOP("table", "a rate is a positive number, or 0 for the usual one"));
     if (hertz > 0.0)
         m_wishes[*log] = hertz;
     else

@@ -7,6 +7,8 @@
 #include "families/abstractdc/protocol.h"
 #include "wire/bytes.h"
 
+#include <QtGlobal>
+
 #include <QDir>
 #include <QTemporaryFile>
 
@@ -72,7 +74,8 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
     mark(PartState::Waiting);
     ExternalProgram openocd(clock);
     if (!ExternalProgram::locate("openocd"))
-        co_return fail(Fault::LinkLost, "openocd is not installed; install it with: sudo apt install openocd");
+        co_return fail(Fault::LinkLost,
+            QT_TRANSLATE_NOOP("table", "openocd is not installed; install it with: sudo apt install openocd"));
     if (auto started = openocd.start(openocd::commandOf(job)); !started)
         co_return fail(started.error());
     openocd::Reading reading;
@@ -120,9 +123,10 @@ Result<void> preflight(const Device &device, const FirmwareImage &image, const U
     if (auto summary = inspect(image); !summary)
         return fail(summary.error());
     if (device.liveness().moving)
-        return fail(Fault::Unsafe, "its motor moves; stop it first");
+        return fail(Fault::Unsafe, QT_TRANSLATE_NOOP("table", "its motor moves; stop it first"));
     if (options.eraseSettings && touchesSettings(image))
-        return fail(Fault::OutOfRange, "the image itself writes the settings pages; leave out erasing them");
+        return fail(Fault::OutOfRange,
+            QT_TRANSLATE_NOOP("table", "the image itself writes the settings pages; leave out erasing them"));
     return {};
 }
 
@@ -153,7 +157,9 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
     const auto &segments = image.segments();
     if (segments.empty() || segments.front().first < flashBegin || segments.back().last >= flashEnd)
         return fail(Fault::OutOfRange,
-            "this is no program for the drive: it has bytes outside the flash of an STM32, 0x08000000 … 0x081FFFFF");
+            QT_TRANSLATE_NOOP("table",
+                "this is no program for the drive: it has bytes outside the flash of an STM32, 0x08000000 … "
+                "0x081FFFFF"));
     std::array<std::uint8_t, 8> vectors{};
     image.overlay(flashBegin, vectors);
     const std::uint32_t stack = readU32le(vectors, 0);
@@ -161,9 +167,11 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
     if (image.byteCount(flashBegin, flashBegin + 7) != vectors.size() || (stack >> 24U) != 0x20U || (reset & 1U) == 0
         || !image.has(reset & ~1U))
         return fail(Fault::OutOfRange,
-            "this is no program for the drive: there are no vectors of an STM32 at 0x08000000. Make the Intel HEX file "
-            "with: "
-            "arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf");
+            QT_TRANSLATE_NOOP("table",
+                "this is no program for the drive: there are no vectors of an STM32 at 0x08000000. Make the Intel HEX "
+                "file "
+                "with: "
+                "arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf"));
     ImageSummary summary;
     for (std::uint32_t page = flashBegin; page <= segments.back().last; page += pageSize) {
         if (image.hasAny(page, page + pageSize - 1))

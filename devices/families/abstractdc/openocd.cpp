@@ -3,6 +3,8 @@
 
 #include "families/abstractdc/protocol.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -67,29 +69,41 @@ struct Meaning {
     Fault fault;
     std::string_view line;
 };
-constexpr std::string_view noProbe
-    = "OpenOCD finds no debug probe; plug it in, and check that its kind is the one named after openocd:";
+constexpr std::string_view noProbe = QT_TRANSLATE_NOOP(
+    "table", "OpenOCD finds no debug probe; plug it in, and check that its kind is the one named after openocd:");
 constexpr std::array meanings{
     Meaning{"can't find interface/", Fault::OutOfRange,
-        "OpenOCD has no interface of this name; name one of its interface files, such as openocd:stlink"},
+        QT_TRANSLATE_NOOP(
+            "table", "OpenOCD has no interface of this name; name one of its interface files, such as openocd:stlink")},
     Meaning{"can't change session's transport", Fault::OutOfRange,
-        "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink"},
+        QT_TRANSLATE_NOOP(
+            "table", "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink")},
     Meaning{"doesn't support '", Fault::OutOfRange,
-        "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink"},
+        QT_TRANSLATE_NOOP(
+            "table", "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink")},
     Meaning{"** verify failed **", Fault::BadCheck,
-        "the microcontroller does not hold what was written; run it again with shorter wires or a lower speed"},
+        QT_TRANSLATE_NOOP("table",
+            "the microcontroller does not hold what was written; run it again with shorter wires or a lower speed")},
     Meaning{"** programming failed **", Fault::Refused,
-        "the microcontroller refused to be written; it may be protected, or be another kind than --target says"},
+        QT_TRANSLATE_NOOP("table",
+            "the microcontroller refused to be written; it may be protected, or be another kind than --target says")},
     Meaning{"unexpected idcode", Fault::Refused,
-        "the microcontroller is another kind than --target says; choose the other one of f1 and f4"},
+        QT_TRANSLATE_NOOP(
+            "table", "the microcontroller is another kind than --target says; choose the other one of f1 and f4")},
     Meaning{"unable to connect to the target", Fault::Timeout,
-        "the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the drive"},
+        QT_TRANSLATE_NOOP("table",
+            "the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the "
+            "drive")},
     Meaning{"cannot read idr", Fault::Timeout,
-        "the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the drive"},
+        QT_TRANSLATE_NOOP("table",
+            "the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the "
+            "drive")},
     Meaning{"unable to reset target", Fault::Timeout,
-        "the microcontroller could not be halted; check the reset wire and the power of the drive"},
+        QT_TRANSLATE_NOOP(
+            "table", "the microcontroller could not be halted; check the reset wire and the power of the drive")},
     Meaning{"libusb_error_access", Fault::LinkLost,
-        "the debug probe is there but may not be opened; install OpenOCD's udev rules or ask your administrator"},
+        QT_TRANSLATE_NOOP("table",
+            "the debug probe is there but may not be opened; install OpenOCD's udev rules or ask your administrator")},
     Meaning{"open failed", Fault::LinkLost, noProbe},
     Meaning{"unable to find", Fault::LinkLost, noProbe},
     Meaning{"unable to open", Fault::LinkLost, noProbe},

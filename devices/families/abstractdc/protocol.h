@@ -63,18 +63,18 @@ constexpr std::array<int, logCount> repliesLegacy{static_cast<int>(id::positionL
     static_cast<int>(id::velocityLogLegacy), static_cast<int>(id::currentLogLegacy), absent, absent};
 
 /// What the firmware of today speaks.
-constexpr Dialect dialectF{"F", {0, 1, 2, 3, 4}, {0, 1, 2, 3, 4}, {0, 1, 2, 3, 4}, repliesNew};
+inline constexpr Dialect dialectF{"F", {0, 1, 2, 3, 4}, {0, 1, 2, 3, 4}, {0, 1, 2, 3, 4}, repliesNew};
 /// The published master, and the firmware before the frames became shorter.
-constexpr Dialect dialectL{
+inline constexpr Dialect dialectL{
     "L", {0, 1, 2, 3, 4}, {0, 1, 2, 3, 4}, {0, 1, 2, absent, absent}, repliesLegacy, id::logRequest, true};
 /// Older still: nothing stops such a drive but its power.
-constexpr Dialect dialectLL{
+inline constexpr Dialect dialectLL{
     "LL", {absent, 0, 1, 2, 3}, {0, 1, 2, 3, 4}, {0, 1, 2, absent, absent}, repliesLegacy, id::logRequestOld, true};
 /// The codes of the document, which no known firmware has.
-constexpr Dialect dialectD{
+inline constexpr Dialect dialectD{
     "D", {0, 1, 3, 4, 5}, {0, 1, 3, 4, 5}, {4, 1, 3, absent, 5}, repliesNew, id::logRequest, false, true};
 
-constexpr std::array<const Dialect *, 4> dialects{&dialectF, &dialectL, &dialectLL, &dialectD};
+inline constexpr std::array<const Dialect *, 4> dialects{&dialectF, &dialectL, &dialectLL, &dialectD};
 
 /// nullptr when there is no such dialect.
 [[nodiscard]] constexpr const Dialect *dialectByKey(std::string_view key)

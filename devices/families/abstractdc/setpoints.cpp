@@ -3,6 +3,8 @@
 
 #include "families/abstractdc/parameters.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
 #include <cmath>
 
@@ -44,11 +46,13 @@ Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile
         return fail(scale.error());
     if (setPoint.reverseMotor || setPoint.reverseSensor)
         return fail(Fault::Unsupported,
-            "an Abstract DC Drive cannot exchange directions; exchange the wires, or the sign of the divisor");
+            QT_TRANSLATE_NOOP("table",
+                "an Abstract DC Drive cannot exchange directions; exchange the wires, or the sign of the divisor"));
     if (!std::isfinite(setPoint.target))
         return fail(Fault::OutOfRange, std::string(toString(setPoint.mode)) + " needs a number");
     if (!std::isfinite(setPoint.ramp) || setPoint.ramp < 0.0)
-        return fail(Fault::OutOfRange, "the ramp must be 0 or a positive number of duty per second");
+        return fail(Fault::OutOfRange,
+            QT_TRANSLATE_NOOP("table", "the ramp must be 0 or a positive number of duty per second"));
     if (setPoint.target < scale->low || setPoint.target > scale->high)
         return fail(Fault::OutOfRange,
             std::string(toString(setPoint.mode)) + ' ' + numberText(setPoint.target) + " is outside "
