@@ -5,6 +5,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 
+#include <QAbstractButton>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
