@@ -16,8 +16,8 @@ namespace mb::supermodified::test {
 struct Example {
     std::string_view name;
     std::string_view host;
-    std::string_view node;  ///< empty: a broadcast has no answer
-    std::string_view right; ///< the checksum of the host's frame where the printed one is wrong
+    std::string_view node;             ///< empty: a broadcast has no answer
+    std::string_view right;            ///< the checksum of the host's frame where the printed one is wrong
     std::optional<std::int64_t> value; ///< of the host's data, or of the node's where the host has none
 };
 

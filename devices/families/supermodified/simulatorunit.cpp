@@ -20,7 +20,7 @@ struct Gains {
     std::uint16_t i;
     std::uint16_t d;
 };
-constexpr Gains tunedGains{1200, 20, 16000};
+constexpr Gains tunedGains{1000, 20, 16000};
 
 Eeprom stored(const UnitOptions &options, const SerialLink &link)
 {
