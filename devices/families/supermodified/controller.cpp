@@ -139,7 +139,7 @@ void Controller::onCodes(std::span<const std::uint8_t> codes)
             continue;
         reported.active = true;
         if (m_motion.isEnergized())
-            m_motion.fail(codeText(code) + ", and the device switched its output off");
+            m_motion.tripped(codeText(code) + ", and the device switched its output off");
     }
     updateLiveness();
 }
@@ -178,11 +178,12 @@ void Controller::onLinkState(LinkState state)
 void Controller::onMotion()
 {
     const bool energized = m_motion.isEnergized();
-    if (energized) {
+    if (energized && !std::exchange(m_energized, energized)) {
         m_position = 0; // by Start
         for (auto &[code, reported] : m_codes)
             reported.active = false;
     }
+    m_energized = energized;
     m_polls.setOrigin(m_motion.origin());
     m_polls.setDriven(energized);
     updateLiveness();

@@ -71,6 +71,7 @@ private:
     std::map<std::uint8_t, Reported> m_codes; ///< since it was opened
     bool m_heard = false;
     bool m_restarted = false;
+    bool m_energized = false; ///< as onMotion() saw it last
     int m_misses = 0;
     bool m_missed = false;                  ///< the answer before the last one did not come
     std::optional<std::int64_t> m_position; ///< of the node

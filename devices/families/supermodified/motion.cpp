@@ -285,6 +285,13 @@ void Motion::fail(std::string why)
     m_events.changed();
 }
 
+void Motion::tripped(std::string why)
+{
+    m_energized = false;
+    m_line.setDriving(m_node.id, false);
+    fail(std::move(why));
+}
+
 void Motion::setEnergized(bool energized)
 {
     m_energized = energized;

@@ -31,7 +31,7 @@ private:
     using Place = std::pair<int, int>; ///< rate and id
 
     [[nodiscard]] std::vector<int> rates() const;
-    void plan(int first, int last, const std::vector<int> &rates, std::vector<Place> &out) const;
+    void plan(int rate, int first, int last, std::vector<Place> &out) const;
     [[nodiscard]] bool isDone(const Place &place) const;
     [[nodiscard]] Task<bool> look(Place place);
     [[nodiscard]] Task<void> lookAll(std::vector<Place> places);
@@ -61,14 +61,12 @@ bool Search::isDone(const Place &place) const
         || std::find(m_found.begin(), m_found.end(), place.second) != m_found.end();
 }
 
-void Search::plan(int first, int last, const std::vector<int> &rates, std::vector<Place> &out) const
+void Search::plan(int rate, int first, int last, std::vector<Place> &out) const
 {
-    for (const int rate : rates) {
-        for (int id = first; id <= last; ++id) {
-            const Place place{rate, id};
-            if (!isDone(place) && std::find(out.begin(), out.end(), place) == out.end())
-                out.push_back(place);
-        }
+    for (int id = first; id <= last; ++id) {
+        const Place place{rate, id};
+        if (!isDone(place) && std::find(out.begin(), out.end(), place) == out.end())
+            out.push_back(place);
     }
 }
 
@@ -140,8 +138,13 @@ Task<void> Search::run()
             return std::none_of(known.begin(), known.end(), [rate](const Place &p) { return p.first == rate; });
         });
     std::vector<Place> rest;
-    plan(firstUsual, lastUsual, searched, rest);
-    plan(lowestNode, highestNode, searched, rest);
+    for (const int rate : searched) {
+        // a node with the host's id would take the answers of others for questions, so it is looked for first
+        plan(rate, usualHostId, usualHostId, rest);
+        plan(rate, firstUsual, lastUsual, rest);
+    }
+    for (const int rate : searched)
+        plan(rate, lowestNode, highestNode, rest);
     auto looking = lookAll(std::move(rest));
     co_await std::move(looking);
     report("Supermodified found: " + std::to_string(m_found.size()), 1, 1);
@@ -153,10 +156,14 @@ Task<void> Search::runFor(int address)
     std::vector<Place> places;
     if (const auto known = m_line->nodes().find(address); known != m_line->nodes().end())
         places.emplace_back(known->second.baudrate, address);
-    plan(address, address, rates(), places);
+    for (const int rate : rates()) {
+        if (m_line->nodes().empty())
+            plan(rate, usualHostId, usualHostId, places);
+        plan(rate, address, address, places);
+    }
     for (const Place &place : places) {
         auto looking = look(place);
-        if (co_await std::move(looking))
+        if (co_await std::move(looking) && place.second == address)
             break;
     }
     co_return {};
