@@ -192,7 +192,6 @@ void Controller::onMotion()
 void Controller::identityChanged()
 {
     const Node now = nodeOf(identity(), m_serial);
-    m_polls.setPaused(!busy().empty());
     if (now.id == m_node.id && now.baudrate == m_node.baudrate && now.dialect == m_node.dialect)
         return;
     m_node = now;

@@ -19,6 +19,11 @@ public:
     Controller(const Family &family, SerialLink &link, Clock &clock, Identity identity);
     ~Controller() override;
 
+    /// Asks nothing: somebody else talks to the node.
+    void setAsleep(bool asleep) { m_polls.setPaused(asleep); }
+    /// A motor of this or of another node of the line is driven.
+    [[nodiscard]] bool isLineDriving() const { return m_line->isDriving(); }
+
 private:
     // Device, in controllertasks.cpp
     Task<void> doRefresh() override;

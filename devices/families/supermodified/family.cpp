@@ -4,6 +4,7 @@
 #include "families/supermodified/channels.h"
 #include "families/supermodified/controller.h"
 #include "families/supermodified/decode.h"
+#include "families/supermodified/firmware.h"
 #include "families/supermodified/parameters.h"
 #include "families/supermodified/protocol.h"
 #include "families/supermodified/scan.h"
@@ -52,6 +53,8 @@ const Family family{
     .scan = scan,
     .probe = probe,
     .open = open,
+    .update = update,
+    .inspect = inspect,
     .simulate = simulate,
 };
 
