@@ -219,6 +219,11 @@ void Engine::stopMotion(DeviceId device)
     post([device](EngineCore &core) { core.stopMotion(device); });
 }
 
+void Engine::releaseMoves(DeviceId device, Finished finished)
+{
+    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.releaseMoves(device, back); });
+}
+
 void Engine::stopAll()
 {
     post([](EngineCore &core) { core.stopAll(); });

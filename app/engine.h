@@ -43,6 +43,7 @@ public:
     void updateMotion(DeviceId device, const SetPoint &setPoint, Finished finished) override;
     void renewMotion(DeviceId device) override;
     void stopMotion(DeviceId device) override;
+    void releaseMoves(DeviceId device, Finished finished) override;
     void stopAll() override;
     void update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options) override;
     void cancel(OperationId operation) override;

@@ -414,6 +414,12 @@ void EngineCore::stopMotion(DeviceId id)
     touch();
 }
 
+void EngineCore::releaseMoves(DeviceId id, const Finished &finished)
+{
+    Device *device = m_session.find(id);
+    answer(finished, device ? device->releaseMoves() : Result<void>(fail(Fault::Timeout, "the device is gone")));
+}
+
 void EngineCore::stopAll()
 {
     m_session.stopAll();

@@ -59,6 +59,7 @@ public:
     void updateMotion(DeviceId id, const SetPoint &setPoint, const Finished &finished);
     void renewMotion(DeviceId id);
     void stopMotion(DeviceId id);
+    void releaseMoves(DeviceId id, const Finished &finished);
     void stopAll();
 
     void update(DeviceId id, std::shared_ptr<const FirmwareImage> image, const UpdateOptions &options);

@@ -3,6 +3,7 @@
 #include "model/parametertransfer.h"
 #include "support/simulatedsession.h"
 #include "transport/canlink.h"
+#include "transport/seriallink.h"
 
 #include <fstream>
 #include <sstream>
@@ -32,6 +33,15 @@ protected:
         }
         return nullptr;
     }
+    /// Of the first mode: moves the motor of the bench without hurry.
+    [[nodiscard]] double gentleTarget() const
+    {
+        switch (family().modes.front()) {
+        case Mode::Velocity: return 2000.0;
+        case Mode::Position: return 1000.0;
+        default: return 0.3;
+        }
+    }
     [[nodiscard]] Simulator *simulatorOf(const Device &device) const
     {
         return bench->simulator(std::string(family().key) + ':' + std::to_string(device.identity().address));
@@ -47,12 +57,12 @@ TEST_P(Contract, ScanFindsEveryUnitOfItsBench)
     EXPECT_EQ(found, family().bench.size());
 }
 
-TEST_P(Contract, ScanIsCompleteWithinHalfASecondAndWritesNothing)
+TEST_P(Contract, ScanIsCompleteInTimeAndWritesNothing)
 {
     SimulatedSession fresh("sim:" + std::string(toString(family().links.front())));
     const Instant begin = fresh.clock.now();
     fresh.scan();
-    EXPECT_LE(fresh.clock.now() - begin, 500ms);
+    EXPECT_LE(fresh.clock.now() - begin, family().capabilities.scanLimit);
     for (const Device *device : fresh.session.devices()) {
         for (const auto &entry : device->parameters().entries())
             EXPECT_EQ(entry.state, ParameterState::Unknown);
@@ -82,7 +92,7 @@ TEST_P(Contract, EveryWritableParameterWritesAndReadsBackWhereTheDeviceCan)
     NoProgress progress;
     for (std::uint16_t i = 0; i < family().parameters.size(); ++i) {
         const Parameter &parameter = family().parameters[i];
-        if (parameter.access == Access::ReadOnly || parameter.nature == Nature::Counter)
+        if (parameter.access == Access::ReadOnly || parameter.nature == Nature::Counter || !device->offers({i}))
             continue;
         const auto raw = toRaw(parameter, parameter.fallback);
         ASSERT_TRUE(raw) << parameter.key;
@@ -90,7 +100,9 @@ TEST_P(Contract, EveryWritableParameterWritesAndReadsBackWhereTheDeviceCan)
         ASSERT_TRUE(outcomes) << parameter.key;
         ASSERT_EQ(outcomes->size(), 1U);
         EXPECT_TRUE(outcomes->front().raw) << parameter.key << ": " << outcomes->front().raw.error().detail;
-        if (family().capabilities.readback && parameter.access == Access::ReadWrite) {
+        if (parameter.afterRestart) {
+            EXPECT_FALSE(outcomes->front().verified) << parameter.key << " is not in force yet";
+        } else if (family().capabilities.readback && parameter.access == Access::ReadWrite) {
             EXPECT_TRUE(outcomes->front().verified.value_or(false)) << parameter.key;
         }
     }
@@ -135,7 +147,7 @@ TEST_P(Contract, StopWorksInTheMiddleOfMotion)
     ASSERT_NE(simulator, nullptr);
     SetPoint setPoint;
     setPoint.mode = family().modes.front();
-    setPoint.target = 0.3;
+    setPoint.target = gentleTarget();
     SetPointStream &stream = bench->session.stream(*device);
     bench->clock.advance(200ms);
     ASSERT_TRUE(stream.start(setPoint, 10s));
@@ -155,7 +167,7 @@ TEST_P(Contract, AnExpiredLeaseStopsTheMotor)
     ASSERT_NE(device, nullptr);
     SetPoint setPoint;
     setPoint.mode = family().modes.front();
-    setPoint.target = 0.3;
+    setPoint.target = gentleTarget();
     SetPointStream &stream = bench->session.stream(*device);
     bench->clock.advance(200ms);
     ASSERT_TRUE(stream.start(setPoint, 500ms));
@@ -174,7 +186,7 @@ TEST_P(Contract, ADeviceWithAWatchdogStopsWhenNobodyCommandsIt)
         return; // the guardian's tests cover the others
     SetPoint setPoint;
     setPoint.mode = family().modes.front();
-    setPoint.target = 0.3;
+    setPoint.target = gentleTarget();
     bench->clock.advance(200ms);
     ASSERT_TRUE(device->command(setPoint));
     bench->clock.advance(50ms);
@@ -216,11 +228,22 @@ TEST_P(Contract, EveryTimeOutSurfacesWhenTheUnitIsWithoutPower)
     EXPECT_FALSE(device->liveness().heard);
 }
 
+/// Who listens to what comes over a link.
+std::size_t listenersOf(Link &link)
+{
+    switch (link.kind()) {
+    case LinkKind::Can: return static_cast<CanLink &>(link).received().size();
+    case LinkKind::Serial: return static_cast<SerialLink &>(link).received().size();
+    case LinkKind::Spi: return link.traffic().size();
+    }
+    return 0;
+}
+
 /// Starts what `make` makes again and again, destroys it one clock step later each time, until it runs to its end.
 template <class T> void cancelEverywhere(SimulatedSession &bench, const std::function<Task<T>()> &make, int mostSteps)
 {
     bench.clock.advance(3s);
-    const std::size_t listeners = static_cast<CanLink *>(bench.link)->received().size();
+    const std::size_t listeners = listenersOf(*bench.link);
     int steps = 0;
     for (;; ++steps) {
         ASSERT_LT(steps, mostSteps);
@@ -230,7 +253,7 @@ template <class T> void cancelEverywhere(SimulatedSession &bench, const std::fun
             ASSERT_TRUE(bench.clock.step());
         const bool finished = task.isFinished();
         task.cancel();
-        EXPECT_EQ(static_cast<CanLink *>(bench.link)->received().size(), listeners) << "after " << steps << " steps";
+        EXPECT_EQ(listenersOf(*bench.link), listeners) << "after " << steps << " steps";
         if (finished)
             break;
         bench.clock.advance(1s);
@@ -240,8 +263,6 @@ template <class T> void cancelEverywhere(SimulatedSession &bench, const std::fun
 
 TEST_P(Contract, CancellingAScanAtEveryStepLeavesNoListener)
 {
-    if (family().links.front() != LinkKind::Can)
-        return;
     auto &link = *bench->link;
     struct Sink final : ScanSink {
         void found(const Identity &) override { }
@@ -253,8 +274,6 @@ TEST_P(Contract, CancellingAScanAtEveryStepLeavesNoListener)
 
 TEST_P(Contract, CancellingATransferAtEveryStepLeavesNoListener)
 {
-    if (family().links.front() != LinkKind::Can)
-        return;
     Device *device = online();
     ASSERT_NE(device, nullptr);
     auto indices = readable(*device);

@@ -324,6 +324,26 @@ TEST(SupermodifiedDecode, NamesEveryExampleOfTheDatasheetInBothDirections)
     }
 }
 
+TEST(SupermodifiedDecode, EveryByteOfAStreamComesOutOnceAndEachDirectionForItself)
+{
+    const auto decoder = decodeBytes({});
+    std::vector<DecodedBytes> out;
+    const auto request = bytesOf("FF 55 AA 04 01 6F 00 6F");
+    const auto reply = bytesOf("55 AA 01 04 6F 04 33 16 00 00 4E 55 AA 01");
+    decoder->take({}, Direction::Sent, std::span(request).first(5), out);
+    decoder->take({}, Direction::Received, std::span(reply).first(3), out);
+    decoder->take({}, Direction::Sent, std::span(request).subspan(5), out);
+    decoder->take({}, Direction::Received, std::span(reply).subspan(3), out);
+    decoder->finish(out);
+    ASSERT_EQ(out.size(), 4U);
+    EXPECT_EQ(out[0].bytes, bytesOf("FF"));
+    EXPECT_FALSE(out[0].frame);
+    EXPECT_EQ(out[1].frame->message, "get position");
+    EXPECT_EQ(out[2].frame->fields.back().value, 5683.0);
+    EXPECT_EQ(out[3].bytes, bytesOf("55 AA 01"));
+    EXPECT_FALSE(out[3].frame);
+}
+
 TEST(SupermodifiedDecode, MarksWhatMovesAMotorAndNamesErrors)
 {
     EXPECT_TRUE(decodeFrame(framesIn(bytesOf("55 AA 04 01 19 00 19")).at(0))->control);

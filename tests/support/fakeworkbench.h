@@ -98,6 +98,10 @@ public:
     }
     void renewMotion(DeviceId device) override { note({"renewMotion", device}); }
     void stopMotion(DeviceId device) override { note({"stopMotion", device}); }
+    void releaseMoves(DeviceId device, Finished finished) override
+    {
+        note({"releaseMoves", device}, std::move(finished));
+    }
     void stopAll() override { note({"stopAll"}); }
     void update(DeviceId device, std::shared_ptr<const FirmwareImage>, UpdateOptions) override
     {

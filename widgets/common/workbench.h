@@ -63,6 +63,8 @@ public:
     virtual void updateMotion(DeviceId device, const SetPoint &setPoint, Finished finished) = 0;
     virtual void renewMotion(DeviceId device) = 0;
     virtual void stopMotion(DeviceId device) = 0;
+    /// Starts the buffered moves of every device on the link of `device` at the same moment.
+    virtual void releaseMoves(DeviceId device, Finished finished) = 0;
     /// STOP: every motor on every link, before anything else that waits.
     virtual void stopAll() = 0;
 

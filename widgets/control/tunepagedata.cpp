@@ -9,6 +9,7 @@
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/modepanel.h"
+#include "widgets/control/movespanel.h"
 #include "widgets/control/ratekeeper.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/steptable.h"
@@ -99,6 +100,7 @@ void TunePage::followDevice(const DeviceView &view)
     if (isVisible())
         readOnce(view);
     followGains(view);
+    m_moves->follow(view);
     showCommands();
 }
 

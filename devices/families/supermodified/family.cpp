@@ -53,6 +53,7 @@ const Family family{
     .scan = scan,
     .probe = probe,
     .open = open,
+    .decodeBytes = decodeBytes,
     .update = update,
     .inspect = inspect,
     .simulate = simulate,

@@ -251,6 +251,7 @@ void Motion::done(Step step, const Frame &reply)
         m_applied = order;
         m_looked = false;
         m_orders.pop_front();
+        m_events.changed();
         break;
     }
     if (!m_stopping)
