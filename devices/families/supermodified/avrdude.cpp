@@ -41,7 +41,7 @@ constexpr std::array meanings{
         "unable to open port", Fault::LinkLost, "the port cannot be opened; check its name and that it is plugged in"},
     Meaning{"did not find any usb device", Fault::LinkLost,
         "avrdude finds no such programmer on USB; plug it in, and check that its kind is the one named after avrdude:"},
-    Meaning{"could not find usb device", Fault::LinkLost,
+    Meaning{"cannot find usb device", Fault::LinkLost,
         "avrdude finds no such programmer on USB; plug it in, and check that its kind is the one named after avrdude:"},
     Meaning{"verification mismatch", Fault::BadCheck,
         "the microcontroller does not hold what was written; run it again, with a shorter cable"},

@@ -35,6 +35,7 @@ private:
     [[nodiscard]] bool isDone(const Place &place) const;
     [[nodiscard]] Task<bool> look(Place place);
     [[nodiscard]] Task<void> lookAll(std::vector<Place> places);
+    void keepFoundRates(std::vector<int> &rates) const;
     [[nodiscard]] Duration silence() const;
     void report(const std::string &what, int done, int total) const;
 
@@ -73,7 +74,7 @@ void Search::plan(int rate, int first, int last, std::vector<Place> &out) const
 Duration Search::silence() const
 {
     const auto roundTrip = m_line->link().roundTrip();
-    if (!m_quick || !roundTrip)
+    if (m_found.empty() || !roundTrip)
         return answerTime;
     return std::clamp<Duration>(*roundTrip * silenceRoundTrips, shortestSilence, answerTime);
 }
@@ -125,30 +126,41 @@ Task<void> Search::lookAll(std::vector<Place> places)
 Task<void> Search::run()
 {
     std::vector<Place> known;
-    for (const auto &[id, node] : m_line->nodes())
-        known.emplace_back(node.baudrate, id);
-    const std::vector<int> all = rates();
-    std::erase_if(known, [&all](const Place &p) { return std::find(all.begin(), all.end(), p.first) == all.end(); });
+    std::vector<int> searched = rates();
+    for (const auto &[id, node] : m_line->nodes()) {
+        if (std::find(searched.begin(), searched.end(), node.baudrate) != searched.end())
+            known.emplace_back(node.baudrate, id);
+    }
     auto again = lookAll(known);
     co_await std::move(again);
-    m_quick = !known.empty() && m_found.size() == known.size();
-    std::vector<int> searched = all;
-    if (m_quick)
-        std::erase_if(searched, [&known](int rate) {
-            return std::none_of(known.begin(), known.end(), [rate](const Place &p) { return p.first == rate; });
-        });
-    std::vector<Place> rest;
+    if (!known.empty() && m_found.size() == known.size())
+        keepFoundRates(searched);
+    std::vector<Place> usual;
     for (const int rate : searched) {
         // a node with the host's id would take the answers of others for questions, so it is looked for first
-        plan(rate, usualHostId, usualHostId, rest);
-        plan(rate, firstUsual, lastUsual, rest);
+        plan(rate, usualHostId, usualHostId, usual);
+        plan(rate, firstUsual, lastUsual, usual);
     }
+    auto looking = lookAll(std::move(usual));
+    co_await std::move(looking);
+    if (!m_found.empty())
+        keepFoundRates(searched);
+    std::vector<Place> rest;
     for (const int rate : searched)
         plan(rate, lowestNode, highestNode, rest);
-    auto looking = lookAll(std::move(rest));
-    co_await std::move(looking);
+    auto lookingOn = lookAll(std::move(rest));
+    co_await std::move(lookingOn);
     report("Supermodified found: " + std::to_string(m_found.size()), 1, 1);
     co_return {};
+}
+
+/// Nodes of one line have one rate as a rule: two would take each other's bytes for errors.
+void Search::keepFoundRates(std::vector<int> &rates) const
+{
+    std::erase_if(rates, [this](int rate) {
+        return std::none_of(m_found.begin(), m_found.end(),
+            [&](int id) { return m_line->nodes().contains(id) && m_line->nodes().at(id).baudrate == rate; });
+    });
 }
 
 Task<void> Search::runFor(int address)
