@@ -32,7 +32,7 @@ void WindowTest::theScanFillsTheTree()
     WindowBench bench;
     QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
     const QAbstractItemModel &model = *bench.part<DeviceTree>().findChild<QTreeView *>()->model();
-    QCOMPARE(model.rowCount(), 1);
+    QVERIFY(model.rowCount() >= 1);
     const QModelIndex link = model.index(0, 0);
     QCOMPARE(link.data().toString(), QStringLiteral("sim:can"));
     QTRY_COMPARE_WITH_TIMEOUT(model.rowCount(link), 3, patience);

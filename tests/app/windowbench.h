@@ -40,14 +40,16 @@ public:
     [[nodiscard]] const DeviceView *device(int address)
     {
         const auto &all = engine().snapshot().devices;
-        const auto found
-            = std::find_if(all.begin(), all.end(), [=](const DeviceView &d) { return d.identity.address == address; });
+        const auto found = std::find_if(all.begin(), all.end(), [=](const DeviceView &d) {
+            return d.identity.address == address && d.family->key == "dmc60c"; // addresses are not unique on the bench
+        });
         return found == all.end() ? nullptr : &*found;
     }
     /// All three have answered and told who they are, and the one that can move may be armed.
     [[nodiscard]] bool isFound()
     {
-        const auto &all = engine().snapshot().devices;
+        std::vector<DeviceView> all = engine().snapshot().devices;
+        std::erase_if(all, [](const DeviceView &d) { return d.family->key != "dmc60c"; });
         const DeviceView *unit = device(tuned);
         return all.size() == 3 && unit && unit->liveness.heard && unit->mayNotMove.empty()
             && std::all_of(all.begin(), all.end(), [](const DeviceView &d) { return !d.identity.serial.empty(); });

@@ -3,6 +3,7 @@
 #include "model/parameterfile.h"
 #include "support/hextext.h"
 #include "support/simulatedsession.h"
+#include "transport/backends/virtualcan.h"
 
 #include <cstdlib>
 

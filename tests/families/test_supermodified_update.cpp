@@ -26,8 +26,7 @@ using avrdude::Reading;
 using avrdude::Stage;
 
 // jmp 0x0040; rjmp .-2
-constexpr std::string_view imageText = ":0600000"
-                                       "00C942000FFCF66\n:00000001FF\n";
+constexpr std::string_view imageText = ":060000000C942000FFCF6C\n:00000001FF\n";
 
 FirmwareImage image(std::string_view text = imageText)
 {
@@ -113,11 +112,8 @@ TEST(SupermodifiedFirmware, TakesProgramsOfAnAvrOnly)
     const auto summary = inspect(image());
     ASSERT_TRUE(summary) << summary.error().detail;
     EXPECT_EQ(summary->parts, std::vector<int>{0});
-    EXPECT_FALSE(inspect(image(":04000000000204"
-                               "00F6\n:00000001FF\n")))
-        << "vectors of a Cortex";
-    EXPECT_FALSE(inspect(image(":0200000201"
-                               "00FB\n:00000001FF\n")));
+    EXPECT_FALSE(inspect(image(":0400000000020400F6\n:00000001FF\n"))) << "vectors of a Cortex";
+    EXPECT_FALSE(inspect(image(":028000000C94DE\n:00000001FF\n"))) << "beyond 32 KiB";
     EXPECT_EQ(image(toIntelHex(image())).byteCount(), image().byteCount());
 }
 
