@@ -114,6 +114,33 @@ TEST(SupermodifiedScan, DoesNotChangeTheRateWhileAMotorIsDriven)
     EXPECT_FALSE(node.isOutputOn());
 }
 
+TEST(SupermodifiedLine, KeepsItsRateWhileAMotorIsDriven)
+{
+    Bench bench;
+    Simulator &driven = bench.add("supermodified:4,baud=57600");
+    Simulator &other = bench.add("supermodified:5,baud=9600");
+    const auto four = bench.connect(4);
+    const auto five = bench.connect(5);
+    bench.clock.advance(1s);
+    EXPECT_TRUE(four->liveness().heard);
+    EXPECT_TRUE(five->liveness().heard);
+    ASSERT_TRUE(four->command(test::setPoint(Mode::Velocity, 1000.0)));
+    bench.clock.advance(500ms);
+    EXPECT_TRUE(driven.isOutputOn());
+    bench.clock.advance(2s);
+    EXPECT_EQ(bench.host.baudrate(), 57600);
+    EXPECT_FALSE(five->liveness().heard) << "nobody asks it meanwhile, and nobody pretends to know";
+    (void)five->command(test::setPoint(Mode::Velocity, 1000.0));
+    bench.clock.advance(500ms);
+    EXPECT_FALSE(other.isOutputOn());
+    EXPECT_EQ(five->command(test::setPoint(Mode::Velocity, 900.0)).error().fault, Fault::Unsafe);
+    four->stop();
+    five->stop();
+    bench.clock.advance(2s);
+    EXPECT_FALSE(driven.isOutputOn());
+    EXPECT_TRUE(five->liveness().heard);
+}
+
 TEST(SupermodifiedLine, TheHostLeavesTheGroupOfAMaskAndSaysWhoFollows)
 {
     Bench bench;
