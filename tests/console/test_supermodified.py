@@ -132,6 +132,12 @@ class SupermodifiedTest(ContractTest):
     def test_a_motor_stops_when_the_program_is_frozen(self):
         self.dies(signal.SIGSTOP)
 
+    def test_a_new_node_id_is_taken_and_waits_for_the_power_cycle(self):
+        nodes = Nodes(self, "supermodified:4")
+        answer = self.run_one("number", f"serial:{nodes.path}?baud=57600/supermodified:4", "9")
+        self.assertEqual((answer["old"], answer["new"], answer["verified"]), (4, 9, None))
+        self.assert_error(2, "identify", f"serial:{nodes.path}?baud=57600/supermodified:4", says="cannot blink")
+
     def test_frames_are_named(self):
         text = "(1.0) tty0 tx 55AA040108040028000024\n(1.1) tty0 rx 55AA0104FA0152A9\n"
         rows = self.run_json("decode", text=text)
