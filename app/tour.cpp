@@ -175,6 +175,7 @@ void Tour::planMotion()
         [this] { return isAtSpeed(); });
     pause(std::chrono::milliseconds(1500));
     picture(QStringLiteral("plots"));
+    planPlots();
     add(
         QStringLiteral("bus"), [this] { m_window.showPage(PageId::Bus); }, [] { return true; });
     pause(std::chrono::milliseconds(1000));

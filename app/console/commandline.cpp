@@ -30,6 +30,7 @@ constexpr std::array table{
     Verb{"monitor", "LINK [--for S]", "Show the traffic of a link, as candump -L does", declareMonitor},
     Verb{"decode", "[FILE] [--dialect D]", "Decode such text, or a Vector ASC log, from a file or standard input",
         declareDecode},
+    Verb{"plot", "FILE --out PNG", "Draw a recording into a picture", declarePlot},
     Verb{"simulate", "--on LINK DEVICE… [--on …] [--seed N] [--for S]", "Simulated controllers on real links",
         declareSimulate},
 };

@@ -6,6 +6,7 @@ import unittest
 import contract
 from test_devices import DeviceVerbs  # noqa: F401
 from test_motion import Motion  # noqa: F401
+from test_plot import Plot  # noqa: F401
 from test_serial import SerialTest  # noqa: F401
 from test_traffic import Replay, Traffic  # noqa: F401
 from test_usage import Usage  # noqa: F401
