@@ -3,10 +3,13 @@
 
 #include "app/tour.h"
 #include "model/registry.h"
+#include "widgets/plots/plotspage.h"
+#include "widgets/plots/recorder.h"
 
 #include <QCommandLineParser>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QStandardPaths>
 
 namespace mb {
 namespace {
@@ -30,6 +33,13 @@ void declare(QCommandLineParser &parser)
             QStringLiteral("FACTOR")},
         {QStringLiteral("link"), tr(QT_TRANSLATE_NOOP("Options", "Open this link; may be repeated.")),
             QStringLiteral("LINK")},
+        {QStringLiteral("plot"),
+            tr(QT_TRANSLATE_NOOP(
+                "Options", "Draw a recording (.mcap, .csv) into the picture of --out, without a window.")),
+            QStringLiteral("FILE")},
+        {QStringLiteral("out"), tr(QT_TRANSLATE_NOOP("Options", "The picture of --plot: .png, .svg or .pdf.")),
+            QStringLiteral("PICTURE")},
+        {QStringLiteral("json"), tr(QT_TRANSLATE_NOOP("Options", "With --plot: say what was drawn as JSON."))},
         {{QStringLiteral("h"), QStringLiteral("help")}, tr(QT_TRANSLATE_NOOP("Options", "Show this help."))},
         {{QStringLiteral("v"), QStringLiteral("version")}, tr(QT_TRANSLATE_NOOP("Options", "Show the version."))},
     });
@@ -77,6 +87,12 @@ Result<Options> Options::parse(const QStringList &arguments)
     options.links = parser.values(QStringLiteral("link"));
     if (parser.isSet(QStringLiteral("font-scale")))
         options.fontScale = parser.value(QStringLiteral("font-scale")).toDouble();
+    options.plot = parser.value(QStringLiteral("plot"));
+    options.out = parser.value(QStringLiteral("out"));
+    options.json = parser.isSet(QStringLiteral("json"));
+    if (parser.isSet(QStringLiteral("plot")) != parser.isSet(QStringLiteral("out"))
+        || options.plot.isEmpty() != options.out.isEmpty())
+        return fail(Fault::OutOfRange, "--plot FILE and --out PICTURE belong together");
     if (auto checked = checkOptions(options); !checked)
         return fail(checked.error());
     return options;
@@ -97,15 +113,37 @@ Application::Application(QApplication &qt, const Options &options)
     translate(options.language);
     dress(options.theme.isEmpty() ? m_settings.theme() : options.theme, options.fontScale);
     m_engine = std::make_unique<Engine>(families(), !options.demo);
+    if (!options.demo)
+        m_engine->post([](EngineCore &core) { core.session().keepProfiles(usualProfileDirectory()); });
     m_window = std::make_unique<MainWindow>(*m_engine, *m_theme, m_settings);
     if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)
         m_window->resize(sides[0].toInt(), sides[1].toInt());
+    setUpPlots();
     qt.installEventFilter(&m_stopKeys);
     QObject::connect(&m_stopKeys, &StopKeys::stopPressed, m_window.get(),
         [this](const QString &key) { m_window->arming().stopAll(key); });
 }
 
 Application::~Application() = default;
+
+/// The recording begins with the program, not with a wish.
+void Application::setUpPlots()
+{
+    auto *plots = qobject_cast<PlotsPage *>(m_window->page(PageId::Plots));
+    if (!plots)
+        return;
+    QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+    if (m_options.demo) {
+        m_demoFolder = std::make_unique<QTemporaryDir>();
+        folder = m_demoFolder->path();
+    } else {
+        plots->setLayoutFolder(
+            QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/plots"));
+    }
+    m_recorder = std::make_unique<Recorder>(*m_engine, folder + QStringLiteral("/recordings"));
+    plots->setRecorder(m_recorder.get(),
+        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/MotorBench"));
+}
 
 void Application::translate(const QString &language)
 {

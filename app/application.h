@@ -6,12 +6,14 @@
 #include "app/stopkeys.h"
 
 #include <QApplication>
+#include <QTemporaryDir>
 #include <QTranslator>
 
 #include <optional>
 
 namespace mb {
 
+class Recorder;
 class Tour;
 
 /// What the command line asked for.
@@ -23,6 +25,9 @@ struct Options {
     QString size;           ///< "1280x800" or empty
     double fontScale = 1.0; ///< of the system's font
     QStringList links;      ///< opened at the start
+    QString plot;           ///< a recording to draw into a picture, without a window; empty: none
+    QString out;            ///< where that picture goes: png, svg or pdf
+    bool json = false;      ///< what it says on standard output is JSON
 
     /// One line about what is wrong with the arguments.
     [[nodiscard]] static Result<Options> parse(const QStringList &arguments);
@@ -43,6 +48,7 @@ private:
     void translate(const QString &language);
     void dress(const QString &theme, double fontScale);
     void openLinks();
+    void setUpPlots();
 
     QApplication &m_qt;
     Options m_options;
@@ -52,6 +58,8 @@ private:
     std::unique_ptr<ThemeSource> m_theme;
     std::unique_ptr<Engine> m_engine;
     std::unique_ptr<MainWindow> m_window;
+    std::unique_ptr<QTemporaryDir> m_demoFolder; ///< a demo leaves nothing behind
+    std::unique_ptr<Recorder> m_recorder;
     std::unique_ptr<Tour> m_tour;
     StopKeys m_stopKeys;
 };

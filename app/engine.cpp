@@ -2,10 +2,13 @@
 #include "app/engine.h"
 
 #include "app/guardian/client/guardianclient.h"
+#include "model/chunkstore.h"
 #include "transport/linkwatch.h"
 #include "widgets/common/devicetext.h"
 
+#include <QDir>
 #include <QSocketNotifier>
+#include <QStandardPaths>
 #include <QThread>
 
 namespace mb {
@@ -14,6 +17,15 @@ namespace {
 constexpr Duration snapshotPeriod = std::chrono::milliseconds(33);
 constexpr Duration listingPeriod = std::chrono::seconds(1);
 constexpr std::size_t keptNotices = 5000;
+constexpr std::size_t historyBudget = 256U << 20U; ///< of samples in memory; twenty minutes of sixteen signals at 1 kHz
+
+/// Beyond their budget the recordings go to the user's cache, which is on a disk.
+std::shared_ptr<ChunkStore> historyStore()
+{
+    const QString folder = QStandardPaths::writableLocation(QStandardPaths::CacheLocation);
+    QDir().mkpath(folder);
+    return std::make_shared<ChunkStore>(folder.toStdString(), historyBudget);
+}
 
 } // namespace
 
@@ -33,6 +45,7 @@ struct Engine::Room {
                 to->report(severity, QString::fromStdString(device), tableText(text));
             });
         });
+        core.session().keepHistoriesIn(store);
         plugged = watch.changed().add([this] { look(); });
         look();
         publish();
@@ -41,6 +54,7 @@ struct Engine::Room {
     {
         list.startIn(listingPeriod, [this] { look(); });
         core.takeListings(listLinks());
+        tellStore();
     }
     void publish()
     {
@@ -52,7 +66,19 @@ struct Engine::Room {
             [to = &engine, shot, found = core.listings()] { to->takeSnapshot(std::move(*shot), found); });
     }
 
+    /// Samples that could not go to disk stay in memory; somebody should know before it is full.
+    void tellStore()
+    {
+        const std::string failure = store->failure();
+        if (failure != toldFailure && !failure.empty())
+            engine.m_toWindow.post(
+                [to = &engine, failure] { to->report(Severity::Caution, {}, QString::fromStdString(failure)); });
+        toldFailure = failure;
+    }
+
     Engine &engine;
+    std::shared_ptr<ChunkStore> store = historyStore();
+    std::string toldFailure;
     QtClock clock;
     GuardianClient guardian;
     EngineCore core;
@@ -192,6 +218,17 @@ void Engine::clearFaults(DeviceId device, Finished finished)
     post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.clearFaults(device, back); });
 }
 
+void Engine::calibrate(DeviceId device, const std::string &key, std::optional<double> value, Finished finished)
+{
+    post([device, key, value, back = comeBack(std::move(finished))](
+             EngineCore &core) { core.calibrate(device, key, value, back); });
+}
+
+void Engine::setDialect(DeviceId device, const std::string &key, Finished finished)
+{
+    post([device, key, back = comeBack(std::move(finished))](EngineCore &core) { core.setDialect(device, key, back); });
+}
+
 void Engine::setRate(DeviceId device, ChannelIndex channel, double hertz)
 {
     post([device, channel, hertz](EngineCore &core) { core.setRate(device, channel, hertz); });
@@ -217,6 +254,11 @@ void Engine::renewMotion(DeviceId device)
 void Engine::stopMotion(DeviceId device)
 {
     post([device](EngineCore &core) { core.stopMotion(device); });
+}
+
+void Engine::releaseMoves(DeviceId device, Finished finished)
+{
+    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.releaseMoves(device, back); });
 }
 
 void Engine::stopAll()

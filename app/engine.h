@@ -37,12 +37,15 @@ public:
     void rename(DeviceId device, const QString &name, Finished finished) override;
     void renumber(DeviceId device, int address, Finished finished) override;
     void clearFaults(DeviceId device, Finished finished) override;
+    void calibrate(DeviceId device, const std::string &key, std::optional<double> value, Finished finished) override;
+    void setDialect(DeviceId device, const std::string &key, Finished finished) override;
     void setRate(DeviceId device, ChannelIndex channel, double hertz) override;
     void startMotion(
         DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished) override;
     void updateMotion(DeviceId device, const SetPoint &setPoint, Finished finished) override;
     void renewMotion(DeviceId device) override;
     void stopMotion(DeviceId device) override;
+    void releaseMoves(DeviceId device, Finished finished) override;
     void stopAll() override;
     void update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options) override;
     void cancel(OperationId operation) override;

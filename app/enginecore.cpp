@@ -26,6 +26,8 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
     , m_remarked(m_session.remarked().add([this](const Link &link, const std::string &text) {
         notice(Severity::Caution, link.address().shortName(), text);
     }))
+    , m_profileTrouble(
+          m_session.profileTrouble().add([this](const std::string &text) { notice(Severity::Danger, {}, text); }))
     , m_look(clock)
     , m_scope(clock)
 {
@@ -310,7 +312,9 @@ void EngineCore::writeParameters(DeviceId id, std::vector<ParameterChange> chang
                 result = fail(outcomes->back().raw.error());
             if (device && result)
                 notice(Severity::Good, labelOf(*device),
-                    std::to_string(outcomes->size()) + " written, read back and equal");
+                    std::to_string(outcomes->size())
+                        + (device->family().capabilities.readback ? " written, read back and equal"
+                                                                  : " written; this device cannot be read back"));
             else if (device)
                 notice(Severity::Danger, labelOf(*device), result.error().detail);
             answer(finished, result);
@@ -363,6 +367,21 @@ void EngineCore::clearFaults(DeviceId id, Finished finished)
         finished);
 }
 
+void EngineCore::calibrate(DeviceId id, const std::string &key, std::optional<double> value, const Finished &finished)
+{
+    Device *device = m_session.find(id);
+    answer(finished, device ? device->calibrate(key, value) : fail(Fault::Timeout, "the device is gone"));
+}
+
+void EngineCore::setDialect(DeviceId id, const std::string &key, const Finished &finished)
+{
+    Device *device = m_session.find(id);
+    if (device && m_session.stream(*device).isRunning())
+        answer(finished, fail(Fault::Unsafe, "stop the motor before its dialect is changed"));
+    else
+        answer(finished, device ? device->setDialect(key) : fail(Fault::Timeout, "the device is gone"));
+}
+
 void EngineCore::setRate(DeviceId id, ChannelIndex channel, double hertz)
 {
     beginSimple(id, "Set telemetry rate",
@@ -412,6 +431,12 @@ void EngineCore::stopMotion(DeviceId id)
     if (Device *device = m_session.find(id))
         m_session.stream(*device).stop();
     touch();
+}
+
+void EngineCore::releaseMoves(DeviceId id, const Finished &finished)
+{
+    Device *device = m_session.find(id);
+    answer(finished, device ? device->releaseMoves() : Result<void>(fail(Fault::Timeout, "the device is gone")));
 }
 
 void EngineCore::stopAll()

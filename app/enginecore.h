@@ -53,12 +53,15 @@ public:
     void rename(DeviceId id, const std::string &name, Finished finished);
     void renumber(DeviceId id, int address, Finished finished);
     void clearFaults(DeviceId id, Finished finished);
+    void calibrate(DeviceId id, const std::string &key, std::optional<double> value, const Finished &finished);
+    void setDialect(DeviceId id, const std::string &key, const Finished &finished);
     void setRate(DeviceId id, ChannelIndex channel, double hertz);
 
     void startMotion(DeviceId id, const SetPoint &setPoint, Duration lease, const Finished &finished);
     void updateMotion(DeviceId id, const SetPoint &setPoint, const Finished &finished);
     void renewMotion(DeviceId id);
     void stopMotion(DeviceId id);
+    void releaseMoves(DeviceId id, const Finished &finished);
     void stopAll();
 
     void update(DeviceId id, std::shared_ptr<const FirmwareImage> image, const UpdateOptions &options);
@@ -124,6 +127,7 @@ private:
     std::uint32_t m_lastOperation = 0;
     Subscription m_sessionChanged;
     Subscription m_remarked;
+    Subscription m_profileTrouble;
     Timer m_look;
     Instant m_lastScan{};
     Scope m_scope; ///< last: its tasks use everything above

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/application.h"
+#include "app/plotfile.h"
 
 #include <cstdio>
 
@@ -25,10 +26,14 @@ int main(int argc, char **argv)
         std::puts("motorbench " MOTORBENCH_VERSION);
         return 0;
     }
+    if (!options->plot.isEmpty())
+        qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication qt(argc, argv);
     QApplication::setApplicationName(QStringLiteral("MotorBench"));
     QApplication::setApplicationVersion(QStringLiteral(MOTORBENCH_VERSION));
+    if (!options->plot.isEmpty())
+        return mb::plotFile(*options);
     mb::Application application(qt, *options);
     application.start();
     return QApplication::exec();

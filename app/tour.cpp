@@ -14,6 +14,7 @@ namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds pollTime{20};
+constexpr std::string_view toured = "dmc60c"; ///< several families may have a unit of one address
 constexpr int tuned = 5;
 constexpr int overshooting = 7;
 constexpr int inBootloader = 9;
@@ -47,8 +48,8 @@ void Tour::start()
 const DeviceView *Tour::device(int address) const
 {
     const auto &devices = m_workbench.snapshot().devices;
-    const auto found = std::find_if(
-        devices.begin(), devices.end(), [address](const DeviceView &d) { return d.identity.address == address; });
+    const auto found = std::find_if(devices.begin(), devices.end(),
+        [address](const DeviceView &d) { return d.identity.address == address && d.family->key == toured; });
     return found == devices.end() ? nullptr : &*found;
 }
 
@@ -175,6 +176,7 @@ void Tour::planMotion()
         [this] { return isAtSpeed(); });
     pause(std::chrono::milliseconds(1500));
     picture(QStringLiteral("plots"));
+    planPlots();
     add(
         QStringLiteral("bus"), [this] { m_window.showPage(PageId::Bus); }, [] { return true; });
     pause(std::chrono::milliseconds(1000));

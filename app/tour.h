@@ -31,6 +31,7 @@ private:
     void planOverview();
     void planParameters();
     void planMotion();
+    void planPlots();
     void planFirmware();
     void planEnd();
     /// Waits until `done`.

@@ -27,9 +27,10 @@ constexpr std::array table{
     Verb{"identify", "DEVICE", "Make a device show itself", declareIdentify},
     Verb{"number", "DEVICE NEW", "Give a device another number", declareNumber},
     Verb{"rename", "DEVICE TEXT", "Give a device another name", declareRename},
-    Verb{"monitor", "LINK [--for S]", "Show the traffic of a link, as candump -L does", declareMonitor},
+    Verb{"monitor", "LINK [--for S] [--dialect D]", "Show the traffic of a link, as candump -L does", declareMonitor},
     Verb{"decode", "[FILE] [--dialect D]", "Decode such text, or a Vector ASC log, from a file or standard input",
         declareDecode},
+    Verb{"plot", "FILE --out PNG", "Draw a recording into a picture", declarePlot},
     Verb{"simulate", "--on LINK DEVICE… [--on …] [--seed N] [--for S]", "Simulated controllers on real links",
         declareSimulate},
 };

@@ -8,7 +8,9 @@ Console::Console(Clock &clock, std::span<const Family *const> families, Options 
     , m_output(clock)
     , m_session(clock, families, &m_guardian)
     , m_remarked(m_session.remarked().add([this](const Link &, const std::string &text) { note(text); }))
+    , m_profileTrouble(m_session.profileTrouble().add([](const std::string &text) { complain(text); }))
 {
+    m_session.keepProfiles(usualProfileDirectory());
 }
 
 void Console::note(std::string_view text) const

@@ -22,7 +22,6 @@
 namespace mb::console {
 namespace {
 
-constexpr std::array<std::string_view, 4> dialects{"F", "L", "LL", "D"};
 constexpr std::size_t chunkSize = 65536;
 
 struct Arguments {
@@ -169,9 +168,8 @@ private:
 
 Task<int> decode(Console &console, Arguments arguments)
 {
-    if (!arguments.dialect.empty() && std::find(dialects.begin(), dialects.end(), arguments.dialect) == dialects.end())
-        co_return fail(
-            Fault::OutOfRange, "--dialect: '" + arguments.dialect + "' is unknown; F, L, LL and D are known");
+    if (auto known = checkDialect(console, arguments.dialect); !known)
+        co_return fail(known.error());
     if (!arguments.file.empty() && arguments.file != "-") {
         if (auto decoded = decodeFile(console, arguments); !decoded)
             co_return fail(decoded.error());

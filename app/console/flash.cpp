@@ -6,6 +6,7 @@
 #include "model/operation.h"
 #include "model/parameterfile.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace mb::console {
@@ -24,6 +25,30 @@ struct Plan {
     FirmwareImage image;
 };
 
+/// `--via`, `--target` and `--erase-settings` against what the family has; its update() looks at them in detail.
+Result<void> checkRoute(const Family &family, const UpdateOptions &options)
+{
+    const std::string &target = options.target;
+    if (!target.empty() && target != "f1" && target != "f4")
+        return fail(Fault::OutOfRange, "--target: '" + target + "' is unknown; f1 and f4 are known");
+    const auto erases = [](const UpdateRoute &route) { return route.erasesSettings; };
+    if (options.eraseSettings && std::none_of(family.routes.begin(), family.routes.end(), erases))
+        return fail(Fault::Unsupported, std::string(family.key) + " has no settings that an update could erase");
+    if (family.routes.empty())
+        return {};
+    std::string ways;
+    for (const UpdateRoute &route : family.routes) {
+        if (options.via.starts_with(std::string(route.scheme) + ':')) {
+            if (route.targets.empty()
+                || std::find(route.targets.begin(), route.targets.end(), target) != route.targets.end())
+                return {};
+            return fail(Fault::OutOfRange, "--target is missing; " + std::string(family.key) + " needs f1 or f4");
+        }
+        ways += (ways.empty() ? "" : " or ") + std::string(route.example);
+    }
+    return fail(Fault::OutOfRange, std::string(family.key) + " is not updated over its own link; add --via " + ways);
+}
+
 Result<Plan> check(const Console &console, const Arguments &arguments)
 {
     auto target = parseTarget(console, arguments.device);
@@ -33,9 +58,8 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
     const std::string name(family.key);
     if (!family.update)
         return fail(Fault::Unsupported, name + " has no firmware update here; use the maker's tool");
-    const std::string &image = arguments.options.target;
-    if (!image.empty() && image != "f1" && image != "f4")
-        return fail(Fault::OutOfRange, "--target: '" + image + "' is unknown; f1 and f4 are known");
+    if (auto way = checkRoute(family, arguments.options); !way)
+        return fail(way.error());
     const auto bytes = loadFile(arguments.file, static_cast<std::int64_t>(FirmwareImage::maxTextSize));
     if (!bytes)
         return fail(bytes.error());
@@ -185,6 +209,8 @@ Job declareFlash(CLI::App &arguments)
     arguments.add_option(
         "--via", a->options.via, "The other way in: a serial link, avrdude:PROGRAMMER:PORT, openocd:INTERFACE");
     arguments.add_option("--target", a->options.target, "f1 or f4");
+    arguments.add_flag("--erase-settings", a->options.eraseSettings,
+        "Erase what the unit has stored as well, where the way in can; its gains are lost");
     return [a](Console &console) { return flash(console, *a); };
 }
 

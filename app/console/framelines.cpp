@@ -147,4 +147,21 @@ void FrameLines::printText(
     m_console.out().line(toCandumpLine(time, link, frame) + textOf(decoded));
 }
 
+Result<void> checkDialect(const Console &console, const std::string &dialect)
+{
+    std::string known;
+    for (const Family *family : console.families()) {
+        for (const DialectChoice &row : family->dialects) {
+            if (!family->decodeCan)
+                continue;
+            if (row.key == dialect)
+                return {};
+            known += (known.empty() ? "" : ", ") + std::string(row.key);
+        }
+    }
+    if (dialect.empty())
+        return {};
+    return fail(Fault::OutOfRange, "--dialect: '" + dialect + "' is unknown; " + known + " are known");
+}
+
 } // namespace mb::console

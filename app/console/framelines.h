@@ -45,4 +45,7 @@ private:
     std::map<std::string, Stream, std::less<>> m_streams;
 };
 
+/// Of --dialect: empty, or one that some family speaks.
+[[nodiscard]] Result<void> checkDialect(const Console &console, const std::string &dialect);
+
 } // namespace mb::console

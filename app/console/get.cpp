@@ -33,6 +33,17 @@ Result<std::vector<ParameterIndex>> parseKeys(const Family &family, const std::v
     return indices;
 }
 
+/// What cannot be read is shown as far as it is known: last written, or not at all.
+void addWriteOnly(const Device &device, std::vector<ParameterIndex> &indices)
+{
+    const auto table = device.parameters().table();
+    for (std::uint16_t i = 0; i < table.size(); ++i) {
+        if (table[i].access == Access::WriteOnly && device.offers({i}))
+            indices.push_back({i});
+    }
+    std::sort(indices.begin(), indices.end());
+}
+
 /// What was read is printed with its failures in it; a file is written only when it is complete.
 Task<int> show(
     Console &console, Device &device, std::vector<ParameterIndex> indices, std::string file, std::optional<Error> error)
@@ -79,6 +90,8 @@ Task<int> get(Console &console, Arguments arguments)
         outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return outcome.raw.has_value(); });
     if (error && (!any || outcomes.size() < indices->size()))
         co_return fail(*error);
+    if (arguments.keys.empty())
+        addWriteOnly(*device, *indices);
     auto showing = show(console, *device, *indices, arguments.file, error);
     co_return co_await std::move(showing);
 }

@@ -5,6 +5,7 @@
 #include "transport/canlink.h"
 #include "transport/linkcatalog.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -43,6 +44,8 @@ void printJson(Console &console, const Device &device, const Faults &faults)
     QJsonObject descriptors;
     for (const auto &[key, text] : device.identity().descriptors)
         descriptors.insert(qt(key), qt(text));
+    for (const auto &[key, number] : device.profile().calibration)
+        descriptors.insert(qt(key), qt(numberText(number)));
     object.insert(QStringLiteral("descriptors"), descriptors);
     object.insert(QStringLiteral("faults"), faults ? QJsonValue(toJson(*faults)) : QJsonValue());
     object.insert(QStringLiteral("counters"), toJson(device.link().counters()));
@@ -89,6 +92,10 @@ void printText(Console &console, const Device &device, const Faults &faults)
         table.add({"detail", identity.detail});
     for (const auto &[key, text] : identity.descriptors)
         table.add({key, text});
+    for (const Calibration &row : device.family().calibrations) {
+        const double known = device.profile().calibrated(row.key);
+        table.add({std::string(row.key), known > 0.0 ? numberText(known) : "unknown; keep it with --keep"});
+    }
     for (const FaultRecord &fault : faults.value_or(std::vector<FaultRecord>{}))
         table.add({"fault " + fault.key, describe(fault)});
     const LinkCounters &counters = device.link().counters();
@@ -100,13 +107,80 @@ void printText(Console &console, const Device &device, const Faults &faults)
     table.print(console.out());
 }
 
-Task<int> info(Console &console, std::string text)
+struct Arguments {
+    std::string device;
+    std::vector<std::string> keep;
+};
+
+/// Something to be kept of the device: its dialect or one of its calibrations.
+struct Kept {
+    std::string key;
+    std::string text;
+    std::optional<double> number;
+};
+
+Result<Kept> parseKept(const Family &family, const std::string &text)
 {
-    const auto target = parseTarget(console, text);
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        return fail(Fault::OutOfRange, "'" + text + "' is not KEY=VALUE");
+    Kept kept{text.substr(0, equals), text.substr(equals + 1), {}};
+    std::vector<std::string_view> known;
+    if (!family.dialects.empty())
+        known.emplace_back("dialect");
+    for (const Calibration &row : family.calibrations)
+        known.push_back(row.key);
+    if (std::find(known.begin(), known.end(), kept.key) == known.end())
+        return fail(known.empty() ? Fault::Unsupported : Fault::OutOfRange,
+            std::string(family.key) + " has no '" + kept.key + "' to keep" + suggestion(kept.key, known));
+    if (kept.key == "dialect" || kept.text.empty())
+        return kept;
+    const auto row = std::find_if(family.calibrations.begin(), family.calibrations.end(),
+        [&](const Calibration &candidate) { return candidate.key == kept.key; });
+    const auto number = parseNumber(kept.key, kept.text, row->minimum, row->maximum);
+    if (!number)
+        return fail(number.error());
+    kept.number = *number;
+    return kept;
+}
+
+Result<std::vector<Kept>> parseAll(const Family &family, const std::vector<std::string> &texts)
+{
+    std::vector<Kept> all;
+    for (const std::string &text : texts) {
+        auto kept = parseKept(family, text);
+        if (!kept)
+            return fail(kept.error());
+        all.push_back(std::move(*kept));
+    }
+    return all;
+}
+
+Result<void> keep(Console &console, Device &device, const std::vector<Kept> &all)
+{
+    for (const Kept &kept : all) {
+        const auto done
+            = kept.key == "dialect" ? device.setDialect(kept.text) : device.calibrate(kept.key, kept.number);
+        if (!done)
+            return done;
+        if (kept.key == "dialect" && !kept.text.empty())
+            console.note(device.identity().detail);
+    }
+    return {};
+}
+
+Task<int> info(Console &console, Arguments arguments)
+{
+    const auto target = parseTarget(console, arguments.device);
     if (!target)
         co_return fail(target.error());
+    const auto kept = parseAll(*target->family, arguments.keep);
+    if (!kept)
+        co_return fail(kept.error());
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
+    if (auto done = keep(console, *device, *kept); !done)
+        co_return fail(done.error());
     const bool recorded = device->link().address().isRecording(); // then there is nobody to ask
     if (!recorded) {
         auto refreshing = device->refresh();
@@ -129,9 +203,14 @@ Task<int> info(Console &console, std::string text)
 
 Job declareInfo(CLI::App &arguments)
 {
-    const auto device = std::make_shared<std::string>();
-    arguments.add_option("device", *device, "LINK/FAMILY:ADDRESS")->required();
-    return [device](Console &console) { return info(console, *device); };
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
+    arguments
+        .add_option("--keep", a->keep,
+            "KEY=VALUE that only its user knows, kept for this device: dialect, counts_per_revolution …; KEY= forgets "
+            "it")
+        ->allow_extra_args(false);
+    return [a](Console &console) { return info(console, *a); };
 }
 
 } // namespace mb::console

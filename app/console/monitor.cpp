@@ -13,6 +13,7 @@ namespace {
 struct Arguments {
     std::string link;
     std::string seconds;
+    std::string dialect;
 };
 
 std::string lineOf(Duration time, std::string_view link, const Traffic &traffic)
@@ -31,6 +32,8 @@ Task<int> monitor(Console &console, Arguments arguments)
     const auto time = parseSpan(arguments.seconds);
     if (!time)
         co_return fail(time.error());
+    if (auto known = checkDialect(console, arguments.dialect); !known)
+        co_return fail(known.error());
     if (links->size() != 1)
         co_return fail(Fault::OutOfRange,
             "'" + arguments.link + "' stands for several links; name one, such as " + links->front().text());
@@ -40,7 +43,7 @@ Task<int> monitor(Console &console, Arguments arguments)
     Ending ending(console);
     ending.watch(**link);
     ending.after(*time);
-    FrameLines lines(console, {});
+    FrameLines lines(console, arguments.dialect);
     const TimeOrigin base(console.session().clockOf(**link), (*link)->address());
     const std::string name = (*link)->address().shortName();
     const Subscription tap = (*link)->traffic().add([&](const Traffic &traffic) {
@@ -70,6 +73,8 @@ Job declareMonitor(CLI::App &arguments)
     const auto a = std::make_shared<Arguments>();
     arguments.add_option("link", a->link, "Such as socketcan:can0")->required();
     arguments.add_option("--for", a->seconds, "Seconds; until a signal otherwise");
+    arguments.add_option(
+        "--dialect", a->dialect, "How frames of families with dialects are read; the usual one otherwise");
     return [a](Console &console) { return monitor(console, *a); };
 }
 

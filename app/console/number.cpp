@@ -26,6 +26,18 @@ Result<void> checkFree(Console &console, const Device &device, int number)
     return {};
 }
 
+/// It has taken the number and uses it after its next restart.
+bool isPending(const Device &device, int number)
+{
+    const auto table = device.parameters().table();
+    for (std::uint16_t i = 0; i < table.size(); ++i) {
+        const ParameterStore::Entry &entry = device.parameters().entry({i});
+        if (table[i].afterRestart && entry.raw == number && entry.state == ParameterState::Assumed)
+            return true;
+    }
+    return false;
+}
+
 Task<int> renumber(Console &console, Arguments arguments)
 {
     const auto target = parseTarget(console, arguments.device);
@@ -45,21 +57,24 @@ Task<int> renumber(Console &console, Arguments arguments)
     auto renumbering = device->renumber(*number);
     co_await std::move(renumbering);
     const bool verified = device->identity().address == *number;
+    const bool pending = !verified && isPending(*device, *number);
     if (console.json()) {
         console.out().json({
             {QStringLiteral("device"), qt(device->selector())},
             {QStringLiteral("old"), old},
             {QStringLiteral("new"), *number},
-            {QStringLiteral("verified"), verified},
+            {QStringLiteral("verified"), pending ? QJsonValue() : QJsonValue(verified)},
         });
     } else {
         console.out().line("number " + std::to_string(old) + " → " + std::to_string(*number)
-            + (verified ? ", it answers as " + device->selector() : ", not verified"));
+            + (verified       ? ", it answers as " + device->selector()
+                    : pending ? ", in force after its next power cycle"
+                              : ", not verified"));
     }
-    if (!verified)
+    if (!verified && !pending)
         complain(lineOf({Fault::BadCheck,
             "the device did not answer under its new number; 'motorbenchctl scan' shows where it is"}));
-    co_return verified ? exitDone : exitDevice;
+    co_return verified || pending ? exitDone : exitDevice;
 }
 
 } // namespace

@@ -35,6 +35,7 @@ struct Verb {
 [[nodiscard]] Job declareRename(CLI::App &arguments);
 [[nodiscard]] Job declareMonitor(CLI::App &arguments);
 [[nodiscard]] Job declareDecode(CLI::App &arguments);
+[[nodiscard]] Job declarePlot(CLI::App &arguments);
 [[nodiscard]] Job declareSimulate(CLI::App &arguments);
 
 } // namespace mb::console

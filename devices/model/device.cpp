@@ -3,12 +3,17 @@
 
 #include "model/family.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace mb {
 
 Device::Device(const Family &family, Link &link, Clock &clock, Identity identity)
     : m_family(family)
     , m_link(link)
     , m_clock(clock)
+    , m_probedDialect(identity.dialect)
+    , m_probedDetail(identity.detail)
     , m_identity(std::move(identity))
     , m_parameters(family.parameters)
     , m_telemetry(std::make_shared<Telemetry>(family.channels))
@@ -18,12 +23,108 @@ Device::Device(const Family &family, Link &link, Clock &clock, Identity identity
 
 Device::~Device() = default;
 
+namespace {
+
+const DialectChoice *dialectOf(const Family &family, std::string_view key)
+{
+    const auto found = std::find_if(
+        family.dialects.begin(), family.dialects.end(), [key](const DialectChoice &row) { return row.key == key; });
+    return found == family.dialects.end() ? nullptr : &*found;
+}
+
+} // namespace
+
 void Device::setIdentity(Identity identity)
 {
     if (identity == m_identity)
         return;
+    m_probedDialect = identity.dialect;
+    m_probedDetail = identity.detail;
+    identity = shown(std::move(identity));
+    if (identity == m_identity)
+        return;
     m_identity = std::move(identity);
     m_changed.notify();
+}
+
+/// With the dialect that the user chose, and what that means.
+Identity Device::shown(Identity probed) const
+{
+    probed.dialect = m_probedDialect;
+    probed.detail = m_probedDetail;
+    const DialectChoice *chosen = dialectOf(m_family, m_profile.dialect);
+    if (!chosen || chosen->key == m_probedDialect)
+        return probed;
+    probed.dialect = chosen->key;
+    probed.detail = "Dialect " + std::string(chosen->key) + " was chosen by hand, "
+        + (m_probedDialect.empty() ? std::string("none was proven") : "the unit answered as " + m_probedDialect) + ". "
+        + std::string(chosen->warning);
+    return probed;
+}
+
+void Device::setProfile(DeviceProfile profile)
+{
+    m_profile = std::move(profile);
+    for (const auto &[key, raw] : m_profile.written) {
+        const auto index = findParameter(m_family.parameters, key);
+        if (index && m_parameters.parameter(*index).access == Access::WriteOnly)
+            m_parameters.setWritten(*index, raw);
+    }
+    applyProfile();
+}
+
+void Device::applyProfile()
+{
+    m_identity = shown(std::move(m_identity));
+    doProfileChanged();
+    m_changed.notify();
+}
+
+Result<void> Device::calibrate(std::string_view key, std::optional<double> value)
+{
+    const auto row = std::find_if(m_family.calibrations.begin(), m_family.calibrations.end(),
+        [key](const Calibration &candidate) { return candidate.key == key; });
+    if (row == m_family.calibrations.end())
+        return fail(Fault::Unsupported, std::string(m_family.key) + " has no '" + std::string(key) + "' to be set");
+    if (value && (!std::isfinite(*value) || *value < row->minimum || *value > row->maximum))
+        return fail(Fault::OutOfRange,
+            std::string(key) + ": legal is " + numberText(row->minimum) + " … " + numberText(row->maximum));
+    if (value)
+        m_profile.calibration[std::string(key)] = *value;
+    else
+        m_profile.calibration.erase(std::string(key));
+    applyProfile();
+    m_profileChanged.notify();
+    return {};
+}
+
+Result<void> Device::setDialect(std::string_view key)
+{
+    if (!key.empty() && !dialectOf(m_family, key)) {
+        std::string known;
+        for (const DialectChoice &row : m_family.dialects)
+            known += (known.empty() ? "" : ", ") + std::string(row.key);
+        return fail(known.empty() ? Fault::Unsupported : Fault::OutOfRange,
+            std::string(m_family.key) + " has no dialect '" + std::string(key) + "'"
+                + (known.empty() ? "" : "; it has " + known));
+    }
+    m_profile.dialect = key;
+    applyProfile();
+    m_profileChanged.notify();
+    return {};
+}
+
+void Device::assume(ParameterIndex index, std::int64_t raw)
+{
+    m_parameters.setWritten(index, raw);
+    m_profile.written[std::string(m_parameters.parameter(index).key)] = raw;
+    m_profileChanged.notify();
+}
+
+void Device::setCounter(const std::string &key, std::int64_t value)
+{
+    m_profile.counters[key] = value;
+    m_profileChanged.notify();
 }
 
 void Device::setLiveness(const Liveness &liveness)
@@ -55,7 +156,9 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
         co_return fail(Fault::OutOfRange, std::string(parameter.key) + " is read-only");
     auto task = doWrite(index, raw);
     const Result<std::int64_t> inForce = co_await std::move(task).attempt();
-    if (inForce && parameter.nature != Nature::Counter)
+    if (inForce && parameter.access == Access::WriteOnly)
+        assume(index, *inForce);
+    else if (inForce && parameter.nature != Nature::Counter)
         m_parameters.setWritten(index, *inForce);
     if (inForce && m_family.capabilities.storesAtOnce)
         m_parameters.setAllStored();
@@ -85,7 +188,9 @@ Result<void> Device::mayMove() const
     }
     if (m_liveness.foreignMaster)
         return fail(Fault::Unsafe, "another master drives " + selector() + "; stop it there first");
-    return m_guard.possible();
+    if (auto guarded = m_guard.possible(); !guarded)
+        return guarded;
+    return doMayMove();
 }
 
 Result<void> Device::command(const SetPoint &setPoint)

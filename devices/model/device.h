@@ -3,6 +3,7 @@
 
 #include "async/task.h"
 #include "model/deviceguard.h"
+#include "model/deviceprofile.h"
 #include "model/identity.h"
 #include "model/parameterstore.h"
 #include "model/progress.h"
@@ -88,6 +89,17 @@ public:
     /// Who stops the motor if this program dies. A device without a watchdog takes commands only while it stands.
     [[nodiscard]] DeviceGuard &guard() { return m_guard; }
 
+    /// What this program knows of the device that the device cannot tell.
+    [[nodiscard]] const DeviceProfile &profile() const { return m_profile; }
+    /// What a file kept. Write-only parameters become assumed.
+    void setProfile(DeviceProfile profile);
+    /// A number that only its user knows, in the unit of the row (Family::calibrations); nothing makes it unknown again.
+    [[nodiscard]] Result<void> calibrate(std::string_view key, std::optional<double> value);
+    /// Speaks this dialect (Family::dialects) whatever the scan found; empty: as the scan finds it.
+    [[nodiscard]] Result<void> setDialect(std::string_view key);
+    /// The profile is to be kept.
+    [[nodiscard]] Listeners<> &profileChanged() { return m_profileChanged; }
+
     /// Why this device must not be driven now: duplicate, bootloader, foreign master, update …, or success.
     [[nodiscard]] Result<void> mayMove() const;
     /// Checks the set-point against what the device can do: OutOfRange or Unsupported, nothing sent.
@@ -110,8 +122,15 @@ protected:
     /// For families: updates what is known, and notifies if it differs.
     void setLiveness(const Liveness &liveness);
     [[nodiscard]] Instant stoppedAt() const { return m_stoppedAt; }
+    /// For families: a write-only parameter is known to have been set to this, by us or by somebody we heard.
+    void assume(ParameterIndex index, std::int64_t raw);
+    /// For families: a counter of the profile.
+    void setCounter(const std::string &key, std::int64_t value);
 
 private:
+    [[nodiscard]] Identity shown(Identity probed) const;
+    void applyProfile();
+
     virtual Task<void> doRefresh() = 0;
     virtual Task<std::int64_t> doRead(ParameterIndex index) = 0;
     virtual Task<std::int64_t> doWrite(ParameterIndex index, std::int64_t raw) = 0;
@@ -122,6 +141,10 @@ private:
     virtual Task<void> doRename(std::string name) = 0;
     virtual Task<void> doRenumber(int address) = 0;
     virtual Task<void> doSetRate(ChannelIndex channel, double hertz) = 0;
+    /// A family's own reasons besides those that all have.
+    [[nodiscard]] virtual Result<void> doMayMove() const { return {}; }
+    /// Calibration or dialect are others.
+    virtual void doProfileChanged() { }
     [[nodiscard]] virtual Result<void> doCheck(const SetPoint &setPoint) const = 0;
     virtual Result<void> doCommand(const SetPoint &setPoint) = 0;
     [[nodiscard]] virtual bool doOffers(ParameterIndex) const { return true; }
@@ -133,11 +156,15 @@ private:
     const Family &m_family;
     Link &m_link;
     Clock &m_clock;
+    std::string m_probedDialect; ///< what the scan said, where the user chose another
+    std::string m_probedDetail;
     Identity m_identity;
+    DeviceProfile m_profile;
     ParameterStore m_parameters;
     std::shared_ptr<Telemetry> m_telemetry;
     Liveness m_liveness;
     Listeners<> m_changed;
+    Listeners<> m_profileChanged;
     std::string m_busy;
     Instant m_stoppedAt{};
     DeviceGuard m_guard;

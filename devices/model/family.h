@@ -30,6 +30,37 @@ struct Capabilities {
         0}; ///< flash has what RAM has this long after the last write; 0: only when told to
 };
 
+/// A variant of the family's protocol that a user may choose against what the scan found.
+struct DialectChoice {
+    std::string_view key;
+    std::string_view title;   ///< English; widgets translate it
+    std::string_view warning; ///< what goes wrong when the unit speaks another one; a whole sentence
+};
+
+/// A number that only the user of a device knows, such as what its sensor gives for an ampere. Kept in the device's profile.
+struct Calibration {
+    std::string_view key;
+    std::string_view unit;
+    std::string_view label; ///< English; widgets translate it
+    std::string_view help;
+    double minimum = 0.0;
+    double maximum = 0.0;
+};
+/// The one calibration that widgets know by name: encoder counts of one turn, four edges a line.
+constexpr std::string_view countsPerRevolutionKey = "counts_per_revolution";
+
+/// What the gains of a loop that computes in integers mean (tuning.md 3.8): output = (P·e + I·Σe + D·Δe)/divisor.
+struct LoopScale {
+    double fullDuty = 0.0;          ///< output at 100 %
+    double period = 0.0;            ///< seconds that I and D count in: the period of the loop, or a unit of time
+    double velocityTime = 1.0;      ///< velocities are counts per so many seconds
+    std::string_view velocityError; ///< English unit of a velocity error; widgets translate it
+    std::string_view currentError;
+    std::string_view time;           ///< English name of `period`: "loop", "ms"
+    bool divided = false;            ///< each loop has a parameter `divisor`
+    bool derivativeInverted = false; ///< a positive raw D pushes the same way as the change
+};
+
 /// Gets what a scan finds, each as soon as it answers. A device may be reported again with more detail: same address and
 /// session. A row that must go (it was half an answer) is simply not in the final list.
 class ScanSink {
@@ -44,6 +75,15 @@ struct UpdateOptions {
     bool force = false;  ///< write even if the version is the same
     std::string via;
     std::string target;
+    bool eraseSettings = false; ///< what the unit has stored goes too; families without such a thing refuse it
+};
+
+/// A way in for an update besides the device's own link: what `--via` is to name.
+struct UpdateRoute {
+    std::string_view scheme;                     ///< before the first colon: openocd
+    std::string_view example;                    ///< openocd:stlink
+    std::span<const std::string_view> targets{}; ///< of `--target`; empty: it needs none
+    bool erasesSettings = false;                 ///< UpdateOptions::eraseSettings
 };
 
 enum class UpdateOutcome { Done, UpToDate, Refused, Failed, Cancelled };
@@ -79,6 +119,13 @@ struct Family {
     Capabilities capabilities;
     /// Units of the bench behind `sim:`, in the notation of `simulate`.
     std::span<const std::string_view> bench;
+
+    std::span<const DialectChoice> dialects{};   ///< empty: there is one
+    std::span<const Calibration> calibrations{}; ///< empty: everything is known
+    std::span<const UpdateRoute> routes{};       ///< of update(); empty: the device's own link
+    const LoopScale *loop = nullptr;             ///< nullptr: what the gains mean is not known
+    /// Puts changes of write-only or interlocked parameters into the order that passes through safe states only.
+    void (*arrange)(const ParameterStore &known, std::vector<ParameterChange> &changes) = nullptr;
 
     /// Finds devices. Sends nothing that changes or moves one. Ends when the list is complete.
     Task<void> (*scan)(Link &, Clock &, ScanSink &) = nullptr;

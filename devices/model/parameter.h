@@ -70,6 +70,11 @@ struct ParameterIndex {
     friend auto operator<=>(const ParameterIndex &, const ParameterIndex &) = default;
 };
 
+struct ParameterChange {
+    ParameterIndex index;
+    std::int64_t raw = 0;
+};
+
 /// One row of a family's table. Numbers are in `unit`; the raw value on the wire is `number * one`.
 struct Parameter {
     std::string_view key; ///< stable, released keys never change (product.md)

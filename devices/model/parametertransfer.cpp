@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/parametertransfer.h"
 
+#include "model/family.h"
+
 namespace mb {
 
 std::vector<ParameterIndex> readable(const Device &device)
@@ -66,14 +68,14 @@ Task<std::vector<TransferOutcome>> writeParameters(
 {
     std::vector<TransferOutcome> outcomes;
     const int total = static_cast<int>(changes.size());
+    if (device.family().arrange)
+        device.family().arrange(device.parameters(), changes);
     for (const ParameterChange change : changes) {
         const std::string key(device.parameters().parameter(change.index).key);
         progress.step("Writing " + key, static_cast<int>(outcomes.size()), total);
         auto task = writeOne(device, change);
         TransferOutcome outcome = co_await std::move(task);
-        const bool failed = !outcome.raw;
-        if (failed)
-            progress.log(Severity::Danger, key + ": " + outcome.raw.error().detail);
+        const bool failed = !outcome.raw; // who asked for it says so
         outcomes.push_back(std::move(outcome));
         if (failed)
             break;

@@ -7,11 +7,6 @@
 
 namespace mb {
 
-struct ParameterChange {
-    ParameterIndex index;
-    std::int64_t raw = 0;
-};
-
 struct TransferOutcome {
     ParameterIndex index;
     Result<std::int64_t> raw{0};  ///< what is in force
@@ -26,7 +21,7 @@ struct TransferOutcome {
 [[nodiscard]] Task<std::vector<TransferOutcome>> readParameters(
     Device &device, std::vector<ParameterIndex> indices, Progress &progress);
 
-/// Writes in the order given; each is read back and compared (never a Counter, and a Live one is not compared).
+/// Writes in the order that is safe for the family (Family::arrange), else as given; each is read back and compared (never a Counter, and a Live one is not compared).
 /// Ends at the first error, so that nothing half-known goes on; the outcomes tell how far it came.
 [[nodiscard]] Task<std::vector<TransferOutcome>> writeParameters(
     Device &device, std::vector<ParameterChange> changes, Progress &progress);

@@ -212,6 +212,12 @@ Task<std::vector<Device *>> Session::scan(Link &link)
     co_await round.done.wait();
     if (round.error)
         co_return fail(*round.error);
+    const auto rank = [this](const Device *device) {
+        const auto family = std::find(m_families.begin(), m_families.end(), &device->family());
+        return std::pair(family - m_families.begin(), device->identity().address);
+    };
+    std::stable_sort(
+        round.seen.begin(), round.seen.end(), [&rank](const Device *a, const Device *b) { return rank(a) < rank(b); });
     co_return round.seen;
 }
 
@@ -230,7 +236,9 @@ void Session::openDevice(Entry &entry, Link &link, const Family &family, const I
     entry.device->guard().setSource(m_guard);
     if (m_store)
         entry.device->telemetry()->keepIn(m_store);
+    recall(*entry.device);
     entry.changed = entry.device->changed().add([this] { m_changed.notify(); });
+    entry.profileChanged = entry.device->profileChanged().add([this, device = entry.device.get()] { keep(*device); });
 }
 
 Device &Session::adopt(Link &link, const Family &family, const Identity &identity, std::vector<Device *> &seen)
@@ -333,6 +341,31 @@ void Session::stopAll()
         else if (entry.device->liveness().moving && entry.device->link().state() == LinkState::Open)
             entry.device->stop();
     }
+}
+
+void Session::keepProfiles(std::string directory)
+{
+    m_profiles.emplace(std::move(directory));
+}
+
+void Session::recall(Device &device)
+{
+    if (!m_profiles || device.link().address().isSimulated() || device.link().address().isRecording())
+        return;
+    auto profile = m_profiles->load(device.selector());
+    if (!profile)
+        m_profileTrouble.notify(profile.error().detail);
+    else if (!profile->isEmpty())
+        device.setProfile(std::move(*profile));
+}
+
+void Session::keep(const Device &device)
+{
+    m_changed.notify();
+    if (!m_profiles || device.link().address().isSimulated() || device.link().address().isRecording())
+        return;
+    if (auto kept = m_profiles->save(device.selector(), device.profile()); !kept)
+        m_profileTrouble.notify(kept.error().detail);
 }
 
 void Session::scheduleCommit()

@@ -35,6 +35,10 @@ public:
 
     /// Where the recordings of all devices go beyond a memory budget; for devices found from now on.
     void keepHistoriesIn(std::shared_ptr<ChunkStore> store) { m_store = std::move(store); }
+    /// From now on what is known of devices on real links is kept in this directory. Simulated ones are factory-fresh.
+    void keepProfiles(std::string directory);
+    /// A profile could not be read or kept: one line for people.
+    [[nodiscard]] Listeners<const std::string &> &profileTrouble() { return m_profileTrouble; }
 
     /// Opens a link, or yields the one that is open under this address. `sim:` alone must be expanded first (expandLink).
     [[nodiscard]] Result<Link *> openLink(const LinkAddress &address);
@@ -55,7 +59,7 @@ public:
 
     /// Scans with every family that speaks this kind of link, all at once; devices() grows as answers come. A recording
     /// cannot be asked: the whole file is looked through, in pieces, for what devices sent. Yields what
-    /// answered this time, in table order. A device that did not answer stays in devices() and is not heard.
+    /// answered this time, family by family, in order of address. A device that did not answer stays in devices() and is not heard.
     [[nodiscard]] Task<std::vector<Device *>> scan(Link &link);
     /// Opens the link, asks whether exactly this device is there. Timeout when not; Refused when the number is taken twice
     /// and the selector does not say which.
@@ -80,6 +84,7 @@ private:
         std::unique_ptr<Device> device;
         std::unique_ptr<SetPointStream> stream;
         Subscription changed;
+        Subscription profileChanged;
     };
     struct OpenLink {
         std::unique_ptr<Bench> bench;
@@ -98,12 +103,16 @@ private:
     Device &adopt(Link &link, const Family &family, const Identity &identity, std::vector<Device *> &seen);
     void remark(const Link &link);
     void scheduleCommit();
+    void recall(Device &device);
+    void keep(const Device &device);
 
     Clock &m_clock;
     std::span<const Family *const> m_families;
     MotionGuard *m_guard;
     Listeners<> m_changed;
     Listeners<const Link &, const std::string &> m_remarked;
+    Listeners<const std::string &> m_profileTrouble;
+    std::optional<ProfileBook> m_profiles;
     std::list<OpenLink> m_links; // lists: an element is destroyed whole, in the reverse order of its members
     std::list<Entry> m_devices;
     std::uint32_t m_lastId = 0;

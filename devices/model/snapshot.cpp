@@ -44,6 +44,7 @@ DeviceView viewOf(Session &session, Device &device)
         view.rates.push_back(device.telemetry()->rate({static_cast<std::uint16_t>(i)}));
     view.parameters.assign(device.parameters().entries().begin(), device.parameters().entries().end());
     view.parameterRevision = device.parameters().revision();
+    view.profile = device.profile();
     if (auto allowed = device.mayMove(); !allowed)
         view.mayNotMove = allowed.error().detail;
     return view;

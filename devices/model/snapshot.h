@@ -52,6 +52,7 @@ struct DeviceView {
     std::vector<double> rates;                     ///< samples per second, in table order of the channels
     std::vector<ParameterStore::Entry> parameters; ///< in table order
     std::uint64_t parameterRevision = 0;
+    DeviceProfile profile;
     std::string mayNotMove; ///< empty when it may be driven
 };
 

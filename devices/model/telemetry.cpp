@@ -18,11 +18,28 @@ double seconds(Duration duration)
 } // namespace
 
 Telemetry::Telemetry(std::span<const Channel> channels)
-    : m_channels(channels)
+    : m_table(channels.data())
     , m_live(channels.size())
     , m_histories(channels.size())
 {
     m_pending.reserve(pendingMost);
+}
+
+void Telemetry::useTable(std::span<const Channel> channels)
+{
+    commit();
+    const std::span<const Channel> before = this->channels();
+    {
+        const std::lock_guard lock(m_mutex);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            if (before[i].unit == channels[i].unit)
+                continue;
+            m_histories[i].clear();
+            m_live[i] = Live();
+        }
+        m_table.store(channels.data(), std::memory_order_release);
+    }
+    m_revision.fetch_add(1, std::memory_order_release);
 }
 
 void Telemetry::append(const Sample &sample)

@@ -28,11 +28,17 @@ public:
     Telemetry(const Telemetry &) = delete;
     Telemetry &operator=(const Telemetry &) = delete;
 
-    [[nodiscard]] std::span<const Channel> channels() const { return m_channels; }
-    [[nodiscard]] std::optional<ChannelIndex> find(std::string_view key) const { return findChannel(m_channels, key); }
+    /// Any thread. The units of a row may change (useTable), keys and order never do.
+    [[nodiscard]] std::span<const Channel> channels() const
+    {
+        return {m_table.load(std::memory_order_acquire), m_live.size()};
+    }
+    [[nodiscard]] std::optional<ChannelIndex> find(std::string_view key) const { return findChannel(channels(), key); }
 
     /// @name Engine thread
     /// @{
+    /// The same rows in other units, in static storage too. What was recorded in the old unit of a row is forgotten.
+    void useTable(std::span<const Channel> channels);
     /// Listeners hear it now; readers after commit(). A full buffer commits by itself; appending does not allocate.
     void append(const Sample &sample);
     /// `count` samples are known missing here; the line is broken.
@@ -102,7 +108,7 @@ private:
     static void measure(Live &live, Instant time);
     [[nodiscard]] const History &history(ChannelIndex channel) const { return m_histories[channel.value]; }
 
-    std::span<const Channel> m_channels;
+    std::atomic<const Channel *> m_table;
     std::vector<Live> m_live;
     std::vector<Pending> m_pending;
     Instant m_newest{}; ///< of all channels

@@ -32,19 +32,22 @@ void WindowTest::theScanFillsTheTree()
     WindowBench bench;
     QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
     const QAbstractItemModel &model = *bench.part<DeviceTree>().findChild<QTreeView *>()->model();
-    QCOMPARE(model.rowCount(), 1);
+    QVERIFY(model.rowCount() >= 1);
     const QModelIndex link = model.index(0, 0);
     QCOMPARE(link.data().toString(), QStringLiteral("sim:can"));
-    QTRY_COMPARE_WITH_TIMEOUT(model.rowCount(link), 3, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(model.rowCount(link), static_cast<int>(WindowBench::benchSize), patience);
     const auto row = [&model, link](int at, int role) { return model.index(at, 0, link).data(role); };
-    QCOMPARE(row(0, Qt::DisplayRole).toString(), QStringLiteral("DMC60C #5"));
-    QCOMPARE(row(1, Qt::DisplayRole).toString(), QStringLiteral("DMC60C #7"));
-    QCOMPARE(row(2, Qt::DisplayRole).toString(), QStringLiteral("DMC60C #9"));
-    QTRY_VERIFY_WITH_TIMEOUT(row(0, DeviceModel::LineRole).toString().contains(QStringLiteral(" · ")), patience);
-    QCOMPARE(row(0, DeviceModel::GlyphRole).toInt(), static_cast<int>(GlyphState::Online));
-    QCOMPARE(row(2, DeviceModel::GlyphRole).toInt(), static_cast<int>(GlyphState::Bootloader));
-    QCOMPARE(row(2, DeviceModel::BadgeRole).toString(), QStringLiteral("boot"));
-    QVERIFY(row(0, DeviceModel::BadgeRole).toString() != QStringLiteral("boot"));
+    const QStringList titles{QStringLiteral("Abstract DC #3"), QStringLiteral("Abstract DC #4"),
+        QStringLiteral("Abstract DC #5"), QStringLiteral("DMC60C #5"), QStringLiteral("DMC60C #7"),
+        QStringLiteral("DMC60C #9")};
+    for (int at = 0; at < titles.size(); ++at)
+        QCOMPARE(row(at, Qt::DisplayRole).toString(), titles[at]);
+    QCOMPARE(row(1, DeviceModel::BadgeRole).toString(), QStringLiteral("L"));
+    QTRY_VERIFY_WITH_TIMEOUT(row(3, DeviceModel::LineRole).toString().contains(QStringLiteral(" · ")), patience);
+    QCOMPARE(row(3, DeviceModel::GlyphRole).toInt(), static_cast<int>(GlyphState::Online));
+    QCOMPARE(row(5, DeviceModel::GlyphRole).toInt(), static_cast<int>(GlyphState::Bootloader));
+    QCOMPARE(row(5, DeviceModel::BadgeRole).toString(), QStringLiteral("boot"));
+    QVERIFY(row(3, DeviceModel::BadgeRole).toString() != QStringLiteral("boot"));
 }
 
 void WindowTest::aTypedGainReachesTheDevice()

@@ -15,11 +15,12 @@ namespace mb::test {
 /// Of one wait for something that takes milliseconds on an idle machine.
 constexpr int patience = 30000;
 
-/// The program as `motorbench --demo` runs it: engine thread, window, stop keys, three simulated controllers.
+/// The program as `motorbench --demo` runs it: engine thread, window, stop keys, simulated controllers.
 class WindowBench {
 public:
     static constexpr int tuned = 5;
     static constexpr int inBootloader = 9;
+    static constexpr std::size_t benchSize = 6; ///< three DMC60C, and an Abstract DC Drive of each dialect
 
     explicit WindowBench(double fontScale = 1.0)
         : m_application(*qApp, options(fontScale))
@@ -37,20 +38,22 @@ public:
         return *qobject_cast<T *>(window().page(id));
     }
 
-    [[nodiscard]] const DeviceView *device(int address)
+    [[nodiscard]] const DeviceView *device(int address, std::string_view family = "dmc60c")
     {
         const auto &all = engine().snapshot().devices;
-        const auto found
-            = std::find_if(all.begin(), all.end(), [=](const DeviceView &d) { return d.identity.address == address; });
+        const auto found = std::find_if(all.begin(), all.end(),
+            [=](const DeviceView &d) { return d.identity.address == address && d.family->key == family; });
         return found == all.end() ? nullptr : &*found;
     }
-    /// All three have answered and told who they are, and the one that can move may be armed.
+    /// All have answered and told who they are, as far as they can, and the one that is tuned may be armed.
     [[nodiscard]] bool isFound()
     {
-        const auto &all = engine().snapshot().devices;
+        std::vector<DeviceView> all = engine().snapshot().devices;
+        std::erase_if(all, [](const DeviceView &d) { return d.link != "sim:can"; });
         const DeviceView *unit = device(tuned);
-        return all.size() == 3 && unit && unit->liveness.heard && unit->mayNotMove.empty()
-            && std::all_of(all.begin(), all.end(), [](const DeviceView &d) { return !d.identity.serial.empty(); });
+        return all.size() == benchSize && unit && unit->liveness.heard && unit->mayNotMove.empty()
+            && std::all_of(all.begin(), all.end(),
+                [](const DeviceView &d) { return !d.identity.serial.empty() || !d.identity.dialect.empty(); });
     }
     void select(int address) { window().selection().select(device(address)->id); }
     [[nodiscard]] const ParameterStore::Entry &parameter(int address, std::string_view key)

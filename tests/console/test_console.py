@@ -5,9 +5,12 @@ import unittest
 
 import contract
 from test_board import BoardTest  # noqa: F401
+from test_abstractdc import AbstractDc  # noqa: F401
 from test_devices import DeviceVerbs  # noqa: F401
 from test_motion import Motion  # noqa: F401
+from test_plot import Plot  # noqa: F401
 from test_serial import SerialTest  # noqa: F401
+from test_supermodified import SupermodifiedTest  # noqa: F401
 from test_traffic import Replay, Traffic  # noqa: F401
 from test_usage import Usage  # noqa: F401
 

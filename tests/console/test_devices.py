@@ -52,7 +52,7 @@ class DeviceVerbs(ContractTest):
 
     def test_scan_shows_duplicates_by_session(self):
         rows = self.run_one("scan", "sim:can?fault=duplicate")["devices"]
-        fives = [row for row in rows if row["address"] == 5]
+        fives = [row for row in rows if (row["family"], row["address"]) == ("dmc60c", 5)]
         self.assertEqual([row["state"] for row in fives], ["duplicate", "duplicate"])
         for row in fives:
             self.assertTrue(row["device"].endswith(f"/dmc60c:5@{row['session']:04x}"), row["device"])

@@ -32,10 +32,10 @@ TEST_P(Dmc60cLoss, RepeatedScansFindAllThreeUnits)
         std::size_t most = 0;
         for (int scan = 0; scan < 3; ++scan) {
             bench.scan();
-            most = bench.session.devices().size();
+            most = bench.devices("dmc60c").size();
         }
         EXPECT_EQ(most, 3U) << "seed " << seed;
-        for (const Device *device : bench.session.devices())
+        for (const Device *device : bench.devices("dmc60c"))
             EXPECT_NE(device->identity().state, DeviceState::Duplicate) << "seed " << seed;
     }
 }

@@ -121,6 +121,27 @@ TEST(Mcap, WhatWasWrittenReadsBackWithGapsLossAndFacts)
     EXPECT_FALSE(fs::exists(folder.file("a.mcap.part")));
 }
 
+/// For tests/recording/read_examples.py, which reads them with nothing of ours.
+TEST(Examples, AreWrittenForOtherReaders)
+{
+    const Folder own;
+    const char *wanted = std::getenv("MOTORBENCH_EXAMPLES");
+    const fs::path folder = wanted ? fs::path(wanted) : own.path;
+    const auto recording = telemetry();
+    for (int i = 0; i < 1000; ++i) {
+        if (i == 400)
+            recording->lost(velocity, 7);
+        put(*recording, velocity, i, std::sqrt(i));
+        if (i % 4 == 0)
+            put(*recording, position, i, -i);
+    }
+    ExportPlan plan = Bench().plan();
+    for (ExportChannel &channel : plan.channels)
+        channel.telemetry = recording;
+    EXPECT_TRUE(exportMcap(plan, (folder / "example.mcap").string(), {}));
+    EXPECT_TRUE(exportCsv(plan, (folder / "example.csv").string(), {}));
+}
+
 TEST(Mcap, AFileThatEndsAnywhereGivesWhatIsWhole)
 {
     const Folder folder;

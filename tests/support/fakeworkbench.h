@@ -81,6 +81,16 @@ public:
     {
         note({"clearFaults", device}, std::move(finished));
     }
+    void calibrate(DeviceId device, const std::string &key, std::optional<double> value, Finished finished) override
+    {
+        Call call{"calibrate", device, key};
+        call.number = value.value_or(0.0);
+        note(std::move(call), std::move(finished));
+    }
+    void setDialect(DeviceId device, const std::string &key, Finished finished) override
+    {
+        note({"setDialect", device, key}, std::move(finished));
+    }
     void setRate(DeviceId device, ChannelIndex, double hertz) override { noteNumber("setRate", device, hertz, {}); }
     void startMotion(
         DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished) override
@@ -98,6 +108,10 @@ public:
     }
     void renewMotion(DeviceId device) override { note({"renewMotion", device}); }
     void stopMotion(DeviceId device) override { note({"stopMotion", device}); }
+    void releaseMoves(DeviceId device, Finished finished) override
+    {
+        note({"releaseMoves", device}, std::move(finished));
+    }
     void stopAll() override { note({"stopAll"}); }
     void update(DeviceId device, std::shared_ptr<const FirmwareImage>, UpdateOptions) override
     {

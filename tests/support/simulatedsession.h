@@ -38,13 +38,20 @@ struct SimulatedSession {
         EXPECT_TRUE(found) << (found ? "" : found.error().detail);
         return found.value_or(std::vector<Device *>{});
     }
-    Device *device(int address)
+    /// Several families may have a unit of this address; the tests of the session itself use this one's.
+    Device *device(int address, std::string_view family = "dmc60c")
     {
-        for (Device *candidate : session.devices()) {
+        for (Device *candidate : devices(family)) {
             if (candidate->identity().address == address)
                 return candidate;
         }
         return nullptr;
+    }
+    std::vector<Device *> devices(std::string_view family)
+    {
+        std::vector<Device *> found = session.devices();
+        std::erase_if(found, [family](const Device *device) { return device->family().key != family; });
+        return found;
     }
     Simulator *simulator(const std::string &name)
     {

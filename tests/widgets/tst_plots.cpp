@@ -6,6 +6,7 @@
 #include <QSvgRenderer>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QWheelEvent>
 #include <cmath>
 
 using namespace mb;
@@ -75,6 +76,13 @@ private Q_SLOTS:
     void clearingLeavesAUsablePlot();
     void cursorsReadTheTrace();
     void keysZoomPauseAndFit();
+    void aBoxZoomsTimeAndValuesWhileLive();
+    void theWheelZoomsAndMovesWhileLive();
+    void arrowsMoveACursorByAPixel();
+    void aHeldEventStandsStillWhileLive();
+    void anAlignedTraceStaysOnTheScreen();
+    void aNoteIsDrawnThroughAllStrips();
+    void theNumbersOfTheSelectionAreExact();
     void exportsReadableFiles();
     void anUnknownSuffixOrFolderFails();
     void tableHasOneColumnPerTraceAndBlanksInGaps();
@@ -216,6 +224,132 @@ void PlotsTest::keysZoomPauseAndFit()
     QVERIFY(stack->cursorsShown());
     QTest::keyClick(stack.get(), Qt::Key_End);
     QVERIFY(stack->isLive());
+}
+
+void PlotsTest::aBoxZoomsTimeAndValuesWhileLive()
+{
+    const auto stack = shownStack(m_theme);
+    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
+    stack->setWindow(10);
+    stack->refresh(100);
+    QVERIFY(stack->isLive());
+    QCustomPlot &plot = stack->plot();
+    const QRect area = plot.axisRect(0)->rect();
+    const auto [from, to] = stack->range();
+    const QPoint corner(area.left() + area.width() / 4, area.top() + area.height() / 4);
+    const QPoint other(area.left() + area.width() / 2, area.top() + area.height() / 2);
+    const double upper = plot.axisRect(0)->axis(QCPAxis::atLeft)->pixelToCoord(corner.y());
+    QTest::mousePress(&plot, Qt::LeftButton, Qt::ShiftModifier, corner);
+    QTest::mouseRelease(&plot, Qt::LeftButton, Qt::ShiftModifier, other);
+    stack->refresh(101);
+    QVERIFY(!stack->isLive());
+    QVERIFY(std::abs(stack->range().first - (from + (to - from) / 4)) < 0.1);
+    QVERIFY(std::abs(stack->range().second - (from + to) / 2) < 0.1);
+    QVERIFY(std::abs(plot.axisRect(0)->axis(QCPAxis::atLeft)->range().upper - upper) < 0.05);
+    QTest::keyClick(stack.get(), Qt::Key_End); // back, with the axis following the data again
+    stack->refresh(102);
+    QVERIFY(stack->isLive());
+}
+
+void PlotsTest::theWheelZoomsAndMovesWhileLive()
+{
+    const auto stack = shownStack(m_theme);
+    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
+    stack->setWindow(10);
+    stack->refresh(100);
+    QCustomPlot &plot = stack->plot();
+    const QPoint middle = plot.axisRect(0)->rect().center();
+    const auto turn = [&](int angle, Qt::KeyboardModifiers modifiers) {
+        QWheelEvent event(middle, plot.mapToGlobal(middle), QPoint(), QPoint(0, angle), Qt::NoButton, modifiers,
+            Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&plot, &event);
+    };
+    turn(120, Qt::NoModifier);
+    QVERIFY(stack->window() < 10.0 && stack->isLive());
+    const QCPRange before = plot.axisRect(0)->axis(QCPAxis::atLeft)->range();
+    turn(120, Qt::ControlModifier);
+    stack->refresh(101);
+    QVERIFY(plot.axisRect(0)->axis(QCPAxis::atLeft)->range().size() < before.size());
+    QVERIFY(stack->isLive());
+    const double from = stack->range().first;
+    turn(120, Qt::ShiftModifier); // back in time
+    QVERIFY(!stack->isLive() && stack->range().first < from);
+}
+
+void PlotsTest::arrowsMoveACursorByAPixel()
+{
+    const auto stack = shownStack(m_theme);
+    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
+    stack->setRange(0, 3);
+    stack->refresh(0);
+    stack->setCursorsShown(true);
+    const auto [a, b] = stack->cursorKeys();
+    QTest::keyClick(stack.get(), Qt::Key_Right);
+    const double pixel = stack->cursorKeys().second - b;
+    QVERIFY(pixel > 0.0 && pixel < 0.05);
+    QTest::keyClick(stack.get(), Qt::Key_C);
+    QTest::keyClick(stack.get(), Qt::Key_Left, Qt::ControlModifier);
+    QVERIFY(std::abs(stack->cursorKeys().first - (a - 10 * pixel)) < 1e-9);
+    QCOMPARE(stack->range(), std::make_pair(0.0, 3.0));
+}
+
+void PlotsTest::aHeldEventStandsStillWhileLive()
+{
+    const auto stack = shownStack(m_theme);
+    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
+    stack->setWindow(10);
+    stack->refresh(100);
+    stack->hold(95.0, 0.2);
+    stack->refresh(101);
+    QVERIFY(stack->isLive());
+    QVERIFY(std::abs(stack->range().first - 93.0) < 0.05);
+    stack->refresh(120);
+    QVERIFY(std::abs(stack->range().second - 103.0) < 0.05);
+    stack->hold({}, 0.2);
+    stack->refresh(121);
+    QVERIFY(stack->range().second >= 121);
+}
+
+void PlotsTest::anAlignedTraceStaysOnTheScreen()
+{
+    const auto stack = shownStack(m_theme);
+    TraceStyle style{s("ref"), s("rpm"), TraceRole::Velocity, 0};
+    style.aligned = true;
+    const int id = stack->addTrace(style, std::make_shared<FixedTrace>(std::vector<PlotPoint>{{0, 0}, {10, 100}}));
+    stack->setWindow(10);
+    for (const double now : {50.0, 77.0}) {
+        stack->refresh(now);
+        QVERIFY(std::abs(stack->valueAt(id, stack->range().first + 5.0) - 50.0) < 1e-6);
+    }
+    stack->hold(60.0, 0.5);
+    stack->refresh(78);
+    QVERIFY(std::abs(stack->valueAt(id, 62.0) - 20.0) < 1e-6); // from the event on
+}
+
+void PlotsTest::aNoteIsDrawnThroughAllStrips()
+{
+    const auto stack = shownStack(m_theme);
+    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<FixedTrace>(std::vector<PlotPoint>{}));
+    stack->setRange(0, 1);
+    stack->refresh(0);
+    const QImage before = stack->plot().toPixmap().toImage();
+    stack->setMarks({{0.5, s("load pulse")}});
+    stack->refresh(0);
+    QVERIFY(stack->plot().toPixmap().toImage() != before);
+}
+
+void PlotsTest::theNumbersOfTheSelectionAreExact()
+{
+    const auto stack = shownStack(m_theme);
+    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0},
+        std::make_shared<FixedTrace>(std::vector<PlotPoint>{{0, 0}, {4, 40}}));
+    stack->setRange(0, 4);
+    stack->refresh(0);
+    stack->setCursorsShown(true);
+    stack->setCursorKeys(1.0, 3.0);
+    const QString numbers = stack->numbers();
+    QVERIFY2(numbers.contains(s("time\ts\t1.000000\t3.000000\t2\t")), qPrintable(numbers));
+    QVERIFY2(numbers.contains(s("v\trpm\t10\t30\t20")), qPrintable(numbers));
 }
 
 void PlotsTest::exportsReadableFiles()

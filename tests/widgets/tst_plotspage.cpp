@@ -207,9 +207,9 @@ void TestPlotsPage::keysPauseAndFit()
     QVERIFY(!bench.page->stack().isLive());
     QTest::keyClick(bench.page.get(), Qt::Key_P);
     QVERIFY(bench.page->stack().isLive());
-    auto *window = bench.page->findChild<QComboBox *>();
-    window->setCurrentIndex(0);
-    Q_EMIT window->activated(0);
+    auto *window = bench.page->findChild<QComboBox *>(s("plotsWindow"));
+    window->setCurrentIndex(2);
+    Q_EMIT window->activated(2);
     QCOMPARE(bench.page->stack().window(), 2.0);
 }
 

@@ -53,6 +53,9 @@ public:
     virtual void rename(DeviceId device, const QString &name, Finished finished) = 0;
     virtual void renumber(DeviceId device, int address, Finished finished) = 0;
     virtual void clearFaults(DeviceId device, Finished finished) = 0;
+    /// A number that only its user knows, and the dialect to speak against what the scan found (model/deviceprofile.h).
+    virtual void calibrate(DeviceId device, const std::string &key, std::optional<double> value, Finished finished) = 0;
+    virtual void setDialect(DeviceId device, const std::string &key, Finished finished) = 0;
     /// Samples per second wished for while a page shows the device; 0 returns to the device's own.
     virtual void setRate(DeviceId device, ChannelIndex channel, double hertz) = 0;
 
@@ -63,6 +66,8 @@ public:
     virtual void updateMotion(DeviceId device, const SetPoint &setPoint, Finished finished) = 0;
     virtual void renewMotion(DeviceId device) = 0;
     virtual void stopMotion(DeviceId device) = 0;
+    /// Starts the buffered moves of every device on the link of `device` at the same moment.
+    virtual void releaseMoves(DeviceId device, Finished finished) = 0;
     /// STOP: every motor on every link, before anything else that waits.
     virtual void stopAll() = 0;
 

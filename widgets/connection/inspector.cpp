@@ -6,6 +6,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
+#include "widgets/connection/profilepanel.h"
 #include "wire/fixedpoint.h"
 
 #include <QHBoxLayout>
@@ -33,6 +34,8 @@ Inspector::Inspector(Workbench &workbench, Selection &selection, const ThemeSour
     buildLive(*column);
     buildIdentity(*column);
     buildParameters(*column);
+    m_profile = new ProfilePanel(workbench, theme, this);
+    column->addWidget(m_profile);
     column->addStretch();
     connect(&workbench, &Workbench::changed, this, &Inspector::follow);
     connect(&selection, &Selection::changed, this, &Inspector::follow);
@@ -117,6 +120,7 @@ void Inspector::follow()
         device && device->family->capabilities.identify && device->identity.state != DeviceState::Bootloader);
     m_read->setEnabled(device && device->identity.state == DeviceState::Online);
     if (!device) {
+        m_profile->show(nullptr);
         m_title->setText(tr("No device selected"));
         m_subtitle->clear();
         return;
@@ -127,12 +131,8 @@ void Inspector::follow()
     m_subtitle->setText(device->identity.name.empty()
             ? linkName
             : QString::fromStdString(device->identity.name) + QStringLiteral(" · ") + linkName);
-    for (const LiveRow &row : m_live) {
-        if (const auto value = liveValue(*device, row.channel, m_workbench.now()))
-            row.label->setValue(formatNumber(*value * row.factor, row.decimals));
-        else
-            row.label->clear();
-    }
+    showLive(*device);
+    m_profile->show(device);
     const auto text = [](ValueLabel *label, const std::string &value) {
         if (value.empty())
             label->clear();
@@ -146,6 +146,20 @@ void Inspector::follow()
         device->identity.session ? QString::number(*device->identity.session, 16).toUpper().toStdString()
                                  : std::string());
     showParameters(*device);
+}
+
+/// Units are the device's: a current is counts until somebody said what a count is.
+void Inspector::showLive(const DeviceView &device)
+{
+    for (const LiveRow &row : m_live) {
+        const auto channel = device.telemetry->find(row.channel);
+        if (channel && row.factor == 1.0)
+            row.label->setUnit(tableText(device.telemetry->channels()[channel->value].unit));
+        if (const auto value = liveValue(device, row.channel, m_workbench.now()))
+            row.label->setValue(formatNumber(*value * row.factor, row.decimals));
+        else
+            row.label->clear();
+    }
 }
 
 void Inspector::showParameters(const DeviceView &device)

@@ -15,6 +15,7 @@ class QVBoxLayout;
 namespace mb {
 
 class CommandButton;
+class ProfilePanel;
 class ValueLabel;
 
 /// The right dock: everything known about the selected device, as rows.
@@ -29,6 +30,7 @@ private:
     void buildLive(QVBoxLayout &column);
     void buildIdentity(QVBoxLayout &column);
     void buildParameters(QVBoxLayout &column);
+    void showLive(const DeviceView &device);
     ValueLabel *addRow(QVBoxLayout &column, const QString &caption);
     void follow();
     void showParameters(const DeviceView &device);
@@ -48,6 +50,7 @@ private:
     CommandButton *m_identify = nullptr;
     CommandButton *m_read = nullptr;
     std::vector<LiveRow> m_live;
+    ProfilePanel *m_profile = nullptr;
     ValueLabel *m_serial = nullptr;
     ValueLabel *m_firmware = nullptr;
     ValueLabel *m_bootloader = nullptr;

@@ -97,7 +97,10 @@ void GainsPanel::showBounds(bool shown)
     m_boundsShown = shown;
     if (m_bounds)
         m_bounds->setVisible(shown);
-    m_more->setText(shown ? tr("Hide limits of the loop") : tr("I zone, allowable error, ramp, output limits"));
+    const bool divided = m_family && m_family->loop && m_family->loop->divided;
+    m_more->setText(shown ? tr("Hide limits of the loop")
+            : divided     ? tr("Divisor")
+                          : tr("I zone, allowable error, ramp, output limits"));
 }
 
 void GainsPanel::explain()
@@ -112,10 +115,12 @@ void GainsPanel::refresh(const DeviceView &device, bool reading)
 {
     if (!m_edits || m_edits->entries().size() != device.parameters.size())
         return;
+    const GainRow *const divisor = m_family->loop && m_family->loop->divided ? row("divisor") : nullptr;
+    const double divided = divisor ? divisor->number().value_or(0.0) : 1.0;
     for (GainRow *row : m_rows) {
         const auto number = row->number();
         const auto physical = number
-            ? siGain(*m_family, m_edits->parameter(row->index()), m_mode, *number, m_units.countsPerRevolution)
+            ? siGain(*m_family, m_edits->parameter(row->index()), m_mode, *number, m_units.countsPerRevolution, divided)
             : std::nullopt;
         const bool off = !number || *number == 0.0;
         row->setPhysical(physical && !off ? formatSignificant(physical->value, 3) + QLatin1Char(' ') + physical->unit

@@ -5,6 +5,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <string>
@@ -20,26 +21,6 @@ constexpr std::array<std::string_view, 4> gainNames{"p", "i", "d", "f"};
 constexpr std::array<std::string_view, 9> boundNames{"i_zone", "allowable_error", "ramp", "max_forward", "max_reverse",
     "nominal_forward", "nominal_reverse", "divisor", "windup"};
 
-/// Numbers of a loop that computes in integers: tuning.md 3.8.
-struct LoopScale {
-    std::string_view family;
-    double fullDuty = 0.0;
-    double period = 0.0;       ///< of the loop, seconds
-    double velocityTime = 0.0; ///< velocities are counts per so many seconds
-    const char *velocityError = nullptr;
-};
-constexpr std::array scales{
-    LoopScale{"dmc60c", 32767.0, 500e-6, 0.1, QT_TRANSLATE_NOOP("GainText", "count/100\u00A0ms")}};
-
-const LoopScale *scaleOf(const Family &family)
-{
-    for (const LoopScale &scale : scales) {
-        if (scale.family == family.key)
-            return &scale;
-    }
-    return nullptr;
-}
-
 /// Device units per SI unit of the error.
 std::optional<double> errorScale(const LoopScale &scale, Mode mode, double countsPerRevolution)
 {
@@ -47,7 +28,7 @@ std::optional<double> errorScale(const LoopScale &scale, Mode mode, double count
     switch (mode) {
     case Mode::Velocity: return countsPerRadian * scale.velocityTime;
     case Mode::Position: return countsPerRadian;
-    case Mode::Current: return 1.0;
+    case Mode::Current: return scale.currentError == "A" ? std::optional<double>(1.0) : std::nullopt;
     default: return std::nullopt;
     }
 }
@@ -64,6 +45,12 @@ QString siUnit(std::string_view gain, Mode mode)
     if (gain == "d")
         return velocity ? GainText::tr("duty/(rad/s²)") : GainText::tr("duty/(rad/s)");
     return velocity ? GainText::tr("duty/(rad/s)") : GainText::tr("duty/rad");
+}
+
+/// One of p, i, d and f, and not one that bounds them.
+bool isGain(const Parameter &parameter)
+{
+    return std::find(gainNames.begin(), gainNames.end(), gainName(parameter)) != gainNames.end();
 }
 
 void collect(const Family &family, const std::string &prefix, std::span<const std::string_view> names,
@@ -105,33 +92,34 @@ std::string_view gainName(const Parameter &parameter)
 
 QString gainUnit(const Family &family, const Parameter &parameter, Mode mode)
 {
-    const LoopScale *scale = scaleOf(family);
-    if (!scale || !isClosedLoop(mode) || parameter.type != WireType::Fixed16x16)
-        return tableText(parameter.unit);
-    const QString error = mode == Mode::Velocity ? GainText::tr(scale->velocityError)
-        : mode == Mode::Position                 ? GainText::tr("count")
-                                                 : GainText::tr("A");
+    const LoopScale *scale = family.loop;
     const std::string_view name = gainName(parameter);
+    if (!scale || !isClosedLoop(mode) || !isGain(parameter))
+        return tableText(parameter.unit);
+    const QString error = mode == Mode::Velocity ? tableText(scale->velocityError)
+        : mode == Mode::Position                 ? GainText::tr("count")
+                                                 : tableText(scale->currentError);
+    const QString per = scale->divided ? GainText::tr("throttle × divisor per %1") : GainText::tr("throttle per %1");
     if (name == "i")
-        return GainText::tr("throttle per %1 · loop").arg(error);
+        return per.arg(GainText::tr("%1 · %2").arg(error, tableText(scale->time)));
     if (name == "d")
-        return GainText::tr("throttle per %1 / loop").arg(error);
-    return GainText::tr("throttle per %1").arg(error);
+        return per.arg(GainText::tr("%1 / %2").arg(error, tableText(scale->time)));
+    return per.arg(error);
 }
 
-std::optional<SiGain> siGain(
-    const Family &family, const Parameter &parameter, Mode mode, double number, double countsPerRevolution)
+std::optional<SiGain> siGain(const Family &family, const Parameter &parameter, Mode mode, double number,
+    double countsPerRevolution, double divisor)
 {
-    const LoopScale *scale = scaleOf(family);
+    const LoopScale *scale = family.loop;
     const auto perSi = scale ? errorScale(*scale, mode, countsPerRevolution) : std::nullopt;
     const std::string_view name = gainName(parameter);
-    if (!perSi || parameter.type != WireType::Fixed16x16)
+    if (!perSi || !isGain(parameter) || divisor == 0.0)
         return std::nullopt;
-    double value = number * *perSi / scale->fullDuty;
+    double value = number * *perSi / (scale->fullDuty * divisor);
     if (name == "i")
         value /= scale->period;
     else if (name == "d")
-        value *= scale->period;
+        value *= scale->derivativeInverted ? -scale->period : scale->period;
     return SiGain{value, siUnit(name, mode)};
 }
 

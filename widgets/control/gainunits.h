@@ -26,13 +26,14 @@ struct GainSet {
 [[nodiscard]] std::string_view gainName(const Parameter &parameter);
 /// "throttle per count/100 ms": the unit of a gain in this mode, for people; the table's where nothing better is known.
 [[nodiscard]] QString gainUnit(const Family &family, const Parameter &parameter, Mode mode);
+/// `divisor` of the loop; 1 where there is none or it is not known.
 /// A gain in units of the physical loop, such as 2.49e-3 duty/(rad/s) (tuning.md 3.8). Nothing where the family's scale
-/// is not known.
+/// or the divisor is not known.
 struct SiGain {
     double value = 0.0;
     QString unit;
 };
-[[nodiscard]] std::optional<SiGain> siGain(
-    const Family &family, const Parameter &parameter, Mode mode, double number, double countsPerRevolution);
+[[nodiscard]] std::optional<SiGain> siGain(const Family &family, const Parameter &parameter, Mode mode, double number,
+    double countsPerRevolution, double divisor = 1.0);
 
 } // namespace mb

@@ -8,6 +8,7 @@
 #include "widgets/control/driveoptions.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
+#include "widgets/control/movespanel.h"
 #include "widgets/control/ratekeeper.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/steptable.h"
@@ -136,6 +137,9 @@ QWidget *TunePage::buildColumn()
     inner->addWidget(m_setPoint);
     inner->addWidget(separatorLine(Qt::Horizontal, panels));
     inner->addWidget(m_gains);
+    m_moves = new MovesPanel(m_workbench, m_arming, m_theme, panels);
+    m_moves->hide();
+    inner->addWidget(m_moves);
     inner->addStretch(1);
     (new CalmWheel(panels))->watch(*m_setPoint);
     scroll->setWidget(panels);
@@ -187,6 +191,10 @@ void TunePage::connectPanels()
     connect(m_setPoint, &SetPointPanel::targetChosen, this, &TunePage::applyTarget);
     connect(m_setPoint, &SetPointPanel::changed, this, &TunePage::showCommands);
     connect(m_setPoint, &SetPointPanel::polarityChanged, this, [this] { disarmBecause(tr("a direction or a limit")); });
+    connect(m_moves, &MovesPanel::taken, this, [this] { // no set-point of this page comes between
+        m_slewTimer.stop();
+        m_ours = false;
+    });
     connect(m_plot, &TunePlot::unitsChanged, this, &TunePage::unitsChosen);
     connect(&m_workbench, &Workbench::changed, this, &TunePage::follow);
     connect(&m_arming, &Arming::changed, this, &TunePage::follow);

@@ -26,6 +26,7 @@ class ElidedLabel;
 class EmptyState;
 class GainsPanel;
 class ModePanel;
+class MovesPanel;
 class RateKeeper;
 class SetPointPanel;
 class StateGlyph;
@@ -59,6 +60,7 @@ public:
     [[nodiscard]] ModePanel &modePanel() { return *m_modes; }
     [[nodiscard]] SetPointPanel &setPointPanel() { return *m_setPoint; }
     [[nodiscard]] GainsPanel &gainsPanel() { return *m_gains; }
+    [[nodiscard]] MovesPanel &movesPanel() { return *m_moves; }
     [[nodiscard]] TunePlot &plot() { return *m_plot; }
 
 protected:
@@ -135,6 +137,7 @@ private:
     CommandButton *m_run = nullptr;
     ModePanel *m_modes = nullptr;
     SetPointPanel *m_setPoint = nullptr;
+    MovesPanel *m_moves = nullptr;
     GainsPanel *m_gains = nullptr;
     CommandButton *m_write = nullptr;
     CommandButton *m_revert = nullptr;

@@ -9,6 +9,7 @@
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/modepanel.h"
+#include "widgets/control/movespanel.h"
 #include "widgets/control/ratekeeper.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/steptable.h"
@@ -78,6 +79,8 @@ void TunePage::followDevice(const DeviceView &view)
     }
     if (m_shown != view.id) {
         m_shown = view.id;
+        if (const double counts = view.profile.calibrated(countsPerRevolutionKey); counts > 0.0)
+            chosen.units.countsPerRevolution = counts;
         m_modes->setFamily(*view.family);
         m_modes->chainAfter(m_run);
         m_modes->show(chosen.mode, chosen.editedSlot, chosen.runningSlot);
@@ -99,6 +102,7 @@ void TunePage::followDevice(const DeviceView &view)
     if (isVisible())
         readOnce(view);
     followGains(view);
+    m_moves->follow(view);
     showCommands();
 }
 

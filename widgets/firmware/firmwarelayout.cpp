@@ -5,6 +5,7 @@
 #include "widgets/common/stateglyph.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/firmware/pagemap.h"
+#include "widgets/firmware/routepanel.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -29,6 +30,8 @@ FirmwarePage::FirmwarePage(Workbench &workbench, Selection &selection, const The
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     buildImage(*column);
+    m_route = new RoutePanel(theme, this);
+    column->addWidget(m_route);
     buildChecks(*column);
     buildProgress(*column);
     buildBody(*column);

@@ -7,6 +7,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/firmware/pagemap.h"
+#include "widgets/firmware/routepanel.h"
 
 #include <QDateTime>
 #include <QDragEnterEvent>
@@ -101,7 +102,7 @@ void FirmwarePage::startUpdate()
         inspectImage();
     if (!canStart())
         return;
-    m_workbench.update(m_selection.device(), m_image, {});
+    m_workbench.update(m_selection.device(), m_image, m_route->options());
 }
 
 void FirmwarePage::showEvent(QShowEvent *event)
@@ -125,10 +126,13 @@ void FirmwarePage::follow()
     if (device) {
         const QString now
             = device->identity.firmware.empty() ? tr("none") : QString::fromStdString(device->identity.firmware);
-        m_versions->setText(m_summary ? tr("%1 → %2").arg(now, QString::fromStdString(m_summary->version)) : now);
+        m_versions->setText(m_summary ? tr("%1 → %2").arg(now,
+                                m_summary->version.empty() ? tr("unknown") : QString::fromStdString(m_summary->version))
+                                      : now);
     } else {
         m_versions->clear();
     }
+    m_route->show(device ? device->family : nullptr);
     followChecks(device, operation);
     followProgress(operation);
     followLog(operation);

@@ -18,6 +18,7 @@ namespace mb {
 class Banner;
 class CommandButton;
 class PageMap;
+class RoutePanel;
 class StateGlyph;
 
 /// Firmware of the selected device: image, checks before the start, page map, rate, time left, cancel, log. Says done only
@@ -77,6 +78,7 @@ private:
     QLabel *m_deviceName = nullptr;
     QLabel *m_versions = nullptr;
     std::array<Check, 4> m_checks{};
+    RoutePanel *m_route = nullptr;
     CommandButton *m_start = nullptr;
     CommandButton *m_cancel = nullptr;
     QLabel *m_step = nullptr;

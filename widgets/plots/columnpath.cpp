@@ -2,19 +2,23 @@
 #include "widgets/plots/columnpath.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mb {
 namespace {
 
-/// The points of one pixel column, in pixels.
+/// The points of one pixel column, in pixels: all of them while they are few, else its two ends.
 struct Column {
+    static constexpr int Few = 4;
     double index = 0.0;
-    std::vector<QPointF> points; // reused for all columns
+    std::array<QPointF, Few> points;
+    QPointF last;
+    int count = 0;
     double top = 0.0;
     double bottom = 0.0;
 
-    bool dense() const { return points.size() > 2 && bottom - top >= 1.0; }
+    bool dense() const { return count > 2 && bottom - top >= 1.0; }
 };
 
 class PathBuilder {
@@ -22,20 +26,24 @@ public:
     PathBuilder(const PixelMap &map, ColumnPath &path)
         : m_map(map)
         , m_path(path)
+        , m_perColumn(1.0 / map.columnWidth)
     {
     }
 
     void add(const PlotPoint &point)
     {
         const QPointF at(m_map.x(point.key), m_map.y(point.value));
-        const double index = std::floor(at.x() / m_map.columnWidth);
-        if (!m_column.points.empty() && index != m_column.index)
+        const double index = std::floor(at.x() * m_perColumn);
+        if (m_column.count > 0 && index != m_column.index)
             finishColumn();
-        if (m_column.points.empty()) {
+        if (m_column.count == 0) {
             m_column.index = index;
             m_column.top = m_column.bottom = at.y();
         }
-        m_column.points.push_back(at);
+        if (m_column.count < Column::Few)
+            m_column.points[static_cast<std::size_t>(m_column.count)] = at;
+        m_column.last = at;
+        ++m_column.count;
         m_column.top = std::min(m_column.top, at.y());
         m_column.bottom = std::max(m_column.bottom, at.y());
     }
@@ -50,23 +58,27 @@ public:
 private:
     void finishColumn()
     {
-        if (m_column.points.empty())
+        if (m_column.count == 0)
             return;
         if (m_column.dense())
             addSpan();
         else
             addLine();
-        m_last = m_column.points.back();
+        m_last = m_column.last;
         m_haveLast = true;
-        m_column.points.clear();
+        m_column.count = 0;
     }
 
     void addLine()
     {
         if (m_line.isEmpty() && m_haveLast)
             m_line << m_last;
-        for (const QPointF &point : m_column.points)
-            m_line << point;
+        // Several points that are less than a pixel apart are as good as their ends.
+        const int shown = m_column.count > 2 ? 1 : m_column.count;
+        for (int i = 0; i < shown; ++i)
+            m_line << m_column.points[static_cast<std::size_t>(i)];
+        if (m_column.count > 2)
+            m_line << m_column.last;
     }
 
     void addSpan()
@@ -75,14 +87,14 @@ private:
         double bottom = m_column.bottom;
         const double x = (m_column.index + 0.5) * m_map.columnWidth;
         const bool touching
-            = m_haveLast && m_line.isEmpty() && m_column.points.front().x() - m_last.x() < 2 * m_map.columnWidth;
+            = m_haveLast && m_line.isEmpty() && m_column.points[0].x() - m_last.x() < 2 * m_map.columnWidth;
         if (touching) {
             top = std::min(top, m_last.y());
             bottom = std::max(bottom, m_last.y());
         } else if (m_haveLast) {
             if (m_line.isEmpty())
                 m_line << m_last;
-            m_line << m_column.points.front();
+            m_line << m_column.points[0];
             finishLine();
         }
         m_path.spans << QLineF(x, top, x, bottom);
@@ -97,6 +109,7 @@ private:
 
     const PixelMap &m_map;
     ColumnPath &m_path;
+    double m_perColumn;
     Column m_column;
     QPolygonF m_line;
     QPointF m_last;
@@ -113,6 +126,7 @@ double PixelMap::y(double value) const
 ColumnPath columnPath(const std::vector<PlotPoint> &points, const PixelMap &map)
 {
     ColumnPath path;
+    path.spans.reserve(static_cast<int>(points.size() / 3));
     PathBuilder builder(map, path);
     for (const PlotPoint &point : points) {
         if (std::isfinite(point.value))

@@ -9,15 +9,18 @@
 
 namespace mb {
 
+/// A line of the box beside the cursors.
+struct PlotCursorRow {
+    QString name;
+    QString value;
+    bool strong = false;
+};
+
 /// Two vertical lines A and B through all strips, their flags, and a box with the differences beside B.
 class PlotCursors : public QCPAbstractItem {
     Q_OBJECT
 public:
-    struct Row {
-        QString name;
-        QString value;
-        bool strong = false;
-    };
+    using Row = PlotCursorRow;
     PlotCursors(QCustomPlot &plot, const ThemeSource &theme);
 
     void setRects(std::vector<QCPAxisRect *> rects) { m_rects = std::move(rects); }

@@ -37,11 +37,25 @@ struct PlotNote {
     bool strong = false;
 };
 
+/// A note of the user at a time, through all strips.
+struct PlotMark {
+    double key = 0.0;
+    QString text;
+};
+
 /// The newest value of a trace at the right edge.
 struct ValueTag {
     QString text;
     double value = 0.0;
     TraceLook look;
+    bool second = false; ///< on the second axis
+};
+
+/// The level of a trigger in its strip, with a handle at the left end.
+struct TriggerLine {
+    double level = 0.0;
+    QString text; ///< "trigger ↑ 20 A, 0.5 s before"
+    bool second = false;
 };
 
 /// One entry of the line above a strip.
@@ -54,7 +68,9 @@ struct HeadEntry {
 struct StripDecor {
     QString title;
     QString unit;
-    QString keyUnit; ///< "s" at the right end of a relative time axis, last strip only
+    QString secondUnit; ///< of the axis at the right; empty without one
+    int secondRoom = 0; ///< pixels that the labels of that axis take in every strip
+    QString keyUnit;    ///< "s" at the right end of a relative time axis, last strip only
     QString watermark;
     std::vector<HeadEntry> entries;
     std::vector<PlotLimit> limits;
@@ -62,6 +78,8 @@ struct StripDecor {
     std::vector<PlotSpan> spans;
     std::vector<PlotNote> notes;
     std::vector<ValueTag> tags;
+    std::vector<PlotMark> marks;
+    std::optional<TriggerLine> trigger;
     std::vector<std::pair<double, double>> gaps;
     bool first = false; ///< of the stack: gaps are labelled here, beside them when they are too narrow
 };
@@ -104,6 +122,8 @@ private:
     void drawLimits(QCPPainter &painter, const QRectF &box) const;
     void drawNotes(QCPPainter &painter, const QRectF &box) const;
     void drawTags(QCPPainter &painter, const QRectF &box) const;
+    void drawMarks(QCPPainter &painter, const QRectF &box) const;
+    void drawTrigger(QCPPainter &painter, const QRectF &box) const;
     QFont caption() const;
 
     QCPAxisRect &m_rect;

@@ -119,6 +119,29 @@ bool PlotStack::exportTable(const QString &path)
     return file.commit();
 }
 
+QString PlotStack::numbers() const
+{
+    const QChar tab = QLatin1Char('\t');
+    const bool cursors = cursorsShown();
+    const auto [a, b] = cursors ? cursorKeys() : range();
+    QString table = QStringLiteral("trace\tunit\tA\tB\tB-A\tmean\tdeviation\tmin\tmax\tsamples\tlost\n");
+    table += QStringLiteral("time\ts\t%1\t%2\t%3\t\t\t\t\t\t\n")
+                 .arg(QString::number(a, 'f', 6), QString::number(b, 'f', 6), csvNumber(b - a));
+    for (const auto &[id, trace] : m_traces) {
+        if (!trace.visible || !trace.source)
+            continue;
+        const double shift = trace.style.aligned ? origin() : 0.0;
+        const auto found = trace.source->statistics(a - shift, b - shift);
+        QStringList fields{trace.style.name, trace.style.unit, csvNumber(valueAt(id, a)), csvNumber(valueAt(id, b)),
+            csvNumber(valueAt(id, b) - valueAt(id, a))};
+        if (found)
+            fields << csvNumber(found->mean) << csvNumber(found->deviation) << csvNumber(found->low)
+                   << csvNumber(found->high) << QString::number(found->count) << QString::number(found->lost);
+        table += fields.join(tab) + QLatin1Char('\n');
+    }
+    return table;
+}
+
 void PlotStack::chooseExport(const QString &suffix, const QString &filter)
 {
     auto *dialog = new QFileDialog(this, tr("Export plot"), QString(), filter);
@@ -139,12 +162,14 @@ void PlotStack::fillMenu(QMenu &menu)
     cursors->setChecked(cursorsShown());
     menu.addSeparator();
     add(tr("Copy picture"), [this] { QApplication::clipboard()->setPixmap(m_plot->toPixmap(0, 0, 2.0)); });
+    add(tr("Copy numbers"), [this] { QApplication::clipboard()->setText(numbers()); });
     add(tr("Copy summary"), [this] { QApplication::clipboard()->setText(summary()); });
     menu.addSeparator();
     add(tr("Export PNG…"), [this] { chooseExport(QStringLiteral("png"), tr("PNG picture (*.png)")); });
     add(tr("Export SVG…"), [this] { chooseExport(QStringLiteral("svg"), tr("SVG drawing (*.svg)")); });
     add(tr("Export PDF…"), [this] { chooseExport(QStringLiteral("pdf"), tr("PDF document (*.pdf)")); });
-    add(tr("Export CSV…"), [this] { chooseExport(QStringLiteral("csv"), tr("Table (*.csv)")); });
+    if (m_ownTable)
+        add(tr("Export CSV…"), [this] { chooseExport(QStringLiteral("csv"), tr("Table (*.csv)")); });
 }
 
 void PlotStack::contextMenuEvent(QContextMenuEvent *event)
@@ -152,6 +177,7 @@ void PlotStack::contextMenuEvent(QContextMenuEvent *event)
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     fillMenu(*menu);
+    Q_EMIT menuRequested(menu, stripAt(event->pos()), keyAt(event->pos().x()));
     menu->popup(event->globalPos());
 }
 

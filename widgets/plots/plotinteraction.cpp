@@ -11,7 +11,7 @@ namespace mb {
 namespace {
 
 constexpr double ShortestWindow = 1e-3;
-constexpr double LongestWindow = 3600.0;
+constexpr double LongestWindow = 86400.0;
 
 } // namespace
 
@@ -60,6 +60,8 @@ void PlotStack::fit()
     for (const auto &strip : m_strips) {
         strip->fixed.reset();
         strip->range.reset();
+        strip->secondFixed.reset();
+        strip->secondRange.reset();
     }
     double first = std::numeric_limits<double>::infinity();
     double last = -first;
@@ -101,6 +103,14 @@ bool PlotStack::cursorsShown() const
     return m_cursors->visible();
 }
 
+void PlotStack::setCursorKeys(double a, double b)
+{
+    m_cursors->setKey(false, a);
+    m_cursors->setKey(true, b);
+    touch();
+    Q_EMIT cursorsChanged();
+}
+
 std::pair<double, double> PlotStack::cursorKeys() const
 {
     return {m_cursors->key(false), m_cursors->key(true)};
@@ -135,8 +145,9 @@ void PlotStack::wheel(QWheelEvent *event)
     const QPoint at = event->position().toPoint();
     const int strip = stripAt(at);
     if (event->modifiers().testFlag(Qt::ControlModifier) && strip >= 0) {
-        const QCPAxis &values = *m_strips.at(static_cast<std::size_t>(strip))->rect->axis(QCPAxis::atLeft);
-        zoomValue(strip, factor, values.pixelToCoord(at.y()));
+        zoomValue(strip, factor, at.y());
+    } else if (event->modifiers().testFlag(Qt::ShiftModifier)) {
+        pan((m_to - m_from) * -event->angleDelta().y() / 1200.0);
     } else {
         zoomTime(factor, m_live ? std::nullopt : std::optional(keyAt(at.x())));
     }
@@ -153,11 +164,15 @@ void PlotStack::zoomTime(double factor, std::optional<double> around)
     setRange(from, from + window);
 }
 
-void PlotStack::zoomValue(int strip, double factor, double around)
+void PlotStack::zoomValue(int strip, double factor, double aroundPixel)
 {
     Strip &zoomed = *m_strips.at(static_cast<std::size_t>(strip));
-    const QCPRange range = zoomed.rect->axis(QCPAxis::atLeft)->range();
-    zoomed.fixed = {around - (around - range.lower) * factor, around + (range.upper - around) * factor};
+    for (const bool second : {false, true}) {
+        const double around = zoomed.axis(second).pixelToCoord(aroundPixel);
+        const QCPRange range = zoomed.axis(second).range();
+        (second ? zoomed.secondFixed : zoomed.fixed)
+            = {around - (around - range.lower) * factor, around + (range.upper - around) * factor};
+    }
     touch();
 }
 
@@ -168,8 +183,10 @@ void PlotStack::pan(double seconds)
 
 void PlotStack::backToLive()
 {
-    for (const auto &strip : m_strips)
+    for (const auto &strip : m_strips) {
         strip->fixed.reset();
+        strip->secondFixed.reset();
+    }
     setLive(true);
     touch();
 }
@@ -179,14 +196,28 @@ void PlotStack::mousePress(QMouseEvent *event)
     setFocus(Qt::MouseFocusReason);
     if (event->button() != Qt::LeftButton)
         return;
-    m_draggedCursor = m_cursors->hit(event->pos().x());
+    if (event->modifiers().testFlag(Qt::ShiftModifier))
+        return beginBox(event->pos());
+    m_draggedTrigger = overTrigger(event->pos());
+    m_draggedCursor = m_draggedTrigger ? std::nullopt : m_cursors->hit(event->pos().x());
+    m_lastCursor = m_draggedCursor.value_or(m_lastCursor);
     m_drag = event->pos();
 }
 
 void PlotStack::mouseMove(QMouseEvent *event)
 {
+    if (m_box->isVisible()) {
+        m_box->setGeometry(QRect(m_boxStart, event->pos()).normalized());
+        return;
+    }
     const bool overCursor = m_draggedCursor || m_cursors->hit(event->pos().x());
-    m_plot->setCursor(overCursor ? Qt::SizeHorCursor : m_drag ? Qt::ClosedHandCursor : Qt::ArrowCursor);
+    const bool overHandle = m_draggedTrigger || (!m_drag && overTrigger(event->pos()));
+    m_plot->setCursor(overHandle ? Qt::SizeVerCursor
+            : overCursor         ? Qt::SizeHorCursor
+            : m_drag             ? Qt::ClosedHandCursor
+                                 : Qt::ArrowCursor);
+    if (m_draggedTrigger)
+        return dragTrigger(event->pos());
     if (m_draggedCursor) {
         m_cursors->setKey(*m_draggedCursor, std::clamp(keyAt(event->pos().x()), m_from, m_to));
         touch();
@@ -203,9 +234,12 @@ void PlotStack::mouseMove(QMouseEvent *event)
         strip->rect->axis(QCPAxis::atBottom)->setRange(m_from, m_to);
 }
 
-void PlotStack::mouseRelease(QMouseEvent *)
+void PlotStack::mouseRelease(QMouseEvent *event)
 {
+    if (m_box->isVisible())
+        endBox(event->pos());
     m_drag.reset();
+    m_draggedTrigger = false;
     m_draggedCursor.reset();
     m_plot->unsetCursor();
 }
@@ -223,14 +257,17 @@ bool PlotStack::timeKey(int key)
     case Qt::Key_0: fit(); return true;
     case Qt::Key_P: setLive(!m_live); return true;
     case Qt::Key_L: setCursorsShown(!cursorsShown()); return true;
-    default: return false;
+    case Qt::Key_N:
+        Q_EMIT noteRequested(cursorsShown() ? m_cursors->key(m_lastCursor) : m_live ? m_now : (m_from + m_to) / 2);
+        return true;
+    default: return valueKey(key);
     }
 }
 
 void PlotStack::keyPressEvent(QKeyEvent *event)
 {
     const bool plain = !(event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
-    if (!plain || !timeKey(event->key()))
+    if (!cursorKey(*event) && (!plain || !timeKey(event->key())))
         QWidget::keyPressEvent(event);
 }
 

@@ -62,7 +62,8 @@ bool PlotStack::followPresent(double now)
     // Whole pixel columns on absolute time: the trace scrolls without shimmering, and a long window is drawn only
     // as often as it moves by a pixel.
     const double column = m_window / std::max(plotWidth(), 1);
-    const double to = std::ceil(now / column) * column;
+    const double end = m_held ? *m_held + m_window * (1.0 - m_heldBefore) : now;
+    const double to = std::ceil(end / column) * column;
     if (to == m_to && m_to - m_from == m_window)
         return false;
     m_to = to;
@@ -90,7 +91,12 @@ void PlotStack::fetch()
 void PlotStack::fetchTrace(Trace &trace, double from, double to, int pixels)
 {
     m_scratch.clear();
-    trace.source->columns(from, to, pixels, m_scratch);
+    const double shift = trace.style.aligned ? origin() : 0.0;
+    trace.source->columns(from - shift, to - shift, pixels, m_scratch);
+    if (trace.style.aligned) {
+        for (PlotPoint &point : m_scratch)
+            point.key += shift;
+    }
     trace.plottable->swapPoints(m_scratch);
 }
 
@@ -98,9 +104,16 @@ void PlotStack::updateStrip(int index, double to)
 {
     Strip &strip = *m_strips.at(static_cast<std::size_t>(index));
     strip.decor.gaps.clear();
+    updateAxis(strip, index, false, to);
+    if (!strip.decor.secondUnit.isEmpty())
+        updateAxis(strip, index, true, to);
+}
+
+void PlotStack::updateAxis(Strip &strip, int index, bool second, double to)
+{
     std::optional<std::pair<double, double>> seen;
     for (const auto &[id, trace] : m_traces) {
-        if (trace.style.strip != index || !trace.visible)
+        if (trace.style.strip != index || !trace.visible || trace.style.secondAxis != second)
             continue;
         const auto &points = trace.plottable->points();
         const auto values = valueRange(points, m_from, m_to);
@@ -113,20 +126,23 @@ void PlotStack::updateStrip(int index, double to)
                 strip.decor.gaps.push_back(gap);
         }
     }
-    QCPAxis &values = *strip.rect->axis(QCPAxis::atLeft);
+    QCPAxis &values = strip.axis(second);
+    AutoRange &automatic = second ? strip.secondRange : strip.range;
+    const auto &fixed = second ? strip.secondFixed : strip.fixed;
     values.ticker()->setTickCount(std::clamp(strip.rect->height() / m_theme.theme().u(42), 1, 5));
-    if (strip.fixed) {
-        values.setRange(strip.fixed->first, strip.fixed->second);
+    if (fixed) {
+        values.setRange(fixed->first, fixed->second);
     } else if (seen) {
-        const AutoRange::Range range = strip.range.update(seen->first, seen->second, m_now);
+        const AutoRange::Range range = automatic.update(seen->first, seen->second, m_now);
         values.setRange(range.lower, range.upper);
     }
 }
 
 QString PlotStack::valueText(const TraceStyle &style, double value) const
 {
-    const QCPAxisRect &rect = *m_strips.at(static_cast<std::size_t>(style.strip))->rect;
-    const int decimals = style.decimals >= 0 ? style.decimals : decimalsFor(rect.axis(QCPAxis::atLeft)->range().size());
+    const Strip &strip = *m_strips.at(static_cast<std::size_t>(style.strip));
+    const int decimals
+        = style.decimals >= 0 ? style.decimals : decimalsFor(strip.axis(style.secondAxis).range().size());
     return formatValue(value, decimals, style.unit);
 }
 
@@ -135,12 +151,12 @@ void PlotStack::updateTags(Strip &strip, int index)
     strip.decor.tags.clear();
     for (const auto &[id, trace] : m_traces) {
         const TraceLook &look = trace.plottable->look();
-        const bool wished = look.role == TraceRole::Setpoint || look.dash == TraceDash::Dots;
+        const bool wished = look.role == TraceRole::Setpoint || look.dash == TraceDash::Dots || trace.style.aligned;
         if (trace.style.strip != index || !trace.visible || !trace.style.valueTag || wished || !trace.source)
             continue;
-        const auto value = m_live ? trace.source->latest() : std::optional(valueAt(id, m_to));
+        const auto value = m_live && !m_held ? trace.source->latest() : std::optional(valueAt(id, m_to));
         if (value && std::isfinite(*value))
-            strip.decor.tags.push_back({valueText(trace.style, *value), *value, look});
+            strip.decor.tags.push_back({valueText(trace.style, *value), *value, look, trace.style.secondAxis});
     }
 }
 
@@ -153,7 +169,8 @@ int PlotStack::tagMargin() const
             width = std::max(width, StripFace::tagWidth(m_theme.theme(), font(), widest));
         }
     }
-    return width;
+    const bool second = !m_strips.empty() && m_strips.front()->decor.secondRoom > 0;
+    return width + (second ? m_strips.front()->decor.secondRoom : 0);
 }
 
 void PlotStack::updateFoot()
@@ -173,7 +190,8 @@ void PlotStack::updateFoot()
     const QString right = feet.size() == 1 ? feet.first() : named.join(QStringLiteral("  ·  "));
     const QString length = formatDuration(m_to - m_from);
     const QString state = m_live ? tr("live, %1").arg(length) : tr("paused, %1").arg(length);
-    m_foot->setTexts(m_footNote.isEmpty() ? state : m_footNote, right, loss);
+    const QString shown = m_live && !m_stateText.isEmpty() ? m_stateText : state;
+    m_foot->setTexts(m_footNote.isEmpty() ? shown : m_footNote, right, loss);
 }
 
 void PlotStack::updateCursorRows()
@@ -186,12 +204,43 @@ void PlotStack::updateCursorRows()
     rows.push_back({tr("Δt"), preciseDuration(b - a), true});
     if (std::abs(b - a) > 1e-9)
         rows.push_back({tr("1/Δt"), formatSignificant(1 / std::abs(b - a), 4) + QChar(QChar::Nbsp) + tr("Hz")});
+    int measured = 0;
+    int last = 0;
     for (const auto &[id, trace] : m_traces) {
         const double difference = valueAt(id, b) - valueAt(id, a);
-        if (trace.visible && std::isfinite(difference) && rows.size() < 9)
-            rows.push_back({tr("Δ %1").arg(trace.style.name), valueText(trace.style, difference)});
+        if (!trace.visible || !std::isfinite(difference) || rows.size() >= 9)
+            continue;
+        rows.push_back({tr("Δ %1").arg(trace.style.name), valueText(trace.style, difference)});
+        measured += trace.style.role != TraceRole::Setpoint ? 1 : 0;
+        last = trace.style.role != TraceRole::Setpoint ? id : last;
     }
+    if (measured == 1) // there is room for more about it
+        addStatistics(rows, last);
     m_cursors->setRows(std::move(rows));
+}
+
+void PlotStack::addStatistics(std::vector<PlotCursorRow> &rows, int id) const
+{
+    const auto found = selection(id);
+    const TraceStyle &of = m_traces.at(id).style;
+    if (!found)
+        return;
+    const auto [a, b] = cursorKeys();
+    const double slope = std::abs(b - a) > 1e-9 ? (valueAt(id, b) - valueAt(id, a)) / (b - a) : 0.0;
+    rows.push_back({tr("mean A…B"), valueText(of, found->mean)});
+    rows.push_back({tr("min … max"), tr("%1 … %2").arg(valueText(of, found->low), valueText(of, found->high))});
+    rows.push_back({tr("σ, %1 samples").arg(formatCount(static_cast<qint64>(found->count))),
+        formatSignificant(found->deviation, 4) + QChar(QChar::Nbsp) + of.unit});
+    rows.push_back({tr("slope"), formatSignificant(slope, 4) + QChar(QChar::Nbsp) + of.unit + tr("/s")});
+}
+
+std::optional<TraceSource::Statistics> PlotStack::selection(int trace) const
+{
+    const auto found = m_traces.find(trace);
+    if (found == m_traces.end() || !found->second.source || !cursorsShown())
+        return {};
+    const double shift = found->second.style.aligned ? origin() : 0.0;
+    return found->second.source->statistics(m_cursors->key(false) - shift, m_cursors->key(true) - shift);
 }
 
 double PlotStack::valueAt(int trace, double key) const

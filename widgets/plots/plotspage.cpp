@@ -5,26 +5,24 @@
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
-#include "widgets/common/numberformat.h"
-#include "widgets/plots/plotstack.h"
+#include "widgets/plots/curveplot.h"
+#include "widgets/plots/exportjob.h"
+#include "widgets/plots/plotscrubber.h"
 #include "widgets/plots/tracelist.h"
+#include "widgets/plots/triggerbar.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QMenu>
+#include <QProgressBar>
 #include <QScrollArea>
-#include <QShortcut>
 #include <QStackedWidget>
-
-#include <algorithm>
-#include <array>
 
 namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds tickTime{16};
-constexpr std::array windows{2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 1800.0};
-constexpr int usualWindow = 2;
+constexpr std::chrono::milliseconds rememberAfter{1000};
+constexpr double usualWindow = 10.0;
 constexpr int sideWidth = 300;
 
 } // namespace
@@ -34,6 +32,9 @@ PlotsPage::PlotsPage(Workbench &workbench, Selection &selection, const ThemeSour
     , m_workbench(workbench)
     , m_selection(selection)
     , m_theme(theme)
+    , m_stack(new PlotStack(theme, this))
+    , m_board(new PlotBoard(workbench, *m_stack, this))
+    , m_trigger(*m_stack)
 {
     setObjectName(QStringLiteral("plotsPage"));
     m_pages = new QStackedWidget(this);
@@ -55,87 +56,98 @@ PlotsPage::PlotsPage(Workbench &workbench, Selection &selection, const ThemeSour
     auto *all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     all->addWidget(m_pages);
-    m_tick.setInterval(tickTime);
-    connect(&m_tick, &QTimer::timeout, this, &PlotsPage::tick);
-    connect(&workbench, &Workbench::changed, this, &PlotsPage::follow);
-    connect(&selection, &Selection::changed, this, &PlotsPage::follow);
+    connectStack();
+    addKeys();
     follow();
+}
+
+PlotsPage::~PlotsPage()
+{
+    if (m_remember.isActive())
+        rememberLayout();
 }
 
 QWidget *PlotsPage::buildPlots()
 {
-    m_plots = new QStackedWidget(this);
-    m_stack = new PlotStack(m_theme, m_plots);
+    auto *area = new QWidget(this);
+    auto *column = new QVBoxLayout(area);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_triggerBar = new TriggerBar(m_theme, area);
+    m_triggerBar->hide();
+    m_plots = new QStackedWidget(area);
     m_stack->setObjectName(QStringLiteral("plotsStack"));
-    m_stack->setWindow(windows.at(usualWindow));
+    m_stack->setWindow(usualWindow);
+    m_stack->setOwnTable(false);
+    m_stack->acceptDrops(QLatin1String(signalMimeType));
+    m_stack->setToolTip(
+        tr("Wheel zooms time, Ctrl+wheel values, Shift+wheel moves · drag moves · Shift+drag zooms into a box\n"
+           "double click or End returns to the present · right click for more"));
     m_plots->addWidget(new EmptyState(m_theme, Symbol::Wave, tr("Nothing is plotted"),
-        tr("Double click a signal in the list at the right."), m_plots));
+        tr("Double click a signal in the list at the right, or drag it here."), m_plots));
     m_plots->addWidget(m_stack);
+    buildAgainst(*m_plots);
+    m_plots->addWidget(m_againstPage);
+    m_spectrum = new CurvePlot(m_theme, tr("Spectrum"), m_plots);
+    m_spectrum->setAxes(tr("frequency, Hz"), tr("amplitude"), true);
+    m_plots->addWidget(m_spectrum);
+    m_scrubber = new PlotScrubber(m_theme, *m_stack, area);
+    column->addWidget(m_triggerBar);
+    column->addWidget(buildJob());
+    column->addWidget(m_plots, 1);
+    column->addWidget(m_scrubber);
+    return area;
+}
+
+void PlotsPage::connectStack()
+{
+    m_tick.setInterval(tickTime);
+    connect(&m_tick, &QTimer::timeout, this, &PlotsPage::tick);
+    m_remember.setSingleShot(true);
+    m_remember.setInterval(rememberAfter);
+    connect(&m_remember, &QTimer::timeout, this, &PlotsPage::rememberLayout);
+    connect(&m_workbench, &Workbench::changed, this, &PlotsPage::follow);
+    connect(&m_selection, &Selection::changed, this, &PlotsPage::follow);
+    connect(m_board, &PlotBoard::changed, this, &PlotsPage::boardChanged);
     connect(m_stack, &PlotStack::exported, this,
         [this](const QString &path) { m_workbench.report(Severity::Good, {}, tr("plot written to %1").arg(path)); });
     connect(m_stack, &PlotStack::exportFailed, this, [this](const QString &path) {
         m_workbench.report(Severity::Danger, {}, tr("%1 cannot be written").arg(path));
     });
-    return m_plots;
+    connect(m_stack, &PlotStack::dropped, this, [this](const QByteArray &dropped, int strip) {
+        if (const auto signal = signalFromMime(dropped))
+            m_board->choose(*signal, true, m_board->paneOf(strip));
+    });
+    connect(m_stack, &PlotStack::noteRequested, this, &PlotsPage::newNote);
+    connect(
+        m_stack, &PlotStack::menuRequested, this, [this](QMenu *menu, int, double key) { addMenuEntries(*menu, key); });
+    connect(m_stack, &PlotStack::triggerLevelMoved, this, [this](double level) {
+        m_triggerBar->setLevel(level);
+        arm();
+    });
+    connect(m_triggerBar, &TriggerBar::changed, this, &PlotsPage::arm);
+    connect(m_triggerBar, &TriggerBar::closed, this, &PlotsPage::triggerOff);
 }
 
-QWidget *PlotsPage::buildBar()
+QWidget *PlotsPage::buildJob()
 {
     const Theme &theme = m_theme.theme();
-    auto *bar = new QWidget(this);
-    auto *row = new QHBoxLayout(bar);
-    row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
-    row->setSpacing(theme.u(8));
-    m_pause = new CommandButton(m_theme, Symbol::Pause, tr("Pause view"), bar);
-    m_pause->setKeyHint(QStringLiteral("P"));
-    m_pause->setTextVariants({tr("Pause view"), tr("Follow live")});
-    m_pause->setToolTip(tr("The recording goes on."));
-    row->addWidget(m_pause);
-    row->addStretch(1);
-    buildView(*row);
-    connect(m_pause, &QPushButton::clicked, this, [this] { m_stack->setLive(!m_stack->isLive()); });
-    connect(m_stack, &PlotStack::liveChanged, this, [this](bool live) {
-        m_pause->setText(live ? tr("Pause view") : tr("Follow live"));
-        m_pause->setSymbol(live ? Symbol::Pause : Symbol::Play);
-    });
-    connect(new QShortcut(QKeySequence(Qt::Key_P), this), &QShortcut::activated, m_pause, &QPushButton::click);
-    return bar;
-}
-
-void PlotsPage::buildView(QHBoxLayout &row)
-{
-    m_window = new QComboBox(this);
-    for (const double seconds : windows)
-        m_window->addItem(seconds < 60.0 ? tr("window %1 s").arg(formatNumber(seconds))
-                                         : tr("window %1 min").arg(formatNumber(seconds / 60.0)));
-    m_window->setCurrentIndex(usualWindow);
-    m_window->setAccessibleName(tr("Length of the time axis"));
-    auto *cursors = new IconButton(m_theme, Symbol::Cursors, tr("Cursors A and B"), this);
-    cursors->setCheckable(true);
-    cursors->setKeyHint(QStringLiteral("L"));
-    auto *fit = new IconButton(m_theme, Symbol::Fit, tr("Fit time and value"), this);
-    fit->setKeyHint(QStringLiteral("0"));
-    auto *save = new CommandButton(m_theme, Symbol::Export, tr("Export"), this);
-    save->setToolTip(tr("The picture as PNG, SVG or PDF, or what is visible as CSV"));
-    row.addWidget(m_window);
-    row.addWidget(cursors);
-    row.addWidget(fit);
-    row.addWidget(save);
-    connect(m_window, qOverload<int>(&QComboBox::activated), this,
-        [this](int place) { m_stack->setWindow(windows.at(static_cast<std::size_t>(place))); });
-    connect(cursors, &QToolButton::toggled, m_stack, &PlotStack::setCursorsShown);
-    connect(m_stack, &PlotStack::cursorsChanged, this, [this, cursors] {
-        cursors->setChecked(m_stack->cursorsShown());
-        showRows();
-    });
-    connect(fit, &QToolButton::clicked, m_stack, &PlotStack::fit);
-    connect(new QShortcut(QKeySequence(Qt::Key_0), this), &QShortcut::activated, m_stack, &PlotStack::fit);
-    connect(save, &QPushButton::clicked, this, [this, save] {
-        auto *menu = new QMenu(save);
-        menu->setAttribute(Qt::WA_DeleteOnClose);
-        m_stack->fillMenu(*menu);
-        menu->popup(save->mapToGlobal(QPoint(0, save->height())));
-    });
+    m_jobBar = new QWidget(this);
+    auto *row = new QHBoxLayout(m_jobBar);
+    row->setContentsMargins(theme.u(12), theme.u(4), theme.u(12), theme.u(4));
+    m_progress = new QProgressBar(m_jobBar);
+    m_progress->setRange(0, 100);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    auto *cancel = new CommandButton(m_theme, tr("Cancel"), m_jobBar);
+    row->addWidget(textLabel(tr("Writing samples"), TextRole::Caption, Tone::Dim, m_jobBar));
+    row->addWidget(m_progress, 1);
+    row->addWidget(cancel);
+    m_jobBar->hide();
+    m_job = new ExportJob(this);
+    connect(cancel, &QPushButton::clicked, m_job, &ExportJob::cancel);
+    connect(m_job, &ExportJob::progressed, m_progress, &QProgressBar::setValue);
+    connect(m_job, &ExportJob::finished, this, &PlotsPage::finished);
+    return m_jobBar;
 }
 
 QWidget *PlotsPage::buildSide()
@@ -153,32 +165,41 @@ QWidget *PlotsPage::buildSide()
     head->addWidget(textLabel(tr("rate      lost"), TextRole::Caption, Tone::Dim, side));
     column->addLayout(head);
     column->addWidget(separatorLine(Qt::Horizontal, side));
-    m_list = new TraceList(m_theme, side);
-    m_list->setProperty("transparent", true);
-    auto *scroll = new QScrollArea(side);
-    scroll->setWidget(m_list);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    column->addWidget(scroll, 3);
-    column->addWidget(separatorLine(Qt::Horizontal, side));
-    m_signals = new SignalList(m_theme, side);
-    column->addWidget(m_signals, 2);
-    auto *hint = textLabel(tr("L cursors · 0 fits · + − zooms · P pauses"), TextRole::Caption, Tone::Dim, side);
+    buildLists(*side);
+    auto *hint
+        = textLabel(tr("L cursors · 0 fits · + − zooms · P pauses · N note"), TextRole::Caption, Tone::Dim, side);
     auto *foot = new QHBoxLayout;
     foot->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(8));
     foot->addWidget(hint);
     column->addWidget(separatorLine(Qt::Horizontal, side));
     column->addLayout(foot);
-    connect(m_signals, &SignalList::toggled, this, &PlotsPage::choose);
-    connect(m_list, &TraceList::removeRequested, this, [this](int id) {
-        const auto found
-            = std::find_if(m_traces.begin(), m_traces.end(), [id](const Trace &trace) { return trace.id == id; });
-        if (found != m_traces.end())
-            choose(Signal(found->signal), false);
-    });
     connect(&m_theme, &ThemeSource::changed, side, [this, side] { side->setFixedWidth(m_theme.theme().u(sideWidth)); });
     return side;
+}
+
+void PlotsPage::buildLists(QWidget &side)
+{
+    auto *column = static_cast<QVBoxLayout *>(side.layout());
+    m_list = new TraceList(m_theme, &side);
+    m_list->setProperty("transparent", true);
+    auto *scroll = new QScrollArea(&side);
+    scroll->setWidget(m_list);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    column->addWidget(scroll, 3);
+    column->addWidget(separatorLine(Qt::Horizontal, &side));
+    m_signals = new SignalList(m_theme, &side);
+    column->addWidget(m_signals, 2);
+    connect(
+        m_signals, &SignalList::toggled, this, [this](const Signal &signal, bool on) { m_board->choose(signal, on); });
+    connect(m_signals, &SignalList::newDerivedRequested, this, &PlotsPage::newDerived);
+    connect(m_signals, &SignalList::removeDerivedRequested, m_board, &PlotBoard::removeDerived);
+    connect(m_list, &TraceList::removeRequested, this, [this](int id) {
+        if (const PlotBoard::Trace *trace = m_board->traceOf(id))
+            m_board->choose(Signal(trace->signal), false);
+    });
+    connect(m_list, &TraceList::menuRequested, this, &PlotsPage::showRowMenu);
 }
 
 void PlotsPage::showEvent(QShowEvent *event)

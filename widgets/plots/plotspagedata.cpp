@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/plots/plotspage.h"
-
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
-#include "widgets/plots/plotstack.h"
+#include "widgets/plots/plotscrubber.h"
+#include "widgets/plots/plotspage.h"
 #include "widgets/plots/tracelist.h"
+#include "widgets/plots/triggerbar.h"
 
 #include <QStackedWidget>
 
@@ -16,25 +16,30 @@ namespace {
 
 constexpr double idleTime = 0.25; ///< silent devices scroll away this often
 constexpr std::array<std::string_view, 4> usual{"velocity", "position", "current", "duty"};
+constexpr std::array<std::string_view, 4> usualOfAxes{"ch1.position", "ch2.position", "ch3.position", "ch4.position"};
+
+int decimalsOf(const TraceStyle &style)
+{
+    return style.role == TraceRole::Position || style.role == TraceRole::Velocity ? 0 : 2;
+}
 
 } // namespace
 
 void PlotsPage::follow()
 {
     const auto &devices = m_workbench.snapshot().devices;
-    m_pages->setCurrentIndex(devices.empty() && m_traces.empty() ? 0 : 1);
+    m_pages->setCurrentIndex(devices.empty() && m_board->traces().empty() ? 0 : 1);
     m_signals->setDevices(devices);
-    const auto gone = [this](const Trace &trace) { return !m_workbench.snapshot().device(trace.signal.device); };
-    if (const auto end = std::remove_if(m_traces.begin(), m_traces.end(), gone); end != m_traces.end()) {
-        m_traces.erase(end, m_traces.end());
-        rebuild();
-    }
-    if (!m_touched)
+    m_board->follow();
+    if (m_waiting)
+        applyWaiting(false);
+    else if (!m_board->isTouched())
         takeDefaults();
     if (!isVisible())
         return;
-    followRates();
+    m_board->followRates();
     showRows();
+    showRecording();
 }
 
 /// The recordings go on whether or not they are shown, so a change of selection loses nothing.
@@ -44,112 +49,91 @@ void PlotsPage::takeDefaults()
     if (!device || device->id == m_defaultsOf || device->identity.state == DeviceState::Bootloader)
         return;
     m_defaultsOf = device->id;
-    m_traces.clear();
-    for (const std::string_view key : usual) {
-        if (const auto channel = device->telemetry->find(key))
-            m_traces.push_back({{device->id, *channel}, {}, {}, 0});
+    if (const auto own = m_layouts.load(PlotLayouts::familyName(qt(device->family->key)))) {
+        m_stack->setWindow(own->window);
+        return m_board->setTraces(tracesOf(*own, device->id), false);
     }
-    rebuild();
+    std::vector<PlotBoard::Trace> traces;
+    const auto take = [&](const auto &keys) {
+        for (const std::string_view key : keys) {
+            if (const auto channel = device->telemetry->find(key))
+                traces.push_back({{device->id, *channel}, {}});
+        }
+    };
+    take(usual);
+    if (traces.empty())
+        take(usualOfAxes);
+    m_board->setTraces(std::move(traces), false);
 }
 
 void PlotsPage::addSignal(const Signal &signal)
 {
-    choose(signal, true);
+    m_board->choose(signal, true);
 }
 
 void PlotsPage::removeSignal(const Signal &signal)
 {
-    choose(signal, false);
+    m_board->choose(signal, false);
 }
 
-void PlotsPage::choose(const Signal &signal, bool on)
+void PlotsPage::boardChanged()
 {
-    const auto found
-        = std::find_if(m_traces.begin(), m_traces.end(), [&](const Trace &trace) { return trace.signal == signal; });
-    const DeviceView *device = m_workbench.snapshot().device(signal.device);
-    if (on == (found != m_traces.end()) || (on && (!device || signal.channel.value >= device->family->channels.size())))
-        return;
-    m_touched = true;
-    if (on)
-        m_traces.push_back({signal, {}, {}, 0});
-    else
-        m_traces.erase(found);
-    rebuild();
-}
-
-void PlotsPage::rebuild()
-{
-    m_stack->clear();
     std::set<Signal> chosen;
-    QStringList strips;
-    bool simulated = false;
-    for (Trace &trace : m_traces) {
-        const DeviceView &device = *m_workbench.snapshot().device(trace.signal.device);
-        const Channel &row = device.family->channels[trace.signal.channel.value];
-        const ShownUnit unit = shownUnit(row.quantity, row.unit, m_units);
-        if (!trace.source || &trace.source->telemetry() != device.telemetry.get())
-            trace.source = std::make_shared<TelemetrySource>(device.telemetry, trace.signal.channel);
-        trace.source->setScale(unit.scale);
-        if (!strips.contains(unit.text))
-            strips << unit.text;
-        trace.style.name = signalName(device, trace.signal.channel);
-        trace.style.unit = unit.text;
-        trace.style.role = roleOf(row.quantity);
-        trace.style.strip = strips.indexOf(unit.text);
-        trace.id = m_stack->addTrace(trace.style, trace.source);
+    std::vector<TriggerBar::Choice> choices;
+    for (const PlotBoard::Trace &trace : m_board->traces()) {
         chosen.insert(trace.signal);
-        const LinkView *link = m_workbench.snapshot().link(device.link);
-        simulated = simulated || (link && link->simulated);
+        choices.push_back({trace.id, trace.style.name, trace.style.unit});
     }
-    m_stack->setWatermark(simulated ? tr("DEMO") : QString());
-    m_stack->setClock(std::chrono::duration<double>(m_workbench.unixOffset()).count());
-    m_plots->setCurrentIndex(m_traces.empty() ? 0 : 1);
+    QStringList derived;
+    for (const PlotBoard::Derived &signal : m_board->derived())
+        derived << signal.name;
+    m_signals->setDerived(derived);
     m_signals->setChosen(chosen);
-    followRates();
+    m_triggerBar->setTraces(choices);
+    if (m_trigger.isArmed())
+        m_board->traces().empty() ? triggerOff() : arm();
+    fillAgainst();
+    if (m_view && m_plots->currentIndex() <= 1)
+        m_plots->setCurrentIndex(m_board->traces().empty() ? 0 : 1);
+    if (!m_board->traces().empty())
+        m_scrubber->setSource(m_board->traces().front().source, m_board->traces().front().style.look());
+    if (m_board->isTouched())
+        m_remember.start();
     showRows();
     m_drawn = 0;
     m_drawnAt = 0.0;
     tick();
 }
 
-void PlotsPage::followRates()
+QString PlotsPage::statisticsOf(const PlotBoard::Trace &trace, int decimals) const
 {
-    for (const Trace &trace : m_traces) {
-        const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
-        const std::size_t place = trace.signal.channel.value;
-        if (device && trace.source)
-            trace.source->follow(place < device->rates.size() ? device->rates[place] : 0.0, m_workbench.now());
-    }
-    double rate = 0.0;
-    std::uint64_t lost = 0;
-    std::uint64_t all = 0;
-    for (const Trace &trace : m_traces) {
-        rate += trace.source->rate();
-        lost += trace.source->lost();
-        all += trace.source->lost() + trace.source->telemetry().size(trace.signal.channel);
-    }
-    const QString foot = tr("%1 signals, %2 samples/s, %3 of %4 lost")
-                             .arg(formatCount(static_cast<qint64>(m_traces.size())), formatNumber(rate),
-                                 formatCount(static_cast<qint64>(lost)), formatCount(static_cast<qint64>(all)));
-    for (const Trace &trace : m_traces)
-        trace.source->setFootText(foot);
+    const auto found = m_stack->selection(trace.id);
+    if (!found)
+        return {};
+    QString text = tr("mean %1 · σ %2 · %3 … %4 · %5 samples")
+                       .arg(formatValue(found->mean, decimals, {}), formatSignificant(found->deviation, 3),
+                           formatValue(found->low, decimals, {}), formatValue(found->high, decimals, {}),
+                           formatCount(static_cast<qint64>(found->count)));
+    if (found->lost > 0)
+        text += tr(" · %1 lost").arg(formatCount(static_cast<qint64>(found->lost)));
+    return text;
 }
 
 void PlotsPage::showRows()
 {
     std::vector<TraceList::Row> rows;
-    for (const Trace &trace : m_traces) {
+    for (const PlotBoard::Trace &trace : m_board->traces()) {
         const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
         const LinkView *link = device ? m_workbench.snapshot().link(device->link) : nullptr;
         TraceList::Row row;
         row.id = trace.id;
-        row.look.role = trace.style.role;
+        row.look = trace.style.look();
         row.name = trace.style.name;
-        row.source = link ? QString::fromStdString(link->name) : QString();
+        row.source = link ? QString::fromStdString(link->name) : device ? QString() : tr("derived");
         row.rate = tr("%1 Hz").arg(formatNumber(trace.source->rate()));
         row.lost = tr("%1 lost").arg(formatCount(static_cast<qint64>(trace.source->lost())));
         row.lossy = trace.source->lossy();
-        const int decimals = trace.style.role == TraceRole::Position || trace.style.role == TraceRole::Velocity ? 0 : 2;
+        const int decimals = decimalsOf(trace.style);
         const auto latest = trace.source->latest();
         row.value = latest ? formatValue(*latest, decimals, trace.style.unit) : QString(UnknownMark);
         if (m_stack->cursorsShown()) {
@@ -157,29 +141,39 @@ void PlotsPage::showRows()
             row.cursors = tr("A %1   B %2")
                               .arg(formatValue(m_stack->valueAt(trace.id, a), decimals, {}),
                                   formatValue(m_stack->valueAt(trace.id, b), decimals, trace.style.unit));
+            row.statistics = statisticsOf(trace, decimals);
         }
         rows.push_back(row);
     }
     m_list->setRows(std::move(rows));
 }
 
-std::uint64_t PlotsPage::revision() const
+void PlotsPage::followSession(double now)
 {
-    std::uint64_t sum = 0;
-    for (const Trace &trace : m_traces)
-        sum += trace.source ? trace.source->telemetry().revision() : 0;
-    return sum;
+    double first = now;
+    for (const PlotBoard::Trace &trace : m_board->traces()) {
+        const auto begin = trace.source->telemetry().first(trace.source->channel());
+        first = begin ? std::min(first, plotKey(begin->time)) : first;
+    }
+    m_scrubber->setSession(first, now, std::chrono::duration<double>(m_workbench.unixOffset()).count());
+    m_scrubber->follow();
 }
 
 void PlotsPage::tick()
 {
+    if (!isVisible())
+        return;
+    m_board->advance();
     const double now = plotKey(m_workbench.now());
-    const std::uint64_t present = revision();
-    if (m_traces.empty() || (present == m_drawn && now - m_drawnAt < idleTime))
+    const std::uint64_t present = m_board->revision();
+    if (m_board->traces().empty() || (present == m_drawn && now - m_drawnAt < idleTime))
         return;
     m_drawn = present;
     m_drawnAt = now;
+    m_trigger.poll(now);
     m_stack->refresh(now);
+    followSession(now);
+    refreshView(now);
 }
 
 } // namespace mb

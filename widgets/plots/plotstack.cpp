@@ -3,8 +3,10 @@
 
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/plotcursors.h"
+#include "widgets/plots/spancanvas.h"
 
 #include <QPainter>
+#include <QRubberBand>
 #include <QTimer>
 #include <QVBoxLayout>
 
@@ -34,12 +36,14 @@ void PlotStack::buildPlot()
     m_plot->setContextMenuPolicy(Qt::NoContextMenu);
     m_plot->setNoAntialiasingOnDrag(true);
     m_plot->addLayer(QStringLiteral("wished"), m_plot->layer(QStringLiteral("main")), QCustomPlot::limBelow);
+    m_plot->addLayer(QStringLiteral("spans"), m_plot->layer(QStringLiteral("main")), QCustomPlot::limAbove);
     m_plot->plotLayout()->clear();
     m_plot->plotLayout()->setRowSpacing(0);
     m_margins = new QCPMarginGroup(m_plot);
     m_timeTicker = QSharedPointer<TimeTicker>::create();
     m_foot = new PlotFoot(*m_plot, m_theme);
     m_cursors = new PlotCursors(*m_plot, m_theme);
+    m_box = new QRubberBand(QRubberBand::Rectangle, m_plot);
 }
 
 std::unique_ptr<PlotStack::Strip> PlotStack::makeStrip()
@@ -53,7 +57,10 @@ std::unique_ptr<PlotStack::Strip> PlotStack::makeStrip()
         axis->grid()->setLayer(QStringLiteral("grid"));
     }
     strip->rect->axis(QCPAxis::atLeft)->setTicker(QSharedPointer<NumberTicker>::create());
+    strip->rect->axis(QCPAxis::atRight)->setTicker(QSharedPointer<NumberTicker>::create());
+    strip->rect->axis(QCPAxis::atRight)->grid()->setVisible(false);
     strip->rect->axis(QCPAxis::atBottom)->setTicker(m_timeTicker);
+    strip->canvas = new SpanCanvas(*strip->rect);
     new StripBackdrop(*strip->rect, m_theme, strip->decor); // both belong to the plot
     new StripFace(*strip->rect, m_theme, strip->decor);
     return strip;
@@ -108,17 +115,17 @@ void PlotStack::styleStrip(Strip &strip, bool last) const
 {
     const Theme &theme = m_theme.theme();
     const QFont caption = theme.font(TextRole::Caption, font());
-    for (const auto type : {QCPAxis::atLeft, QCPAxis::atBottom}) {
+    for (const auto type : {QCPAxis::atLeft, QCPAxis::atRight, QCPAxis::atBottom}) {
         QCPAxis &axis = *strip.rect->axis(type);
         axis.setBasePen(QPen(theme.outline, 1));
         axis.setTickPen(Qt::NoPen);
         axis.setSubTickPen(Qt::NoPen);
         axis.setTickLength(0);
-        axis.setTickLabelPadding(theme.u(type == QCPAxis::atLeft ? 7 : 6));
+        axis.setTickLabelPadding(theme.u(type == QCPAxis::atBottom ? 6 : 7));
         axis.setTickLabelFont(caption);
         axis.setTickLabelColor(theme.dim);
         axis.grid()->setPen(QPen(theme.grid, 1));
-        axis.grid()->setZeroLinePen(QPen(type == QCPAxis::atLeft ? theme.line : theme.grid, 1));
+        axis.grid()->setZeroLinePen(QPen(type == QCPAxis::atBottom ? theme.grid : theme.line, 1));
     }
     strip.rect->axis(QCPAxis::atBottom)->setTickLabels(last);
     const int below = theme.u(last ? 26 : 6);
@@ -130,22 +137,30 @@ void PlotStack::styleStrip(Strip &strip, bool last) const
 void PlotStack::updateHeads()
 {
     const QFontMetrics caption(m_theme.theme().font(TextRole::Caption, font()));
+    const bool anySecond = std::any_of(m_traces.begin(), m_traces.end(),
+        [](const auto &entry) { return entry.second.visible && entry.second.style.secondAxis; });
     for (std::size_t i = 0; i < m_strips.size(); ++i) {
         StripDecor &decor = m_strips[i]->decor;
         decor.title = m_strips[i]->style.title;
         decor.first = i == 0;
         decor.watermark = m_watermark;
         decor.entries.clear();
+        decor.marks = m_marks;
+        decor.secondRoom = anySecond ? m_theme.theme().u(48) : 0;
         QStringList units;
+        QStringList secondUnits;
         for (const auto &[id, trace] : m_traces) {
             if (trace.style.strip != static_cast<int>(i) || !trace.visible)
                 continue;
-            if (!units.contains(trace.style.unit))
-                units << trace.style.unit;
+            QStringList &ofAxis = trace.style.secondAxis ? secondUnits : units;
+            if (!ofAxis.contains(trace.style.unit))
+                ofAxis << trace.style.unit;
             if (m_strips[i]->style.legend)
                 decor.entries.push_back({trace.style.name, trace.plottable->look()});
         }
         decor.unit = units.join(QStringLiteral(", "));
+        decor.secondUnit = secondUnits.join(QStringLiteral(", "));
+        m_strips[i]->rect->axis(QCPAxis::atRight)->setVisible(!secondUnits.isEmpty());
         const int unit = caption.horizontalAdvance(decor.unit) + m_theme.theme().u(10);
         m_strips[i]->rect->setMinimumMargins(QMargins(std::max(m_theme.theme().u(52), unit), 0, 0, 0));
     }
@@ -179,16 +194,25 @@ int PlotStack::addTrace(const TraceStyle &style, std::shared_ptr<const TraceSour
 {
     ensureStrip(style.strip);
     QCPAxisRect &rect = *m_strips.at(static_cast<std::size_t>(style.strip))->rect;
-    Trace trace{style, std::move(source), new TracePlottable(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft))};
-    trace.plottable->setLook({style.role, style.dash, style.marker, style.emphasis}, m_theme.theme());
+    QCPAxis *values = rect.axis(style.secondAxis ? QCPAxis::atRight : QCPAxis::atLeft);
+    Trace trace{style, std::move(source), new TracePlottable(rect.axis(QCPAxis::atBottom), values)};
+    trace.plottable->setLook(style.look(), m_theme.theme());
     trace.plottable->setName(style.name);
     if (style.role == TraceRole::Setpoint || style.dash == TraceDash::Dots)
         trace.plottable->setLayer(QStringLiteral("wished")); // behind what was measured
+    else
+        trace.plottable->setCanvas(m_strips.at(static_cast<std::size_t>(style.strip))->canvas);
     const int id = m_nextTrace++;
     m_traces.emplace(id, std::move(trace));
     updateHeads();
     touch();
     return id;
+}
+
+const TraceStyle *PlotStack::style(int trace) const
+{
+    const auto found = m_traces.find(trace);
+    return found == m_traces.end() ? nullptr : &found->second.style;
 }
 
 void PlotStack::setSource(int trace, std::shared_ptr<const TraceSource> source)
@@ -233,55 +257,8 @@ void PlotStack::clear()
     for (const auto &strip : m_strips)
         m_plot->plotLayout()->remove(strip->rect);
     m_strips.clear();
+    m_trigger.reset();
     rebuildLayout();
-}
-
-void PlotStack::setClock(std::optional<double> unixAtZero)
-{
-    m_unixAtZero = unixAtZero;
-    m_timeTicker->setClock(unixAtZero);
-    restyle();
-}
-
-void PlotStack::setFootNote(const QString &text)
-{
-    m_footNote = text;
-    touch();
-}
-
-void PlotStack::setWatermark(const QString &text)
-{
-    m_watermark = text;
-    updateHeads();
-    touch();
-}
-
-void PlotStack::setLimits(int strip, std::vector<PlotLimit> limits)
-{
-    ensureStrip(strip);
-    m_strips.at(static_cast<std::size_t>(strip))->decor.limits = std::move(limits);
-    touch();
-}
-
-void PlotStack::setBands(int strip, std::vector<PlotBand> bands)
-{
-    ensureStrip(strip);
-    m_strips.at(static_cast<std::size_t>(strip))->decor.bands = std::move(bands);
-    touch();
-}
-
-void PlotStack::setSpans(int strip, std::vector<PlotSpan> spans)
-{
-    ensureStrip(strip);
-    m_strips.at(static_cast<std::size_t>(strip))->decor.spans = std::move(spans);
-    touch();
-}
-
-void PlotStack::setNotes(int strip, std::vector<PlotNote> notes)
-{
-    ensureStrip(strip);
-    m_strips.at(static_cast<std::size_t>(strip))->decor.notes = std::move(notes);
-    touch();
 }
 
 void PlotStack::paintEvent(QPaintEvent *)

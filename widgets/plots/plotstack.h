@@ -11,10 +11,12 @@
 #include <memory>
 
 class QMenu;
+class QRubberBand;
 
 namespace mb {
 
 class PlotCursors;
+struct PlotCursorRow;
 
 /// A trace of a stack. Strips count from 0 at the top and appear with their first trace.
 struct TraceStyle {
@@ -24,9 +26,22 @@ struct TraceStyle {
     int strip = 0;
     TraceDash dash = TraceDash::Automatic;
     TraceMarker marker = TraceMarker::Automatic;
-    bool emphasis = false; ///< heavier; only for traces that stand still
-    bool valueTag = true;  ///< newest value at the right edge (never for set-points)
-    int decimals = -1;     ///< of the tag; -1: four significant digits
+    bool emphasis = false;   ///< heavier; only for traces that stand still
+    bool valueTag = true;    ///< newest value at the right edge (never for set-points)
+    int decimals = -1;       ///< of the tag; -1: four significant digits
+    bool secondAxis = false; ///< against the scale at the right
+    bool aligned = false;    ///< its keys count from the left edge, or from the trigger: a kept reference
+    /// Where another trace has the colour of the role already.
+    std::optional<TraceRole> colour{};
+
+    [[nodiscard]] TraceLook look() const { return {role, dash, marker, emphasis, colour}; }
+};
+
+/// A level that is watched for, in the strip of a trace.
+struct PlotTrigger {
+    int trace = 0;
+    double level = 0.0; ///< in the unit that is shown
+    QString text;
 };
 
 struct StripStyle {
@@ -46,6 +61,7 @@ public:
     void setStrip(int strip, const StripStyle &style);
     /// The number that the other functions take; never used twice.
     int addTrace(const TraceStyle &style, std::shared_ptr<const TraceSource> source);
+    const TraceStyle *style(int trace) const;
     void setSource(int trace, std::shared_ptr<const TraceSource> source);
     void setTraceVisible(int trace, bool visible);
     void removeTrace(int trace);
@@ -53,7 +69,7 @@ public:
     void clear();
     int traceCount() const { return static_cast<int>(m_traces.size()); }
 
-    /// Length of the time axis in seconds (1 ms … 1 h).
+    /// Length of the time axis in seconds (1 ms … 1 day).
     void setWindow(double seconds);
     double window() const { return m_window; }
     void setLive(bool live);
@@ -63,6 +79,10 @@ public:
     std::pair<double, double> range() const;
     /// All data of all traces, when they are finite, and every value axis fitted anew. Key 0.
     void fit();
+    /// While live, shows the window around this key instead of the present, `before` (0 … 1) of it earlier; empty
+    /// follows the present again.
+    void hold(std::optional<double> key, double before);
+    std::optional<double> heldKey() const { return m_held; }
     /// A fixed value axis; empty returns to following the data.
     void setValueRange(int strip, std::optional<std::pair<double, double>> range);
 
@@ -72,18 +92,34 @@ public:
     void setFootNote(const QString &text);
     /// "DEMO" behind every strip and in every export.
     void setWatermark(const QString &text);
+    QString watermark() const { return m_watermark; }
     void setLimits(int strip, std::vector<PlotLimit> limits);
     void setBands(int strip, std::vector<PlotBand> bands);
     void setSpans(int strip, std::vector<PlotSpan> spans);
     void setNotes(int strip, std::vector<PlotNote> notes);
+    /// Notes at a time, through all strips.
+    void setMarks(std::vector<PlotMark> marks);
+    /// The level that a trigger waits for; its handle can be dragged.
+    void setTrigger(const std::optional<PlotTrigger> &trigger);
+    /// Instead of "live" or "paused" in the foot line. Empty returns to them.
+    void setStateText(const QString &text);
+    /// Things of this MIME type can be dropped on a strip: see dropped().
+    void acceptDrops(const QString &mimeType);
 
     /// Two lines A and B with the differences between them. Key L.
     void setCursorsShown(bool shown);
     bool cursorsShown() const;
     std::pair<double, double> cursorKeys() const;
+    void setCursorKeys(double a, double b);
+    /// Of the samples between A and B.
+    std::optional<TraceSource::Statistics> selection(int trace) const;
     /// Value of a trace at a key, from what is drawn; NaN outside and in a gap.
     double valueAt(int trace, double key) const;
 
+    /// The middle of what is seen of a trace.
+    std::optional<double> middleOf(int trace) const;
+    /// Only the time goes on, nothing is fetched: while another view is shown instead.
+    void follow(double now) { followPresent(now); }
     /// Call it on a 60 Hz tick. `now` is the present on the time line of the keys.
     void refresh(double now);
 
@@ -94,6 +130,10 @@ public:
     void fillMenu(QMenu &menu);
     /// Everything that is seen, in words: for a screen reader, for copying.
     QString summary() const;
+    /// A and B (or both ends of what is seen), difference and statistics of every trace: a table with tabs.
+    QString numbers() const;
+    /// Whether the menu offers a table of what is seen; a page that exports more says no.
+    void setOwnTable(bool own) { m_ownTable = own; }
 
     QCustomPlot &plot() { return *m_plot; }
 
@@ -101,6 +141,13 @@ Q_SIGNALS:
     void liveChanged(bool live);
     void windowChanged(double seconds);
     void cursorsChanged();
+    /// What was dropped, and on which strip; -1 below them.
+    void dropped(const QByteArray &data, int strip);
+    /// Somebody wants to write something at this time.
+    void noteRequested(double key);
+    void triggerLevelMoved(double level);
+    /// A context menu is about to open over a strip (−1: none) at a time; a page adds its entries.
+    void menuRequested(QMenu *menu, int strip, double key);
     /// Every chosen export ends in one of these.
     void exported(const QString &path);
     void exportFailed(const QString &path);
@@ -112,6 +159,9 @@ protected:
     void showEvent(QShowEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void contextMenuEvent(QContextMenuEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dragMoveEvent(QDragMoveEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     QSize sizeHint() const override;
 
@@ -125,9 +175,14 @@ private:
     struct Strip {
         StripStyle style;
         QCPAxisRect *rect = nullptr;
+        SpanCanvas *canvas = nullptr;
         AutoRange range;
         std::optional<std::pair<double, double>> fixed;
+        AutoRange secondRange;
+        std::optional<std::pair<double, double>> secondFixed;
         StripDecor decor;
+
+        QCPAxis &axis(bool second) const { return *rect->axis(second ? QCPAxis::atRight : QCPAxis::atLeft); }
     };
 
     // plotstack.cpp
@@ -146,9 +201,12 @@ private:
     void fetch();
     void fetchTrace(Trace &trace, double from, double to, int pixels);
     void updateStrip(int index, double to);
+    void updateAxis(Strip &strip, int index, bool second, double to);
+    double origin() const { return m_held.value_or(m_from); }
     void updateTags(Strip &strip, int index);
     void updateFoot();
     void updateCursorRows();
+    void addStatistics(std::vector<PlotCursorRow> &rows, int id) const;
     QString valueText(const TraceStyle &style, double value) const;
     int tagMargin() const;
     // plotinteraction.cpp
@@ -158,8 +216,16 @@ private:
     void mouseMove(QMouseEvent *event);
     void mouseRelease(QMouseEvent *event);
     void zoomTime(double factor, std::optional<double> around);
-    void zoomValue(int strip, double factor, double around);
+    void zoomValue(int strip, double factor, double aroundPixel);
     void pan(double seconds);
+    bool cursorKey(QKeyEvent &event);
+    // plotzoom.cpp
+    void beginBox(const QPoint &at);
+    void endBox(const QPoint &at);
+    bool overTrigger(const QPoint &at) const;
+    void dragTrigger(const QPoint &at);
+    bool valueKey(int key);
+    void zoomValues(double factor);
     bool timeKey(int key);
     void backToLive();
     int stripAt(const QPoint &position) const;
@@ -193,6 +259,17 @@ private:
     QString m_watermark;
     std::optional<QPoint> m_drag;
     std::optional<bool> m_draggedCursor; ///< true: B
+    bool m_lastCursor = true;            ///< which one the arrow keys move
+    bool m_draggedTrigger = false;
+    QPoint m_boxStart;
+    QRubberBand *m_box = nullptr;
+    std::optional<double> m_held; ///< key of a trigger
+    double m_heldBefore = 0.5;
+    std::optional<PlotTrigger> m_trigger;
+    std::vector<PlotMark> m_marks;
+    QString m_stateText;
+    QString m_dropType;
+    bool m_ownTable = true;
 };
 
 } // namespace mb

@@ -5,9 +5,13 @@
 #include "widgets/common/labels.h"
 #include "widgets/plots/displayunits.h"
 
+#include <QDataStream>
 #include <QHBoxLayout>
 #include <QListWidget>
+#include <QMenu>
+#include <QMimeData>
 #include <QPainter>
+#include <QPushButton>
 #include <QStyledItemDelegate>
 
 namespace mb {
@@ -49,7 +53,39 @@ private:
     const ThemeSource &m_theme;
 };
 
+/// Items travel as signals.
+class DragList : public QListWidget {
+public:
+    using QListWidget::QListWidget;
+
+protected:
+    QStringList mimeTypes() const override { return {QLatin1String(signalMimeType)}; }
+    QMimeData *mimeData(const QList<QListWidgetItem *> items) const override
+    {
+        if (items.isEmpty())
+            return nullptr;
+        auto *carried = new QMimeData;
+        carried->setData(QLatin1String(signalMimeType), toMime(signalOf(*items.first())));
+        return carried;
+    }
+};
+
 } // namespace
+
+QByteArray toMime(const Signal &signal)
+{
+    QByteArray data;
+    QDataStream(&data, QIODevice::WriteOnly) << signal.device.value << signal.channel.value;
+    return data;
+}
+
+std::optional<Signal> signalFromMime(const QByteArray &data)
+{
+    Signal signal;
+    QDataStream stream(data);
+    stream >> signal.device.value >> signal.channel.value;
+    return stream.status() == QDataStream::Ok ? std::optional(signal) : std::nullopt;
+}
 
 QString signalName(const DeviceView &device, ChannelIndex channel)
 {
@@ -71,11 +107,14 @@ SignalList::SignalList(const ThemeSource &theme, QWidget *parent)
     auto *head = new QHBoxLayout;
     head->setContentsMargins(theme.theme().u(12), theme.theme().u(8), theme.theme().u(12), theme.theme().u(4));
     head->addWidget(new SectionLabel(tr("Add a signal"), this));
-    auto *hint = textLabel(tr("double click or tick"), TextRole::Caption, Tone::Dim, this);
+    auto *hint = textLabel(tr("double click or drag"), TextRole::Caption, Tone::Dim, this);
     hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     head->addWidget(hint, 1);
     column->addLayout(head);
-    m_list = new QListWidget(this);
+    m_list = new DragList(this);
+    m_list->setDragEnabled(true);
+    m_list->setDragDropMode(QAbstractItemView::DragOnly);
+    m_list->setContextMenuPolicy(Qt::CustomContextMenu);
     m_list->setAccessibleName(tr("Signals that can be plotted"));
     m_list->setItemDelegate(new SignalDelegate(theme, m_list));
     m_list->setProperty("surface", QStringLiteral("window"));
@@ -83,6 +122,11 @@ SignalList::SignalList(const ThemeSource &theme, QWidget *parent)
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setTextElideMode(Qt::ElideRight);
     column->addWidget(m_list, 1);
+    auto *derived = linkButton(tr("Derived signal…"), this);
+    derived->setToolTip(tr("A formula over signals: derivative, moving average, difference …"));
+    column->addWidget(derived, 0, Qt::AlignLeft);
+    connect(derived, &QPushButton::clicked, this, &SignalList::newDerivedRequested);
+    connect(m_list, &QListWidget::customContextMenuRequested, this, &SignalList::showMenu);
     connect(m_list, &QListWidget::itemChanged, this, &SignalList::itemChanged);
     connect(m_list, &QListWidget::itemActivated, this, [](QListWidgetItem *item) {
         item->setCheckState(item->checkState() == Qt::Checked ? Qt::Unchecked : Qt::Checked);
@@ -97,22 +141,60 @@ void SignalList::setDevices(const std::vector<DeviceView> &devices)
     if (shown == m_shown)
         return;
     m_shown = shown;
+    m_devices = devices;
+    fill();
+}
+
+void SignalList::setDerived(const QStringList &names)
+{
+    if (names == m_derived)
+        return;
+    m_derived = names;
+    fill();
+}
+
+void SignalList::add(const Signal &signal, const QString &name, const QString &unit, const QString &hint)
+{
+    auto *item = new QListWidgetItem(name, m_list);
+    item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemIsDragEnabled);
+    item->setData(DeviceRole, signal.device.value);
+    item->setData(ChannelRole, signal.channel.value);
+    item->setData(UnitRole, unit);
+    item->setToolTip(hint);
+    item->setCheckState(m_chosen.contains(signal) ? Qt::Checked : Qt::Unchecked);
+}
+
+void SignalList::fill()
+{
     const QSignalBlocker quiet(m_list);
     m_list->clear();
-    for (const DeviceView &device : devices) {
+    for (int i = 0; i < m_derived.size(); ++i) {
+        if (!m_derived.at(i).isEmpty())
+            add({derivedDevice, {static_cast<std::uint16_t>(i)}}, m_derived.at(i), tr("derived"),
+                tr("%1\nright click removes the signal").arg(m_derived.at(i)));
+    }
+    for (const DeviceView &device : m_devices) {
         if (device.identity.state == DeviceState::Bootloader)
             continue;
         for (std::uint16_t i = 0; i < device.family->channels.size(); ++i) {
-            auto *item = new QListWidgetItem(signalName(device, {i}), m_list);
-            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-            item->setData(DeviceRole, device.id.value);
-            item->setData(ChannelRole, i);
-            item->setData(
-                UnitRole, shownUnit(device.family->channels[i].quantity, device.family->channels[i].unit, {}).text);
-            item->setToolTip(item->text());
-            item->setCheckState(m_chosen.contains(signalOf(*item)) ? Qt::Checked : Qt::Unchecked);
+            const Channel &row = device.family->channels[i];
+            const QString name = signalName(device, {i});
+            add({device.id, {i}}, name, shownUnit(row.quantity, row.unit, {}).text,
+                tr("%1\ndouble click plots it, drag it to a pane or below them").arg(name));
         }
     }
+}
+
+void SignalList::showMenu(const QPoint &at)
+{
+    const QListWidgetItem *item = m_list->itemAt(at);
+    if (!item || signalOf(*item).device != derivedDevice)
+        return;
+    const int place = signalOf(*item).channel.value;
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Remove this derived signal"), this, [this, place] { Q_EMIT removeDerivedRequested(place); });
+    menu->popup(m_list->viewport()->mapToGlobal(at));
 }
 
 void SignalList::setChosen(const std::set<Signal> &chosen)

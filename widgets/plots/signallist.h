@@ -21,10 +21,18 @@ struct Signal {
     friend auto operator<=>(const Signal &, const Signal &) = default;
 };
 
+/// The device of derived signals; their channel is the place in the list of the page.
+inline constexpr DeviceId derivedDevice{0};
+/// What a dragged signal travels as.
+inline constexpr const char *signalMimeType = "application/x-motorbench-signal";
+[[nodiscard]] QByteArray toMime(const Signal &signal);
+[[nodiscard]] std::optional<Signal> signalFromMime(const QByteArray &data);
+
 /// "#5 velocity"
 [[nodiscard]] QString signalName(const DeviceView &device, ChannelIndex channel);
 
-/// Every channel of every device with a box: what is ticked is plotted. A double click or Enter ticks, too.
+/// Every channel of every device, and the derived signals, with a box: what is ticked is plotted. A double click or Enter
+/// ticks, too; a drag carries the signal to a pane.
 class SignalList : public QWidget {
     Q_OBJECT
 public:
@@ -32,18 +40,27 @@ public:
 
     /// Devices may have come or gone.
     void setDevices(const std::vector<DeviceView> &devices);
+    /// Names by place; an empty one is no signal any more.
+    void setDerived(const QStringList &names);
     void setChosen(const std::set<Signal> &chosen);
     [[nodiscard]] QListWidget &list() { return *m_list; }
 
 Q_SIGNALS:
     void toggled(mb::Signal signal, bool on);
+    void newDerivedRequested();
+    void removeDerivedRequested(int place);
 
 private:
     void itemChanged(QListWidgetItem *item);
+    void fill();
+    void add(const Signal &signal, const QString &name, const QString &unit, const QString &hint);
+    void showMenu(const QPoint &at);
 
     const ThemeSource &m_theme;
     std::set<Signal> m_chosen;
     QString m_shown; ///< which devices, as text
+    std::vector<DeviceView> m_devices;
+    QStringList m_derived;
     QListWidget *m_list = nullptr;
 };
 

@@ -36,7 +36,9 @@ void StripFace::draw(QCPPainter *painter)
     painter->setClipRect(box.adjusted(0, -2, 2, 0));
     drawLimits(*painter, box);
     drawNotes(*painter, box);
+    drawMarks(*painter, box);
     painter->restore();
+    drawTrigger(*painter, box);
 }
 
 void StripFace::drawHead(QCPPainter &painter, const QRectF &box) const
@@ -51,6 +53,10 @@ void StripFace::drawHead(QCPPainter &painter, const QRectF &box) const
     const double left = m_rect.outerRect().left();
     painter.drawText(
         QRectF(left, top, box.left() - left - theme.u(7), height), Qt::AlignRight | Qt::AlignVCenter, m_decor.unit);
+    if (!m_decor.secondUnit.isEmpty()) {
+        const QRectF corner(box.right() + theme.u(7), top, m_decor.secondRoom + theme.u(40), height);
+        painter.drawText(corner, Qt::AlignLeft | Qt::AlignVCenter, m_decor.secondUnit);
+    }
     if (!m_decor.keyUnit.isEmpty()) {
         const QRectF corner(box.right() + theme.u(18), box.bottom() + theme.u(4), theme.u(40), theme.u(18));
         painter.drawText(corner, Qt::AlignLeft | Qt::AlignVCenter, m_decor.keyUnit);
@@ -139,14 +145,16 @@ void StripFace::drawNotes(QCPPainter &painter, const QRectF &box) const
 void StripFace::drawTags(QCPPainter &painter, const QRectF &box) const
 {
     const Theme &theme = m_theme.theme();
-    const QCPAxis &values = *m_rect.axis(QCPAxis::atLeft);
     const QFont font = caption();
+    const auto place = [this](const ValueTag &tag) {
+        return m_rect.axis(tag.second ? QCPAxis::atRight : QCPAxis::atLeft)->coordToPixel(tag.value);
+    };
     const double line = QFontMetrics(font).height() + 1;
     std::vector<std::size_t> order(m_decor.tags.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::vector<double> centre;
     for (const ValueTag &tag : m_decor.tags)
-        centre.push_back(std::clamp(values.coordToPixel(tag.value), box.top() + line / 2, box.bottom() - line / 2));
+        centre.push_back(std::clamp(place(tag), box.top() + line / 2, box.bottom() - line / 2));
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return centre[a] < centre[b]; });
     // Push apart downwards, then back up from the lower edge, so that no two tags overlap.
     for (std::size_t i = 1; i < order.size(); ++i)
@@ -159,7 +167,7 @@ void StripFace::drawTags(QCPPainter &painter, const QRectF &box) const
     painter.setFont(font);
     for (std::size_t i = 0; i < m_decor.tags.size(); ++i) {
         const ValueTag &tag = m_decor.tags[i];
-        const double x = box.right() + theme.u(6);
+        const double x = box.right() + m_decor.secondRoom + theme.u(6);
         QPen pen = tracePen(tag.look, theme);
         pen.setWidthF(theme.u(3));
         if (pen.style() != Qt::SolidLine)

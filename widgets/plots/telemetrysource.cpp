@@ -56,6 +56,18 @@ std::optional<double> TelemetrySource::latest() const
     return last->value * m_scale;
 }
 
+std::optional<TraceSource::Statistics> TelemetrySource::statistics(double from, double to) const
+{
+    const Instant begin = std::max(toInstant(std::min(from, to)), m_since);
+    const auto found = m_telemetry->statistics(m_channel, begin, toInstant(std::max(from, to)));
+    if (!found)
+        return std::nullopt;
+    const double size = std::abs(m_scale);
+    const auto [low, high] = std::minmax(found->low * m_scale, found->high * m_scale);
+    return Statistics{
+        found->count, found->lost, found->mean * m_scale, found->deviation * size, found->rms * size, low, high};
+}
+
 QString TelemetrySource::foot() const
 {
     if (!m_footText.isEmpty())

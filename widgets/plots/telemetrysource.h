@@ -32,7 +32,9 @@ public:
     /// What only the page knows: samples per second, and the present.
     void follow(double rate, Instant now);
 
+    [[nodiscard]] double scale() const { return m_scale; }
     [[nodiscard]] const Telemetry &telemetry() const { return *m_telemetry; }
+    [[nodiscard]] const std::shared_ptr<const Telemetry> &sharedTelemetry() const { return m_telemetry; }
     [[nodiscard]] ChannelIndex channel() const { return m_channel; }
     [[nodiscard]] double rate() const { return m_rate; }
     [[nodiscard]] std::uint64_t lost() const { return m_telemetry->lost(m_channel); }
@@ -41,6 +43,7 @@ public:
     /// Nothing once the channel is silent for 2 s (3 periods, if that is longer).
     [[nodiscard]] std::optional<double> latest() const override;
     [[nodiscard]] QString foot() const override;
+    [[nodiscard]] std::optional<Statistics> statistics(double from, double to) const override;
     [[nodiscard]] bool lossy() const override { return lost() > 0; }
 
 private:

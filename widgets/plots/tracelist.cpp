@@ -4,7 +4,9 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 
+#include <QContextMenuEvent>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QPainter>
 
 #include <algorithm>
@@ -64,7 +66,20 @@ public:
             right->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         grid->addWidget(m_swatch, 0, 0);
         grid->addWidget(m_name, 0, 1, 1, 2);
-        grid->addWidget(m_remove, 0, 3, Qt::AlignRight);
+        auto *more
+            = new IconButton(theme, Symbol::ChevronDown, TraceList::tr("Pane, axis, trigger, reference …"), this);
+        m_more = more;
+        m_statistics = textLabel({}, TextRole::Caption, Tone::Dim, this);
+        m_statistics->setWordWrap(true);
+        auto *buttons = new QHBoxLayout;
+        buttons->setSpacing(0);
+        buttons->addWidget(more);
+        buttons->addWidget(m_remove);
+        grid->addLayout(buttons, 0, 3, Qt::AlignRight);
+        grid->addWidget(m_statistics, 3, 1, 1, 3);
+        m_statistics->hide();
+        QObject::connect(more, &QToolButton::clicked, &list,
+            [this, &list] { Q_EMIT list.menuRequested(m_id, m_more->mapToGlobal(QPoint(0, m_more->height()))); });
         grid->addWidget(m_source, 1, 1);
         grid->addWidget(m_rate, 1, 2);
         grid->addWidget(m_lost, 1, 3);
@@ -83,10 +98,20 @@ public:
         m_lost->setText(row.lost);
         setTone(*m_lost, row.lossy ? Tone::Caution : Tone::Ok);
         m_value->setText(row.cursors.isEmpty() ? row.value : row.cursors);
+        m_statistics->setText(row.statistics);
+        m_statistics->setVisible(!row.statistics.isEmpty());
+    }
+
+protected:
+    void contextMenuEvent(QContextMenuEvent *event) override
+    {
+        Q_EMIT static_cast<TraceList *>(parentWidget())->menuRequested(m_id, event->globalPos());
     }
 
 private:
     int m_id = 0;
+    IconButton *m_more = nullptr;
+    QLabel *m_statistics = nullptr;
     Swatch *m_swatch = nullptr;
     QLabel *m_name = nullptr;
     IconButton *m_remove = nullptr;

@@ -24,12 +24,14 @@ public:
         QString lost;
         bool lossy = false;
         QString value;
-        QString cursors; ///< "A 799  B 1 503", instead of the value while the cursors are shown
+        QString cursors;    ///< "A 799  B 1 503", instead of the value while the cursors are shown
+        QString statistics; ///< "mean 12  σ 0.4  min … max" of the samples between them
 
         friend bool operator==(const Row &a, const Row &b)
         {
             return a.id == b.id && a.name == b.name && a.source == b.source && a.rate == b.rate && a.lost == b.lost
-                && a.value == b.value && a.cursors == b.cursors;
+                && a.value == b.value && a.cursors == b.cursors && a.statistics == b.statistics
+                && a.look.colourRole() == b.look.colourRole() && a.look.dash == b.look.dash;
         }
     };
 
@@ -39,6 +41,8 @@ public:
 
 Q_SIGNALS:
     void removeRequested(int id);
+    /// A row's menu is wanted, there on the screen.
+    void menuRequested(int id, const QPoint &at);
 
 private:
     class Entry;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/traceplottable.h"
 
+#include "widgets/plots/spancanvas.h"
+
 #include <cmath>
 
 namespace mb {
@@ -21,7 +23,7 @@ QPolygonF corners(const QPointF &at, std::initializer_list<QPointF> offsets)
 
 QPen tracePen(const TraceLook &look, const Theme &theme)
 {
-    QPen pen(theme.trace(look.role), 1);
+    QPen pen(theme.trace(look.colourRole()), 1);
     pen.setCosmetic(true);
     const bool automaticDash = look.dash == TraceDash::Automatic && look.role == TraceRole::Setpoint;
     if (look.dash == TraceDash::Long)
@@ -171,8 +173,16 @@ void TracePlottable::drawLines(QCPPainter &painter, const ColumnPath &path) cons
         else
             painter.drawPolyline(line);
     }
-    if (path.spans.isEmpty())
+    if (!path.spans.isEmpty())
+        drawSpans(painter, path);
+}
+
+void TracePlottable::drawSpans(QCPPainter &painter, const ColumnPath &path) const
+{
+    if (m_canvas && !painter.modes().testFlag(QCPPainter::pmVectorized)) {
+        m_canvas->add(path.spans, pen().color(), std::max(1.0, painter.device()->devicePixelRatioF()));
         return;
+    }
     // A dash pattern along vertical spans would tear the trace apart.
     QPen solid = pen();
     solid.setStyle(Qt::SolidLine);

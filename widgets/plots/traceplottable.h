@@ -8,6 +8,8 @@
 
 namespace mb {
 
+class SpanCanvas;
+
 /// The pattern of a line says its role: measured, pinned, wished for, predicted.
 enum class TraceDash { Automatic, Solid, Long, Short, Dots };
 enum class TraceMarker { Automatic, None, Triangle, Disc, Diamond, Square, HollowSquare };
@@ -18,6 +20,10 @@ struct TraceLook {
     TraceDash dash = TraceDash::Automatic;       ///< Automatic: set-point short dashes, everything else solid
     TraceMarker marker = TraceMarker::Automatic; ///< Automatic: by quantity
     bool emphasis = false;                       ///< heavier, for the one that matters
+    /// Where a trace of this role is in the plot already: the colour of another role.
+    std::optional<TraceRole> colour{};
+
+    [[nodiscard]] TraceRole colourRole() const { return colour.value_or(role); }
 };
 
 /// Pen of a trace: 1 px cosmetic, because a wider one costs 20 to 150 times as much.
@@ -36,6 +42,8 @@ public:
 
     void setLook(const TraceLook &look, const Theme &theme);
     const TraceLook &look() const { return m_look; }
+    /// Where dense columns go on a screen; without one, and in vector pictures, they are lines.
+    void setCanvas(SpanCanvas *canvas) { m_canvas = canvas; }
     /// Swaps, so that the buffers are reused.
     void swapPoints(std::vector<PlotPoint> &points) { m_points.swap(points); }
     const std::vector<PlotPoint> &points() const { return m_points; }
@@ -51,12 +59,14 @@ protected:
 
 private:
     PixelMap pixelMap(double columnWidth) const;
+    void drawSpans(QCPPainter &painter, const ColumnPath &path) const;
     void drawLines(QCPPainter &painter, const ColumnPath &path) const;
     void drawShifted(QCPPainter &painter, const ColumnPath &path, const QPointF &shift) const;
     void drawMarkers(QCPPainter &painter, const PixelMap &map) const;
 
     TraceLook m_look;
     double m_markerSize = 7.0;
+    SpanCanvas *m_canvas = nullptr;
     std::vector<PlotPoint> m_points;
 };
 

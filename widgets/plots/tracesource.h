@@ -29,6 +29,18 @@ public:
     virtual std::optional<double> latest() const = 0;
     /// Rate and loss, translated: "100 Hz, 0 of 6400 lost". Empty shows nothing.
     virtual QString foot() const = 0;
+    /// Of the samples between two keys, in the unit that is shown; empty when there are none, or where the source keeps
+    /// only what it draws.
+    struct Statistics {
+        std::size_t count = 0;
+        std::uint64_t lost = 0;
+        double mean = 0.0;
+        double deviation = 0.0;
+        double rms = 0.0;
+        double low = 0.0;
+        double high = 0.0;
+    };
+    virtual std::optional<Statistics> statistics(double, double) const { return {}; }
     /// Samples are missing: the foot line turns to caution.
     virtual bool lossy() const { return false; }
 };

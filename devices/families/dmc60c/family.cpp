@@ -11,6 +11,8 @@
 #include "families/dmc60c/simulator.h"
 #include "families/dmc60c/unitidentity.h"
 
+#include <QtGlobal>
+
 #include <array>
 
 namespace mb::dmc60c {
@@ -24,6 +26,17 @@ constexpr std::array<std::string_view, 3> bench{
     "dmc60c:5,motor=cim,load=9",
     "dmc60c:7,motor=775pro,gains=overshoot",
     "dmc60c:9,state=bootloader",
+};
+
+constexpr LoopScale loop{
+    .fullDuty = fullDuty,
+    .period = 500e-6,
+    .velocityTime = 0.1,
+    .velocityError = QT_TRANSLATE_NOOP("table", "count/100\u00A0ms"),
+    .currentError = QT_TRANSLATE_NOOP("table", "A"),
+    .time = QT_TRANSLATE_NOOP("table", "loop"),
+    .divided = false,
+    .derivativeInverted = false,
 };
 
 constexpr Capabilities capabilities{
@@ -51,6 +64,7 @@ const Family family{
     .modes = modes,
     .capabilities = capabilities,
     .bench = bench,
+    .loop = &loop,
     .scan = scan,
     .open = open,
     .recognise = recognise,

@@ -89,4 +89,61 @@ std::optional<DecodedFrame> decodeFrame(const Frame &frame)
     return decoded;
 }
 
+namespace {
+
+class Decoder final : public ByteDecoder {
+public:
+    void take(Duration time, Direction direction, std::span<const std::uint8_t> chunk,
+        std::vector<DecodedBytes> &out) override
+    {
+        Stream &stream = streamOf(direction);
+        stream.time = time;
+        stream.bytes.insert(stream.bytes.end(), chunk.begin(), chunk.end());
+        std::vector<std::uint8_t> junk;
+        for (Shape shape = shapeOf(stream.bytes); shape != Shape::Incomplete; shape = shapeOf(stream.bytes)) {
+            if (shape == Shape::Garbage) {
+                junk.push_back(stream.bytes.front());
+                stream.bytes.erase(stream.bytes.begin());
+                continue;
+            }
+            flush(time, direction, junk, out);
+            const Frame frame = frameIn(stream.bytes);
+            const auto size = static_cast<std::ptrdiff_t>(frameOverhead + frame.size);
+            out.push_back({time, direction, {stream.bytes.begin(), stream.bytes.begin() + size}, decodeFrame(frame)});
+            stream.bytes.erase(stream.bytes.begin(), stream.bytes.begin() + size);
+        }
+        flush(time, direction, junk, out);
+    }
+    void finish(std::vector<DecodedBytes> &out) override
+    {
+        for (const Direction direction : {Direction::Sent, Direction::Received}) {
+            Stream &stream = streamOf(direction);
+            flush(stream.time, direction, stream.bytes, out);
+        }
+    }
+
+private:
+    struct Stream {
+        std::vector<std::uint8_t> bytes; ///< that may become a frame
+        Duration time{};
+    };
+    static void flush(
+        Duration time, Direction direction, std::vector<std::uint8_t> &bytes, std::vector<DecodedBytes> &out)
+    {
+        if (!bytes.empty())
+            out.push_back({time, direction, std::exchange(bytes, {}), std::nullopt});
+    }
+    Stream &streamOf(Direction direction) { return direction == Direction::Sent ? m_sent : m_received; }
+
+    Stream m_sent;
+    Stream m_received;
+};
+
+} // namespace
+
+std::unique_ptr<ByteDecoder> decodeBytes(std::string_view)
+{
+    return std::make_unique<Decoder>();
+}
+
 } // namespace mb::supermodified

@@ -4,7 +4,7 @@
 #include "families/supermodified/frame.h"
 #include "model/family.h"
 
-#include <functional>
+#include <memory>
 #include <optional>
 #include <string_view>
 
@@ -14,5 +14,8 @@ namespace mb::supermodified {
 /// by their length, and so are the dialects. The address is the node's. Nothing for a command that no dialect has, or for
 /// data that no dialect sends.
 [[nodiscard]] std::optional<DecodedFrame> decodeFrame(const Frame &frame);
+
+/// Finds frames in what passes a line, each direction for itself; what is none comes out as bytes.
+[[nodiscard]] std::unique_ptr<ByteDecoder> decodeBytes(std::string_view dialect);
 
 } // namespace mb::supermodified

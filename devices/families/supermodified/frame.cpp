@@ -56,40 +56,46 @@ std::optional<Frame> fromI2c(std::span<const std::uint8_t> bytes)
     return lrcOf(frame) == bytes.back() ? std::optional(frame) : std::nullopt;
 }
 
+Shape shapeOf(std::span<const std::uint8_t> bytes)
+{
+    if (bytes.empty())
+        return Shape::Incomplete;
+    if (bytes[0] != header0 || (bytes.size() > 1 && bytes[1] != header1))
+        return Shape::Garbage;
+    if (bytes.size() < headSize)
+        return Shape::Incomplete;
+    const std::size_t count = bytes[headSize - 1];
+    if (count > mostData)
+        return Shape::Garbage;
+    if (bytes.size() < frameOverhead + count)
+        return Shape::Incomplete;
+    return lrcOf(frameIn(bytes)) == bytes[headSize + count] ? Shape::Frame : Shape::Garbage;
+}
+
+Frame frameIn(std::span<const std::uint8_t> bytes)
+{
+    return frameAt(bytes.subspan(2));
+}
+
 void FrameReader::feed(std::span<const std::uint8_t> bytes)
 {
     for (const std::uint8_t byte : bytes) {
         m_buffer[m_size++] = byte;
-        for (Verdict verdict = judge(); verdict != Verdict::Incomplete; verdict = judge()) {
-            if (verdict == Verdict::Garbage) {
+        for (;;) {
+            const auto held = std::span(m_buffer).first(m_size);
+            const Shape shape = shapeOf(held);
+            if (shape == Shape::Incomplete)
+                break;
+            if (shape == Shape::Garbage) {
                 drop(1);
                 ++m_discarded;
                 continue;
             }
-            const Frame frame = frameAt(std::span(m_buffer).subspan(2));
+            const Frame frame = frameIn(held);
             drop(frameOverhead + frame.size);
             m_sink(frame);
         }
     }
-}
-
-FrameReader::Verdict FrameReader::judge()
-{
-    if (m_size == 0)
-        return Verdict::Incomplete;
-    if (m_buffer[0] != header0 || (m_size > 1 && m_buffer[1] != header1))
-        return Verdict::Garbage;
-    if (m_size < headSize)
-        return Verdict::Incomplete;
-    const std::size_t count = m_buffer[headSize - 1];
-    if (count > mostData)
-        return Verdict::Garbage;
-    if (m_size < frameOverhead + count)
-        return Verdict::Incomplete;
-    if (lrcOf(frameAt(std::span(m_buffer).subspan(2))) == m_buffer[headSize + count])
-        return Verdict::Frame;
-    ++m_badChecks;
-    return Verdict::Garbage;
 }
 
 void FrameReader::drop(std::size_t count)

@@ -40,6 +40,12 @@ struct Frame {
 /// Nothing unless this is exactly one frame with the right checksum.
 [[nodiscard]] std::optional<Frame> fromI2c(std::span<const std::uint8_t> bytes);
 
+/// What some bytes begin with.
+enum class Shape { Incomplete, Frame, Garbage };
+[[nodiscard]] Shape shapeOf(std::span<const std::uint8_t> bytes);
+/// The frame that some bytes begin with; only where shapeOf() says so.
+[[nodiscard]] Frame frameIn(std::span<const std::uint8_t> bytes);
+
 /// Finds frames in a stream of bytes, whatever precedes them: a candidate that turns out to be none costs its first byte
 /// only, so a good frame inside or behind garbage is still found. Incomplete frames wait for more; forget() ends that when
 /// the line fell silent.
@@ -54,20 +60,16 @@ public:
     void feed(std::span<const std::uint8_t> bytes);
     void forget();
     [[nodiscard]] bool isEmpty() const { return m_size == 0; }
-    /// Bytes that belonged to no frame, and complete frames whose checksum was wrong.
+    /// Bytes that belonged to no frame.
     [[nodiscard]] std::uint64_t discarded() const { return m_discarded; }
-    [[nodiscard]] std::uint64_t badChecks() const { return m_badChecks; }
 
 private:
-    enum class Verdict { Incomplete, Frame, Garbage };
-    [[nodiscard]] Verdict judge();
     void drop(std::size_t count);
 
     Sink m_sink;
     std::array<std::uint8_t, mostData + frameOverhead> m_buffer{};
     std::size_t m_size = 0;
     std::uint64_t m_discarded = 0;
-    std::uint64_t m_badChecks = 0;
 };
 
 } // namespace mb::supermodified

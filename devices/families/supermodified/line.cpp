@@ -130,7 +130,7 @@ void Line::transmit(Entry entry)
     Request &request = entry.request;
     if (request.frame.from == 0)
         request.frame.from = static_cast<std::uint8_t>(m_hostId);
-    Result<void> sent = m_link.setBaudrate(request.baudrate);
+    Result<void> sent = changeRate(request);
     const auto bytes = uartBytes(request.frame);
     m_reader.forget();
     if (sent)
@@ -142,6 +142,16 @@ void Line::transmit(Entry entry)
         armTimeout(patience);
     else
         m_timeout.startIn(Duration::zero(), [this, error = sent.error()] { finish(fail(error)); });
+}
+
+/// The stop of a driven motor, a guardian's too, goes out at the rate that the line has.
+Result<void> Line::changeRate(const Request &request)
+{
+    if (isDriving() && request.rank != Rank::Stop && request.baudrate != m_link.baudrate())
+        return fail(Fault::Unsafe,
+            "a motor is driven on this line at " + std::to_string(m_link.baudrate())
+                + " bit/s, and this node has another rate; stop it first");
+    return m_link.setBaudrate(request.baudrate);
 }
 
 void Line::onFrame(const Frame &frame)

@@ -122,6 +122,7 @@ private:
     void pump();
     [[nodiscard]] std::optional<Entry> next();
     void transmit(Entry entry);
+    [[nodiscard]] Result<void> changeRate(const Request &request);
     void armTimeout(Duration patience);
     void hurry();
     void onFrame(const Frame &frame);

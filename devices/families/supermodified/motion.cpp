@@ -251,6 +251,7 @@ void Motion::done(Step step, const Frame &reply)
         m_applied = order;
         m_looked = false;
         m_orders.pop_front();
+        m_events.changed();
         break;
     }
     if (!m_stopping)
@@ -283,6 +284,13 @@ void Motion::fail(std::string why)
     if (!m_failure)
         m_failure = std::move(why);
     m_events.changed();
+}
+
+void Motion::tripped(std::string why)
+{
+    m_energized = false;
+    m_line.setDriving(m_node.id, false);
+    fail(std::move(why));
 }
 
 void Motion::setEnergized(bool energized)

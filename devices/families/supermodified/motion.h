@@ -38,8 +38,8 @@ public:
     /// A poll got no answer, or came back after silence: sends the present set-point again where that is harmless, so that
     /// a node that lost its power says that it is not started.
     void reassert();
-    /// The node's bridge is off by its own doing.
-    void fail(std::string why);
+    /// The node switched its bridge off by itself.
+    void tripped(std::string why);
     /// The link is open again.
     void resume();
 
@@ -72,6 +72,7 @@ private:
     void answered(Step step, const Result<Frame> &reply);
     void done(Step step, const Frame &reply);
     void refused(Step step, std::span<const std::uint8_t> codes);
+    void fail(std::string why);
     void sendStop(Duration delay);
     void stopAnswered(const Result<Frame> &reply);
     void setEnergized(bool energized);

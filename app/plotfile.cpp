@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/plotfile.h"
+
+#include "app/application.h"
+#include "recording/loadrecording.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/plots/displayunits.h"
+#include "widgets/plots/plotboard.h"
+
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <cstdio>
+
+namespace mb {
+namespace {
+
+constexpr QSize usualSize{1280, 800};
+
+int refuse(const QString &cause)
+{
+    std::fprintf(stderr, "motorbench: %s\n", qPrintable(cause));
+    return 2;
+}
+
+void addTraces(PlotStack &stack, const LoadedRecording &recording)
+{
+    QStringList panes;
+    std::vector<TraceLook> used;
+    for (std::uint16_t i = 0; i < recording.table.size(); ++i) {
+        const Channel &row = recording.table[i];
+        if (recording.telemetry->size({i}) == 0)
+            continue;
+        const ShownUnit unit = shownUnit(row.quantity, row.unit, {});
+        if (!panes.contains(unit.text))
+            panes << unit.text;
+        const auto source
+            = std::make_shared<TelemetrySource>(recording.telemetry, ChannelIndex{i}, TelemetrySource::Foot::WhenLossy);
+        source->setScale(unit.scale);
+        TraceStyle style{qt(row.label), unit.text, roleOf(row.quantity), static_cast<int>(panes.indexOf(unit.text))};
+        chooseColour(style, used);
+        used.push_back(style.look());
+        stack.addTrace(style, source);
+    }
+}
+
+void say(const Options &options, const LoadedRecording &recording, int traces)
+{
+    std::uint64_t samples = 0;
+    std::uint64_t lost = 0;
+    for (std::uint16_t i = 0; i < recording.table.size(); ++i) {
+        samples += recording.telemetry->size({i});
+        lost += recording.telemetry->lost({i});
+    }
+    const double seconds = std::chrono::duration<double>(recording.last - recording.first).count();
+    if (options.json) {
+        const QJsonObject object{{QStringLiteral("file"), options.plot}, {QStringLiteral("out"), options.out},
+            {QStringLiteral("signals"), traces}, {QStringLiteral("samples"), static_cast<qint64>(samples)},
+            {QStringLiteral("lost"), static_cast<qint64>(lost)}, {QStringLiteral("seconds"), seconds},
+            {QStringLiteral("complete"), recording.complete}};
+        std::puts(QJsonDocument(object).toJson(QJsonDocument::Compact).constData());
+        return;
+    }
+    std::printf("%s: %d signals, %llu samples, %llu lost, %.3f s%s\n", qPrintable(options.out), traces,
+        static_cast<unsigned long long>(samples), static_cast<unsigned long long>(lost), seconds,
+        recording.complete ? "" : "; the end of the file is missing");
+}
+
+} // namespace
+
+int plotFile(const Options &options)
+{
+    const QString suffix = QFileInfo(options.out).suffix().toLower();
+    if (suffix != QLatin1String("png") && suffix != QLatin1String("svg") && suffix != QLatin1String("pdf"))
+        return refuse(
+            QStringLiteral("--out '%1' is no picture; give a name that ends in .png, .svg or .pdf").arg(options.out));
+    const auto recording = loadRecording(options.plot.toLocal8Bit().toStdString());
+    if (!recording)
+        return refuse(qt(recording.error().detail)
+            + QStringLiteral("; give an .mcap or .csv that this program wrote, or the output of watch"));
+    const ThemeSource theme(options.theme == QLatin1String("light") ? lightTheme(10.0 * options.fontScale)
+                                                                    : darkTheme(10.0 * options.fontScale));
+    QFont font = QApplication::font();
+    font.setPointSizeF(10.0 * options.fontScale);
+    QApplication::setFont(font);
+    PlotStack stack(theme);
+    const QStringList sides = options.size.split(QLatin1Char('x'));
+    stack.resize(sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : usualSize);
+    addTraces(stack, **recording);
+    const auto from = plotKey((*recording)->first);
+    const auto to = plotKey((*recording)->last);
+    if ((*recording)->hasClock)
+        stack.setClock(0.0);
+    if ((*recording)->simulated)
+        stack.setWatermark(QStringLiteral("DEMO"));
+    stack.setRange(from, to > from ? to : from + 1.0);
+    stack.show();
+    stack.refresh(to);
+    stack.refresh(to); // the first one has found out how wide the labels are
+    if (!stack.exportTo(options.out))
+        return refuse(QStringLiteral("%1 cannot be written; choose a folder that you may write to").arg(options.out));
+    say(options, **recording, stack.traceCount());
+    return 0;
+}
+
+} // namespace mb

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace mb {
+
+struct Options;
+
+/// Draws the recording of `options.plot` into the picture `options.out`, one pane for each unit, in the theme and size of
+/// the options. Yields the exit status: 0, or 2 after one line on standard error. Needs a QApplication, no screen.
+[[nodiscard]] int plotFile(const Options &options);
+
+} // namespace mb

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/abstractdc/channels.h"
+
+#include <QtGlobal>
+
+#include <array>
+
+namespace mb::abstractdc {
+namespace {
+
+using Table = std::array<Channel, 6>;
+
+consteval Table table(std::string_view current, std::string_view temperature)
+{
+    return {{
+        {"position", "counts", QT_TRANSLATE_NOOP("table", "Position"), Quantity::Position},
+        {"velocity", "counts/s", QT_TRANSLATE_NOOP("table", "Velocity"), Quantity::Velocity},
+        {"current", current, QT_TRANSLATE_NOOP("table", "Current"), Quantity::Current},
+        {"duty", "fraction", QT_TRANSLATE_NOOP("table", "Duty"), Quantity::Duty},
+        {"setpoint", "", QT_TRANSLATE_NOOP("table", "Set-point"), Quantity::SetPoint}, // unit of the mode
+        {"temperature", temperature, QT_TRANSLATE_NOOP("table", "Temperature"), Quantity::Temperature},
+    }};
+}
+
+constexpr Table raw = table("counts", "counts");
+constexpr Table amperes = table("A", "counts");
+constexpr Table degrees = table("counts", "°C");
+constexpr Table both = table("A", "°C");
+
+static_assert(checkChannels(raw) && checkChannels(both));
+static_assert(raw[channel::duty.value].key == "duty" && raw[channel::temperature.value].key == "temperature");
+
+} // namespace
+
+std::span<const Channel> channelTable(bool currentKnown, bool temperatureKnown)
+{
+    if (currentKnown)
+        return temperatureKnown ? both : amperes;
+    return temperatureKnown ? degrees : raw;
+}
+
+} // namespace mb::abstractdc

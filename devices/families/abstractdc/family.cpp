@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/family.h"
+
+#include "families/abstractdc/channels.h"
+#include "families/abstractdc/controller.h"
+#include "families/abstractdc/decode.h"
+#include "families/abstractdc/firmware.h"
+#include "families/abstractdc/parameters.h"
+#include "families/abstractdc/protocol.h"
+#include "families/abstractdc/scan.h"
+#include "families/abstractdc/simulator.h"
+
+#include <QtGlobal>
+
+#include <array>
+
+namespace mb::abstractdc {
+namespace {
+
+constexpr std::array links{LinkKind::Can};
+constexpr std::array modes{Mode::Duty, Mode::Velocity, Mode::Position, Mode::Current};
+
+/// One of each dialect that can be driven.
+constexpr std::array<std::string_view, 3> bench{
+    "abstractdc:3,dialect=F,motor=25d",
+    "abstractdc:4,dialect=L,motor=n20",
+    "abstractdc:5,dialect=D,motor=rs775",
+};
+
+constexpr std::array<DialectChoice, 4> dialectChoices{{
+    {"F", QT_TRANSLATE_NOOP("table", "F: the firmware's codes"),
+        QT_TRANSLATE_NOOP("table",
+            "A unit that speaks the document's codes would take position for current and current for position.")},
+    {"L", QT_TRANSLATE_NOOP("table", "L: legacy frames of 8 bytes"),
+        QT_TRANSLATE_NOOP(
+            "table", "A unit with today's firmware ignores these frames, the stop excepted, which is sent both ways.")},
+    {"LL", QT_TRANSLATE_NOOP("table", "LL: older, cannot be stopped"),
+        QT_TRANSLATE_NOOP("table", "It is only watched: there is no code that stops it.")},
+    {"D", QT_TRANSLATE_NOOP("table", "D: the document's codes"),
+        QT_TRANSLATE_NOOP("table",
+            "A unit that speaks the firmware's codes runs at full power when it is told a position, and loses its "
+            "divisor when D is written.")},
+}};
+
+constexpr std::array<Calibration, 3> calibrations{{
+    {countsPerRevolutionKey, "counts", QT_TRANSLATE_NOOP("table", "Counts per revolution"),
+        QT_TRANSLATE_NOOP("table", "Encoder edges in one turn: four times its lines."), 1.0, 1e9},
+    {calibration::amperes, "A", QT_TRANSLATE_NOOP("table", "Ampere per count"),
+        QT_TRANSLATE_NOOP("table", "What one count of the current converter stands for; it depends on the board."),
+        1e-6, 1e3},
+    {calibration::degrees, "°C", QT_TRANSLATE_NOOP("table", "Degrees per count"),
+        QT_TRANSLATE_NOOP("table", "What one count of the temperature converter stands for; it depends on the board."),
+        1e-6, 1e3},
+}};
+
+constexpr std::array<std::string_view, 2> targets{"f1", "f4"};
+constexpr std::array routes{UpdateRoute{"openocd", "openocd:stlink", targets, true}};
+
+/// Section 4: time in milliseconds, the change taken the wrong way round.
+constexpr LoopScale loop{
+    .fullDuty = fullPwm,
+    .period = 1e-3,
+    .velocityTime = 1.0,
+    .velocityError = QT_TRANSLATE_NOOP("table", "count/s"),
+    .currentError = QT_TRANSLATE_NOOP("table", "ADC count"),
+    .time = QT_TRANSLATE_NOOP("table", "ms"),
+    .divided = true,
+    .derivativeInverted = true,
+};
+
+constexpr Capabilities capabilities{
+    .readback = false,
+    .watchdog = false,
+    .versionOnWire = false,
+    .identify = false,
+    .rename = false,
+    .renumber = false,
+    .axes = 1,
+    .gainSlots = 1,
+    .commandPeriod = std::chrono::milliseconds(20),
+    .storesAfter = std::chrono::seconds(0),
+};
+
+} // namespace
+
+extern const Family family;
+const Family family{
+    .key = "abstractdc",
+    .title = "Abstract DC",
+    .links = links,
+    .parameters = parameterTable(),
+    .channels = channelTable(),
+    .modes = modes,
+    .capabilities = capabilities,
+    .bench = bench,
+    .dialects = dialectChoices,
+    .calibrations = calibrations,
+    .routes = routes,
+    .loop = &loop,
+    .arrange = arrange,
+    .scan = scan,
+    .open = open,
+    .decodeCan = decodeCan,
+    .update = update,
+    .inspect = inspect,
+    .simulate = simulate,
+};
+
+} // namespace mb::abstractdc

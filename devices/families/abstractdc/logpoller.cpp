@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/abstractdc/logpoller.h"
+
+#include <algorithm>
+
+namespace mb::abstractdc {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration silentPeriod = 500ms;
+constexpr Duration pollerMemory = 3s;
+
+std::size_t at(Log log)
+{
+    return static_cast<std::size_t>(log);
+}
+
+} // namespace
+
+LogPoller::LogPoller(CanLink &link, Clock &clock, Events events)
+    : m_link(link)
+    , m_clock(clock)
+    , m_events(std::move(events))
+    , m_voltage(link, clock)
+    , m_timer(clock)
+    , m_traffic(link.traffic().add([this](const Traffic &traffic) {
+        if (traffic.can)
+            count(*traffic.can);
+    }))
+    , m_received(link.received().add([this](const CanFrame &frame) { receive(frame); }))
+{
+}
+
+void LogPoller::speak(const Dialect *dialect, int offset)
+{
+    m_dialect = dialect;
+    m_offset = offset;
+    m_open.reset();
+    schedule();
+}
+
+void LogPoller::wish(Log log, double hertz)
+{
+    Wish &wish = m_wishes.at(at(log));
+    const auto period = hertz > 0.0 ? std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1.0 / hertz))
+                                    : Duration::zero();
+    if (period == wish.period)
+        return;
+    wish.period = period;
+    wish.due = std::min(std::max(wish.due, m_clock.now()), m_clock.now() + period);
+    schedule();
+}
+
+void LogPoller::pause(bool paused)
+{
+    m_paused = paused;
+    schedule();
+}
+
+/// Who else is polled here.
+void LogPoller::count(const CanFrame &frame)
+{
+    if (!frame.extended && frame.size == 1 && frame.id >= id::logRequest && frame.id <= id::logRequest + maxOffset)
+        m_askedSeen.at(frame.id - id::logRequest) = frame.time;
+}
+
+std::size_t LogPoller::pollers() const
+{
+    const Instant since = m_clock.now() - pollerMemory;
+    const auto others = std::count_if(
+        m_askedSeen.begin(), m_askedSeen.end(), [since](Instant time) { return time != Instant{} && time > since; });
+    return std::max<std::size_t>(1, static_cast<std::size_t>(others));
+}
+
+/// From the end of an answer to the next question.
+Duration LogPoller::gap() const
+{
+    return roundTrip(m_link) * static_cast<int>(2 * pollers() - 1);
+}
+
+double LogPoller::most() const
+{
+    return 1.0 / std::chrono::duration<double>(roundTrip(m_link) + gap()).count();
+}
+
+Log LogPoller::mostUrgent() const
+{
+    std::size_t best = at(Log::Velocity);
+    Instant soonest = Instant::max();
+    for (std::size_t i = 0; i < logCount; ++i) {
+        const Wish &wish = m_wishes.at(i);
+        const bool possible = wish.period > Duration::zero() && m_dialect && m_dialect->has(static_cast<Log>(i));
+        if (!possible || wish.due >= soonest)
+            continue;
+        best = i;
+        soonest = wish.due;
+    }
+    return static_cast<Log>(best);
+}
+
+void LogPoller::schedule()
+{
+    if (m_open)
+        return;
+    if (m_paused) {
+        m_timer.stop();
+        return;
+    }
+    const Wish &wish = m_wishes.at(at(mostUrgent()));
+    Instant next = m_dialect && wish.period > Duration::zero() ? wish.due : m_freeAt + silentPeriod;
+    next = std::max({next, m_freeAt, m_clock.now()});
+    m_timer.start(next, [this] { ask(); });
+}
+
+void LogPoller::ask()
+{
+    if (m_link.state() != LinkState::Open) {
+        m_freeAt = m_clock.now() + silentPeriod;
+        if (m_heard)
+            timedOut();
+        else
+            schedule();
+        return;
+    }
+    const Log log = mostUrgent();
+    Wish &wish = m_wishes.at(at(log));
+    if (log == Log::Voltage && !m_dialect->voltageOffset && !m_voltage.isFree()) {
+        wish.due = m_clock.now() + roundTrip(m_link); // all answers have one identifier: one question at a time
+        schedule();
+        return;
+    }
+    wish.due = std::max(wish.due + wish.period, m_clock.now());
+    m_timer.startIn(answerTime(m_link), [this] { timedOut(); });
+    if (m_link.send(encodeLogRequest(m_dialect ? *m_dialect : dialectF, m_offset, log)))
+        m_open = log; // else, as on a recording, nobody was asked and no answer is missing
+}
+
+void LogPoller::timedOut()
+{
+    const auto open = std::exchange(m_open, std::nullopt);
+    m_missed = std::min(m_missed + 1, silentAfter);
+    if (open && m_heard)
+        m_events.missed(*open);
+    if (m_missed >= silentAfter) {
+        m_freeAt = m_clock.now() + silentPeriod;
+        if (std::exchange(m_heard, false))
+            m_events.silent();
+    }
+    schedule();
+}
+
+std::optional<LogReply> LogPoller::replyIn(const CanFrame &frame) const
+{
+    if (m_dialect) {
+        const auto reply = decodeLog(*m_dialect, m_offset, frame);
+        const bool shared = reply && reply->log == Log::Voltage && !m_dialect->voltageOffset;
+        if (shared && m_voltage.owner() != m_offset)
+            return std::nullopt;
+        return reply;
+    }
+    for (const Dialect *dialect : {&dialectF, &dialectL}) {
+        const auto reply = decodeLog(*dialect, m_offset, frame);
+        if (reply && reply->log == Log::Velocity)
+            return reply;
+    }
+    return std::nullopt;
+}
+
+void LogPoller::receive(const CanFrame &frame)
+{
+    if (frame.extended || frame.size != 4)
+        return;
+    if (const auto reply = replyIn(frame))
+        arrived(reply->log, reply->value, frame.time);
+}
+
+void LogPoller::arrived(Log log, std::int32_t value, Instant time)
+{
+    m_missed = 0;
+    m_heard = true;
+    if (m_open == log) {
+        m_open.reset();
+        m_freeAt = m_clock.now() + gap();
+    }
+    m_events.answered(log, value, time);
+    schedule();
+}
+
+} // namespace mb::abstractdc

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/abstractdc/motionsense.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace mb::abstractdc {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kept = 250ms;
+constexpr Duration velocityBase = 45ms;
+constexpr Duration stale = 500ms;
+constexpr double glitchTolerance = 4096.0;
+
+double seconds(Duration duration)
+{
+    return std::chrono::duration<double>(duration).count();
+}
+
+} // namespace
+
+MotionSense::Verdict MotionSense::add(std::int32_t position, Instant time)
+{
+    Verdict verdict;
+    if (!m_seen.empty()) {
+        const Seen &last = m_seen.back();
+        const double speed = velocity(last.time).value_or(0.0);
+        const double expected = last.position + speed * seconds(time - last.time);
+        const double slack = glitchTolerance + std::abs(speed) * seconds(time - last.time);
+        const double off = std::abs(position - expected);
+        const bool jumped = std::abs(off - wrapLoss) < std::min(slack, 30000.0);
+        if (jumped && !m_doubtful) { // one may be a glitch; a second one at the same place is not
+            m_doubtful = Seen{position, time};
+            ++m_glitches;
+            return {true, false};
+        }
+        verdict.mended = jumped;
+        if (jumped)
+            m_seen.clear();
+    }
+    m_doubtful.reset();
+    m_seen.push_back({position, time});
+    while (m_seen.size() > 2 && time - m_seen[1].time >= kept)
+        m_seen.pop_front();
+    return verdict;
+}
+
+void MotionSense::forget()
+{
+    m_seen.clear();
+    m_doubtful.reset();
+}
+
+std::optional<double> MotionSense::velocity(Instant now) const
+{
+    if (m_seen.size() < 2 || now - m_seen.back().time > stale)
+        return std::nullopt;
+    const Seen &last = m_seen.back();
+    auto first = std::prev(m_seen.end(), 2);
+    while (first != m_seen.begin() && last.time - first->time < velocityBase)
+        --first;
+    const double elapsed = seconds(last.time - first->time);
+    if (elapsed <= 0.0)
+        return std::nullopt;
+    return (static_cast<double>(last.position) - first->position) / elapsed;
+}
+
+std::optional<std::int32_t> MotionSense::position() const
+{
+    return m_seen.empty() ? std::nullopt : std::optional<std::int32_t>(m_seen.back().position);
+}
+
+bool MotionSense::standsSince(Instant since) const
+{
+    if (m_seen.empty())
+        return false;
+    const Seen &last = m_seen.back();
+    for (auto seen = m_seen.rbegin(); seen != m_seen.rend() && seen->time > since; ++seen) {
+        if (std::abs(std::int64_t{seen->position} - last.position) > 1)
+            return false;
+        if (last.time - seen->time >= velocityBase)
+            return true;
+    }
+    return false;
+}
+
+bool MotionSense::isMoving(Instant now) const
+{
+    if (m_seen.size() < 2 || now - m_seen.back().time > stale)
+        return false;
+    const auto [low, high] = std::minmax_element(
+        m_seen.begin(), m_seen.end(), [](const Seen &a, const Seen &b) { return a.position < b.position; });
+    return std::int64_t{high->position} - low->position > 2;
+}
+
+} // namespace mb::abstractdc

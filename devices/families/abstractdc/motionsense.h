@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/clock.h"
+#include "families/abstractdc/protocol.h"
+#include "model/channel.h"
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+namespace mb::abstractdc {
+
+/// What position logs tell: whether one is a glitch (trap 8: off by 65 535), how fast the shaft turns, and whether it stands.
+class MotionSense {
+public:
+    struct Verdict {
+        bool glitch = false; ///< this one is not recorded
+        bool mended = false; ///< the jump stayed: it is where the shaft is now, and the line is broken
+    };
+    [[nodiscard]] Verdict add(std::int32_t position, Instant time);
+    /// Nothing is known any more, as after silence.
+    void forget();
+
+    /// Counts/s over about the last 50 ms; nothing without samples of the last half second before `now`.
+    [[nodiscard]] std::optional<double> velocity(Instant now) const;
+    [[nodiscard]] std::optional<std::int32_t> position() const;
+    /// At least two samples 50 ms apart, all younger than `since`, no further apart than a count.
+    [[nodiscard]] bool standsSince(Instant since) const;
+    [[nodiscard]] bool isMoving(Instant now) const;
+    [[nodiscard]] std::uint64_t glitches() const { return m_glitches; }
+
+private:
+    struct Seen {
+        std::int32_t position = 0;
+        Instant time{};
+    };
+    std::deque<Seen> m_seen; ///< of the last quarter of a second, two at least
+    std::optional<Seen> m_doubtful;
+    std::uint64_t m_glitches = 0;
+};
+
+} // namespace mb::abstractdc

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/abstractdc/openocd.h"
+
+#include "families/abstractdc/protocol.h"
+
+#include <QtGlobal>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace mb::abstractdc::openocd {
+namespace {
+
+constexpr std::size_t keptText = 20'000;
+
+/// The two configurations of the firmware's repository.
+struct Target {
+    std::string_view key;
+    std::string_view file;
+    std::array<std::string_view, 2> setup;
+};
+constexpr std::array targets{
+    Target{"f1", "target/stm32f1x.cfg", {"reset_config none separate", ""}},
+    Target{"f4", "target/stm32f4x.cfg", {"adapter speed 2000", "reset_config srst_only srst_nogate"}},
+};
+
+const Target *targetOf(std::string_view key)
+{
+    const auto found = std::find_if(targets.begin(), targets.end(), [key](const Target &t) { return t.key == key; });
+    return found == targets.end() ? nullptr : &*found;
+}
+
+bool isName(std::string_view text)
+{
+    return !text.empty() && text.front() != '/' && text.find("..") == std::string_view::npos
+        && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_./")
+        == std::string_view::npos;
+}
+
+std::string lowered(std::string_view text)
+{
+    std::string low(text);
+    std::transform(low.begin(), low.end(), low.begin(),
+        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return low;
+}
+
+std::string eraseCommand()
+{
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "flash erase_address pad 0x%08X 0x%X", settingsAddress, settingsSize);
+    return text.data();
+}
+
+/// SWD, as each probe calls it; the repository's own choice for its ST-Link.
+std::string_view transportOf(std::string_view interface)
+{
+    if (interface == "stlink-dap")
+        return "dapdirect_swd";
+    const bool highLevel = interface.find("stlink") != std::string_view::npos
+        || interface.find("nulink") != std::string_view::npos || interface == "ti-icdi";
+    return highLevel ? "hla_swd" : "swd";
+}
+
+/// What a piece of output means for the user; the first that is found counts.
+struct Meaning {
+    std::string_view words;
+    Fault fault;
+    std::string_view line;
+};
+constexpr std::string_view noProbe = QT_TRANSLATE_NOOP(
+    "table", "OpenOCD finds no debug probe; plug it in, and check that its kind is the one named after openocd:");
+constexpr std::array meanings{
+    Meaning{"can't find interface/", Fault::OutOfRange,
+        QT_TRANSLATE_NOOP(
+            "table", "OpenOCD has no interface of this name; name one of its interface files, such as openocd:stlink")},
+    Meaning{"can't change session's transport", Fault::OutOfRange,
+        QT_TRANSLATE_NOOP(
+            "table", "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink")},
+    Meaning{"doesn't support '", Fault::OutOfRange,
+        QT_TRANSLATE_NOOP(
+            "table", "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink")},
+    Meaning{"** verify failed **", Fault::BadCheck,
+        QT_TRANSLATE_NOOP("table",
+            "the microcontroller does not hold what was written; run it again with shorter wires or a lower speed")},
+    Meaning{"** programming failed **", Fault::Refused,
+        QT_TRANSLATE_NOOP("table",
+            "the microcontroller refused to be written; it may be protected, or be another kind than --target says")},
+    Meaning{"unexpected idcode", Fault::Refused,
+        QT_TRANSLATE_NOOP(
+            "table", "the microcontroller is another kind than --target says; choose the other one of f1 and f4")},
+    Meaning{"unable to connect to the target", Fault::Timeout,
+        QT_TRANSLATE_NOOP("table",
+            "the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the "
+            "drive")},
+    Meaning{"cannot read idr", Fault::Timeout,
+        QT_TRANSLATE_NOOP("table",
+            "the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the "
+            "drive")},
+    Meaning{"unable to reset target", Fault::Timeout,
+        QT_TRANSLATE_NOOP(
+            "table", "the microcontroller could not be halted; check the reset wire and the power of the drive")},
+    Meaning{"libusb_error_access", Fault::LinkLost,
+        QT_TRANSLATE_NOOP("table",
+            "the debug probe is there but may not be opened; install OpenOCD's udev rules or ask your administrator")},
+    Meaning{"open failed", Fault::LinkLost, noProbe},
+    Meaning{"unable to find", Fault::LinkLost, noProbe},
+    Meaning{"unable to open", Fault::LinkLost, noProbe},
+    Meaning{"no j-link device found", Fault::LinkLost, noProbe},
+    Meaning{"failed to open or find", Fault::LinkLost, noProbe},
+    Meaning{"xds110: failed to connect", Fault::LinkLost, noProbe},
+    Meaning{"no device found", Fault::LinkLost, noProbe},
+};
+
+} // namespace
+
+Result<Job> jobOf(std::string_view via, std::string_view target)
+{
+    constexpr std::string_view scheme = "openocd:";
+    if (via.substr(0, scheme.size()) != scheme || !isName(via.substr(scheme.size())))
+        return fail(Fault::OutOfRange,
+            via.empty()
+                ? std::string("an Abstract DC Drive is written through a debug probe; add --via openocd:INTERFACE "
+                              "--target f1|f4, such as --via openocd:stlink --target f1")
+                : "--via: '" + std::string(via)
+                    + "' is no way into an Abstract DC Drive; write openocd:INTERFACE, "
+                      "such as openocd:stlink");
+    if (!targetOf(target))
+        return fail(Fault::OutOfRange,
+            (target.empty() ? std::string("--target is missing") : "--target: '" + std::string(target) + "' is unknown")
+                + "; the microcontroller of the drive is f1 (STM32F1) or f4 (STM32F4)");
+    return Job{std::string(via.substr(scheme.size())), std::string(target), {}, false};
+}
+
+ExternalProgram::Command commandOf(const Job &job)
+{
+    const Target &target = *targetOf(job.target);
+    std::vector<std::string> arguments{"-f", "interface/" + job.interface + ".cfg", "-c",
+        "transport select " + std::string(transportOf(job.interface)), "-f", std::string(target.file)};
+    const auto order = [&arguments](std::string command) {
+        arguments.emplace_back("-c");
+        arguments.push_back(std::move(command));
+    };
+    for (const std::string_view setup : target.setup) {
+        if (!setup.empty())
+            order(std::string(setup));
+    }
+    if (job.eraseSettings) {
+        order("init");
+        order("reset halt");
+        order(eraseCommand()); // before the program, which may share a sector with the settings
+    }
+    order("program {" + job.file + "} verify reset exit");
+    return {"openocd", std::move(arguments)};
+}
+
+std::string_view titleOf(Stage stage)
+{
+    switch (stage) {
+    case Stage::Connecting: return "Connecting through OpenOCD";
+    case Stage::Erasing: return "Erasing the stored settings";
+    case Stage::Writing: return "Writing flash";
+    case Stage::Verifying: return "Verifying flash";
+    case Stage::Resetting: return "Restarting the drive";
+    case Stage::Over: return "Looking for the drive";
+    }
+    return "";
+}
+
+void Reading::take(std::string_view line)
+{
+    const std::string low = lowered(line);
+    if (m_all.size() < keptText)
+        m_all += low + '\n';
+    const auto error = low.find("error:");
+    if (error != std::string::npos && m_firstError.empty())
+        m_firstError = line.substr(std::min(line.size(), error + 7));
+    if (low.find("erased address") != std::string::npos || low.find("erased sectors") != std::string::npos) {
+        m_erased = true;
+        m_stage = Stage::Erasing;
+    }
+    if (low.find("** programming started **") != std::string::npos)
+        m_stage = Stage::Writing;
+    if (low.find("** verify started **") != std::string::npos)
+        m_stage = Stage::Verifying;
+    if (low.find("** verified ok **") != std::string::npos)
+        m_verified = true;
+    if (low.find("** resetting target **") != std::string::npos)
+        m_stage = Stage::Resetting;
+}
+
+Error Reading::failure(const Job &job) const
+{
+    for (const Meaning &meaning : meanings) {
+        if (m_all.find(meaning.words) != std::string::npos)
+            return {meaning.fault, std::string(meaning.line)};
+    }
+    if (m_firstError.empty())
+        return {Fault::BadReply, "OpenOCD ended without saying why; run it by hand with interface " + job.interface};
+    return {Fault::BadReply, "OpenOCD: " + m_firstError + "; run it by hand to see all it says"};
+}
+
+} // namespace mb::abstractdc::openocd

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/abstractdc/protocol.h"
+#include "model/family.h"
+
+#include <span>
+
+namespace mb::abstractdc {
+
+[[nodiscard]] std::span<const Parameter> parameterTable();
+
+/// The number in the table: loop and field, which each dialect spells its own way.
+[[nodiscard]] constexpr std::uint16_t parameterId(Loop loop, Field field)
+{
+    return static_cast<std::uint16_t>(static_cast<unsigned>(loop) * 16U + static_cast<unsigned>(field));
+}
+[[nodiscard]] constexpr Loop loopOf(const Parameter &parameter)
+{
+    return static_cast<Loop>(parameter.id / 16U);
+}
+[[nodiscard]] constexpr Field fieldOf(const Parameter &parameter)
+{
+    return static_cast<Field>(parameter.id % 16U);
+}
+[[nodiscard]] std::optional<ParameterIndex> parameterOf(Loop loop, Field field);
+
+/// Family::arrange: within a loop no intermediate set of gains is stronger than both its neighbours (section 4: the divisor
+/// before the gains, or after them where it makes them weaker; damping before P where P rises).
+void arrange(const ParameterStore &known, std::vector<ParameterChange> &changes);
+
+} // namespace mb::abstractdc

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/abstractdc/scanprobe.h"
+
+#include "async/sleep.h"
+#include "families/abstractdc/codec.h"
+
+namespace mb::abstractdc {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int tries = 3;
+constexpr Duration sweepMost = 60ms; ///< what asking 99 old drives one by one may take
+
+} // namespace
+
+Task<std::optional<std::uint32_t>> Prober::ask(Question question, int most)
+{
+    const std::uint32_t shared = id::voltageLog;
+    CanInbox::Match match = [this, question, shared](const CanFrame &frame) {
+        const bool expected
+            = std::find(question.answers.begin(), question.answers.end(), frame.id) != question.answers.end();
+        return !frame.extended && frame.size == 4 && expected
+            && (frame.id != shared || m_voltage.owner() == question.offset || question.code != codeOfVoltage());
+    };
+    CanInbox inbox(m_link, m_clock, std::move(match));
+    const std::array data{question.code};
+    const CanFrame request = standardFrame(question.base + static_cast<std::uint32_t>(question.offset), data);
+    for (int attempt = 0; attempt < most; ++attempt) {
+        while (question.code == codeOfVoltage() && !m_voltage.isFree())
+            co_await Sleep(m_clock, roundTrip(m_link));
+        if (auto sent = m_link.send(request); !sent)
+            co_return fail(sent.error());
+        const Result<CanFrame> answer = co_await inbox.next(answerTime(m_link));
+        if (answer)
+            co_return std::optional<std::uint32_t>(answer->id);
+        if (answer.error().fault == Fault::LinkLost)
+            co_return fail(answer.error());
+    }
+    co_return std::optional<std::uint32_t>();
+}
+
+namespace {
+
+/// 6.3: decides on 03, confirms with 04; D and F answer both elsewhere.
+Task<const Dialect *> tellNew(Prober &prober, int offset, int most)
+{
+    auto third
+        = prober.ask({offset, id::logRequest, 3, {at(id::temperatureLog, offset), at(id::currentLog, offset)}}, most);
+    const auto answer = co_await std::move(third);
+    if (!answer)
+        co_return nullptr;
+    const bool today = *answer == at(id::temperatureLog, offset);
+    const std::uint32_t proof = today ? id::voltageLog : at(id::positionLog, offset);
+    const std::uint32_t doubt = today ? at(id::positionLog, offset) : id::voltageLog;
+    auto fourth = prober.ask({offset, id::logRequest, 4, {proof, doubt}});
+    const auto confirmed = co_await std::move(fourth);
+    if (!confirmed || *confirmed != proof)
+        co_return nullptr;
+    co_return today ? &dialectF : &dialectD;
+}
+
+/// The legacy logs come where no other dialect answers.
+Task<const Dialect *> tellLegacy(Prober &prober, int offset)
+{
+    auto second = prober.ask({offset, id::logRequest, 2, {at(id::currentLogLegacy, offset)}});
+    const auto current = co_await std::move(second);
+    if (!current)
+        co_return nullptr;
+    auto zeroth = prober.ask({offset, id::logRequest, 0, {at(id::positionLogLegacy, offset)}});
+    const auto position = co_await std::move(zeroth);
+    co_return position ? &dialectL : nullptr;
+}
+
+} // namespace
+
+/// 6.3: an identifier in 1024…1099 is today's with one offset or legacy with another.
+Task<std::optional<Found>> judge(Prober &prober, std::uint32_t answer)
+{
+    const int today = static_cast<int>(answer) - static_cast<int>(id::velocityLog);
+    const int legacy = static_cast<int>(answer) - static_cast<int>(id::velocityLogLegacy);
+    const bool mayBeLegacy = legacy >= 0 && legacy <= maxOffset;
+    if (today >= 0) {
+        auto asking = tellNew(prober, today, mayBeLegacy ? 2 : tries);
+        if (const Dialect *dialect = co_await std::move(asking))
+            co_return Found{today, dialect};
+    }
+    if (mayBeLegacy) {
+        auto asking = tellLegacy(prober, legacy);
+        if (const Dialect *dialect = co_await std::move(asking))
+            co_return Found{legacy, dialect};
+    }
+    if (today < 0 && mayBeLegacy)
+        co_return Found{legacy, nullptr};
+    if (today >= 0 && !mayBeLegacy)
+        co_return Found{today, nullptr};
+    co_return std::nullopt; // it cannot even be said which offset it has
+}
+
+/// Drives older than the broadcast are asked one by one, where the bit rate allows it.
+Task<std::vector<int>> findOldest(CanLink &link, Clock &clock)
+{
+    std::set<int> offsets;
+    const Subscription received = link.received().add([&offsets](const CanFrame &frame) {
+        const int offset = static_cast<int>(frame.id) - static_cast<int>(id::positionLogLegacy);
+        if (!frame.extended && frame.size == 4 && offset >= 0 && offset <= maxOffset)
+            offsets.insert(offset);
+    });
+    const bool all = roundTrip(link) * maxOffset <= sweepMost;
+    for (int offset = 0; offset <= (all ? maxOffset : 0); ++offset) {
+        if (auto sent = link.send(encodeLogRequest(dialectLL, offset, Log::Position)); !sent)
+            co_return fail(sent.error());
+    }
+    const Duration wait = answerTime(link) + (all ? roundTrip(link) * maxOffset : Duration::zero());
+    co_await Sleep(clock, wait);
+    co_return std::vector<int>(offsets.begin(), offsets.end());
+}
+
+} // namespace mb::abstractdc

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/abstractdc/protocol.h"
+#include "families/abstractdc/voltagewatch.h"
+#include "transport/caninbox.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace mb::abstractdc {
+
+/// Identifiers of speed logs that came, and how often each was asked for and answered: two answers to one question are two
+/// drives with one offset (trap 12).
+class Census {
+public:
+    explicit Census(CanLink &link)
+        : m_traffic(link.traffic().add([this](const Traffic &traffic) {
+            if (traffic.can)
+                pass(*traffic.can);
+        }))
+    {
+    }
+    [[nodiscard]] const std::set<std::uint32_t> &velocityIds() const { return m_velocity; }
+    /// Answers to questions for the speed beyond one each.
+    [[nodiscard]] bool isTwice(std::uint32_t answer, int offset) const
+    {
+        const int asked = m_broadcasts + m_asked.at(static_cast<std::size_t>(offset));
+        return std::count(m_answers.begin(), m_answers.end(), answer)
+            > asked + 1; // one question may be older than we are
+    }
+
+private:
+    void pass(const CanFrame &frame)
+    {
+        if (frame.extended || frame.remote || frame.error)
+            return;
+        const bool request = frame.size == 1 && frame.data[0] == dialectF.codeOf(Log::Velocity);
+        // Somebody asks a legacy drive for its position: that answer looks like the speed of another drive.
+        if (frame.size == 1 && frame.id >= id::logRequest && frame.id <= id::logRequest + maxOffset
+            && frame.data[0] == dialectL.codeOf(Log::Position))
+            m_explained.insert(frame.id - id::logRequest + id::positionLogLegacy);
+        if (request && frame.id == id::logRequest) {
+            ++m_broadcasts;
+        } else if (request && frame.id > id::logRequest && frame.id <= id::logRequest + maxOffset) {
+            ++m_asked.at(frame.id - id::logRequest);
+        } else if (frame.size == 4 && frame.id >= id::velocityLogLegacy && frame.id <= id::velocityLog + maxOffset
+            && m_explained.count(frame.id) == 0) {
+            m_velocity.insert(frame.id);
+            m_answers.push_back(frame.id);
+        }
+    }
+
+    std::set<std::uint32_t> m_velocity;
+    std::set<std::uint32_t> m_explained;
+    std::vector<std::uint32_t> m_answers;
+    int m_broadcasts = 0;
+    std::array<int, maxOffset + 1> m_asked{};
+    Subscription m_traffic;
+};
+
+/// One drive asked for one log, as a code; yields the identifier that the answer came on, Timeout when none came.
+struct Question {
+    int offset = 0;
+    std::uint32_t base = id::logRequest;
+    std::uint8_t code = 0;
+    std::vector<std::uint32_t> answers; ///< where one may come
+};
+
+class Prober {
+public:
+    Prober(CanLink &link, Clock &clock)
+        : m_link(link)
+        , m_clock(clock)
+        , m_voltage(link, clock)
+    {
+    }
+
+    /// Nothing when no answer came to any try. Of a voltage log without offset only an answer to this question counts.
+    Task<std::optional<std::uint32_t>> ask(Question question, int most = 3);
+
+private:
+    static constexpr std::uint8_t codeOfVoltage() { return 4; }
+
+    CanLink &m_link;
+    Clock &m_clock;
+    VoltageWatch m_voltage;
+};
+
+struct Found {
+    int offset = 0;
+    const Dialect *dialect = nullptr;
+};
+
+/// Which drive sends its speed log on `answer`, and its dialect (nullptr: not proven); nothing when not even the offset is sure.
+[[nodiscard]] Task<std::optional<Found>> judge(Prober &prober, std::uint32_t answer);
+/// Drives older than the broadcast, asked one by one where the bit rate allows it: their offsets.
+[[nodiscard]] Task<std::vector<int>> findOldest(CanLink &link, Clock &clock);
+
+[[nodiscard]] inline std::uint32_t at(std::uint32_t base, int offset)
+{
+    return base + static_cast<std::uint32_t>(offset);
+}
+
+} // namespace mb::abstractdc

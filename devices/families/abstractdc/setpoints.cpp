@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/abstractdc/setpoints.h"
+
+#include "families/abstractdc/parameters.h"
+
+#include <QtGlobal>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb::abstractdc {
+namespace {
+
+constexpr double farthest = 2147483647.0;
+constexpr double usualRamp = 4.0;        ///< duty per second
+constexpr double safeOutput = 32000.0;   ///< of 32767
+constexpr double unknownStrength = 32.0; ///< output per unit of error, where nobody knows
+
+struct Scale {
+    Loop loop = Loop::None;
+    double low = 0.0;
+    double high = 0.0;
+    double one = 1.0; ///< wire value of 1.0
+};
+
+Result<Scale> scaleOf(Mode mode, const DeviceProfile &profile)
+{
+    const double perCount = profile.calibrated(calibration::amperes, 1.0);
+    switch (mode) {
+    case Mode::Off: return Scale{};
+    case Mode::Duty: return Scale{Loop::Direct, -1.0, 1.0, fullPwm}; // trap 3: never more
+    case Mode::Velocity: return Scale{Loop::Velocity, -farthest, farthest};
+    case Mode::Position: return Scale{Loop::Position, -farthest, farthest};
+    case Mode::Current: return Scale{Loop::Current, 0.0, adcMost * perCount, 1.0 / perCount};
+    default: break;
+    }
+    return fail(Fault::Unsupported, "an Abstract DC Drive has no mode '" + std::string(toString(mode)) + "'");
+}
+
+} // namespace
+
+Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile)
+{
+    const auto scale = scaleOf(setPoint.mode, profile);
+    if (!scale)
+        return fail(scale.error());
+    if (setPoint.reverseMotor || setPoint.reverseSensor)
+        return fail(Fault::Unsupported,
+            QT_TRANSLATE_NOOP("table",
+                "an Abstract DC Drive cannot exchange directions; exchange the wires, or the sign of the divisor"));
+    if (!std::isfinite(setPoint.target))
+        return fail(Fault::OutOfRange, std::string(toString(setPoint.mode)) + " needs a number");
+    if (!std::isfinite(setPoint.ramp) || setPoint.ramp < 0.0)
+        return fail(Fault::OutOfRange,
+            QT_TRANSLATE_NOOP("table", "the ramp must be 0 or a positive number of duty per second"));
+    if (setPoint.target < scale->low || setPoint.target > scale->high)
+        return fail(Fault::OutOfRange,
+            std::string(toString(setPoint.mode)) + ' ' + numberText(setPoint.target) + " is outside "
+                + numberText(scale->low) + " … " + numberText(scale->high));
+    return Command{scale->loop, static_cast<std::int32_t>(std::lround(setPoint.target * scale->one))};
+}
+
+Mode modeOf(Loop loop)
+{
+    switch (loop) {
+    case Loop::None: return Mode::Off;
+    case Loop::Velocity: return Mode::Velocity;
+    case Loop::Current: return Mode::Current;
+    case Loop::Position: return Mode::Position;
+    case Loop::Direct: return Mode::Duty;
+    }
+    return Mode::Off;
+}
+
+double greatestError(const ParameterStore &known, Loop loop)
+{
+    const auto number = [&](Field field) -> std::optional<double> {
+        const auto index = parameterOf(loop, field);
+        const auto raw = index ? known.entry(*index).raw : std::nullopt;
+        return raw ? std::optional<double>(static_cast<double>(*raw)) : std::nullopt;
+    };
+    const auto p = number(Field::P);
+    const auto divisor = number(Field::Divisor);
+    if (!p || !divisor || *divisor == 0.0)
+        return safeOutput / unknownStrength;
+    const double strength = std::abs(*p / *divisor);
+    return strength > 0.0 ? std::max(1.0, std::floor(safeOutput / strength)) : farthest;
+}
+
+std::int32_t TargetLead::next(
+    const Command &command, double ramp, std::optional<double> feedback, double greatestError, Instant now)
+{
+    const bool fresh = !m_value || command.loop != m_loop;
+    const double seconds = fresh ? 0.02 : std::chrono::duration<double>(now - m_at).count();
+    m_at = now;
+    m_loop = command.loop;
+    double value = command.target;
+    if (command.loop == Loop::Direct) {
+        const double step = std::max(1.0, (ramp > 0.0 ? ramp : usualRamp) * fullPwm * seconds);
+        const double before = fresh ? 0.0 : *m_value;
+        value = std::clamp(value, before - step, before + step);
+    } else {
+        const double from = feedback.value_or(fresh ? 0.0 : *m_value);
+        value = std::clamp(value, from - greatestError, from + greatestError);
+    }
+    m_value = value;
+    return static_cast<std::int32_t>(std::lround(std::clamp(value, -farthest, farthest)));
+}
+
+} // namespace mb::abstractdc

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/abstractdc/protocol.h"
+#include "model/deviceprofile.h"
+#include "model/parameterstore.h"
+#include "model/setpoint.h"
+
+#include "async/clock.h"
+
+#include <optional>
+
+namespace mb::abstractdc {
+
+namespace calibration {
+constexpr std::string_view amperes = "amperes_per_count";
+constexpr std::string_view degrees = "degrees_per_count";
+} // namespace calibration
+
+/// What the wire is to say in the end.
+struct Command {
+    Loop loop = Loop::None;
+    std::int32_t target = 0;
+};
+/// Unsupported: the drive has no such mode or option; OutOfRange with the legal range.
+[[nodiscard]] Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile);
+[[nodiscard]] Mode modeOf(Loop loop);
+
+/// The greatest error with which |P·e/divisor| stays where the drive's 16 bits do not wrap (trap 4), from what was last written.
+/// Gains that are not known are taken for strong ones.
+[[nodiscard]] double greatestError(const ParameterStore &known, Loop loop);
+
+/// Leads the target from where the motor is to where it shall be: duty at full range in a quarter of a second, or as the
+/// set-point's ramp says; loops never further ahead of the feedback than is safe.
+class TargetLead {
+public:
+    void reset() { m_value.reset(); }
+    /// `feedback` in the unit of the target; nothing when it is not known.
+    [[nodiscard]] std::int32_t next(
+        const Command &command, double ramp, std::optional<double> feedback, double greatestError, Instant now);
+
+private:
+    std::optional<double> m_value;
+    Loop m_loop = Loop::None;
+    Instant m_at{};
+};
+
+} // namespace mb::abstractdc

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/abstractdc/protocol.h"
+#include "transport/canlink.h"
+
+#include <optional>
+
+namespace mb::abstractdc {
+
+/// Whose voltage log it is: the answers of all drives have one identifier (1.2). Everybody on the link who asks is seen here, this
+/// program's other drives and other hosts as well; an answer belongs to the only one that was asked, else to nobody.
+class VoltageWatch {
+public:
+    VoltageWatch(CanLink &link, Clock &clock);
+
+    /// Nobody's answer is awaited, so that one may be asked for.
+    [[nodiscard]] bool isFree() const { return m_clock.now() >= m_until; }
+    /// Offset of the drive that sent the voltage log which is passing now; for listeners of `received`.
+    [[nodiscard]] std::optional<int> owner() const { return m_owner; }
+
+private:
+    void pass(const CanFrame &frame);
+
+    Clock &m_clock;
+    CanLink &m_link;
+    std::optional<int> m_asked;
+    std::optional<int> m_owner;
+    Instant m_until{}; ///< an answer may come until then
+    Subscription m_traffic;
+};
+
+/// How long an answer may take on this link (1.3): twice request and answer, and 20 ms. A link that does not know its bit rate
+/// is taken for a slow one.
+[[nodiscard]] Duration answerTime(const CanLink &link);
+/// Request and answer on the wire.
+[[nodiscard]] Duration roundTrip(const CanLink &link);
+
+} // namespace mb::abstractdc

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/supermodified/avrdude.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mb::supermodified::avrdude {
+namespace {
+
+constexpr std::size_t keptText = 20'000;
+constexpr int barLength = 50;
+
+bool isName(std::string_view text)
+{
+    return !text.empty() && text.front() != '-'
+        && text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_")
+        == std::string_view::npos;
+}
+
+std::string lowered(std::string_view text)
+{
+    std::string low(text);
+    std::transform(low.begin(), low.end(), low.begin(),
+        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return low;
+}
+
+/// What a piece of output means for the user; the first that is found counts.
+struct Meaning {
+    std::string_view words;
+    Fault fault;
+    std::string_view line;
+};
+constexpr std::array meanings{
+    Meaning{"cannot find programmer", Fault::OutOfRange,
+        "avrdude knows no programmer of this name; 'avrdude -c ?' lists them"},
+    Meaning{"permission denied", Fault::LinkLost,
+        "the port may not be opened; add yourself to the group dialout and log in again"},
+    Meaning{"cannot open port", Fault::LinkLost, "the port cannot be opened; check its name and that it is plugged in"},
+    Meaning{
+        "unable to open port", Fault::LinkLost, "the port cannot be opened; check its name and that it is plugged in"},
+    Meaning{"did not find any usb device", Fault::LinkLost,
+        "avrdude finds no such programmer on USB; plug it in, and check that its kind is the one named after avrdude:"},
+    Meaning{"cannot find usb device", Fault::LinkLost,
+        "avrdude finds no such programmer on USB; plug it in, and check that its kind is the one named after avrdude:"},
+    Meaning{"verification mismatch", Fault::BadCheck,
+        "the microcontroller does not hold what was written; run it again, with a shorter cable"},
+    Meaning{"content mismatch", Fault::BadCheck,
+        "the microcontroller does not hold what was written; run it again, with a shorter cable"},
+    Meaning{"verification error", Fault::BadCheck,
+        "the microcontroller does not hold what was written; run it again, with a shorter cable"},
+    Meaning{"expected signature", Fault::Refused,
+        "what answers is no ATmega328P; check that the programmer sits on the controller"},
+    Meaning{"not in sync", Fault::Timeout,
+        "no bootloader answers; restart the controller just before the start, or use a programmer on its pins"},
+    Meaning{"not responding", Fault::Timeout,
+        "nothing answers the programmer; check its cable and the supply of the controller"},
+    Meaning{"initialization failed", Fault::Timeout,
+        "the programmer is there, but no microcontroller answers it; check the six pins and the supply"},
+    Meaning{"target doesn't answer", Fault::Timeout,
+        "the programmer is there, but no microcontroller answers it; check the six pins and the supply"},
+};
+
+/// How far a line with a bar is: `Writing | ####…` of 50.
+int barOf(std::string_view line)
+{
+    const auto marks = std::count(line.begin(), line.end(), '#');
+    return std::min(100, static_cast<int>(marks) * 100 / barLength);
+}
+
+} // namespace
+
+Result<Job> jobOf(std::string_view via)
+{
+    constexpr std::string_view usage = "avrdude:PROGRAMMER:PORT, such as avrdude:arduino:/dev/ttyUSB0 for the serial "
+                                       "bootloader or avrdude:usbasp:usb for a programmer";
+    const auto colon = via.find(':');
+    const auto second = colon == std::string_view::npos ? colon : via.find(':', colon + 1);
+    if (via.empty())
+        return fail(Fault::OutOfRange, "a Supermodified is written by avrdude; add --via " + std::string(usage));
+    if (via.substr(0, colon) != scheme || second == std::string_view::npos || second + 1 == via.size()
+        || !isName(via.substr(colon + 1, second - colon - 1)) || via[second + 1] == '-')
+        return fail(Fault::OutOfRange,
+            "--via: '" + std::string(via) + "' is no way into a Supermodified; write " + std::string(usage));
+    Job job;
+    job.programmer = via.substr(colon + 1, second - colon - 1);
+    job.port = via.substr(second + 1);
+    return job;
+}
+
+ExternalProgram::Command commandOf(const Job &job)
+{
+    std::vector<std::string> arguments{"-p", "m328p", "-c", job.programmer, "-P", job.port};
+    if (job.rate > 0) {
+        arguments.emplace_back("-b");
+        arguments.push_back(std::to_string(job.rate));
+    }
+    if (job.isBootloader())
+        arguments.emplace_back("-D"); // it erases page by page, and cannot erase itself
+    arguments.emplace_back("-U");
+    arguments.push_back("flash:w:" + job.file + ":i"); // read back and compared unless told otherwise
+    return {"avrdude", std::move(arguments)};
+}
+
+std::string_view titleOf(Stage stage)
+{
+    switch (stage) {
+    case Stage::Connecting: return "Connecting through avrdude";
+    case Stage::Erasing: return "Erasing flash";
+    case Stage::Writing: return "Writing flash";
+    case Stage::Verifying: return "Verifying flash";
+    }
+    return "";
+}
+
+void Reading::take(std::string_view line, bool complete)
+{
+    const std::string low = lowered(line);
+    const auto begins = [&low](std::string_view word) { return low.starts_with(word) && low.find('|') != low.npos; };
+    if (low.find("erasing chip") != std::string::npos)
+        m_stage = Stage::Erasing;
+    if (begins("writing") && m_stage < Stage::Writing)
+        m_stage = Stage::Writing;
+    if (low.find("of flash written") != std::string::npos) {
+        m_stage = Stage::Verifying;
+        m_percent = 0;
+    } else if (begins("writing") || (begins("reading") && m_stage == Stage::Verifying)) {
+        m_percent = barOf(low);
+    }
+    if (!complete)
+        return;
+    if (m_all.size() < keptText)
+        m_all += low + '\n';
+    if (low.find("of flash verified") != std::string::npos)
+        m_verified = true;
+    if (low.find("error") != std::string::npos && low.find("0 errors") == std::string::npos)
+        m_lastError = line;
+}
+
+Error Reading::failure(const Job &job) const
+{
+    for (const Meaning &meaning : meanings) {
+        if (m_all.find(meaning.words) != std::string::npos)
+            return {meaning.fault, std::string(meaning.line)};
+    }
+    if (m_lastError.empty())
+        return {Fault::BadReply, "avrdude ended without saying why; run it by hand with -c " + job.programmer};
+    return {Fault::BadReply, m_lastError + "; run avrdude by hand to see all it says"};
+}
+
+} // namespace mb::supermodified::avrdude

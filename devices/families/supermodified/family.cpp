@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/family.h"
+
+#include "families/supermodified/channels.h"
+#include "families/supermodified/controller.h"
+#include "families/supermodified/decode.h"
+#include "families/supermodified/firmware.h"
+#include "families/supermodified/parameters.h"
+#include "families/supermodified/protocol.h"
+#include "families/supermodified/scan.h"
+#include "families/supermodified/simulator.h"
+
+#include <array>
+
+namespace mb::supermodified {
+namespace {
+
+constexpr std::array links{LinkKind::Serial};
+constexpr std::array modes{Mode::Velocity, Mode::Position, Mode::RampPosition, Mode::RampVelocity};
+
+constexpr std::array<std::string_view, 2> bench{
+    "supermodified:4,dialect=D1",
+    "supermodified:5,dialect=D3",
+};
+
+constexpr Capabilities capabilities{
+    .readback = true,
+    .watchdog = false,
+    .versionOnWire = false,
+    .identify = false,
+    .rename = false,
+    .renumber = true,
+    .relativeMoves = true,
+    .bufferedMoves = true,
+    .storesAtOnce = true,
+    .axes = 1,
+    .gainSlots = 1,
+    .scanLimit = std::chrono::seconds(30),
+};
+
+} // namespace
+
+extern const Family family;
+const Family family{
+    .key = "supermodified",
+    .title = "Supermodified",
+    .links = links,
+    .parameters = parameterTable(),
+    .channels = channelTable(),
+    .modes = modes,
+    .capabilities = capabilities,
+    .bench = bench,
+    .scan = scan,
+    .probe = probe,
+    .open = open,
+    .decodeBytes = decodeBytes,
+    .update = update,
+    .inspect = inspect,
+    .simulate = simulate,
+};
+
+} // namespace mb::supermodified

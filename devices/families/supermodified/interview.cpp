@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/supermodified/interview.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace mb::supermodified {
+namespace {
+
+constexpr std::string_view baudKey = "baud";
+constexpr std::string_view maskKey = "mask";
+
+/// The dialect by the lengths of three replies; nothing when the node refuses, or they contradict each other.
+Task<std::optional<Dialect>> detect(Line &line, Node node, CodeSink codes)
+{
+    auto first = converse(line, asking(node, Command::GetPosition), codes);
+    const Frame position = co_await std::move(first);
+    const auto third = isThirdGeneration(position);
+    if (!third)
+        co_return std::optional<Dialect>();
+    auto second = converse(line, asking(node, Command::GetVelocity), codes);
+    const Frame velocity = co_await std::move(second);
+    const auto dialect = *third ? std::optional(Dialect::D3) : dialectByVelocity(velocity);
+    auto last = converse(line, asking(node, Command::GetProfileAcceleration), codes);
+    const Frame acceleration = co_await std::move(last);
+    const bool agrees = dialect && acceleration.size == sizeOf(formatOf(Command::GetProfileAcceleration, *dialect));
+    co_return agrees ? dialect : std::nullopt;
+}
+
+std::string groupText(const std::vector<int> &group)
+{
+    std::string text;
+    for (const int node : group)
+        text += (text.empty() ? "" : ", ") + std::to_string(node);
+    return text;
+}
+
+} // namespace
+
+Task<Interview> interview(Line &line, Node node)
+{
+    Interview said;
+    std::uint8_t last = 0;
+    CodeSink note = [&last](std::span<const std::uint8_t> codes) { last = codes.back(); };
+    auto detecting = detect(line, node, note);
+    const auto dialect = co_await std::move(detecting).attempt();
+    if (!dialect && dialect.error().fault != Fault::Refused)
+        co_return fail(dialect.error());
+    said.levelOne = !dialect && last == code::invalidGetCount;
+    said.dialect = dialect.value_or(std::nullopt);
+    if (said.dialect) {
+        auto asked = converse(line, asking(node, Command::GetNodeMask), {});
+        const Frame mask = co_await std::move(asked);
+        said.mask = static_cast<std::uint8_t>(valueOf(mask.payload(), Format::U8).value_or(exactMask));
+    }
+    line.note(node.id, {node.baudrate, said.mask});
+    co_return said;
+}
+
+Identity identityOf(const Line &line, const Node &node, const Interview &interview)
+{
+    Identity identity;
+    identity.family = "supermodified";
+    identity.address = node.id;
+    identity.state = DeviceState::Online;
+    if (interview.dialect)
+        identity.dialect = toString(*interview.dialect);
+    identity.descriptors.emplace_back(baudKey, std::to_string(node.baudrate));
+    if (interview.mask != exactMask)
+        identity.descriptors.emplace_back(maskKey, std::to_string(interview.mask));
+    if (interview.levelOne)
+        identity.detail = "Its error level is 1, so every reading fails. Set error.level to 0.";
+    else if (!interview.dialect)
+        identity.detail = "Its answers fit no known dialect.";
+    else if (const auto group = line.groupOf(node.id); !group.empty())
+        identity.detail = "What is sent to it is also done by node " + groupText(group)
+            + ", because of an acceptance mask. Set node.mask to 255 and restart them.";
+    return identity;
+}
+
+Node nodeOf(const Identity &identity, const SerialLink &link)
+{
+    Node node;
+    node.id = identity.address;
+    node.baudrate = link.fixedBaudrate().value_or(link.baudrate());
+    node.dialect = dialectFrom(identity.dialect);
+    const auto baud = std::find_if(identity.descriptors.begin(), identity.descriptors.end(),
+        [](const auto &descriptor) { return descriptor.first == baudKey; });
+    if (baud != identity.descriptors.end())
+        std::from_chars(baud->second.data(), baud->second.data() + baud->second.size(), node.baudrate);
+    return node;
+}
+
+} // namespace mb::supermodified

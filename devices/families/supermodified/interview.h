@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/supermodified/node.h"
+#include "model/identity.h"
+
+namespace mb::supermodified {
+
+/// What the gets of section 6 say about a node that answers.
+struct Interview {
+    std::optional<Dialect> dialect; ///< nothing when it refuses to tell
+    std::uint8_t mask = exactMask;
+    bool levelOne = false; ///< its error level makes every reading fail (trap 4)
+};
+
+/// Asks with gets only, and notes the node in the line. Timeout when it does not answer any more. The line outlives the task.
+[[nodiscard]] Task<Interview> interview(Line &line, Node node);
+
+/// The row of a scan.
+[[nodiscard]] Identity identityOf(const Line &line, const Node &node, const Interview &interview);
+/// The other way round: what a row says about how to reach the node.
+[[nodiscard]] Node nodeOf(const Identity &identity, const SerialLink &link);
+
+} // namespace mb::supermodified

@@ -1,0 +1,379 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/supermodified/simulatorfirmware.h"
+
+#include <algorithm>
+
+namespace mb::supermodified::simulation {
+namespace {
+
+constexpr Duration turnaround = std::chrono::microseconds(100);
+constexpr Duration eepromByte = std::chrono::microseconds(3400);
+constexpr std::size_t crashingData = 24; ///< 17…24 bytes only spoil the checksum, 40 crashed the shipped image
+constexpr std::size_t dataAt = 6;
+
+std::uint64_t unsignedOf(std::span<const std::uint8_t> data)
+{
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < data.size(); ++i)
+        value += std::uint64_t{data[i]} << (8 * i);
+    return value;
+}
+
+std::int64_t signedOf(std::span<const std::uint8_t> data)
+{
+    const std::uint64_t value = unsignedOf(data);
+    const auto shift = 64 - 8 * data.size();
+    return static_cast<std::int64_t>(value << shift) >> shift;
+}
+
+void put(std::vector<std::uint8_t> &out, std::int64_t value, std::size_t size)
+{
+    for (std::size_t i = 0; i < size; ++i)
+        out.push_back(static_cast<std::uint8_t>((value >> (8 * i)) & 0xFF));
+}
+
+constexpr std::uint8_t firstMove = 0x07;
+constexpr std::uint8_t firstBuffered = 0x0D;
+constexpr std::uint8_t lastBuffered = 0x12;
+
+bool isMove(std::uint8_t command)
+{
+    return command >= firstMove && command <= lastBuffered;
+}
+
+} // namespace
+
+Firmware::Firmware(Dialect dialect, Drive &drive, const Eeprom &eeprom)
+    : m_dialect(dialect)
+    , m_drive(drive)
+    , m_eeprom(eeprom)
+{
+}
+
+void Firmware::restart(Instant now)
+{
+    m_ram = m_eeprom;
+    m_node = m_ram.node;
+    m_baudrate = static_cast<int>(m_ram.baudrate);
+    m_outputs = 0;
+    m_received.clear();
+    m_errors.clear();
+    m_warnings.clear();
+    m_buffered.reset();
+    m_crashed = false;
+    m_drive.restart({m_ram.p, m_ram.i, m_ram.d, m_ram.acceleration, m_ram.velocity}, now);
+}
+
+void Firmware::apply()
+{
+    m_drive.setSettings({m_ram.p, m_ram.i, m_ram.d, m_ram.acceleration, m_ram.velocity});
+}
+
+// Receiving
+
+std::optional<Firmware::Answer> Firmware::take(std::uint8_t byte)
+{
+    if (m_crashed)
+        return std::nullopt;
+    m_received.push_back(byte);
+    const std::size_t count = m_received.size();
+    if ((count == 1 && byte != header0) || (count == 2 && byte != header1)) {
+        m_received.clear();
+        return std::nullopt;
+    }
+    if (count < dataAt || count < dataAt + m_received[dataAt - 1] + 1U)
+        return std::nullopt;
+    auto answer = takeFrame();
+    m_received.clear();
+    return answer;
+}
+
+void Firmware::dropHalf()
+{
+    m_received.clear();
+    report(code::halfPacket);
+}
+
+bool Firmware::accepts(std::uint8_t to) const
+{
+    return to == broadcastId || (to & m_ram.mask) == (m_node & m_ram.mask);
+}
+
+std::optional<Firmware::Answer> Firmware::takeFrame()
+{
+    const std::uint8_t to = m_received[2];
+    const std::uint8_t host = m_received[3];
+    const std::uint8_t command = m_received[4];
+    const std::size_t size = m_received[5];
+    const Data data(m_received.data() + dataAt, size);
+    if (size > (isThird() ? mostData : crashingData)) {
+        m_crashed = true;
+        return std::nullopt;
+    }
+    if (!accepts(to) || (beforeAction && to == m_node && !beforeAction()))
+        return std::nullopt;
+    std::uint8_t lrc = static_cast<std::uint8_t>(command ^ size);
+    for (const std::uint8_t byte : data)
+        lrc = static_cast<std::uint8_t>(lrc ^ byte);
+    const bool overflow = !isThird() && size > mostDataD1D2;
+    Frame reply{host, static_cast<std::uint8_t>(m_node), command, 0, {}};
+    std::vector<std::uint8_t> out;
+    m_busy = turnaround;
+    if (lrc != m_received.back() || overflow)
+        report(code::wrongLrc);
+    else if (m_errors.empty())
+        execute(command, data, out);
+    if (to != m_node)
+        return std::nullopt;
+    if (!m_errors.empty()) {
+        reply.command = static_cast<std::uint8_t>(Command::Error);
+        out.assign(m_errors.begin(), m_errors.end());
+        m_errors.clear();
+    }
+    reply.size = static_cast<std::uint8_t>(out.size());
+    std::copy(out.begin(), out.end(), reply.data.begin());
+    return Answer{uartBytes(reply), m_busy};
+}
+
+void Firmware::report(std::uint8_t code)
+{
+    const bool warning = code == code::invalidGetCount && m_ram.level == 0;
+    auto &queue = warning ? m_warnings : m_errors;
+    if (queue.size() < mostCodes)
+        queue.push_back(code);
+}
+
+// Commands
+
+bool Firmware::isKnown(std::uint8_t command) const
+{
+    if (command <= 0x1C || (command >= 0x64 && command <= 0x73) || (command >= 0xC8 && command <= 0xCB))
+        return true;
+    return isThird() && (command == 0x1D || command == 0x1E || command == 0x74);
+}
+
+/// Data bytes of a set.
+std::size_t Firmware::expected(std::uint8_t command) const
+{
+    const std::size_t profile = m_dialect == Dialect::D1 ? 2 : 4;
+    switch (command) {
+    case 0x00:
+    case 0x01:
+    case 0x02:
+    case 0x05:
+    case 0x06: return 2;
+    case 0x03:
+    case 0x04: return profile;
+    case 0x07:
+    case 0x0A:
+    case 0x0D:
+    case 0x10: return speedSize();
+    case 0x13:
+    case 0x14:
+    case 0x15:
+    case 0x16: return 1;
+    case 0x17:
+    case 0x1D: return 4;
+    case 0x1C: return isThird() ? reactionCount : 1;
+    default: return isMove(command) ? placeSize() : 0;
+    }
+}
+
+void Firmware::execute(std::uint8_t command, Data data, std::vector<std::uint8_t> &reply)
+{
+    if (!isKnown(command)) {
+        report(code::invalidCommand);
+    } else if (command >= 0xC8) {
+        act(command);
+    } else if (command >= 0x64) {
+        get(command, reply);
+        if (!isThird())
+            report(code::invalidGetCount); // a bug of the firmware (trap 5)
+    } else if (data.size() != expected(command)) {
+        report(code::invalidSetCount);
+    } else {
+        set(command, data);
+    }
+}
+
+void Firmware::set(std::uint8_t command, Data data)
+{
+    if (isMove(command))
+        move(command, data, command >= firstBuffered);
+    else if (command >= 0x18 && command <= 0x1B)
+        act(command);
+    else if (command == 0x1E)
+        m_errors.clear();
+    else if (command == 0x1C && isThird())
+        takeReactions(data);
+    else
+        storeNumber(command, unsignedOf(data));
+    if (data.size() > 1 && !isMove(command))
+        m_busy += eepromByte * static_cast<int>(data.size() - 1);
+}
+
+void Firmware::takeReactions(Data data)
+{
+    if (std::any_of(data.begin(), data.end(), [](std::uint8_t r) { return r > mostReaction; }))
+        report(code::invalidArgument);
+    else
+        std::copy(data.begin(), data.end(), m_ram.reactions.begin());
+    m_eeprom.reactions = m_ram.reactions;
+}
+
+void Firmware::storeNumber(std::uint8_t command, std::uint64_t value)
+{
+    const auto u16 = static_cast<std::uint16_t>(value);
+    const auto u32 = static_cast<std::uint32_t>(value);
+    if (value == 0 && command >= 0x03 && command <= 0x05) {
+        report(code::invalidArgument);
+        return;
+    }
+    switch (command) {
+    case 0x00: m_ram.p = m_eeprom.p = u16; break;
+    case 0x01: m_ram.i = m_eeprom.i = u16; break;
+    case 0x02: m_ram.d = m_eeprom.d = u16; break;
+    case 0x03: m_ram.acceleration = m_eeprom.acceleration = u32; break;
+    case 0x04: m_ram.velocity = m_eeprom.velocity = u32; break;
+    case 0x05: m_ram.currentLimit = m_eeprom.currentLimit = u16; break;
+    case 0x06:
+        m_eeprom.duration = u16;
+        (isThird() ? m_ram.duration : m_ram.currentLimit) = u16; // trap 9
+        break;
+    case 0x13: m_ram.direction = m_eeprom.direction = static_cast<std::uint8_t>(value & 0x0FU); break;
+    case 0x14: m_outputs = static_cast<std::uint8_t>(value & m_ram.direction); break;
+    case 0x1D: m_ram.antiWindup = m_eeprom.antiWindup = u32; break;
+    default: storeIdentity(command, value); break;
+    }
+    apply();
+}
+
+/// In force after a restart, but for the error level.
+void Firmware::storeIdentity(std::uint8_t command, std::uint64_t value)
+{
+    const bool good = command == 0x15 ? value >= lowestNode && value <= highestNode
+        : command == 0x1C             ? value <= 1
+                                      : value >= 1 && value <= fastestRate;
+    if (!good) {
+        report(code::invalidArgument);
+        return;
+    }
+    const auto byte = static_cast<std::uint8_t>(value & 0xFFU);
+    switch (command) {
+    case 0x15: m_eeprom.node = byte; break;
+    case 0x16: m_eeprom.mask = byte; break;
+    case 0x17: m_eeprom.baudrate = static_cast<std::uint32_t>(value); break;
+    case 0x1C: m_ram.level = m_eeprom.level = byte; break;
+    default: break;
+    }
+}
+
+bool Firmware::isStarted()
+{
+    if (!m_drive.isOn())
+        report(code::invalidForState);
+    return m_drive.isOn();
+}
+
+void Firmware::move(std::uint8_t command, Data data, bool buffered)
+{
+    if (buffered) {
+        const auto immediate = static_cast<std::uint8_t>(command - firstBuffered + firstMove);
+        m_buffered = Buffered{immediate, {data.begin(), data.end()}};
+        return;
+    }
+    if (!isStarted())
+        return;
+    const std::int64_t value = signedOf(data);
+    switch (command) {
+    case 0x07: m_drive.moveAt(value, false); break;
+    case 0x08: m_drive.moveTo(value, false); break;
+    case 0x09: m_drive.moveTo((isThird() ? m_drive.position() : m_drive.setPoint()) + value, false); break;
+    case 0x0A: m_drive.moveAt(value, true); break;
+    case 0x0B: m_drive.moveTo(value, true); break;
+    case 0x0C: m_drive.moveTo(m_drive.position() + value, true); break;
+    default: break;
+    }
+}
+
+/// Do move and global halt report that the motor is not started, and are done all the same (2.3).
+void Firmware::act(std::uint8_t command)
+{
+    switch (command) {
+    case 0x18: m_drive.resetPosition(); break;
+    case 0x19:
+    case 0xC9: m_drive.start(); break;
+    case 0x1A:
+        if (isStarted())
+            m_drive.halt();
+        break;
+    case 0xCA:
+        (void)isStarted();
+        m_drive.halt();
+        break;
+    case 0x1B:
+    case 0xCB: m_drive.stop(); break;
+    case 0xC8: doMove(); break;
+    default: break;
+    }
+}
+
+void Firmware::doMove()
+{
+    if (!m_buffered)
+        return;
+    const Buffered order = *m_buffered;
+    m_buffered.reset();
+    move(order.command, order.data, false);
+}
+
+// Answers
+
+void Firmware::get(std::uint8_t command, std::vector<std::uint8_t> &reply)
+{
+    const std::size_t profile = m_dialect == Dialect::D1 ? 2 : 4;
+    switch (command) {
+    case 0x67: put(reply, m_ram.acceleration, profile); break;
+    case 0x68: put(reply, m_ram.velocity, profile); break;
+    case 0x6D: put(reply, (0x0F & ~m_ram.direction) | m_outputs, 1); break;
+    case 0x6E:
+        for (const std::uint16_t raw : analog)
+            put(reply, raw, 2);
+        break;
+    case 0x6F: put(reply, m_drive.position(), placeSize()); break;
+    case 0x70: put(reply, m_drive.absolutePosition(), 2); break;
+    case 0x71: put(reply, m_drive.reportedVelocity(), speedSize()); break;
+    case 0x72: {
+        constexpr double countsPerAmpere = 100.0;
+        const double current = m_drive.current();
+        const double raw = isThird() ? current * 1000.0 : std::min(std::abs(current) * countsPerAmpere, 1023.0);
+        put(reply, static_cast<std::int64_t>(raw), 2);
+        break;
+    }
+    case 0x73:
+        if (isThird())
+            reply.assign(m_ram.reactions.begin(), m_ram.reactions.end());
+        else
+            reply.assign(m_warnings.begin(), m_warnings.end());
+        m_warnings.clear();
+        break;
+    default: getSetting(command, reply); break;
+    }
+}
+
+void Firmware::getSetting(std::uint8_t command, std::vector<std::uint8_t> &reply)
+{
+    switch (command) {
+    case 0x64: put(reply, m_ram.p, 2); break;
+    case 0x65: put(reply, m_ram.i, 2); break;
+    case 0x66: put(reply, m_ram.d, 2); break;
+    case 0x69: put(reply, m_ram.currentLimit, 2); break;
+    case 0x6A: put(reply, m_ram.duration, 2); break;
+    case 0x6B: put(reply, m_ram.direction, 1); break;
+    case 0x6C: put(reply, m_ram.mask, 1); break;
+    case 0x74: put(reply, m_ram.antiWindup, 4); break;
+    default: break;
+    }
+}
+
+} // namespace mb::supermodified::simulation

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/supermodified/frame.h"
+#include "families/supermodified/simulatordrive.h"
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace mb::supermodified::simulation {
+
+/// What survives a power cycle; factory values of section 4.
+struct Eeprom {
+    std::uint16_t p = 4000;
+    std::uint16_t i = 100;
+    std::uint16_t d = 1000;
+    std::uint32_t acceleration = 800;
+    std::uint32_t velocity = 800;
+    std::uint16_t currentLimit = 5000;
+    std::uint16_t duration = 5000;
+    std::uint8_t direction = 0;
+    std::uint8_t node = factoryNode;
+    std::uint8_t mask = exactMask;
+    std::uint32_t baudrate = 115200;
+    std::uint8_t level = 0;
+    std::array<std::uint8_t, reactionCount> reactions{};
+    std::uint32_t antiWindup = 0;
+};
+
+/// The firmware without time and wire: bytes in, the bytes of one answer out. Receives as the device does: no resynchronisation,
+/// errors in a queue that replaces the next answer and keeps the command from being executed (1.3).
+class Firmware {
+public:
+    struct Answer {
+        std::vector<std::uint8_t> bytes;
+        Duration busy{}; ///< before it is sent
+    };
+
+    Firmware(Dialect dialect, Drive &drive, const Eeprom &eeprom);
+
+    /// What was in RAM is gone; id, mask and rate are those of the EEPROM.
+    void restart(Instant now);
+    /// One byte from the line; an answer when it completed a frame for this node.
+    [[nodiscard]] std::optional<Answer> take(std::uint8_t byte);
+    /// Queues an error, or a warning where the level says so.
+    void report(std::uint8_t code);
+    /// Half a frame waits for its rest; dropped by the newest firmware.
+    [[nodiscard]] bool isReceiving() const { return !m_received.empty(); }
+    void dropHalf();
+
+    [[nodiscard]] int node() const { return m_node; }
+    [[nodiscard]] int baudrate() const { return m_baudrate; }
+    [[nodiscard]] bool isCrashed() const { return m_crashed; }
+    [[nodiscard]] const Eeprom &eeprom() const { return m_eeprom; }
+    [[nodiscard]] Drive &drive() { return m_drive; }
+    /// Counts of the analog inputs, 10 bits.
+    std::array<std::uint16_t, analogInputs> analog{512, 512, 512, 512};
+    /// Frames of this node (its own id) since it was made: what the fault `power` counts.
+    std::function<bool()> beforeAction; ///< false: the supply just went
+
+private:
+    using Data = std::span<const std::uint8_t>;
+    [[nodiscard]] std::optional<Answer> takeFrame();
+    [[nodiscard]] bool accepts(std::uint8_t to) const;
+    void execute(std::uint8_t command, Data data, std::vector<std::uint8_t> &reply);
+    void set(std::uint8_t command, Data data);
+    void move(std::uint8_t command, Data data, bool buffered);
+    void storeNumber(std::uint8_t command, std::uint64_t value);
+    void storeIdentity(std::uint8_t command, std::uint64_t value);
+    void act(std::uint8_t command);
+    void get(std::uint8_t command, std::vector<std::uint8_t> &reply);
+    void getSetting(std::uint8_t command, std::vector<std::uint8_t> &reply);
+    void doMove();
+    [[nodiscard]] bool isKnown(std::uint8_t command) const;
+    [[nodiscard]] std::size_t expected(std::uint8_t command) const;
+    void takeReactions(Data data);
+    [[nodiscard]] bool isStarted();
+    void apply();
+    [[nodiscard]] bool isThird() const { return m_dialect == Dialect::D3; }
+    [[nodiscard]] std::size_t speedSize() const { return m_dialect == Dialect::D1 ? 2 : 4; }
+    [[nodiscard]] std::size_t placeSize() const { return isThird() ? 8 : 4; }
+
+    struct Buffered {
+        std::uint8_t command = 0;
+        std::vector<std::uint8_t> data;
+    };
+
+    Dialect m_dialect;
+    Drive &m_drive;
+    Eeprom m_eeprom;
+    Eeprom m_ram;
+    int m_node = factoryNode;
+    int m_baudrate = 115200;
+    std::uint8_t m_outputs = 0;
+    std::vector<std::uint8_t> m_received;
+    std::deque<std::uint8_t> m_errors;
+    std::deque<std::uint8_t> m_warnings;
+    std::optional<Buffered> m_buffered;
+    Duration m_busy{};
+    bool m_crashed = false;
+};
+
+} // namespace mb::supermodified::simulation

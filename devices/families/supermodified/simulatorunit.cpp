@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/supermodified/simulatorunit.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mb::supermodified::simulation {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration supplyGap = 200ms;
+constexpr Duration brownout = 6s;
+constexpr Duration carePeriod = 20ms; ///< how often a turning motor is computed when nobody asks
+constexpr Duration halfPacketTime = 50ms;
+
+/// Steps well on a 25d with its load: tests/families/test_supermodified_simulator.cpp.
+struct Gains {
+    std::uint16_t p;
+    std::uint16_t i;
+    std::uint16_t d;
+};
+constexpr Gains tunedGains{1000, 20, 16000};
+
+Eeprom stored(const UnitOptions &options, const SerialLink &link)
+{
+    Eeprom eeprom;
+    eeprom.node = static_cast<std::uint8_t>(options.node);
+    eeprom.mask = static_cast<std::uint8_t>(options.mask);
+    eeprom.level = static_cast<std::uint8_t>(options.level);
+    const bool slower = options.dialect == Dialect::D3 || link.address().isSimulated(); // one rate for a bench
+    const int usual = slower ? 57600 : 115200;
+    const int rate = options.baudrate.value_or(link.fixedBaudrate().value_or(usual));
+    eeprom.baudrate = static_cast<std::uint32_t>(rate);
+    if (options.tuned) {
+        eeprom.p = tunedGains.p;
+        eeprom.i = tunedGains.i;
+        eeprom.d = tunedGains.d;
+    }
+    return eeprom;
+}
+
+Duration seconds(double time)
+{
+    return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(time));
+}
+
+} // namespace
+
+Unit::Unit(SerialLink &link, Clock &clock, const UnitOptions &options, Notify notify)
+    : m_link(link)
+    , m_clock(clock)
+    , m_options(options)
+    , m_notify(std::move(notify))
+    , m_drive(options.dialect, *motorByName(options.motor), options.load, options.seed)
+    , m_firmware(options.dialect, m_drive, stored(options, link))
+    , m_reply(clock)
+    , m_half(clock)
+    , m_supply(clock)
+    , m_care(clock)
+    , m_received(link.received().add([this](std::span<const std::uint8_t> bytes) { receive(bytes); }))
+    , m_lineErrors(link.lineErrors().add([this] { lineError(); }))
+{
+    m_drive.switched = [this](bool on) { switched(on); };
+    m_drive.fault = [this](std::uint8_t code) {
+        m_firmware.report(code);
+        m_notify(m_clock.now(), "fault", code);
+    };
+    m_firmware.beforeAction = [this] { return beforeAction(); };
+    restart();
+    scheduleFaults();
+}
+
+void Unit::restart()
+{
+    m_drive.advance(m_clock.now());
+    m_firmware.restart(m_clock.now());
+    if (m_link.fixedBaudrate() != m_firmware.baudrate())
+        (void)m_link.setBaudrate(realRate(m_firmware.baudrate()));
+}
+
+// The wire
+
+void Unit::receive(std::span<const std::uint8_t> bytes)
+{
+    if (!m_powered)
+        return;
+    m_drive.advance(m_clock.now());
+    for (const std::uint8_t byte : bytes) {
+        if (auto reply = m_firmware.take(byte))
+            answer(std::move(*reply));
+        if (!m_powered)
+            return;
+    }
+    if (m_options.halfPacket && m_firmware.isReceiving())
+        m_half.startIn(halfPacketTime, [this] { m_firmware.dropHalf(); });
+    else
+        m_half.stop();
+}
+
+void Unit::lineError()
+{
+    if (m_powered)
+        m_firmware.report(code::uartFrame);
+}
+
+const SimulatedFault *Unit::faultFor(std::string_view kind, std::uint64_t number) const
+{
+    const auto fault = std::find_if(m_options.faults.begin(), m_options.faults.end(), [&](const SimulatedFault &f) {
+        const bool fromThenOn = f.kind == "silent" && static_cast<double>(number) > f.at;
+        return f.kind == kind && (f.at == static_cast<double>(number) || fromThenOn);
+    });
+    return fault == m_options.faults.end() ? nullptr : &*fault;
+}
+
+void Unit::answer(Firmware::Answer answer)
+{
+    ++m_sent;
+    if (faultFor("drop", m_sent) || faultFor("silent", m_sent))
+        return;
+    if (faultFor("corrupt", m_sent))
+        answer.bytes[answer.bytes.size() / 2] ^= 0x10U;
+    Duration delay = answer.busy;
+    if (const SimulatedFault *late = faultFor("delay", m_sent))
+        delay += seconds(late->argument / 1000.0);
+    m_reply.startIn(delay, [this, bytes = std::move(answer.bytes)] { transmit(bytes); });
+}
+
+void Unit::transmit(std::vector<std::uint8_t> bytes)
+{
+    if (m_powered && m_link.state() == LinkState::Open)
+        (void)m_link.send(bytes);
+}
+
+// Motor
+
+void Unit::switched(bool on)
+{
+    m_notify(m_clock.now(), on ? "output-on" : "output-off", 0.0);
+    lookAfter();
+}
+
+void Unit::lookAfter()
+{
+    if (m_care.isActive())
+        return;
+    m_care.startIn(carePeriod, [this] {
+        m_drive.advance(m_clock.now());
+        if (!m_drive.isResting())
+            lookAfter();
+    });
+}
+
+bool Unit::isOutputOn()
+{
+    m_drive.advance(m_clock.now());
+    return m_drive.isOn();
+}
+
+double Unit::speed()
+{
+    m_drive.advance(m_clock.now());
+    return m_drive.shaftSpeed();
+}
+
+double Unit::position()
+{
+    m_drive.advance(m_clock.now());
+    return m_drive.shaftPosition();
+}
+
+// Supply and faults
+
+bool Unit::beforeAction()
+{
+    ++m_asked;
+    if (!faultFor("power", m_asked))
+        return true;
+    loseSupply(supplyGap);
+    return false;
+}
+
+void Unit::setPowered(bool powered)
+{
+    m_cut = !powered;
+    if (!powered) {
+        loseSupply(Duration::zero());
+    } else if (!m_powered) {
+        m_powered = true;
+        restart();
+        m_notify(m_clock.now(), "power-on", 0.0);
+    }
+}
+
+void Unit::loseSupply(Duration time)
+{
+    if (!m_powered)
+        return;
+    m_drive.advance(m_clock.now());
+    m_powered = false;
+    m_reply.stop();
+    m_half.stop();
+    m_drive.stop();
+    m_notify(m_clock.now(), "power-lost", 0.0);
+    if (m_cut)
+        return;
+    m_supply.startIn(time, [this] {
+        if (!m_cut)
+            setPowered(true);
+    });
+}
+
+void Unit::scheduleFaults()
+{
+    for (const SimulatedFault &fault : m_options.faults) {
+        if (fault.kind == "encoder-reversed") {
+            m_drive.setEncoderReversed();
+            continue;
+        }
+        std::function<void()> work;
+        if (fault.kind == "reset")
+            work = [this] { loseSupply(Duration(1)); };
+        else if (fault.kind == "brownout")
+            work = [this] { loseSupply(brownout); };
+        else if (fault.kind == "encoder-dead")
+            work = [this] { m_drive.setEncoderDead(); };
+        else if (fault.kind == "stall")
+            work = [this] { m_drive.motor().setLocked(true); };
+        else
+            continue;
+        m_faults.emplace_back(m_clock).startIn(seconds(fault.at), [this, work = std::move(work)] {
+            m_drive.advance(m_clock.now());
+            work();
+        });
+    }
+}
+
+bool Unit::disturb(std::string_view what, double value)
+{
+    m_drive.advance(m_clock.now());
+    if (what == "load-torque")
+        m_drive.motor().setLoadTorque(value);
+    else if (what == "stall")
+        m_drive.motor().setLocked(value != 0.0);
+    else if (what == "bus-voltage")
+        m_drive.motor().setSupplyVoltage(value);
+    else if (what == "error")
+        m_firmware.report(static_cast<std::uint8_t>(value));
+    else if (what.starts_with("analog") && what.size() == 7 && what[6] >= '1' && what[6] <= '4')
+        m_firmware.analog.at(static_cast<std::size_t>(what[6] - '1'))
+            = static_cast<std::uint16_t>(std::clamp(value / adcVolts, 0.0, 1023.0));
+    else
+        return false;
+    lookAfter();
+    return true;
+}
+
+} // namespace mb::supermodified::simulation

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/deviceprofile.h"
+
+#include "model/parameterfile.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QStandardPaths>
+
+#include <cmath>
+#include <optional>
+
+namespace mb {
+namespace {
+
+constexpr std::int64_t greatestFile = 1 << 20;
+constexpr double exact = 9007199254740992.0; ///< up to here every whole number is a JSON number
+
+QString qt(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+std::optional<std::map<std::string, double>> numbers(const QJsonValue &value)
+{
+    std::map<std::string, double> found;
+    if (value.isUndefined())
+        return found;
+    if (!value.isObject())
+        return std::nullopt;
+    const QJsonObject object = value.toObject();
+    for (auto entry = object.begin(); entry != object.end(); ++entry) {
+        if (!entry->isDouble())
+            return std::nullopt;
+        found.emplace(entry.key().toStdString(), entry->toDouble());
+    }
+    return found;
+}
+
+std::optional<std::map<std::string, std::int64_t>> integers(const QJsonValue &value)
+{
+    const auto all = numbers(value);
+    if (!all)
+        return std::nullopt;
+    std::map<std::string, std::int64_t> found;
+    for (const auto &[key, number] : *all) {
+        if (number != std::floor(number) || std::abs(number) > exact)
+            return std::nullopt;
+        found.emplace(key, static_cast<std::int64_t>(number));
+    }
+    return found;
+}
+
+template <class Number> QJsonObject objectOf(const std::map<std::string, Number> &values)
+{
+    QJsonObject object;
+    for (const auto &[key, value] : values)
+        object.insert(qt(key), static_cast<double>(value));
+    return object;
+}
+
+std::optional<DeviceProfile> parse(const QByteArray &bytes)
+{
+    const QJsonDocument document = QJsonDocument::fromJson(bytes);
+    if (!document.isObject())
+        return std::nullopt;
+    const QJsonObject object = document.object();
+    const auto calibration = numbers(object.value(QStringLiteral("calibration")));
+    const auto written = integers(object.value(QStringLiteral("written")));
+    const auto counters = integers(object.value(QStringLiteral("counters")));
+    if (!calibration || !written || !counters)
+        return std::nullopt;
+    DeviceProfile profile;
+    profile.dialect = object.value(QStringLiteral("dialect")).toString().toStdString();
+    profile.calibration = *calibration;
+    profile.written = *written;
+    profile.counters = *counters;
+    return profile;
+}
+
+} // namespace
+
+std::string ProfileBook::pathOf(std::string_view selector) const
+{
+    std::string name;
+    for (const char c : selector) {
+        const bool plain
+            = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
+        name += plain ? c : '.';
+    }
+    // Two selectors may become one name: which of them it is stands in a hash of the whole.
+    std::uint32_t hash = 2166136261U;
+    for (const char c : selector)
+        hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
+    return m_directory + '/' + name + '-' + QString::number(hash, 16).toStdString() + ".json";
+}
+
+Result<DeviceProfile> ProfileBook::load(std::string_view selector) const
+{
+    const std::string path = pathOf(selector);
+    if (!QFile::exists(qt(path)))
+        return DeviceProfile();
+    const auto bytes = loadFile(path, greatestFile);
+    if (!bytes)
+        return fail(bytes.error());
+    if (auto profile = parse(*bytes))
+        return *profile;
+    const QString aside = qt(path) + QStringLiteral(".damaged");
+    QFile::remove(aside);
+    QFile::rename(qt(path), aside);
+    return fail(Fault::OutOfRange,
+        path + " is no device profile; it was put aside as " + aside.toStdString()
+            + ", and what it kept of the device is unknown again");
+}
+
+Result<void> ProfileBook::save(std::string_view selector, const DeviceProfile &profile) const
+{
+    if (!QDir().mkpath(qt(m_directory)))
+        return fail(Fault::OutOfRange, m_directory + " cannot be made; check the rights of the folder above it");
+    const QJsonObject object{
+        {QStringLiteral("device"), qt(selector)},
+        {QStringLiteral("dialect"), qt(profile.dialect)},
+        {QStringLiteral("calibration"), objectOf(profile.calibration)},
+        {QStringLiteral("written"), objectOf(profile.written)},
+        {QStringLiteral("counters"), objectOf(profile.counters)},
+    };
+    return saveFile(pathOf(selector), QJsonDocument(object).toJson());
+}
+
+std::string usualProfileDirectory()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString() + "/motorbench/devices";
+}
+
+} // namespace mb

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/result.h"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace mb {
+
+/// What this program keeps of one device because the device cannot tell it: what its user knows, and what was last written to
+/// settings that cannot be read back. Keys are those of the family's tables.
+struct DeviceProfile {
+    std::string dialect;                          ///< chosen by the user; empty: as the scan finds it
+    std::map<std::string, double> calibration;    ///< of Family::calibrations; what is missing is unknown
+    std::map<std::string, std::int64_t> written;  ///< raw values, by parameter key
+    std::map<std::string, std::int64_t> counters; ///< what a family counts over the life of the device
+
+    [[nodiscard]] double calibrated(std::string_view key, double unknown = 0.0) const
+    {
+        const auto found = calibration.find(std::string(key));
+        return found == calibration.end() ? unknown : found->second;
+    }
+    [[nodiscard]] bool isEmpty() const
+    {
+        return dialect.empty() && calibration.empty() && written.empty() && counters.empty();
+    }
+    friend bool operator==(const DeviceProfile &, const DeviceProfile &) = default;
+};
+
+/// The profiles of all devices as JSON files of one directory, one a device, named after its selector. The directory is made
+/// when the first one is saved.
+class ProfileBook {
+public:
+    explicit ProfileBook(std::string directory)
+        : m_directory(std::move(directory))
+    {
+    }
+    /// An empty profile when there is none yet. A file that is none is put aside as `NAME.damaged` and told: OutOfRange.
+    [[nodiscard]] Result<DeviceProfile> load(std::string_view selector) const;
+    /// Writes the whole file or nothing; an empty profile is written too.
+    [[nodiscard]] Result<void> save(std::string_view selector, const DeviceProfile &profile) const;
+    [[nodiscard]] std::string pathOf(std::string_view selector) const;
+
+private:
+    std::string m_directory;
+};
+
+/// Where the programs keep them: below the user's data directory (XDG_DATA_HOME).
+[[nodiscard]] std::string usualProfileDirectory();
+
+} // namespace mb

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Buffered moves of four nodes in the window: the real page and engine against four simulated motors on one serial line.
+#include "app/engine.h"
+#include "model/registry.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/selection.h"
+#include "widgets/control/arming.h"
+#include "widgets/control/movespanel.h"
+#include "widgets/control/tunepage.h"
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QLineEdit>
+#include <QTest>
+
+#include <algorithm>
+#include <future>
+
+using namespace mb;
+
+namespace {
+
+constexpr int patience = 60000;
+constexpr std::array<std::string_view, 4> units{"supermodified:4,dialect=D1", "supermodified:5,dialect=D2",
+    "supermodified:6,dialect=D1", "supermodified:7,dialect=D2"};
+
+/// The family of this build, with four units on its bench.
+const Family &fourNodes()
+{
+    static const Family family = [] {
+        Family made;
+        for (const Family *candidate : families()) {
+            if (candidate->capabilities.bufferedMoves)
+                made = *candidate;
+        }
+        made.bench = units;
+        return made;
+    }();
+    return family;
+}
+const std::array<const Family *, 1> only{&fourNodes()};
+
+} // namespace
+
+class MovesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void init();
+    void cleanup();
+    void fourNodesMoveTogetherOnOneCommand();
+    void nothingIsPreparedUnarmed();
+    void stopEndsAllOfThem();
+    void oneThatStallsTakesTheOthersWithIt();
+    void everyControlHasAName();
+
+private:
+    template <class T> [[nodiscard]] T ask(const std::function<T(EngineCore &)> &question)
+    {
+        auto answer = std::make_shared<std::promise<T>>();
+        auto coming = answer->get_future();
+        m_engine->post([answer, question](EngineCore &core) { answer->set_value(question(core)); });
+        return coming.get();
+    }
+    [[nodiscard]] std::vector<double> positions()
+    {
+        return ask<std::vector<double>>([](EngineCore &core) {
+            std::vector<double> all;
+            for (const Simulator *unit : core.session().bench(*core.session().links().front())->simulators())
+                all.push_back(unit->position());
+            return all;
+        });
+    }
+    [[nodiscard]] int energized()
+    {
+        return ask<int>([](EngineCore &core) {
+            const auto all = core.session().bench(*core.session().links().front())->simulators();
+            return static_cast<int>(
+                std::count_if(all.begin(), all.end(), [](const Simulator *unit) { return unit->isOutputOn(); }));
+        });
+    }
+    [[nodiscard]] CommandButton &button(const char *name)
+    {
+        return *m_page->findChild<CommandButton *>(QString::fromLatin1(name));
+    }
+    [[nodiscard]] bool isReady() const;
+    void prepare(const QString &target);
+    void picture(const char *name);
+
+    ThemeSource m_theme{darkTheme()};
+    std::unique_ptr<Engine> m_engine;
+    std::unique_ptr<Selection> m_selection;
+    std::unique_ptr<Arming> m_arming;
+    std::unique_ptr<TunePage> m_page;
+};
+
+bool MovesTest::isReady() const
+{
+    const auto &all = m_engine->snapshot().devices;
+    return all.size() == units.size() && std::all_of(all.begin(), all.end(), [](const DeviceView &d) {
+        return d.liveness.heard && !d.identity.dialect.empty() && d.mayNotMove.empty();
+    });
+}
+
+void MovesTest::init()
+{
+    m_engine = std::make_unique<Engine>(only, false);
+    m_selection = std::make_unique<Selection>();
+    m_arming = std::make_unique<Arming>(*m_engine);
+    m_page = std::make_unique<TunePage>(*m_engine, *m_selection, *m_arming, m_theme, nullptr);
+    m_page->resize(1208, 1000);
+    m_page->show();
+    QApplication::setActiveWindow(m_page.get());
+    m_engine->openLink(*LinkAddress::parse("sim:serial?bitrate=115200"), {});
+    m_engine->scan();
+    QTRY_VERIFY_WITH_TIMEOUT(isReady(), patience);
+    m_selection->select(m_engine->snapshot().devices.front().id);
+    QTRY_VERIFY(m_page->movesPanel().isVisibleTo(m_page.get()));
+}
+
+void MovesTest::cleanup()
+{
+    m_page.reset();
+    m_arming.reset();
+    m_selection.reset();
+    m_engine.reset();
+}
+
+void MovesTest::prepare(const QString &target)
+{
+    m_arming->arm(m_engine->snapshot().devices.front().id);
+    QVERIFY(m_arming->isArmed(m_engine->snapshot().devices.front().id));
+    for (QLineEdit *field : m_page->movesPanel().findChildren<QLineEdit *>())
+        field->setText(target);
+    QTest::mouseClick(&button("prepareMoves"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(button("startMoves").isEnabled(), patience);
+    QCOMPARE(energized(), 4);
+}
+
+void MovesTest::picture(const char *name)
+{
+    const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES");
+    if (!folder.isEmpty())
+        m_page->grab().save(QDir(folder).filePath(QString::fromLatin1(name)));
+}
+
+void MovesTest::fourNodesMoveTogetherOnOneCommand()
+{
+    m_page->movesPanel().findChild<QComboBox *>()->setCurrentIndex(0);
+    prepare(QStringLiteral("1500"));
+    picture("moves-prepared.png");
+    for (const double position : positions())
+        QVERIFY2(std::abs(position) < 30.0, "nothing turns before the start");
+    QTest::mouseClick(&button("startMoves"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(positions().front() > 300.0, patience);
+    picture("moves-started.png");
+    const auto under = positions();
+    const auto [least, most] = std::minmax_element(under.begin(), under.end());
+    QVERIFY2(*most - *least < 60.0, "they are side by side on the way");
+    QTRY_VERIFY_WITH_TIMEOUT(
+        [this] {
+            const auto all = positions();
+            return std::all_of(all.begin(), all.end(), [](double p) { return std::abs(p - 1500.0) < 40.0; });
+        }(),
+        patience);
+    QCOMPARE(energized(), 4);
+    m_arming->disarm();
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
+}
+
+void MovesTest::nothingIsPreparedUnarmed()
+{
+    QVERIFY(!button("prepareMoves").isEnabled());
+    m_page->movesPanel().prepare();
+    m_page->movesPanel().startTogether();
+    m_page->movesPanel().hold();
+    QTest::qWait(200);
+    QCOMPARE(energized(), 0);
+}
+
+void MovesTest::stopEndsAllOfThem()
+{
+    prepare(QStringLiteral("0"));
+    m_arming->stopAll(QStringLiteral("test"));
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
+    QVERIFY(!button("startMoves").isEnabled());
+}
+
+void MovesTest::oneThatStallsTakesTheOthersWithIt()
+{
+    m_page->movesPanel().findChild<QCheckBox *>(QString())->setChecked(true);
+    prepare(QStringLiteral("1500"));
+    ask<bool>([](EngineCore &core) {
+        return core.session().bench(*core.session().links().front())->simulators().back()->disturb("stall", 1);
+    });
+    QTest::mouseClick(&button("startMoves"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
+}
+
+void MovesTest::everyControlHasAName()
+{
+    for (QWidget *widget : m_page->movesPanel().findChildren<QWidget *>()) {
+        if (widget->focusPolicy() != Qt::NoFocus && qobject_cast<QAbstractButton *>(widget))
+            QVERIFY2(!widget->accessibleName().isEmpty() || !qobject_cast<QAbstractButton *>(widget)->text().isEmpty(),
+                qPrintable(widget->objectName()));
+        if (qobject_cast<QLineEdit *>(widget) || qobject_cast<QComboBox *>(widget))
+            QVERIFY(!widget->accessibleName().isEmpty());
+    }
+}
+
+QTEST_MAIN(MovesTest)
+#include "tst_moves.moc"

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Supermodified nodes behind a pseudo terminal, simulated by another process: everything that a user does with a real one."""
+import json
+import os
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+
+import contract
+from contract import ContractTest
+
+# Of positions, samples per second: protocol reference, section 5.
+WIRE_LIMIT = {("D1", 9600): 53, ("D1", 57600): 320, ("D1", 115200): 640, ("D3", 9600): 43.6, ("D3", 57600): 262, ("D3", 115200): 524}
+
+
+class Nodes:
+    """`motorbenchctl simulate` on a pseudo terminal, and what it tells."""
+
+    def __init__(self, test, *units, baud=None):
+        self.folder = tempfile.TemporaryDirectory()
+        test.addCleanup(self.folder.cleanup)
+        self.path = os.path.join(self.folder.name, "tty0")
+        on = "pty:" + self.path + (f"?baud={baud}" if baud else "")
+        self.process = subprocess.Popen([contract.PROGRAM, "--json", "simulate", "--on", on, *units],
+                                        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        test.addCleanup(self.end)
+        test.assertEqual(json.loads(self.process.stdout.readline())["ready"], True)
+        self.events = []
+        threading.Thread(target=self.listen, daemon=True).start()
+
+    def listen(self):
+        for line in self.process.stdout:
+            self.events.append((time.monotonic(), json.loads(line)))
+
+    def end(self):
+        self.process.kill()
+        self.process.communicate()
+
+    def when(self, what, after=0.0, limit=20.0):
+        """When it happened, on the monotonic clock; None if it did not."""
+        end = time.monotonic() + limit
+        while time.monotonic() < end:
+            for at, event in list(self.events):
+                if event["event"] == what and at >= after:
+                    return at
+            time.sleep(0.005)
+        return None
+
+
+class SupermodifiedTest(ContractTest):
+    def spawn(self, *arguments):
+        process = subprocess.Popen([contract.PROGRAM, "--json", *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        return process
+
+    def work(self, baud):
+        nodes = Nodes(self, "supermodified:4,dialect=D1", "supermodified:5,dialect=D3", baud=baud)
+        link = f"serial:{nodes.path}?baud={baud}"
+        rows = self.run_one("scan", link)["devices"]
+        self.assertEqual([(row["address"], row["dialect"], row["state"]) for row in rows], [(4, "D1", "online"), (5, "D3", "online")])
+        node = f"{link}/supermodified:4"
+        read = self.run_one("get", node)["parameters"]
+        self.assertEqual(read["profile.velocity"]["value"], 800)
+        self.assertNotIn("anti_windup", read)
+        written = self.run_one("set", node, "gain.p=1100", "io.direction=3", "--store")
+        self.assertIs(written["verified"], True)
+        self.assertEqual(self.run_one("get", node, "gain.p")["parameters"]["gain.p"]["value"], 1100)
+        self.assertIsNone(self.run_one("set", node, "node.mask=255")["verified"])
+        self.assert_error(2, "set", node, "error.level=1")
+        drive = self.run_json("drive", node, "--mode", "velocity", "--target", "2000", "--for", "1")
+        self.assertEqual((drive[-1]["stopped"], drive[-1]["reason"]), (True, "done"))
+        self.assertIsNotNone(nodes.when("output-on"))
+        self.assertIsNotNone(nodes.when("output-off"))
+        for dialect, device in (("D1", node), ("D3", f"{link}/supermodified:5")):
+            lines = self.run_json("watch", device, "--channel", "position", "--rate", "10000", "--for", "2")
+            summary = lines[-1]["summary"]
+            rate = summary["samples"] / summary["seconds"]
+            limit = WIRE_LIMIT[dialect, baud]
+            print(f"pty, {dialect} at {baud} baud: {rate:.0f} positions/s, wire limit {limit} ({100 * rate / limit:.0f} %), "
+                  f"{summary['lost']} lost", flush=True)
+            self.assertGreater(summary["samples"], 20)
+
+    def test_everything_works_at_9600_baud(self):
+        self.work(9600)
+
+    def test_everything_works_at_57600_baud(self):
+        self.work(57600)
+
+    def test_everything_works_at_115200_baud(self):
+        self.work(115200)
+
+    def test_moves_reach_their_targets(self):
+        nodes = Nodes(self, "supermodified:4,dialect=D2")
+        node = f"serial:{nodes.path}?baud=115200/supermodified:4"
+        for mode, more in (("position", []), ("ramp-position", ["--velocity", "4000", "--acceleration", "20000"])):
+            lines = self.run_json("drive", node, "--mode", mode, "--target", "2000", *more, "--for", "3")
+            positions = [line["value"] for line in lines if line.get("channel") == "position"]
+            self.assertAlmostEqual(positions[-1], 2000, delta=60, msg=mode)
+        self.assert_error(2, "drive", node, "--mode", "duty", "--target", "0.1", "--for", "1", says="has no mode")
+        self.assert_error(2, "drive", node, "--mode", "velocity", "--target", "1e11", "--for", "1")
+
+    def test_a_terminal_that_is_pulled_away_during_a_drive_is_reported(self):
+        nodes = Nodes(self, "supermodified:4")
+        drive = self.spawn("drive", f"serial:{nodes.path}?baud=115200/supermodified:4", "--mode", "velocity", "--target", "1500", "--for", "30")
+        self.assertIsNotNone(nodes.when("output-on"))
+        nodes.process.kill()
+        out, err = drive.communicate(timeout=contract.LIMIT)
+        self.assertEqual(drive.returncode, 5, err)
+        self.assertIn("the link was lost while the motor was driven", err)
+        self.assertIs(json.loads(out.splitlines()[-1])["stopped"], False)
+
+    def dies(self, number):
+        nodes = Nodes(self, "supermodified:4")
+        drive = self.spawn("drive", f"serial:{nodes.path}?baud=57600/supermodified:4", "--mode", "velocity", "--target", "1500", "--for", "60")
+        self.assertIsNotNone(nodes.when("output-on"))
+        time.sleep(0.5)
+        at = time.monotonic()
+        drive.send_signal(number)
+        off = nodes.when("output-off", after=at)
+        self.assertIsNotNone(off, "the motor goes on")
+        print(f"{signal.Signals(number).name}: stopped after {1000 * (off - at):.0f} ms", flush=True)
+        self.assertLess(off - at, 0.7)
+        if number == signal.SIGSTOP:
+            drive.send_signal(signal.SIGCONT)
+
+    def test_a_motor_stops_when_the_program_is_killed(self):
+        self.dies(signal.SIGKILL)
+
+    def test_a_motor_stops_when_the_program_is_frozen(self):
+        self.dies(signal.SIGSTOP)
+
+    def test_a_new_node_id_is_taken_and_waits_for_the_power_cycle(self):
+        nodes = Nodes(self, "supermodified:4")
+        answer = self.run_one("number", f"serial:{nodes.path}?baud=57600/supermodified:4", "9")
+        self.assertEqual((answer["old"], answer["new"], answer["verified"]), (4, 9, None))
+        self.assert_error(2, "identify", f"serial:{nodes.path}?baud=57600/supermodified:4", says="cannot blink")
+
+    def test_frames_are_named(self):
+        text = "(1.0) tty0 tx 55AA040108040028000024\n(1.1) tty0 rx 55AA0104FA0152A9\n"
+        rows = self.run_json("decode", text=text)
+        self.assertEqual([(row["family"], row["message"], row["address"]) for row in rows],
+                         [("supermodified", "absolute move", 4), ("supermodified", "error", 4)])
+        self.assertEqual(rows[0]["fields"]["position"], 10240)
+        self.assertEqual(rows[1]["fields"]["c1"], 82)

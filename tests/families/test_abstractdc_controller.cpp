@@ -1,0 +1,402 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "abstractdcbench.h"
+#include "families/abstractdc/motionsense.h"
+#include "families/abstractdc/scan.h"
+#include "families/abstractdc/setpoints.h"
+#include "model/setpointstream.h"
+#include "support/simulatedsession.h"
+
+#include <cmath>
+
+namespace mb::abstractdc {
+namespace {
+
+class AbstractDcController : public Drives {
+protected:
+    using Drives::Drives;
+    Device &open(int offset, const Dialect *dialect)
+    {
+        device = family.open(host, clock, identityOf(offset, dialect));
+        sentTap = host.traffic().add([this](const Traffic &traffic) {
+            if (traffic.direction == Direction::Sent)
+                sent.push_back(toText(*traffic.can));
+        });
+        clock.advance(500ms);
+        sent.clear();
+        return *device;
+    }
+    ParameterIndex index(std::string_view key) const { return *findParameter(family.parameters, key); }
+    ChannelIndex channel(std::string_view key) const { return *findChannel(family.channels, key); }
+    Result<std::int64_t> write(std::string_view key, std::int64_t raw)
+    {
+        return test::run(clock, device->write(index(key), raw));
+    }
+    static SetPoint setPoint(Mode mode, double target)
+    {
+        SetPoint s;
+        s.mode = mode;
+        s.target = target;
+        return s;
+    }
+    [[nodiscard]] std::vector<std::string> sentOf(const std::string &prefix) const
+    {
+        std::vector<std::string> all;
+        for (const std::string &frame : sent) {
+            if (frame.starts_with(prefix))
+                all.push_back(frame);
+        }
+        return all;
+    }
+    double latest(std::string_view key) const
+    {
+        const auto point = device->telemetry()->latest(channel(key));
+        return point ? point->value : std::nan("");
+    }
+    std::unique_ptr<Device> device;
+    std::vector<std::string> sent;
+    Subscription sentTap;
+};
+
+TEST_F(AbstractDcController, IsHeardByPollingAndSilentWithoutPower)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    EXPECT_TRUE(device->liveness().heard);
+    EXPECT_EQ(latest("position"), 0.0);
+    drive.setPowered(false);
+    clock.advance(300ms);
+    EXPECT_FALSE(device->liveness().heard);
+    drive.setPowered(true);
+    clock.advance(1s);
+    EXPECT_TRUE(device->liveness().heard);
+}
+
+TEST_F(AbstractDcController, AnUnprovenDialectIsWatchedButNotDriven)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, nullptr);
+    EXPECT_TRUE(device->liveness().heard) << "the speed has one code in all dialects";
+    const auto moved = device->command(setPoint(Mode::Duty, 0.5));
+    ASSERT_FALSE(moved);
+    EXPECT_EQ(moved.error().fault, Fault::Unsafe);
+    EXPECT_NE(moved.error().detail.find("not proven"), std::string::npos);
+    EXPECT_FALSE(write("velocity.p", 1));
+    clock.advance(500ms);
+    EXPECT_TRUE(sentOf("067").empty());
+    EXPECT_TRUE(sentOf("0CB").empty());
+    ASSERT_TRUE(device->setDialect("F"));
+    EXPECT_NE(device->identity().detail.find("chosen by hand"), std::string::npos);
+    clock.advance(200ms);
+    EXPECT_TRUE(device->command(setPoint(Mode::Duty, 0.5)));
+    clock.advance(10ms);
+    EXPECT_TRUE(drive.isOutputOn());
+    device->stop();
+    clock.advance(10ms);
+    EXPECT_FALSE(drive.isOutputOn());
+}
+
+TEST_F(AbstractDcController, TheOldestDialectIsNeverDriven)
+{
+    add("abstractdc:3,dialect=LL");
+    open(3, &dialectLL);
+    EXPECT_TRUE(device->liveness().heard);
+    const auto allowed = device->mayMove();
+    ASSERT_FALSE(allowed);
+    EXPECT_NE(allowed.error().detail.find("only its power stops it"), std::string::npos);
+}
+
+TEST_F(AbstractDcController, StopsWithBothLengthsAndAgain)
+{
+    for (const Dialect *dialect : {&dialectF, &dialectL, &dialectD}) {
+        Simulator &drive = add("abstractdc:"
+            + std::to_string(dialect == &dialectF ? 3
+                    : dialect == &dialectL        ? 4
+                                                  : 5)
+            + ",dialect=" + std::string(dialect->key));
+        const int offset = dialect == &dialectF ? 3 : dialect == &dialectL ? 4 : 5;
+        open(offset, dialect);
+        for (int i = 0; i < 10; ++i) {
+            ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.4)));
+            clock.advance(20ms);
+        }
+        EXPECT_TRUE(drive.isOutputOn()) << dialect->key;
+        sent.clear();
+        device->stop();
+        const std::string prefix = dialect == &dialectF ? "067#" : dialect == &dialectL ? "068#" : "069#";
+        const auto stops = sentOf(prefix);
+        ASSERT_EQ(stops.size(), 3U);
+        EXPECT_NE(std::find(stops.begin(), stops.end(), prefix + "0000000000"), stops.end());
+        EXPECT_NE(std::find(stops.begin(), stops.end(), prefix + "0000000000000000"), stops.end());
+        clock.advance(5ms);
+        EXPECT_FALSE(drive.isOutputOn()) << dialect->key;
+        EXPECT_FALSE(device->isSeenStopped()) << "nothing younger than the stop was seen";
+        clock.advance(1s);
+        EXPECT_TRUE(device->isSeenStopped()) << dialect->key;
+        const StopScript script = device->stopScript();
+        ASSERT_EQ(script.steps.size(), 2U);
+        EXPECT_EQ(toText(*script.steps[0].frame), prefix + "0000000000");
+        EXPECT_EQ(toText(*script.steps[1].frame), prefix + "0000000000000000");
+        EXPECT_GE(script.steps[0].attempts, 2);
+    }
+}
+
+TEST_F(AbstractDcController, DutyIsLedToItsTargetAndNeverPastTheEnd)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    EXPECT_EQ(device->check(setPoint(Mode::Duty, 1.01)).error().fault, Fault::OutOfRange);
+    std::int64_t before = 0;
+    for (int i = 0; i < 30; ++i) {
+        ASSERT_TRUE(device->command(setPoint(Mode::Duty, 1.0)));
+        const auto frame = canFrameFromText(sentOf("067#").back());
+        const std::int64_t now = frame->data[1] + 256 * frame->data[2];
+        EXPECT_LE(now - before, 22) << "full range in a quarter of a second";
+        EXPECT_LE(now, 255);
+        before = now;
+        clock.advance(20ms);
+    }
+    EXPECT_EQ(before, 255);
+    device->stop();
+}
+
+TEST_F(AbstractDcController, APositionTargetNeverLeadsFurtherThanTheOutputCarries)
+{
+    Simulator &drive = add("abstractdc:3,gains=default");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("position.p", 800'000));
+    ASSERT_TRUE(write("position.divisor", 1'000'000));
+    ASSERT_TRUE(device->command(setPoint(Mode::Position, 60'000.0))); // the wrap of section 8
+    const auto frame = canFrameFromText(sentOf("067#03").back());
+    const int target = frame->data[1] + 256 * frame->data[2] + 65536 * frame->data[3];
+    EXPECT_EQ(target, 40'000) << "32000 / 0.8";
+    clock.advance(200ms);
+    EXPECT_GT(drive.speed(), 0.0) << "forwards";
+    device->stop();
+}
+
+TEST_F(AbstractDcController, AnOutputThatWrapsStopsTheMotor)
+{
+    Simulator &drive = add("abstractdc:3,gains=default");
+    open(3, &dialectF);
+    drive.disturb("stall", 1.0);
+    ASSERT_TRUE(write("velocity.i", 1'000'000)); // nothing limits the sum
+    ASSERT_TRUE(write("velocity.divisor", 1'000'000));
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 900.0), 10s));
+    clock.advance(3s);
+    EXPECT_EQ(stream.end(), SetPointStream::End::Refused);
+    EXPECT_NE(stream.reason().find("32767"), std::string::npos);
+    EXPECT_FALSE(drive.isOutputOn());
+    const auto faults = test::run(clock, device->readFaults());
+    ASSERT_TRUE(faults);
+    EXPECT_EQ(faults->at(1).key, "output_wrapped");
+    EXPECT_EQ(faults->at(1).count, 1);
+}
+
+TEST_F(AbstractDcController, AnotherMasterIsSeenAndItsSettingsAreBelieved)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    VirtualCanLink master(*LinkAddress::parse("sim:can"), bus);
+    ASSERT_TRUE(master.open());
+    ASSERT_TRUE(master.send(*canFrameFromText("0CB#010040420F00")));
+    clock.advance(5ms);
+    EXPECT_EQ(device->parameters().entry(index("velocity.p")).raw, 1'000'000);
+    ASSERT_TRUE(master.send(*canFrameFromText("067#0420000000")));
+    clock.advance(5ms);
+    EXPECT_TRUE(device->liveness().foreignMaster);
+    EXPECT_FALSE(device->mayMove());
+    ASSERT_TRUE(master.send(*canFrameFromText("067#0000000000")));
+    clock.advance(5ms);
+    EXPECT_FALSE(device->liveness().foreignMaster);
+}
+
+TEST_F(AbstractDcController, SettingsAreClampedWhereTheDeviceIsNot)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    EXPECT_EQ(write("velocity.divisor", 0).error().fault, Fault::OutOfRange);
+    EXPECT_EQ(write("current.averaging", 501).error().fault, Fault::OutOfRange);
+    EXPECT_EQ(write("current.averaging", 0).error().fault, Fault::OutOfRange);
+    EXPECT_TRUE(sentOf("0CB").empty());
+    ASSERT_TRUE(write("current.averaging", 50));
+    ASSERT_TRUE(write("current.averaging", 60)) << "raising is harmless";
+    EXPECT_TRUE(device->mayMove());
+    ASSERT_TRUE(write("current.averaging", 10));
+    EXPECT_EQ(sentOf("0CB").back(), "0CB#02") << "lowered: saved at once";
+    EXPECT_NE(device->mayMove().error().detail.find("switch it off"), std::string::npos);
+}
+
+TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("current.averaging", 50));
+    ASSERT_TRUE(write("current.averaging", 10));
+    EXPECT_FALSE(device->mayMove());
+    drive.setPowered(false);
+    clock.advance(500ms);
+    drive.setPowered(true);
+    clock.advance(1s);
+    EXPECT_TRUE(device->mayMove());
+}
+
+TEST_F(AbstractDcController, ADivisorIsNotChangedWhileItsLoopRuns)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 100.0)));
+    EXPECT_EQ(write("velocity.divisor", 10).error().fault, Fault::Unsafe);
+    EXPECT_TRUE(write("velocity.p", 10)) << "gains are tuned while it runs";
+    EXPECT_TRUE(write("position.divisor", 10)) << "another loop";
+    device->stop();
+}
+
+struct Log final : Progress {
+    void step(const std::string &, int, int) override { }
+    void part(int, PartState) override { }
+    void log(Severity severity, const std::string &text) override { lines.emplace_back(severity, text); }
+    void mayInterrupt(bool) override { }
+    std::vector<std::pair<Severity, std::string>> lines;
+};
+
+TEST_F(AbstractDcController, SavesAreCountedWarnedOfAndRefusedBeforeTheFlashBug)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    int warnings = 0;
+    for (int i = 1; i <= 50; ++i) {
+        Log log;
+        ASSERT_TRUE(write("velocity.p", i));
+        ASSERT_TRUE(test::run(clock, device->store(log))) << i;
+        warnings += log.lines.empty() ? 0 : 1;
+        EXPECT_EQ(log.lines.empty(), i < 40) << i;
+    }
+    EXPECT_EQ(device->profile().counters.at("saves.velocity"), 50);
+    Log log;
+    ASSERT_TRUE(write("velocity.p", 51));
+    const auto refused = test::run(clock, device->store(log));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::Unsafe);
+    EXPECT_TRUE(write("position.p", 1)) << "other loops have pages of their own";
+}
+
+TEST_F(AbstractDcController, CurrentIsCountsUntilTheUserKnowsBetter)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    EXPECT_EQ(device->telemetry()->channels()[channel("current").value].unit, "counts");
+    drive.disturb("stall", 1.0);
+    for (int i = 0; i < 30; ++i) {
+        ASSERT_TRUE(device->command(setPoint(Mode::Duty, 1.0)));
+        clock.advance(20ms);
+    }
+    EXPECT_NEAR(latest("current"), 100.0, 5.0) << "5 A, 20 counts each";
+    ASSERT_TRUE(device->calibrate("amperes_per_count", 0.05));
+    EXPECT_EQ(device->telemetry()->channels()[channel("current").value].unit, "A");
+    clock.advance(500ms);
+    EXPECT_NEAR(latest("current"), 5.0, 0.25);
+    EXPECT_EQ(device->check(setPoint(Mode::Current, 60.0)).error().fault, Fault::OutOfRange) << "1023 counts are 51 A";
+    device->stop();
+}
+
+TEST_F(AbstractDcController, LogsThatStandStillAreNotRecorded)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    clock.advance(1s);
+    EXPECT_TRUE(sentOf("387#01").empty()) << "velocity outside its mode";
+    EXPECT_TRUE(sentOf("387#04").empty()) << "output while nothing is driven";
+    EXPECT_EQ(latest("velocity"), 0.0) << "computed from positions instead";
+    EXPECT_TRUE(std::isnan(latest("duty")));
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 1000.0)));
+    clock.advance(1s);
+    EXPECT_FALSE(sentOf("387#01").empty());
+    EXPECT_FALSE(sentOf("387#04").empty());
+    device->stop();
+}
+
+TEST_F(AbstractDcController, GlitchesOfOneWrapAreFilteredAndCounted)
+{
+    add("abstractdc:3,glitches=10");
+    open(3, &dialectF);
+    clock.advance(2s);
+    device->telemetry()->commit();
+    const auto range = device->telemetry()->extremes(channel("position"), Instant{}, clock.now());
+    ASSERT_TRUE(range);
+    EXPECT_EQ(range->low, 0.0);
+    EXPECT_EQ(range->high, 0.0);
+    EXPECT_GE(device->telemetry()->lost(channel("position")), 3U);
+}
+
+TEST(AbstractDcMotionSense, AJumpThatStaysIsBelievedTheSecondTime)
+{
+    MotionSense sense;
+    Instant t{};
+    EXPECT_FALSE(sense.add(0, t += 20ms).glitch);
+    EXPECT_FALSE(sense.add(10, t += 20ms).glitch);
+    EXPECT_TRUE(sense.add(10 - 65535, t += 20ms).glitch);
+    EXPECT_FALSE(sense.add(12, t += 20ms).glitch);
+    EXPECT_TRUE(sense.add(12 + 65535, t += 20ms).glitch);
+    const auto again = sense.add(12 + 65535, t += 20ms);
+    EXPECT_FALSE(again.glitch);
+    EXPECT_TRUE(again.mended);
+    EXPECT_EQ(sense.glitches(), 2U);
+}
+
+TEST_F(AbstractDcController, TwoDrivesShareTheVoltageLogWithoutMixing)
+{
+    add("abstractdc:3");
+    add("abstractdc:6");
+    open(3, &dialectF);
+    const auto second = family.open(host, clock, identityOf(6, &dialectF));
+    clock.advance(200ms);
+    for (int i = 0; i < 100; ++i) {
+        ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.2)));
+        ASSERT_TRUE(second->command(setPoint(Mode::Duty, -0.4)));
+        clock.advance(20ms);
+    }
+    second->telemetry()->commit();
+    device->telemetry()->commit();
+    const auto mine = device->telemetry()->extremes(channel("duty"), clock.now() - 1s, clock.now());
+    const auto others = second->telemetry()->extremes(channel("duty"), clock.now() - 1s, clock.now());
+    ASSERT_TRUE(mine && others);
+    EXPECT_NEAR(mine->low, 0.2, 0.01);
+    EXPECT_NEAR(mine->high, 0.2, 0.01);
+    EXPECT_NEAR(others->low, -0.4, 0.01);
+    EXPECT_NEAR(others->high, -0.4, 0.01);
+    device->stop();
+    second->stop();
+}
+
+class AbstractDcSlow : public AbstractDcController {
+protected:
+    AbstractDcSlow()
+        : AbstractDcController(1250)
+    {
+    }
+};
+
+TEST_F(AbstractDcSlow, PollingAndSetPointsLeaveHalfOfASlowWire)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    clock.advance(5s);
+    EXPECT_TRUE(device->liveness().heard);
+    SetPointStream stream(*device, clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.3), 60s));
+    clock.advance(10s);
+    EXPECT_TRUE(stream.isRunning());
+    EXPECT_TRUE(drive.isOutputOn());
+    EXPECT_LE(host.backlog(), 2U) << "nothing piles up";
+    EXPECT_LE(host.load(clock.now()), 0.75);
+    const Instant before = clock.now();
+    stream.stop();
+    ASSERT_TRUE(clock.runUntil([&] { return !drive.isOutputOn(); }, 2s));
+    EXPECT_LE(clock.now() - before, 300ms) << "one frame that is on the wire, then the stop";
+    clock.advance(3s);
+    EXPECT_TRUE(device->isSeenStopped());
+}
+
+} // namespace
+} // namespace mb::abstractdc

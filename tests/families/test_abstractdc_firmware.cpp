@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Firmware through OpenOCD: against a stand-in that prints what the real one printed, and against the real one where there is
+// no probe. The interfaces named for the real one are kinds that hardly anybody has plugged in.
+#include "families/abstractdc/firmware.h"
+#include "families/abstractdc/openocd.h"
+#include "families/abstractdc/scan.h"
+#include "families/abstractdc/simulator.h"
+#include "support/eventloop.h"
+#include "support/hextext.h"
+#include "transport/backends/virtualcan.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <csignal>
+
+namespace mb::abstractdc {
+extern const Family family;
+namespace {
+
+using namespace std::chrono_literals;
+using openocd::Stage;
+
+/// A small program: stack pointer, reset vector, code behind them.
+test::HexText program()
+{
+    test::HexText hex;
+    hex.add(0x08000000, {0x00, 0x50, 0x00, 0x20, 0x09, 0x00, 0x00, 0x08, 0xFE, 0xE7, 0x00, 0xBF});
+    return hex;
+}
+
+FirmwareImage imageOf(const test::HexText &hex)
+{
+    return *FirmwareImage::fromIntelHex(hex.text());
+}
+
+const char *const success = R"(Open On-Chip Debugger 0.12.0
+Info : clock speed 1000 kHz
+Info : STLINK V2J37S7 (API v2) VID:PID 0483:3748
+Info : Target voltage: 3.236220
+Info : [stm32f1x.cpu] Cortex-M3 r1p1 processor detected
+[stm32f1x.cpu] halted due to debug-request, current mode: Thread
+** Programming Started **
+Info : device id = 0x20036410
+Info : flash size = 64 KiB
+** Programming Finished **
+** Verify Started **
+** Verified OK **
+** Resetting Target **
+shutdown command invoked)";
+
+TEST(AbstractDcOpenOcd, AsksForWhatTheRepositoryConfigures)
+{
+    const auto text = [](const openocd::Job &job) {
+        std::string all;
+        for (const std::string &argument : openocd::commandOf(job).arguments)
+            all += argument + '|';
+        return all;
+    };
+    auto f1 = *openocd::jobOf("openocd:stlink", "f1");
+    f1.file = "a.hex";
+    EXPECT_EQ(text(f1),
+        "-f|interface/stlink.cfg|-c|transport select hla_swd|-f|target/stm32f1x.cfg|-c|reset_config none separate|-c|"
+        "program {a.hex} verify reset exit|");
+    auto f4 = *openocd::jobOf("openocd:cmsis-dap", "f4");
+    f4.file = "a.hex";
+    f4.eraseSettings = true;
+    EXPECT_EQ(text(f4),
+        "-f|interface/cmsis-dap.cfg|-c|transport select swd|-f|target/stm32f4x.cfg|-c|adapter speed "
+        "2000|-c|reset_config "
+        "srst_only srst_nogate|-c|init|-c|reset halt|-c|flash erase_address pad 0x0800C800 0xC00|-c|program {a.hex} "
+        "verify "
+        "reset exit|");
+}
+
+TEST(AbstractDcOpenOcd, RefusesWhatIsNoWayIn)
+{
+    for (const char *via : {"", "avrdude:x", "openocd", "openocd:", "openocd:../x", "openocd:a b", "openocd:a;b"}) {
+        const auto job = openocd::jobOf(via, "f1");
+        ASSERT_FALSE(job) << via;
+        EXPECT_EQ(job.error().fault, Fault::OutOfRange);
+    }
+    for (const char *target : {"", "f2", "F1"})
+        EXPECT_FALSE(openocd::jobOf("openocd:stlink", target)) << target;
+}
+
+TEST(AbstractDcOpenOcd, EveryKnownFailureIsOneLineWithARemedy)
+{
+    struct Case {
+        const char *line;
+        Fault fault;
+        const char *says;
+    };
+    for (const Case &c : {Case{"Error: open failed", Fault::LinkLost, "no debug probe"},
+             Case{"Error: unable to find a matching CMSIS-DAP device", Fault::LinkLost, "no debug probe"},
+             Case{"Error: No J-Link device found", Fault::LinkLost, "no debug probe"},
+             Case{"Error: libusb_open() failed with LIBUSB_ERROR_ACCESS", Fault::LinkLost, "udev"},
+             Case{"embedded:startup.tcl:28: Error: Can't find interface/x.cfg", Fault::OutOfRange,
+                 "no interface of this name"},
+             Case{"Error: init mode failed (unable to connect to the target)", Fault::Timeout, "SWDIO"},
+             Case{"Error: Error connecting DP: cannot read IDR", Fault::Timeout, "SWDIO"},
+             Case{"Warn : UNEXPECTED idcode: 0x2ba01477", Fault::Refused, "--target"},
+             Case{"** Programming Failed **", Fault::Refused, "protected"},
+             Case{"** Verify Failed **", Fault::BadCheck, "does not hold"},
+             Case{"Error: something new", Fault::BadReply, "something new"}, Case{"", Fault::BadReply, "by hand"}}) {
+        openocd::Reading reading;
+        reading.take(c.line);
+        const Error error = reading.failure({"stlink", "f1", "a.hex", false});
+        EXPECT_EQ(error.fault, c.fault) << c.line;
+        EXPECT_NE(error.detail.find(c.says), std::string::npos) << error.detail;
+        EXPECT_NE(error.detail.find("; "), std::string::npos) << "a remedy: " << error.detail;
+    }
+}
+
+TEST(AbstractDcFirmware, AnImageIsAProgramForAnStm32)
+{
+    const auto good = inspect(imageOf(program()));
+    ASSERT_TRUE(good) << good.error().detail;
+    EXPECT_EQ(good->parts, std::vector<int>{0});
+    EXPECT_FALSE(inspect(imageOf(test::smallApplication()))) << "another family's";
+    test::HexText noVectors;
+    noVectors.add(0x08000400, {1, 2, 3, 4});
+    EXPECT_FALSE(inspect(imageOf(noVectors)));
+    test::HexText arm;
+    arm.add(0x08000000, {0x00, 0x50, 0x00, 0x20, 0x08, 0x00, 0x00, 0x08, 0xFE, 0xE7});
+    EXPECT_FALSE(inspect(imageOf(arm))) << "an even reset vector";
+    auto settings = program();
+    settings.add(0x0800C900, {1});
+    EXPECT_EQ(inspect(imageOf(settings))->notes.size(), 2U) << "it writes the stored gains";
+}
+
+TEST(AbstractDcFirmware, TheHexFileForOpenOcdHasTheBytesOfTheImage)
+{
+    auto hex = program();
+    hex.add(0x0800FFF8, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
+    hex.add(0x08010100, {42});
+    const FirmwareImage image = imageOf(hex);
+    const auto back = FirmwareImage::fromIntelHex(toIntelHex(image));
+    ASSERT_TRUE(back) << back.error().detail;
+    ASSERT_EQ(back->byteCount(), image.byteCount());
+    for (std::size_t i = 0; i < image.segments().size(); ++i) {
+        const auto a = image.bytes(image.segments()[i]);
+        const auto b = back->bytes(back->segments()[i]);
+        EXPECT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end()));
+    }
+}
+
+/// A drive on a bus, both in real time, and a folder that comes first in PATH.
+class AbstractDcUpdate : public testing::Test {
+protected:
+    AbstractDcUpdate()
+        : bus(loop.clock(), 1'000'000, 1)
+        , host(*LinkAddress::parse("sim:can"), bus)
+        , other(*LinkAddress::parse("sim:can"), bus)
+        , m_path(qgetenv("PATH"))
+    {
+        EXPECT_TRUE(host.open());
+        EXPECT_TRUE(other.open());
+        drive = *simulate(other, loop.clock(), *SimulatedUnit::parse("abstractdc:3"));
+        device = family.open(host, loop.clock(), identityOf(3, &dialectF));
+    }
+    ~AbstractDcUpdate() override { qputenv("PATH", m_path); }
+
+    void standIn(const std::string &script)
+    {
+        QFile file(folder.path() + "/openocd");
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(("#!/bin/sh\n" + script).c_str());
+        file.close();
+        ASSERT_TRUE(file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner));
+        qputenv("PATH", (folder.path().toUtf8() + ':' + m_path));
+    }
+    static std::string replay(const std::string &text, int status)
+    {
+        return "cat >&2 <<'END'\n" + text + "\nEND\nexit " + std::to_string(status) + "\n";
+    }
+    Result<UpdateReport> update(UpdateOptions options)
+    {
+        const FirmwareImage image = imageOf(program());
+        auto task = abstractdc::update(*device, image, std::move(options), steps);
+        task.start();
+        EXPECT_TRUE(loop.runUntil([&] { return task.isFinished(); }, 60s));
+        return std::move(task.result());
+    }
+    static UpdateOptions by(const std::string &via, bool erase = false)
+    {
+        UpdateOptions options;
+        options.via = via;
+        options.target = "f1";
+        options.eraseSettings = erase;
+        return options;
+    }
+    struct Steps final : Progress {
+        void step(const std::string &what, int, int) override
+        {
+            if (said.empty() || said.back() != what)
+                said.push_back(what);
+        }
+        void part(int, PartState) override { }
+        void log(Severity severity, const std::string &) override { worst = std::max(worst, severity); }
+        std::vector<std::string> said;
+        Severity worst = Severity::Info;
+    } steps;
+
+    test::EventLoop loop;
+    VirtualCanBus bus;
+    VirtualCanLink host;
+    VirtualCanLink other;
+    std::unique_ptr<Simulator> drive;
+    std::unique_ptr<Device> device;
+    QTemporaryDir folder;
+
+private:
+    QByteArray m_path;
+};
+
+TEST_F(AbstractDcUpdate, IsDoneWhenTheProgrammerVerifiedAndTheDriveAnswers)
+{
+    standIn("echo \"$@\" > '" + folder.path().toStdString() + "/called'\n" + replay(success, 0));
+    const auto report = update(by("openocd:stlink"));
+    ASSERT_TRUE(report) << report.error().detail;
+    EXPECT_EQ(report->outcome, UpdateOutcome::Done);
+    EXPECT_TRUE(report->verified);
+    EXPECT_EQ(report->to, "");
+    EXPECT_EQ(report->pages, 1);
+    for (const char *step : {"Connecting through OpenOCD", "Writing flash", "Verifying flash", "Looking for the drive"})
+        EXPECT_NE(std::find(steps.said.begin(), steps.said.end(), step), steps.said.end()) << step;
+    QFile called(folder.path() + "/called");
+    ASSERT_TRUE(called.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(called.readAll().contains("target/stm32f1x.cfg"));
+}
+
+TEST_F(AbstractDcUpdate, ErasingTheSettingsIsWarnedOfAndForgetsWhatWasAssumed)
+{
+    standIn(replay("erased address 0x0800c800 (length 3072) in 0.124s\n" + std::string(success), 0));
+    const auto report = update(by("openocd:stlink", true));
+    ASSERT_TRUE(report) << report.error().detail;
+    EXPECT_EQ(steps.worst, Severity::Caution);
+    const auto divisor = *findParameter(family.parameters, "velocity.divisor");
+    EXPECT_EQ(device->parameters().entry(divisor).raw, 0) << "blank flash";
+    EXPECT_EQ(device->profile().counters.at("saves.velocity"), 0);
+}
+
+TEST_F(AbstractDcUpdate, AVerifyThatFailsIsAFailureWhateverTheExitStatus)
+{
+    standIn(
+        replay("** Programming Started **\n** Programming Finished **\n** Verify Started **\n** Verify Failed **", 0));
+    const auto report = update(by("openocd:stlink"));
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().fault, Fault::BadCheck);
+}
+
+TEST_F(AbstractDcUpdate, WithoutAnAnswerItIsNotDone)
+{
+    standIn(replay(success, 0));
+    drive->setPowered(false);
+    const auto report = update(by("openocd:stlink"));
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->outcome, UpdateOutcome::Failed);
+    EXPECT_FALSE(report->verified);
+    EXPECT_NE(report->evidence.find("nothing answers"), std::string::npos);
+}
+
+TEST_F(AbstractDcUpdate, ADryRunStartsNothing)
+{
+    standIn("touch '" + folder.path().toStdString() + "/ran'\n");
+    UpdateOptions options = by("openocd:stlink");
+    options.dryRun = true;
+    const auto report = update(options);
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->outcome, UpdateOutcome::Done);
+    EXPECT_FALSE(report->verified);
+    EXPECT_FALSE(QFile::exists(folder.path() + "/ran"));
+}
+
+TEST_F(AbstractDcUpdate, AMissingProgramIsOneLineThatSaysWhatToInstall)
+{
+    qputenv("PATH", folder.path().toUtf8());
+    const auto report = update(by("openocd:stlink"));
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().fault, Fault::LinkLost);
+    EXPECT_EQ(report.error().detail, "openocd is not installed; install it with: sudo apt install openocd");
+}
+
+TEST_F(AbstractDcUpdate, CancellingEndsTheProgrammer)
+{
+    standIn("echo $$ > '" + folder.path().toStdString() + "/pid'\necho '** Programming Started **'\nexec sleep 60\n");
+    const FirmwareImage image = imageOf(program());
+    auto task = abstractdc::update(*device, image, by("openocd:stlink"), steps);
+    task.start();
+    ASSERT_TRUE(loop.runUntil([&] { return !steps.said.empty() && steps.said.back() == "Writing flash"; }));
+    QFile file(folder.path() + "/pid");
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const int pid = file.readAll().trimmed().toInt();
+    ASSERT_EQ(::kill(pid, 0), 0);
+    task.cancel();
+    EXPECT_NE(::kill(pid, 0), 0);
+}
+
+TEST_F(AbstractDcUpdate, TheRealOpenOcdWithoutAProbeIsOneClearLine)
+{
+    ASSERT_TRUE(ExternalProgram::locate("openocd")) << "install the package openocd: scripts/install-packages test";
+    for (const char *via : {"openocd:kitprog", "openocd:xds110"}) {
+        const auto report = update(by(via));
+        ASSERT_FALSE(report) << via;
+        EXPECT_EQ(report.error().fault, Fault::LinkLost) << report.error().detail;
+        EXPECT_NE(report.error().detail.find("no debug probe"), std::string::npos) << report.error().detail;
+    }
+    const auto unknown = update(by("openocd:no-such-thing"));
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().fault, Fault::OutOfRange) << unknown.error().detail;
+    const auto jtag = update(by("openocd:ulink"));
+    ASSERT_FALSE(jtag);
+    EXPECT_EQ(jtag.error().fault, Fault::OutOfRange) << jtag.error().detail;
+}
+
+} // namespace
+} // namespace mb::abstractdc

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "abstractdcbench.h"
+#include "families/abstractdc/scan.h"
+#include "support/fakeunit.h"
+#include "support/simulatedsession.h"
+
+#include <map>
+
+namespace mb::abstractdc {
+namespace {
+
+struct Found final : ScanSink {
+    void found(const Identity &identity) override { rows[identity.address] = identity; }
+    void progress(const std::string &, int, int) override { }
+    [[nodiscard]] std::string text() const
+    {
+        std::string all;
+        for (const auto &[offset, identity] : rows)
+            all += std::to_string(offset) + ':' + (identity.dialect.empty() ? "?" : identity.dialect)
+                + (identity.state == DeviceState::Duplicate ? "x2 " : " ");
+        return all;
+    }
+    std::map<int, Identity> rows;
+};
+
+class AbstractDcScan : public Drives {
+protected:
+    using Drives::Drives;
+    std::string scanned()
+    {
+        Found sink;
+        std::vector<std::string> sent;
+        const Subscription tap = host.traffic().add([&](const Traffic &traffic) {
+            if (traffic.direction == Direction::Sent)
+                sent.push_back(toText(*traffic.can));
+        });
+        const Instant begin = clock.now();
+        const auto result = test::run(clock, scan(host, clock, sink));
+        EXPECT_TRUE(result) << result.error().detail;
+        took = clock.now() - begin;
+        for (const std::string &frame : sent)
+            EXPECT_TRUE((frame[0] == '3' && frame.size() == 6) && (frame.substr(0, 3) >= "320"))
+                << frame << " is no log request";
+        last = sink.rows;
+        return sink.text();
+    }
+    Duration took{};
+    std::map<int, Identity> last;
+};
+
+TEST_F(AbstractDcScan, NobodyIsFoundOnAnEmptyBus)
+{
+    EXPECT_EQ(scanned(), "");
+    EXPECT_LE(took, 300ms);
+}
+
+TEST_F(AbstractDcScan, TellsTheDialectsApart)
+{
+    for (const char *unit :
+        {"abstractdc:3,dialect=F", "abstractdc:4,dialect=L", "abstractdc:5,dialect=D", "abstractdc:9,dialect=LL"})
+        add(unit);
+    EXPECT_EQ(scanned(), "3:F 4:L 5:D 9:LL ");
+    EXPECT_LE(took, 500ms);
+    EXPECT_NE(last.at(3).detail.find("firmware's codes, not the document's"), std::string::npos);
+    for (const auto &[offset, identity] : last)
+        EXPECT_EQ(identity.state, DeviceState::Online);
+}
+
+TEST_F(AbstractDcScan, NoMotorMovesAndNoSettingChanges)
+{
+    Simulator &a = add("abstractdc:3,dialect=F");
+    Simulator &b = add("abstractdc:40,dialect=L");
+    Simulator &c = add("abstractdc:5,dialect=D");
+    events.clear();
+    scanned();
+    EXPECT_TRUE(events.empty());
+    for (Simulator *drive : {&a, &b, &c}) {
+        EXPECT_FALSE(drive->isOutputOn());
+        EXPECT_EQ(drive->position(), 0.0);
+    }
+}
+
+/// 1000+k of a legacy drive with k ≥ 24 is 1024+(k−24) of one of today's.
+TEST_F(AbstractDcScan, AnAmbiguousIdentifierIsAskedBothWays)
+{
+    add("abstractdc:30,dialect=L");
+    EXPECT_EQ(scanned(), "30:L ");
+    add("abstractdc:31,dialect=F");
+    EXPECT_EQ(scanned(), "30:L 31:F ");
+}
+
+TEST_F(AbstractDcScan, EveryOffsetOfEveryDialectIsFoundAlone)
+{
+    for (const char *dialect : {"F", "L", "D"}) {
+        for (const int offset : {0, 1, 23, 24, 28, 51, 52, 75, 76, 99}) {
+            VirtualCanBus own(clock, 1'000'000, 1);
+            VirtualCanLink one(*LinkAddress::parse("sim:can"), own);
+            VirtualCanLink other(*LinkAddress::parse("sim:can"), own);
+            ASSERT_TRUE(one.open());
+            ASSERT_TRUE(other.open());
+            const auto drive = simulate(
+                other, clock, *SimulatedUnit::parse("abstractdc:" + std::to_string(offset) + ",dialect=" + dialect));
+            Found sink;
+            ASSERT_TRUE(test::run(clock, scan(one, clock, sink)));
+            EXPECT_EQ(sink.text(), std::to_string(offset) + ':' + dialect + ' ');
+        }
+    }
+}
+
+TEST_F(AbstractDcScan, EightDrivesAreFoundInHalfASecond)
+{
+    for (int offset = 1; offset <= 8; ++offset)
+        add("abstractdc:" + std::to_string(offset) + ",dialect=" + (offset % 2 == 0 ? "L" : "F"));
+    EXPECT_EQ(scanned(), "1:F 2:L 3:F 4:L 5:F 6:L 7:F 8:L ");
+    EXPECT_LE(took, 500ms);
+}
+
+TEST_F(AbstractDcScan, TwoDrivesWithOneOffsetAreADuplicate)
+{
+    add("abstractdc:7,fault=duplicate");
+    add("abstractdc:8");
+    EXPECT_EQ(scanned(), "7:Fx2 8:F ");
+}
+
+TEST_F(AbstractDcScan, LostFramesAreAskedForAgain)
+{
+    add("abstractdc:3,fault=drop@2");
+    add("abstractdc:4,dialect=L,fault=drop@2");
+    EXPECT_EQ(scanned(), "3:F 4:L ");
+}
+
+class AbstractDcSlowScan : public AbstractDcScan {
+protected:
+    AbstractDcSlowScan()
+        : AbstractDcScan(1250)
+    {
+    }
+};
+
+TEST_F(AbstractDcSlowScan, WorksAtTheBitRateOfTheStockFirmware)
+{
+    add("abstractdc:3");
+    add("abstractdc:4,dialect=L");
+    EXPECT_EQ(scanned(), "3:F 4:L ");
+    EXPECT_LE(took, 5s);
+}
+
+class AbstractDcScanLiteral : public testing::Test {
+protected:
+    AbstractDcScanLiteral()
+        : bus(clock, 500'000, 1)
+        , host(*LinkAddress::parse("sim:can"), bus)
+        , unit(bus, clock)
+    {
+        EXPECT_TRUE(host.open());
+        clock.advance(1s);
+    }
+    std::string scanned()
+    {
+        Found sink;
+        EXPECT_TRUE(test::run(clock, scan(host, clock, sink)));
+        return sink.text();
+    }
+    VirtualClock clock;
+    VirtualCanBus bus;
+    VirtualCanLink host;
+    test::FakeUnit unit;
+};
+
+TEST_F(AbstractDcScanLiteral, ThirdAndFourthAnswerProveTheFirmware)
+{
+    unit.answer("384#01", {{"405#00000000"}});
+    unit.answer("389#03", {{"605#00000000"}});
+    unit.answer("389#04", {{"680#00000000"}});
+    EXPECT_EQ(scanned(), "5:F ");
+}
+
+TEST_F(AbstractDcScanLiteral, AContradictionIsNoProof)
+{
+    unit.answer("384#01", {{"405#00000000"}});
+    unit.answer("389#03", {{"605#00000000"}});
+    unit.answer("389#04", {{"485#00000000"}});
+    EXPECT_EQ(scanned().find(":F"), std::string::npos);
+    EXPECT_EQ(scanned().find(":D"), std::string::npos);
+}
+
+TEST_F(AbstractDcScanLiteral, OneThatKnowsOnlyTheSpeedIsListedWithoutADialect)
+{
+    unit.answer("384#01", {{"460#00000000"}}); // 1120: today's with 96, or legacy with 120, which there is not
+    EXPECT_EQ(scanned(), "96:? ");
+}
+
+TEST_F(AbstractDcScanLiteral, FramesOfOthersAreNoDrives)
+{
+    unit.answer("384#01", {{"405#0000", "00000405#00000000", "7E8#00000000", "460#R4"}});
+    EXPECT_EQ(scanned(), "");
+}
+
+} // namespace
+} // namespace mb::abstractdc

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The controller against simulated nodes: moves, stops that are refused, restarts, time-outs.
+#include "families/supermodifiedbench.h"
+
+#include <cmath>
+
+namespace mb::supermodified {
+namespace {
+
+using namespace std::chrono_literals;
+using mb::test::run;
+using test::Bench;
+using test::setPoint;
+
+TEST(SupermodifiedControl, StartsOnceAndSendsAnEqualSetPointOnce)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    bench.clock.advance(200ms);
+    bench.sent.clear();
+    for (int i = 0; i < 20; ++i) {
+        ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 2000.0)));
+        bench.clock.advance(20ms);
+    }
+    EXPECT_EQ(bench.count(Command::Start), 1);
+    EXPECT_EQ(bench.count(Command::MoveVelocity), 1);
+    EXPECT_GT(node.speed(), 1000.0);
+    EXPECT_TRUE(device->liveness().moving);
+    device->stop();
+    EXPECT_FALSE(device->isSeenStopped());
+    bench.clock.advance(20ms);
+    EXPECT_TRUE(device->isSeenStopped());
+    EXPECT_FALSE(node.isOutputOn());
+    EXPECT_EQ(bench.count(Command::Stop), 1);
+}
+
+TEST(SupermodifiedControl, AStopThatIsRefusedIsRepeatedUntilItIsAcknowledged)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 2000.0)));
+    bench.clock.advance(300ms);
+    ASSERT_TRUE(node.isOutputOn());
+    bench.sent.clear();
+    node.disturb("error", 0x43);
+    device->stop();
+    bench.clock.advance(25ms);
+    EXPECT_FALSE(node.isOutputOn());
+    EXPECT_TRUE(device->isSeenStopped());
+    EXPECT_GE(bench.count(Command::Stop), 1);
+}
+
+TEST(SupermodifiedControl, AStopGoesOnThroughSilenceAndThroughALostCable)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 2000.0)));
+    bench.clock.advance(300ms);
+    bench.line.setLoss(1.0);
+    device->stop();
+    bench.clock.advance(5s);
+    EXPECT_TRUE(node.isOutputOn());
+    EXPECT_FALSE(device->isSeenStopped());
+    bench.line.setLoss(0.0);
+    bench.clock.advance(300ms);
+    EXPECT_FALSE(node.isOutputOn());
+    EXPECT_TRUE(device->isSeenStopped());
+
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 2000.0)));
+    bench.clock.advance(300ms);
+    ASSERT_TRUE(node.isOutputOn());
+    bench.line.pull(bench.host);
+    device->stop();
+    bench.clock.advance(1s);
+    EXPECT_TRUE(node.isOutputOn());
+    ASSERT_TRUE(bench.host.open());
+    bench.clock.advance(100ms);
+    EXPECT_FALSE(node.isOutputOn());
+    EXPECT_TRUE(device->isSeenStopped());
+}
+
+TEST(SupermodifiedControl, DestroyingADeviceThatIsDrivenSendsAStop)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4");
+    auto device = bench.connect(4);
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 2000.0)));
+    bench.clock.advance(300ms);
+    ASSERT_TRUE(node.isOutputOn());
+    device.reset();
+    bench.clock.advance(50ms);
+    EXPECT_FALSE(node.isOutputOn());
+}
+
+TEST(SupermodifiedControl, ARelativeMoveIsNeverSentTwiceWhenItsAnswerIsLost)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4,gains=tuned");
+    const auto device = bench.connect(4);
+    ASSERT_TRUE(device->command(setPoint(Mode::Position, 0.0)));
+    bench.clock.advance(300ms);
+    SetPoint step = setPoint(Mode::Position, 500.0);
+    step.relative = true;
+    step.order = 1;
+    bench.sent.clear();
+    ASSERT_TRUE(device->command(step));
+    ASSERT_TRUE(bench.clock.runUntil([&] { return bench.count(Command::MoveRelative) == 1; }, 100ms));
+    bench.clock.advance(3ms); // the request is through, the acknowledgement is on its way
+    bench.line.setLoss(1.0);
+    bench.clock.advance(2s);
+    bench.line.setLoss(0.0);
+    bench.clock.advance(1s);
+    EXPECT_EQ(bench.count(Command::MoveRelative), 1);
+    EXPECT_LT(node.position(), 700.0);
+}
+
+TEST(SupermodifiedControl, ARelativeMoveThatWasRefusedIsSentAgainAndDoneOnce)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    ASSERT_TRUE(device->command(setPoint(Mode::Position, 0.0)));
+    bench.clock.advance(300ms);
+    for (std::uint32_t order = 1; order <= 3; ++order) {
+        node.disturb("error", 0x44); // is reported instead of the first answer
+        SetPoint step = setPoint(Mode::Position, 500.0);
+        step.relative = true;
+        step.order = order;
+        ASSERT_TRUE(device->command(step));
+        bench.clock.advance(600ms);
+    }
+    EXPECT_NEAR(node.position(), 1500.0, 20.0);
+}
+
+TEST(SupermodifiedControl, PositionsStayContinuousAlthoughStartZeroesThem)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    const auto positionOf = [&] {
+        const auto latest = device->telemetry()->latest(*device->telemetry()->find("position"));
+        return latest ? latest->value : NAN;
+    };
+    ASSERT_TRUE(device->command(setPoint(Mode::Position, 3000.0)));
+    bench.clock.advance(2s);
+    EXPECT_NEAR(positionOf(), 3000.0, 20.0);
+    device->stop();
+    bench.clock.advance(200ms);
+    const double rest = positionOf();
+    ASSERT_TRUE(device->command(setPoint(Mode::Position, rest))); // the present position: nothing moves
+    bench.clock.advance(1s);
+    EXPECT_NEAR(positionOf(), rest, 20.0);
+    EXPECT_NEAR(node.position(), rest, 20.0);
+    ASSERT_TRUE(device->command(setPoint(Mode::Position, rest + 1000.0)));
+    bench.clock.advance(2s);
+    EXPECT_NEAR(positionOf(), rest + 1000.0, 20.0);
+}
+
+TEST(SupermodifiedControl, EveryKindOfMoveInEveryDialect)
+{
+    for (const std::string dialect : {"D1", "D2", "D3"}) {
+        Bench bench;
+        Simulator &node = bench.add("supermodified:4,dialect=" + dialect);
+        const auto device = bench.connect(4);
+        EXPECT_EQ(device->identity().dialect, dialect);
+        const double scale = dialect == "D3" ? 8.0 : 1.0;
+        const auto order = [&](SetPoint wanted, Duration time) {
+            ASSERT_TRUE(device->command(wanted)) << dialect;
+            bench.clock.advance(time);
+        };
+        order(setPoint(Mode::Position, 1000.0 * scale), 1s);
+        EXPECT_NEAR(node.position(), 1000.0 * scale, 30.0 * scale) << dialect;
+        SetPoint ramp = setPoint(Mode::RampPosition, 3000.0 * scale);
+        ramp.velocity = 2000.0 * scale;
+        ramp.acceleration = 4000.0 * scale;
+        order(ramp, 500ms);
+        EXPECT_GT(node.speed(), 300.0 * scale) << dialect;
+        EXPECT_LT(node.speed(), 2300.0 * scale) << dialect;
+        bench.clock.advance(2s);
+        EXPECT_NEAR(node.position(), 3000.0 * scale, 30.0 * scale) << dialect;
+        SetPoint back = setPoint(Mode::RampPosition, -1000.0 * scale);
+        back.relative = true;
+        order(back, 3s);
+        EXPECT_NEAR(node.position(), 2000.0 * scale, 40.0 * scale) << dialect;
+        order(setPoint(Mode::Velocity, -1500.0 * scale), 1s);
+        EXPECT_NEAR(node.speed(), -1500.0 * scale * (dialect == "D3" ? 1.0 : 0.897), 150.0 * scale) << dialect;
+        SetPoint hold = setPoint(Mode::Position, 0.0);
+        hold.relative = true;
+        bench.sent.clear();
+        order(hold, 500ms);
+        EXPECT_EQ(bench.count(Command::Halt), 1) << dialect;
+        EXPECT_NEAR(node.speed(), 0.0, 30.0 * scale) << dialect;
+        order(setPoint(Mode::RampVelocity, 1000.0 * scale), 2s);
+        EXPECT_GT(node.speed(), 700.0 * scale) << dialect;
+        device->stop();
+        bench.clock.advance(500ms);
+        EXPECT_FALSE(node.isOutputOn());
+    }
+}
+
+TEST(SupermodifiedControl, FourNodesWithBufferedMovesStartTogether)
+{
+    Bench bench;
+    std::vector<Simulator *> nodes;
+    std::vector<std::unique_ptr<Device>> devices;
+    for (int id = 4; id <= 7; ++id) {
+        nodes.push_back(
+            &bench.add("supermodified:" + std::to_string(id) + (id % 2 == 0 ? ",dialect=D1" : ",dialect=D2")));
+        devices.push_back(bench.connect(id));
+    }
+    for (const auto &device : devices) {
+        SetPoint move = setPoint(Mode::Position, 1000.0);
+        move.buffered = true;
+        ASSERT_TRUE(device->command(move));
+    }
+    bench.clock.advance(500ms);
+    for (Simulator *node : nodes) {
+        EXPECT_TRUE(node->isOutputOn()) << "holds its place";
+        EXPECT_NEAR(node->position(), 0.0, 5.0);
+    }
+    bench.sent.clear();
+    ASSERT_TRUE(devices.front()->releaseMoves());
+    std::vector<Instant> begun(nodes.size());
+    for (int i = 0; i < 400; ++i) {
+        bench.clock.advance(100us);
+        for (std::size_t n = 0; n < nodes.size(); ++n) {
+            if (begun[n] == Instant{} && nodes[n]->position() > 20.0)
+                begun[n] = bench.clock.now();
+        }
+    }
+    EXPECT_EQ(bench.count(Command::DoMove), 1);
+    const auto [first, last] = std::minmax_element(begun.begin(), begun.end());
+    EXPECT_NE(*first, Instant{});
+    EXPECT_LE(*last - *first, 3ms) << "one loop of a node is 1.024 ms";
+    bench.clock.advance(1s);
+    for (Simulator *node : nodes)
+        EXPECT_NEAR(node->position(), 1000.0, 20.0);
+    for (const auto &device : devices)
+        device->stop();
+    bench.clock.advance(100ms);
+    for (Simulator *node : nodes)
+        EXPECT_FALSE(node->isOutputOn());
+}
+
+TEST(SupermodifiedControl, AStalledMotorEndsTheStreamAndIsNotStartedAgainByItself)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    bench.clock.advance(200ms);
+    SetPointStream stream(*device, bench.clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Position, 2000.0), 60s));
+    node.disturb("stall", 1);
+    bench.clock.advance(4s);
+    EXPECT_FALSE(stream.isRunning());
+    EXPECT_EQ(stream.end(), SetPointStream::End::Refused);
+    EXPECT_NE(stream.reason().find("stalled"), std::string::npos) << stream.reason();
+    EXPECT_FALSE(node.isOutputOn());
+    EXPECT_EQ(device->liveness().faults, std::vector<std::string>{"motor_stalled"});
+    node.disturb("stall", 0);
+    bench.clock.advance(2s);
+    EXPECT_FALSE(node.isOutputOn());
+}
+
+TEST(SupermodifiedControl, ANodeThatLostItsSupplyWhileDrivenEndsTheStream)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    bench.clock.advance(200ms);
+    SetPointStream stream(*device, bench.clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 2000.0), 60s));
+    bench.clock.advance(500ms);
+    node.setPowered(false);
+    bench.clock.advance(80ms);
+    node.setPowered(true);
+    bench.clock.advance(500ms);
+    EXPECT_FALSE(stream.isRunning());
+    EXPECT_FALSE(node.isOutputOn());
+}
+
+TEST(SupermodifiedControl, RefusesWhatTheNodeCannotDoWithoutSendingAnything)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    bench.clock.advance(100ms);
+    (void)run(bench.clock, device->read(Bench::index("gain.p")));
+    bench.sent.clear();
+    EXPECT_EQ(device->command(setPoint(Mode::Velocity, 40000.0)).error().fault, Fault::OutOfRange) << "16 bits";
+    EXPECT_EQ(device->command(setPoint(Mode::Duty, 0.1)).error().fault, Fault::Unsupported);
+    EXPECT_EQ(device->command(setPoint(Mode::Position, 1e10)).error().fault, Fault::OutOfRange);
+    EXPECT_EQ(device->command(setPoint(Mode::Position, 2.2e6)).error().fault, Fault::OutOfRange) << "P·e overflows";
+    EXPECT_TRUE(device->check(setPoint(Mode::RampPosition, 2.2e6))) << "a profile is short steps";
+    SetPoint fast = setPoint(Mode::RampPosition, 100.0);
+    fast.velocity = 50000.0;
+    EXPECT_EQ(device->command(fast).error().fault, Fault::OutOfRange);
+    for (const Frame &frame : bench.framesSent())
+        EXPECT_TRUE(isGet(frame.command));
+}
+
+TEST(SupermodifiedControl, AnotherMasterIsHeardAndLocksControl)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    VirtualSerialLink other(*LinkAddress::parse("sim:serial"), bench.line);
+    ASSERT_TRUE(other.open());
+    ASSERT_TRUE(other.setBaudrate(57600));
+    bench.clock.advance(99ms); // between two questions of our own
+    ASSERT_TRUE(bench.clock.runUntil([&] { return device->liveness().heard; }, 1s));
+    for (int i = 0; i < 40 && !device->liveness().foreignMaster; ++i) {
+        ASSERT_TRUE(other.send(test::bytesOf("55 AA 04 02 1A 00 1A")));
+        bench.clock.advance(7300us);
+    }
+    EXPECT_TRUE(device->liveness().foreignMaster);
+    EXPECT_EQ(device->mayMove().error().fault, Fault::Unsafe);
+    bench.clock.advance(1s);
+    EXPECT_TRUE(device->mayMove());
+}
+
+TEST(SupermodifiedControl, ItsStopScriptStopsARunningNode)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 2000.0)));
+    bench.clock.advance(300ms);
+    node.disturb("error", 0x43);
+    const StopScript script = device->stopScript();
+    ASSERT_EQ(script.steps.size(), 2U);
+    const StopStep &step = script.steps.front();
+    EXPECT_EQ(step.reply, test::bytesOf("55 AA 01 04 1B 00 1B"));
+    int attempts = 0;
+    for (bool proved = false; !proved && attempts < step.attempts; ++attempts) {
+        bench.heard.clear();
+        ASSERT_TRUE(bench.host.send(step.bytes));
+        bench.clock.advance(step.wait);
+        proved = std::search(bench.heard.begin(), bench.heard.end(), step.reply.begin(), step.reply.end())
+            != bench.heard.end();
+    }
+    EXPECT_LE(attempts, 3);
+    EXPECT_FALSE(node.isOutputOn());
+}
+
+} // namespace
+} // namespace mb::supermodified

@@ -1,0 +1,303 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Firmware through avrdude: a stand-in that prints what version 7.1 of Debian 12 prints, and the real one for what it says
+// without a programmer.
+#include "families/supermodified/avrdude.h"
+#include "families/supermodified/firmware.h"
+#include "families/supermodified/scan.h"
+#include "families/supermodified/simulator.h"
+#include "model/operation.h"
+#include "model/registry.h"
+#include "support/eventloop.h"
+#include "transport/backends/virtualserial.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace mb::supermodified {
+namespace {
+
+using namespace std::chrono_literals;
+using avrdude::Reading;
+using avrdude::Stage;
+
+// jmp 0x0040; rjmp .-2
+constexpr std::string_view imageText = ":060000000C942000FFCF6C\n:00000001FF\n";
+
+FirmwareImage image(std::string_view text = imageText)
+{
+    auto parsed = FirmwareImage::fromIntelHex(text);
+    EXPECT_TRUE(parsed) << (parsed ? "" : parsed.error().detail);
+    return parsed.value_or(FirmwareImage{});
+}
+
+TEST(SupermodifiedAvrdude, TakesAProgrammerAndAPort)
+{
+    const auto job = avrdude::jobOf("avrdude:arduino:/dev/serial/by-id/usb-FTDI:0");
+    ASSERT_TRUE(job);
+    EXPECT_EQ(job->programmer, "arduino");
+    EXPECT_EQ(job->port, "/dev/serial/by-id/usb-FTDI:0");
+    EXPECT_TRUE(job->isBootloader());
+    for (const std::string_view bad : {"", "avrdude", "avrdude:", "avrdude:usbasp", "avrdude:usbasp:", "openocd:stlink",
+             "avrdude:-x:usb", "avrdude:a b:usb", "avrdude:usbasp:-U"}) {
+        EXPECT_EQ(avrdude::jobOf(bad).error().fault, Fault::OutOfRange) << bad;
+    }
+}
+
+TEST(SupermodifiedAvrdude, OnlyEverWritesFlash)
+{
+    for (const std::string_view via : {"avrdude:arduino:/dev/ttyUSB0", "avrdude:usbasp:usb"}) {
+        auto job = *avrdude::jobOf(via);
+        job.file = "/tmp/a.hex";
+        job.rate = job.isBootloader() ? 57600 : 0;
+        const auto command = avrdude::commandOf(job);
+        EXPECT_EQ(command.program, "avrdude");
+        EXPECT_EQ(std::count(command.arguments.begin(), command.arguments.end(), "-U"), 1);
+        EXPECT_EQ(command.arguments.back(), "flash:w:/tmp/a.hex:i");
+        EXPECT_EQ(std::count(command.arguments.begin(), command.arguments.end(), "-V"), 0) << "it verifies";
+        EXPECT_EQ(std::count(command.arguments.begin(), command.arguments.end(), "-D"), job.isBootloader() ? 1 : 0);
+        for (const std::string &argument : command.arguments)
+            EXPECT_EQ(argument.find("fuse"), std::string::npos);
+    }
+}
+
+TEST(SupermodifiedAvrdude, ReadsProgressAndProof)
+{
+    Reading reading;
+    reading.take("avrdude: AVR device initialized and ready to accept instructions", true);
+    reading.take("Reading | ################################################## | 100% 0.00s", true);
+    EXPECT_EQ(reading.stage(), Stage::Connecting);
+    EXPECT_FALSE(reading.hasBegun());
+    reading.take("Writing | ##########", false);
+    EXPECT_EQ(reading.stage(), Stage::Writing);
+    EXPECT_EQ(reading.percent(), 20);
+    reading.take("avrdude: 768 bytes of flash written", true);
+    EXPECT_EQ(reading.stage(), Stage::Verifying);
+    reading.take("Reading | #########################", false);
+    EXPECT_EQ(reading.percent(), 50);
+    EXPECT_FALSE(reading.isVerified());
+    reading.take("avrdude: 768 bytes of flash verified", true);
+    EXPECT_TRUE(reading.isVerified());
+}
+
+TEST(SupermodifiedAvrdude, NamesCauseAndRemedyOfWhatItSays)
+{
+    struct Row {
+        std::string_view line;
+        Fault fault;
+    };
+    const auto job = *avrdude::jobOf("avrdude:arduino:/dev/ttyUSB0");
+    for (const Row &row : {Row{"avrdude error: cannot find programmer id nosuch", Fault::OutOfRange},
+             Row{"avrdude OS error: cannot open port /dev/x: Permission denied", Fault::LinkLost},
+             Row{"avrdude OS error: cannot open port /dev/x: No such file or directory", Fault::LinkLost},
+             Row{"avrdude error: cannot find USB device with vid=0x16c0 pid=0x5dc", Fault::LinkLost},
+             Row{"avrdude warning: attempt 10 of 10: not in sync: resp=0x00", Fault::Timeout},
+             Row{"avrdude error: verification mismatch", Fault::BadCheck},
+             Row{"avrdude: expected signature for ATmega328P is 1E 95 0F", Fault::Refused},
+             Row{"avrdude error: something new", Fault::BadReply}}) {
+        Reading reading;
+        reading.take(row.line, true);
+        const Error error = reading.failure(job);
+        EXPECT_EQ(error.fault, row.fault) << row.line;
+        EXPECT_NE(error.detail.find_first_of(";'"), std::string::npos) << error.detail;
+    }
+}
+
+TEST(SupermodifiedFirmware, TakesProgramsOfAnAvrOnly)
+{
+    const auto summary = inspect(image());
+    ASSERT_TRUE(summary) << summary.error().detail;
+    EXPECT_EQ(summary->parts, std::vector<int>{0});
+    EXPECT_FALSE(inspect(image(":0400000000020400F6\n:00000001FF\n"))) << "vectors of a Cortex";
+    EXPECT_FALSE(inspect(image(":028000000C94DE\n:00000001FF\n"))) << "beyond 32 KiB";
+    EXPECT_EQ(image(toIntelHex(image())).byteCount(), image().byteCount());
+}
+
+/// A node on a line in memory, in real time, and an `avrdude` of our own in PATH.
+struct UpdateBench {
+    UpdateBench()
+        : line(loop.clock(), VirtualSerialLine::Wiring::HalfDuplex, 1)
+        , address(*LinkAddress::parse("sim:serial?bitrate=115200"))
+        , host(address, line)
+        , unit(address, line)
+    {
+        EXPECT_TRUE(host.open());
+        EXPECT_TRUE(unit.open());
+        simulator = std::move(*simulate(unit, loop.clock(), *SimulatedUnit::parse("supermodified:4")));
+        Identity identity;
+        identity.family = "supermodified";
+        identity.address = 4;
+        identity.dialect = "D1";
+        for (const Family *family : families()) {
+            if (family->key == "supermodified")
+                device = family->open(host, loop.clock(), identity);
+        }
+        const char *const path = std::getenv("PATH");
+        before = path ? path : "";
+    }
+    ~UpdateBench() { ::setenv("PATH", before.c_str(), 1); }
+
+    void standIn(const QByteArray &script)
+    {
+        QFile file(folder.filePath(QStringLiteral("avrdude")));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write("#!/bin/sh\necho \"$@\" >> " + folder.filePath(QStringLiteral("calls")).toUtf8() + "\n" + script);
+        file.close();
+        file.setPermissions(QFile::ReadOwner | QFile::ExeOwner);
+        ::setenv("PATH", (folder.path().toStdString() + ':' + before).c_str(), 1);
+    }
+    [[nodiscard]] QByteArray calls() const
+    {
+        QFile file(folder.filePath(QStringLiteral("calls")));
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    Result<UpdateReport> update(const std::string &via, const std::function<void(Operation &)> &meanwhile = {})
+    {
+        Operation operation(loop.clock(), "firmware update");
+        std::optional<Result<UpdateReport>> report;
+        UpdateOptions options;
+        options.via = via;
+        operation.run<UpdateReport>(supermodified::update(*device, written, options, operation),
+            [&report](Result<UpdateReport> result) { report = std::move(result); });
+        EXPECT_TRUE(loop.runUntil([&] {
+            if (meanwhile)
+                meanwhile(operation);
+            return report.has_value();
+        }));
+        log = operation.status().log;
+        return report.value_or(Result<UpdateReport>(fail(Fault::Timeout, "still running")));
+    }
+
+    test::EventLoop loop;
+    VirtualSerialLine line;
+    LinkAddress address;
+    VirtualSerialLink host;
+    VirtualSerialLink unit;
+    std::unique_ptr<Simulator> simulator;
+    std::unique_ptr<Device> device;
+    FirmwareImage written = image();
+    QTemporaryDir folder;
+    std::string before;
+    std::vector<LogLine> log;
+};
+
+constexpr const char *success = R"(
+bar() { printf "$1 | " >&2; i=0; while [ $i -lt 50 ]; do printf '#' >&2; i=$((i+1)); done; printf ' | 100%% 0.01s\n' >&2; }
+echo "avrdude: AVR device initialized and ready to accept instructions" >&2
+bar Reading
+echo "avrdude: writing 6 bytes flash ..." >&2
+bar Writing
+echo "avrdude: 6 bytes of flash written" >&2
+bar Reading
+echo "avrdude: 6 bytes of flash verified" >&2
+echo "avrdude done.  Thank you." >&2
+)";
+
+TEST(SupermodifiedUpdate, IsDoneWhenAvrdudeVerifiedAndTheNodeAnswersAgain)
+{
+    UpdateBench bench;
+    bench.standIn(success);
+    const auto report = bench.update("avrdude:usbasp:usb");
+    ASSERT_TRUE(report) << report.error().detail;
+    EXPECT_EQ(report->outcome, UpdateOutcome::Done);
+    EXPECT_TRUE(report->verified);
+    EXPECT_TRUE(report->to.empty()) << "the wire carries no version";
+    EXPECT_EQ(report->pages, 1);
+    EXPECT_NE(report->evidence.find("answers again"), std::string::npos) << report->evidence;
+    EXPECT_EQ(bench.calls().count('\n'), 1);
+    EXPECT_GT(bench.log.size(), 4U);
+}
+
+TEST(SupermodifiedUpdate, IsNotDoneWhenTheNodeStaysSilent)
+{
+    UpdateBench bench;
+    bench.standIn(success);
+    bench.simulator->setPowered(false);
+    const auto report = bench.update("avrdude:usbasp:usb");
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->outcome, UpdateOutcome::Failed);
+    EXPECT_FALSE(report->verified);
+    EXPECT_NE(report->evidence.find("does not answer"), std::string::npos);
+}
+
+TEST(SupermodifiedUpdate, AsksTheBootloaderAtBothOfItsRates)
+{
+    UpdateBench bench;
+    bench.standIn("case \"$*\" in *59524*) ;; *) echo 'avrdude warning: attempt 10 of 10: not in sync: resp=0x00' >&2; "
+                  "exit 1;; esac\n"
+        + QByteArray(success));
+    const auto report = bench.update("avrdude:arduino:/dev/ttyUSB7");
+    ASSERT_TRUE(report) << report.error().detail;
+    EXPECT_EQ(report->outcome, UpdateOutcome::Done);
+    EXPECT_EQ(bench.calls().count('\n'), 2);
+    EXPECT_TRUE(bench.calls().contains("-b 57600 -D -U flash:w:"));
+}
+
+TEST(SupermodifiedUpdate, AFailureInTheMiddleSaysWhatTheUnitIsWorth)
+{
+    UpdateBench bench;
+    bench.standIn("echo 'Writing | ####' >&2; echo 'avrdude error: verification mismatch' >&2; exit 1\n");
+    const auto report = bench.update("avrdude:arduino:/dev/ttyUSB7");
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().fault, Fault::BadCheck);
+    EXPECT_NE(report.error().detail.find("half a program"), std::string::npos) << report.error().detail;
+    EXPECT_EQ(bench.calls().count('\n'), 1) << "not tried again at another rate";
+}
+
+TEST(SupermodifiedUpdate, MayBeCancelledBeforeItWritesAndNotWhileItDoes)
+{
+    UpdateBench bench;
+    bench.standIn("echo 'avrdude: waiting' >&2; sleep 20\n");
+    bool asked = false;
+    const auto cancelled = bench.update("avrdude:usbasp:usb", [&](Operation &operation) {
+        if (!operation.status().log.empty() && !asked) {
+            asked = true;
+            EXPECT_TRUE(operation.cancel());
+        }
+    });
+    ASSERT_FALSE(cancelled);
+    EXPECT_EQ(cancelled.error().fault, Fault::Cancelled);
+    UpdateBench writing;
+    writing.standIn("echo 'Writing | ####' >&2; sleep 0.3\n" + QByteArray(success));
+    bool refused = false;
+    const auto done = writing.update("avrdude:usbasp:usb", [&](Operation &operation) {
+        if (!operation.status().mayInterrupt && !refused) {
+            refused = true;
+            EXPECT_FALSE(operation.cancel());
+        }
+    });
+    EXPECT_TRUE(refused);
+    EXPECT_TRUE(done);
+}
+
+TEST(SupermodifiedUpdate, RefusesBeforeAnythingRuns)
+{
+    UpdateBench bench;
+    bench.standIn(success);
+    EXPECT_EQ(bench.update("").error().fault, Fault::OutOfRange);
+    EXPECT_EQ(bench.update("openocd:stlink").error().fault, Fault::OutOfRange);
+    EXPECT_TRUE(bench.calls().isEmpty());
+}
+
+TEST(SupermodifiedUpdate, TheRealAvrdudeIsUnderstood)
+{
+    if (!ExternalProgram::locate("avrdude"))
+        GTEST_SKIP() << "avrdude is not installed";
+    UpdateBench bench;
+    const auto unknown = bench.update("avrdude:nosuchprogrammer:usb");
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().fault, Fault::OutOfRange) << unknown.error().detail;
+    const auto absent = bench.update("avrdude:arduino:/dev/ttyNOSUCH9");
+    ASSERT_FALSE(absent);
+    EXPECT_EQ(absent.error().fault, Fault::LinkLost) << absent.error().detail;
+    const auto unplugged = bench.update("avrdude:usbasp:usb");
+    ASSERT_FALSE(unplugged);
+    EXPECT_EQ(unplugged.error().fault, Fault::LinkLost) << unplugged.error().detail;
+}
+
+} // namespace
+} // namespace mb::supermodified

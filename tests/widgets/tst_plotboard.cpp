@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plotbench.h"
+
+using namespace mb;
+using namespace mb::test;
+
+class TestPlotBoard : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void twoDevicesInOnePlotLookDifferent();
+    void aDropGoesToThePaneItWasDroppedOn();
+    void aDropBelowThePanesMakesAPaneOfItsOwn();
+    void theSecondAxisHasItsOwnScale();
+    void statisticsOfTheSelectionAreThoseOfItsSamples();
+    void numbersCanBeCopied();
+    void theTriggerStandsStillAtTheEventAndGoesOn();
+    void aSingleEventStays();
+    void pausingDoesNotStopTheRecording();
+    void theLevelCanBeDragged();
+    void aDerivedSignalIsPlottedLikeAnyOther();
+    void aWrongFormulaSaysWhy();
+    void referencesStayWhereTheyWereSeen();
+    void theSpectrumFindsAWave();
+    void oneSignalAgainstAnother();
+};
+
+void TestPlotBoard::twoDevicesInOnePlotLookDifferent()
+{
+    PlotBench bench;
+    bench.page->addSignal({{2}, channel("velocity")});
+    bench.page->addSignal({{2}, channel("position")});
+    const TraceStyle &a = bench.trace("#5 velocity").style;
+    const TraceStyle &b = bench.trace("#7 velocity").style;
+    QCOMPARE(a.strip, b.strip);
+    QVERIFY(a.look().colourRole() != b.look().colourRole());
+    QCOMPARE(markerOf(a.look()), markerOf(b.look())); // the marker still says what is measured
+    std::set<std::pair<TraceRole, TraceDash>> looks;
+    for (const auto &trace : bench.board().traces())
+        looks.insert({trace.style.look().colourRole(), trace.style.dash});
+    QCOMPARE(looks.size(), bench.board().traces().size());
+}
+
+void TestPlotBoard::aDropGoesToThePaneItWasDroppedOn()
+{
+    PlotBench bench;
+    bench.pass(0.5, 1000.0);
+    const QRect pane = bench.stack().plot().axisRect(2)->rect();
+    bench.drop({{2}, channel("temperature")}, bench.stack().plot().mapTo(&bench.stack(), pane.center()));
+    QCOMPARE(bench.trace("#7 temperature").style.strip, 2);
+    QCOMPARE(bench.stack().plot().axisRectCount(), 4);
+}
+
+void TestPlotBoard::aDropBelowThePanesMakesAPaneOfItsOwn()
+{
+    PlotBench bench;
+    bench.pass(0.5, 1000.0);
+    bench.drop({{2}, channel("velocity")}, QPoint(bench.stack().width() / 2, bench.stack().height() - 3));
+    QCOMPARE(bench.stack().plot().axisRectCount(), 5);
+    QVERIFY(bench.trace("#7 velocity").style.strip != bench.trace("#5 velocity").style.strip);
+}
+
+void TestPlotBoard::theSecondAxisHasItsOwnScale()
+{
+    PlotBench bench;
+    bench.board().moveToPane(bench.trace("#5 position").id, bench.board().paneOf(0));
+    bench.board().setSecondAxis(bench.trace("#5 position").id, true);
+    bench.pass(2.0, 60000.0);
+    QCPAxisRect *pane = bench.stack().plot().axisRect(0);
+    QVERIFY(pane->axis(QCPAxis::atRight)->visible());
+    QVERIFY(pane->axis(QCPAxis::atRight)->range().upper > 60000.0);
+    QVERIFY(pane->axis(QCPAxis::atLeft)->range().upper < 90000.0);
+    const QImage picture = bench.page->grab().toImage();
+    QVERIFY(!picture.isNull());
+}
+
+void TestPlotBoard::statisticsOfTheSelectionAreThoseOfItsSamples()
+{
+    PlotBench bench;
+    bench.pass(3.0, 60000.0);
+    bench.stack().setCursorsShown(true);
+    const double now = plotKey(bench.workbench.time);
+    bench.stack().setCursorKeys(now - 2.0, now - 1.0);
+    const auto found = bench.stack().selection(bench.trace("#5 velocity").id);
+    QVERIFY(found);
+    QVERIFY2(found->count >= 99 && found->count <= 102, QByteArray::number(static_cast<int>(found->count)));
+    QVERIFY(std::abs(found->mean - 60000.0) < 500.0);
+    QVERIFY(found->low < found->mean && found->mean < found->high);
+    const auto &rows = bench.page->findChild<TraceList *>()->rows();
+    QVERIFY2(rows.front().statistics.contains(s("mean")), qPrintable(rows.front().statistics));
+    const auto duty = bench.stack().selection(bench.trace("#5 duty").id); // shown in percent
+    QVERIFY(duty && duty->high > 5.0 && duty->high < 100.0);
+}
+
+void TestPlotBoard::numbersCanBeCopied()
+{
+    PlotBench bench;
+    bench.pass(3.0, 60000.0);
+    bench.stack().setCursorsShown(true);
+    const QStringList lines = bench.stack().numbers().split(QLatin1Char('\n'));
+    QCOMPARE(lines.first().split(QLatin1Char('\t')).size(), 11);
+    QVERIFY(lines.at(2).startsWith(s("#5 velocity\tcounts/s\t")));
+    QCOMPARE(lines.at(2).split(QLatin1Char('\t')).size(), 11);
+}
+
+void TestPlotBoard::theTriggerStandsStillAtTheEventAndGoesOn()
+{
+    PlotBench bench;
+    bench.pass(1.0, 0.0);
+    bench.stack().setWindow(2.0);
+    bench.page->triggerBar().setLevel(30000.0);
+    bench.page->triggerOn(bench.trace("#5 velocity").id);
+    QVERIFY(bench.page->trigger().isArmed());
+    QVERIFY(!bench.page->trigger().event());
+    bench.pass(1.0, 60000.0);
+    QTRY_VERIFY(bench.page->trigger().event());
+    const double event = *bench.page->trigger().event();
+    QVERIFY(std::abs(bench.stack().valueAt(bench.trace("#5 velocity").id, event) - 30000.0) < 1500.0);
+    const auto [from, to] = bench.stack().range();
+    QVERIFY(std::abs((event - from) / (to - from) - 0.2) < 0.02); // 20 % before it
+    bench.pass(1.5, 0.0);
+    QCOMPARE(*bench.page->trigger().event(), event); // downwards is none
+    bench.pass(1.0, 60000.0);
+    QTRY_VERIFY(*bench.page->trigger().event() > event + 1.0);
+    QCOMPARE(bench.page->trigger().events(), 2);
+    bench.page->triggerOff();
+    bench.pass(0.5, 60000.0);
+    QVERIFY(bench.stack().range().second >= plotKey(bench.workbench.time) - 0.1);
+}
+
+void TestPlotBoard::aSingleEventStays()
+{
+    PlotBench bench;
+    bench.pass(1.0, 0.0);
+    bench.stack().setWindow(1.0);
+    auto *mode = bench.page->triggerBar().findChild<Segmented *>();
+    bench.page->triggerBar().setLevel(30000.0);
+    bench.page->triggerOn(bench.trace("#5 velocity").id);
+    mode->setCurrent(1);
+    for (int i = 0; i < 3; ++i) {
+        bench.pass(1.5, 60000.0);
+        bench.pass(1.5, 0.0);
+    }
+    QVERIFY(bench.page->trigger().isDone());
+    QCOMPARE(bench.page->trigger().events(), 1);
+    QVERIFY(*bench.page->trigger().event() < 1003.0);
+}
+
+void TestPlotBoard::pausingDoesNotStopTheRecording()
+{
+    PlotBench bench;
+    bench.pass(1.0, 1000.0);
+    const auto before = bench.recording.telemetry()->size(channel("velocity"));
+    bench.stack().setLive(false);
+    const auto range = bench.stack().range();
+    bench.pass(2.0, 1000.0);
+    QCOMPARE(bench.stack().range(), range);
+    QCOMPARE(bench.recording.telemetry()->size(channel("velocity")), before + 200);
+    bench.stack().setLive(true);
+    bench.pass(0.1, 1000.0);
+    QVERIFY(bench.stack().selection(bench.trace("#5 velocity").id) == std::nullopt);
+    bench.stack().setCursorsShown(true);
+    bench.stack().setCursorKeys(1000.0, 1003.0);
+    const auto found = bench.stack().selection(bench.trace("#5 velocity").id);
+    QCOMPARE(found->count, std::size_t{301}); // what came while it was paused is there
+}
+
+void TestPlotBoard::theLevelCanBeDragged()
+{
+    PlotBench bench;
+    bench.pass(2.0, 60000.0);
+    bench.page->triggerBar().setLevel(30000.0);
+    bench.page->triggerOn(bench.trace("#5 velocity").id);
+    bench.pass(0.2, 60000.0);
+    QCustomPlot &plot = bench.stack().plot();
+    QCPAxisRect *pane = plot.axisRect(0);
+    const QPoint handle(pane->left() + 2, static_cast<int>(pane->axis(QCPAxis::atLeft)->coordToPixel(30000.0)));
+    const QPoint target(handle.x(), static_cast<int>(pane->axis(QCPAxis::atLeft)->coordToPixel(10000.0)));
+    QTest::mousePress(&plot, Qt::LeftButton, Qt::NoModifier, handle);
+    QTest::mouseMove(&plot, target);
+    QMouseEvent move(QEvent::MouseMove, target, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&plot, &move);
+    QTest::mouseRelease(&plot, Qt::LeftButton, Qt::NoModifier, target);
+    QVERIFY2(std::abs(bench.page->triggerBar().setup().level - 10000.0) < 1000.0,
+        QByteArray::number(bench.page->triggerBar().setup().level));
+}
+
+void TestPlotBoard::aDerivedSignalIsPlottedLikeAnyOther()
+{
+    PlotBench bench;
+    bench.pass(1.0, 60000.0);
+    QVERIFY(bench.board().addDerived(s("sum"), s("counts/s"), s("d5_velocity + d7_velocity")));
+    bench.pass(1.0, 60000.0);
+    QTRY_VERIFY(bench.trace("sum").source->telemetry().size({0}) > 150);
+    QCOMPARE(bench.trace("sum").style.unit, s("counts/s"));
+    const auto last = bench.trace("sum").source->latest();
+    QVERIFY(last && std::abs(*last) < 1e-6); // one runs forwards, the other backwards
+    QVERIFY(!bench.page->signalList().list().findItems(s("sum"), Qt::MatchExactly).isEmpty());
+    bench.board().removeDerived(0);
+    QVERIFY(bench.page->signalList().list().findItems(s("sum"), Qt::MatchExactly).isEmpty());
+    QCOMPARE(bench.page->traceCount(), std::size_t{4});
+}
+
+void TestPlotBoard::aWrongFormulaSaysWhy()
+{
+    PlotBench bench;
+    QVERIFY(!bench.board().addDerived(s("x"), {}, s("speed + 1")));
+    QVERIFY(!bench.board().addDerived(s(" "), {}, s("d5_velocity")));
+    QVERIFY(bench.board().whatIsWrong(s("x"), s("d5_velocity + ")).size() > 5);
+    QCOMPARE(bench.board().whatIsWrong(s("x"), s("average(d5_velocity, 0.1)")), QString());
+    QCOMPARE(bench.page->traceCount(), std::size_t{4});
+}
+
+void TestPlotBoard::referencesStayWhereTheyWereSeen()
+{
+    PlotBench bench;
+    bench.stack().setWindow(2.0);
+    bench.pass(2.0, 60000.0);
+    const int velocity = bench.trace("#5 velocity").id;
+    const double before = bench.stack().valueAt(velocity, bench.stack().range().first + 1.0);
+    bench.board().keepReferences();
+    QCOMPARE(bench.board().references().size(), std::size_t{4});
+    bench.pass(3.0, 0.0);
+    const int reference = bench.board().references().front().id;
+    const double after = bench.stack().valueAt(reference, bench.stack().range().first + 1.0);
+    QVERIFY2(std::abs(after - before) < 700.0, QByteArray::number(after) + ' ' + QByteArray::number(before));
+    QVERIFY(
+        std::abs(bench.stack().valueAt(bench.trace("#5 velocity").id, bench.stack().range().second - 0.1)) < 5000.0);
+    bench.board().clearReferences();
+    QVERIFY(bench.board().references().empty());
+}
+
+void TestPlotBoard::theSpectrumFindsAWave()
+{
+    PlotBench bench;
+    for (int i = 0; i < 400; ++i) {
+        const Instant time = bench.workbench.time + i * 10ms;
+        bench.recording.telemetry()->append(
+            {channel("velocity"), time, 500.0 + 40.0 * std::sin(6.283185307 * 5.0 * i / 100.0)});
+    }
+    bench.recording.telemetry()->commit();
+    bench.workbench.time += 4s;
+    bench.workbench.publish();
+    bench.page->showView(PlotsPage::View::Spectrum);
+    const auto &curves = bench.page->curves(PlotsPage::View::Spectrum).curves();
+    QVERIFY(!curves.empty());
+    const auto peak = std::max_element(curves.front().y.begin(), curves.front().y.end());
+    const double frequency = curves.front().x.at(static_cast<int>(peak - curves.front().y.begin()));
+    QVERIFY2(std::abs(frequency - 5.0) < 0.3, QByteArray::number(frequency));
+    QVERIFY(std::abs(*peak - 40.0) < 4.0);
+    QVERIFY(bench.page->curves(PlotsPage::View::Spectrum).note().contains(s("#5 velocity")));
+}
+
+void TestPlotBoard::oneSignalAgainstAnother()
+{
+    PlotBench bench;
+    bench.pass(2.0, 60000.0);
+    bench.page->showView(PlotsPage::View::Against);
+    const auto &curves = bench.page->curves(PlotsPage::View::Against).curves();
+    QCOMPARE(curves.size(), std::size_t{1});
+    QVERIFY(curves.front().x.size() > 150);
+    QCOMPARE(curves.front().x.size(), curves.front().y.size());
+    bench.page->showView(PlotsPage::View::Time);
+}
+
+QTEST_MAIN(TestPlotBoard)
+#include "tst_plotboard.moc"

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plotbench.h"
+
+using namespace mb;
+using namespace mb::test;
+
+class TestPlotKeeping : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void notesStandInThePlotAndInTheFile();
+    void theWholeSessionIsExportedWithItsDevices();
+    void anExportCanBeCancelled();
+    void layoutsComeBack();
+    void aLayoutWaitsForItsDevices();
+    void aFamilyCanBeginWithItsOwnLayout();
+    void resetBringsTheUsualBack();
+    void theScrubberScrollsBackWhileRecording();
+    void recordingBeginsBeforeItWasAskedFor();
+};
+
+void TestPlotKeeping::notesStandInThePlotAndInTheFile()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    bench.pass(2.0, 60000.0);
+    bench.board().addNote(1001.0, s("load pulse"));
+    bench.board().addNote(1001.0, s("  "));
+    QCOMPARE(bench.board().notes().size(), std::size_t{1});
+    QSignalSpy wanted(&bench.stack(), &PlotStack::noteRequested);
+    QTest::keyClick(&bench.stack(), Qt::Key_N);
+    QCOMPARE(wanted.count(), 1);
+    for (QWidget *dialog : QApplication::topLevelWidgets()) {
+        if (dialog->windowTitle() == s("Note at this time"))
+            dialog->close();
+    }
+    bench.page->exportSamples({ExportChoice::Range::Seen, false, folder.filePath(s("a.csv"))});
+    QFile file(folder.filePath(s("a.csv")));
+    QTRY_VERIFY(file.exists());
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    QVERIFY(file.readAll().contains("load pulse"));
+}
+
+void TestPlotKeeping::theWholeSessionIsExportedWithItsDevices()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    bench.pass(3.0, 60000.0);
+    bench.recording.telemetry()->lost(channel("velocity"), 9);
+    bench.pass(1.0, 60000.0);
+    bench.page->exportSamples({ExportChoice::Range::Session, true, folder.filePath(s("a.mcap"))});
+    QTRY_VERIFY(QFile::exists(folder.filePath(s("a.mcap"))));
+    const auto loaded = loadRecording(folder.filePath(s("a.mcap")).toStdString());
+    QVERIFY(loaded);
+    const LoadedRecording &file = **loaded;
+    QCOMPARE(file.table.size(), dmc60c().channels.size() * 2);
+    QCOMPARE(file.about.at("device sim:can/dmc60c:5").at("name"), std::string("shooter"));
+    QCOMPARE(file.about.at("parameters sim:can/dmc60c:5").at("slot0.p").substr(0, 5), std::string("1.165"));
+    QCOMPARE(file.about.at("loss sim:can/dmc60c:5").at("velocity"), std::string("9 of 409"));
+    QCOMPARE(file.telemetry->size({0}) > 0, true);
+    QTRY_VERIFY(!bench.workbench.lines.empty());
+    QTRY_VERIFY2(bench.workbench.lines.back().text.contains(s("lost")), qPrintable(bench.workbench.lines.back().text));
+}
+
+void TestPlotKeeping::anExportCanBeCancelled()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    for (int i = 0; i < 400'000; ++i)
+        bench.recording.telemetry()->append({channel("velocity"), bench.workbench.time + i * 1ms, 1.0});
+    bench.recording.telemetry()->commit();
+    bench.workbench.time += 400s;
+    bench.page->exportSamples({ExportChoice::Range::Session, false, folder.filePath(s("a.csv"))});
+    for (QPushButton *button : bench.page->findChildren<QPushButton *>()) {
+        if (button->text() == s("Cancel"))
+            button->click();
+    }
+    QTRY_VERIFY(!bench.workbench.lines.empty() && bench.workbench.lines.back().text.contains(s("cancelled")));
+    QVERIFY(!QFile::exists(folder.filePath(s("a.csv"))));
+    QVERIFY(!QFile::exists(folder.filePath(s("a.csv.part"))));
+}
+
+void TestPlotKeeping::layoutsComeBack()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    bench.page->setLayoutFolder(folder.path());
+    bench.page->addSignal({{2}, channel("velocity")});
+    bench.page->removeSignal({{1}, channel("duty")});
+    bench.board().setSecondAxis(bench.trace("#5 current").id, true);
+    QVERIFY(bench.board().addDerived(s("sum"), s("counts/s"), s("d5_velocity + d7_velocity")));
+    bench.board().moveToPane(bench.trace("sum").id, bench.board().paneOf(-1));
+    bench.stack().setWindow(30.0);
+    const PlotLayout layout = bench.page->currentLayout();
+    const auto parsed = PlotLayout::fromJson(layout.toJson());
+    QVERIFY(parsed && *parsed == layout);
+    bench.page.reset(); // the end of the program
+    bench.open();
+    bench.page->setLayoutFolder(folder.path());
+    QVERIFY(bench.page->currentLayout() == layout);
+    QVERIFY(!PlotLayout::fromJson("{}"));
+    QVERIFY(!PlotLayout::fromJson("{\"motorbench\":\"plot layout\",\"window\":-1}"));
+    QVERIFY(bench.page->layouts().names().isEmpty()); // @last is nobody's name
+}
+
+void TestPlotKeeping::aLayoutWaitsForItsDevices()
+{
+    PlotBench bench;
+    bench.page->addSignal({{2}, channel("velocity")});
+    const PlotLayout layout = bench.page->currentLayout();
+    const DeviceView second = bench.workbench.shot.devices.back();
+    bench.page.reset();
+    bench.workbench.shot.devices.pop_back();
+    bench.open();
+    bench.page->applyLayout(layout);
+    QCOMPARE(bench.page->traceCount(), std::size_t{4});
+    bench.workbench.shot.devices.push_back(second);
+    bench.workbench.publish();
+    QCOMPARE(bench.page->traceCount(), std::size_t{5});
+}
+
+void TestPlotKeeping::aFamilyCanBeginWithItsOwnLayout()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    const PlotLayouts layouts(folder.path());
+    PlotLayout layout;
+    layout.traces = {{s("*"), s("temperature"), {}, false}};
+    QVERIFY(layouts.save(PlotLayouts::familyName(s("dmc60c")), layout));
+    bench.page->setLayoutFolder(folder.path());
+    QCOMPARE(bench.page->traceCount(), std::size_t{1});
+    QCOMPARE(bench.board().traces().front().style.name, s("#5 temperature"));
+    bench.selection.select({2});
+    QCOMPARE(bench.board().traces().front().style.name, s("#7 temperature"));
+}
+
+void TestPlotKeeping::resetBringsTheUsualBack()
+{
+    PlotBench bench;
+    bench.page->addSignal({{2}, channel("velocity")});
+    bench.pass(1.0, 100.0);
+    bench.board().keepReferences();
+    bench.page->resetLayout();
+    QCOMPARE(bench.page->traceCount(), std::size_t{4});
+    QVERIFY(bench.board().references().empty());
+    QVERIFY(!bench.board().isTouched());
+}
+
+void TestPlotKeeping::theScrubberScrollsBackWhileRecording()
+{
+    PlotBench bench;
+    bench.pass(120.0, 60000.0);
+    auto *scrubber = bench.page->findChild<PlotScrubber *>();
+    QTest::mouseClick(scrubber, Qt::LeftButton, Qt::NoModifier, QPoint(scrubber->width() / 2, scrubber->height() / 3));
+    QVERIFY(!bench.stack().isLive());
+    const auto [from, to] = bench.stack().range();
+    QVERIFY2(from > 1030.0 && to < 1090.0, QByteArray::number(from));
+    bench.pass(1.0, 60000.0);
+    QCOMPARE(bench.stack().range(), std::make_pair(from, to));
+    QTest::keyClick(scrubber, Qt::Key_End);
+    QVERIFY(bench.stack().isLive());
+}
+
+void TestPlotKeeping::recordingBeginsBeforeItWasAskedFor()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    Recorder recorder(bench.workbench, folder.path() + s("/rolling"));
+    bench.page->setRecorder(&recorder, folder.path() + s("/kept"));
+    bench.pass(5.0, 60000.0);
+    QTRY_VERIFY(recorder.state().samples > 100);
+    QCOMPARE(recorder.state().failure, QString());
+    QTest::keyClick(bench.page.get(), Qt::Key_R);
+    QTRY_VERIFY(recorder.state().keeping);
+    bench.pass(2.0, 60000.0);
+    QTest::qWait(600);
+    QSignalSpy saved(&recorder, &Recorder::saved);
+    QTest::keyClick(bench.page.get(), Qt::Key_R);
+    QTRY_COMPARE(saved.count(), 1);
+    QCOMPARE(saved.first().at(1).toString(), QString());
+    const auto loaded = loadRecording(saved.first().at(0).toString().toStdString());
+    QVERIFY(loaded);
+    QVERIFY(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count() > 6.0);
+    bench.page->setRecorder(nullptr, {});
+}
+
+QTEST_MAIN(TestPlotKeeping)
+#include "tst_plotkeeping.moc"

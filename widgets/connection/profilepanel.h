@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/theme.h"
+#include "widgets/common/workbench.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QVBoxLayout;
+
+namespace mb {
+
+/// What only the user of a device knows: what a count of its sensors stands for, and which dialect it speaks if not the one that
+/// was found. Rows come from the tables of the family; hidden where there are none.
+class ProfilePanel : public QWidget {
+    Q_OBJECT
+public:
+    ProfilePanel(Workbench &workbench, const ThemeSource &theme, QWidget *parent = nullptr);
+    /// nullptr: no device.
+    void show(const DeviceView *device);
+
+private:
+    struct Row {
+        const Calibration *calibration = nullptr;
+        QLineEdit *field = nullptr;
+    };
+    void rebuild(const Family &family);
+    void buildDialects(const Family &family, QVBoxLayout &column);
+    void buildRow(const Calibration &calibration, QVBoxLayout &column);
+    void typed(const Row &row);
+    void chooseDialect(int place);
+    void say(const Result<void> &result);
+
+    Workbench &m_workbench;
+    const ThemeSource &m_theme;
+    QVBoxLayout *m_column = nullptr;
+    QWidget *m_content = nullptr;
+    QComboBox *m_dialects = nullptr;
+    QLabel *m_trouble = nullptr;
+    std::vector<Row> m_rows;
+    const Family *m_family = nullptr;
+    DeviceId m_device;
+};
+
+} // namespace mb

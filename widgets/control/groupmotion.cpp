@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/groupmotion.h"
+
+#include "widgets/common/devicetext.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr std::chrono::milliseconds leaseTime{500};
+constexpr std::chrono::milliseconds renewalTime{100};
+
+} // namespace
+
+GroupMotion::GroupMotion(Workbench &workbench, Arming &arming, QObject *parent)
+    : QObject(parent)
+    , m_workbench(workbench)
+    , m_arming(arming)
+{
+    m_renewal.setInterval(renewalTime);
+    connect(&m_renewal, &QTimer::timeout, this, [this] {
+        for (const Member &member : m_members) {
+            if (member.device != m_lead)
+                m_workbench.renewMotion(member.device);
+        }
+    });
+    connect(&workbench, &Workbench::changed, this, &GroupMotion::follow);
+    connect(&arming, &Arming::changed, this, &GroupMotion::follow);
+}
+
+const DeviceView *GroupMotion::viewOf(DeviceId device) const
+{
+    return m_workbench.snapshot().device(device);
+}
+
+bool GroupMotion::prepare(DeviceId lead, std::vector<Member> members)
+{
+    const bool takesPart
+        = std::any_of(members.begin(), members.end(), [lead](const Member &member) { return member.device == lead; });
+    if (!m_arming.isArmed(lead) || !takesPart) {
+        m_workbench.report(Severity::Caution, {},
+            takesPart ? tr("not prepared: hold the lamp to arm first")
+                      : tr("not prepared: the selected device has to take part"));
+        return false;
+    }
+    m_lead = lead;
+    m_started = false;
+    m_seen.clear();
+    m_members = std::move(members);
+    ++m_order;
+    for (Member &member : m_members) {
+        member.setPoint.buffered = true;
+        member.setPoint.order = m_order;
+        command(member);
+    }
+    m_renewal.start();
+    Q_EMIT changed();
+    return true;
+}
+
+void GroupMotion::command(const Member &member)
+{
+    if (member.device == m_lead) {
+        m_arming.run(member.setPoint);
+        return;
+    }
+    const DeviceView *view = viewOf(member.device);
+    const QString name = view ? titleOf(*view) : QString();
+    const auto finished = [this, name](const Result<void> &result) {
+        if (result)
+            return;
+        m_workbench.report(Severity::Danger, name, errorText(result.error()));
+        m_arming.halt(); // and follow() stops the rest
+    };
+    if (view && view->motion.running)
+        m_workbench.updateMotion(member.device, member.setPoint, finished);
+    else
+        m_workbench.startMotion(member.device, member.setPoint, leaseTime, finished);
+}
+
+bool GroupMotion::hasAcknowledged(DeviceId device) const
+{
+    const auto member
+        = std::find_if(m_members.begin(), m_members.end(), [device](const Member &m) { return m.device == device; });
+    const DeviceView *view = viewOf(device);
+    return member != m_members.end() && view && view->motion.running && view->motion.setPoint == member->setPoint
+        && view->liveness.mode == member->setPoint.mode;
+}
+
+bool GroupMotion::isPrepared() const
+{
+    return isActive() && !m_started && std::all_of(m_members.begin(), m_members.end(), [this](const Member &member) {
+        return hasAcknowledged(member.device);
+    });
+}
+
+bool GroupMotion::start()
+{
+    if (!isPrepared()) {
+        m_workbench.report(
+            Severity::Caution, {}, tr("not started: not every device has acknowledged its move; prepare them again"));
+        return false;
+    }
+    m_started = true;
+    m_workbench.releaseMoves(m_lead, [this](const Result<void> &result) {
+        if (!result)
+            m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+    });
+    Q_EMIT changed();
+    return true;
+}
+
+void GroupMotion::hold()
+{
+    SetPoint stay;
+    stay.mode = Mode::Position;
+    stay.relative = true;
+    stay.order = ++m_order;
+    if (!isActive()) {
+        m_arming.run(stay);
+        return;
+    }
+    m_started = true; // what they keep is not to be started any more
+    for (Member &member : m_members) {
+        member.setPoint = stay;
+        command(member);
+    }
+    Q_EMIT changed();
+}
+
+void GroupMotion::follow()
+{
+    if (!isActive())
+        return;
+    if (!m_arming.isMoving() || m_arming.device() != m_lead) {
+        end();
+        return;
+    }
+    for (const Member &member : m_members) {
+        const DeviceView *view = viewOf(member.device);
+        const bool running = view && view->motion.running;
+        const bool seen = std::find(m_seen.begin(), m_seen.end(), member.device) != m_seen.end();
+        if (running && !seen)
+            m_seen.push_back(member.device);
+        if (!running && seen && member.device != m_lead) {
+            m_workbench.report(Severity::Danger, view ? titleOf(*view) : QString(),
+                tr("stopped, and the others of its group with it: %1")
+                    .arg(view ? tableText(view->motion.reason) : tr("it is gone")));
+            m_arming.halt(); // comes back here as a change of the arming
+            return;
+        }
+    }
+    Q_EMIT changed();
+}
+
+void GroupMotion::end()
+{
+    m_renewal.stop();
+    const std::vector<Member> members = std::exchange(m_members, {});
+    for (const Member &member : members) {
+        if (member.device != m_lead)
+            m_workbench.stopMotion(member.device);
+    }
+    m_started = false;
+    Q_EMIT changed();
+}
+
+} // namespace mb

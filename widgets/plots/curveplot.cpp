@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/curveplot.h"
+
+#include "widgets/plots/plotdecor.h"
+
+#include <QKeyEvent>
+#include <QPdfWriter>
+#include <QSvgGenerator>
+#include <QVBoxLayout>
+
+namespace mb {
+
+CurvePlot::CurvePlot(const ThemeSource &theme, const QString &accessibleName, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    setAccessibleName(accessibleName);
+    setFocusPolicy(Qt::StrongFocus);
+    m_plot = new QCustomPlot(this);
+    m_plot->setFocusPolicy(Qt::NoFocus);
+    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    m_plot->setNoAntialiasingOnDrag(true);
+    m_plot->xAxis->setTicker(QSharedPointer<NumberTicker>::create());
+    m_plot->yAxis->setTicker(QSharedPointer<NumberTicker>::create());
+    m_words = new QCPTextElement(m_plot, QString());
+    m_plot->plotLayout()->addElement(1, 0, m_words);
+    m_mark = new QCPItemText(m_plot);
+    m_mark->position->setType(QCPItemPosition::ptAxisRectRatio);
+    m_mark->position->setCoords(0.5, 0.5);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(2, 2, 2, 2);
+    column->addWidget(m_plot);
+    connect(m_plot, &QCustomPlot::mouseDoubleClick, this, &CurvePlot::fit);
+    connect(&theme, &ThemeSource::changed, this, &CurvePlot::restyle);
+    restyle();
+}
+
+void CurvePlot::restyle()
+{
+    const Theme &theme = m_theme.theme();
+    const QFont caption = theme.font(TextRole::Caption, font());
+    m_plot->setBackground(theme.canvas);
+    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis}) {
+        axis->setBasePen(QPen(theme.outline, 1));
+        axis->setTickPen(Qt::NoPen);
+        axis->setSubTickPen(Qt::NoPen);
+        axis->setTickLabelFont(caption);
+        axis->setTickLabelColor(theme.dim);
+        axis->setLabelFont(caption);
+        axis->setLabelColor(theme.dim);
+        axis->grid()->setPen(QPen(theme.grid, 1));
+        axis->grid()->setZeroLinePen(QPen(theme.line, 1));
+    }
+    m_plot->legend->setFont(caption);
+    m_plot->legend->setTextColor(theme.text);
+    m_plot->legend->setBrush(theme.panel);
+    m_plot->legend->setBorderPen(QPen(theme.outline, 1));
+    m_words->setFont(caption);
+    m_words->setTextColor(theme.dim);
+    QFont big = theme.font(TextRole::Emphasis, font());
+    big.setPixelSize(theme.u(72));
+    QColor faint = theme.accent;
+    faint.setAlphaF(0.12);
+    m_mark->setFont(big);
+    m_mark->setColor(faint);
+    setCurves(std::vector<Curve>(m_curves));
+}
+
+void CurvePlot::setAxes(const QString &x, const QString &y, bool logarithmicY)
+{
+    m_plot->xAxis->setLabel(x);
+    m_plot->yAxis->setLabel(y);
+    const auto type = logarithmicY ? QCPAxis::stLogarithmic : QCPAxis::stLinear;
+    if (type == m_plot->yAxis->scaleType())
+        return;
+    m_plot->yAxis->setScaleType(type);
+    m_plot->yAxis->setTicker(logarithmicY ? QSharedPointer<QCPAxisTicker>(QSharedPointer<QCPAxisTickerLog>::create())
+                                          : QSharedPointer<NumberTicker>::create());
+    m_plot->yAxis->setNumberFormat(QStringLiteral("gb"));
+    m_plot->yAxis->setNumberPrecision(3);
+    m_fitted = false;
+}
+
+void CurvePlot::setCurves(const std::vector<Curve> &curves)
+{
+    m_curves = curves;
+    m_plot->clearPlottables();
+    for (const Curve &curve : m_curves) {
+        auto *drawn = new QCPCurve(m_plot->xAxis, m_plot->yAxis);
+        drawn->setName(curve.name);
+        drawn->setPen(tracePen(curve.look, m_theme.theme()));
+        QVector<double> order(curve.x.size());
+        std::iota(order.begin(), order.end(), 0.0);
+        drawn->setData(order, curve.x, curve.y, true);
+    }
+    m_plot->legend->setVisible(m_curves.size() > 0);
+    if (!m_fitted && !m_curves.empty())
+        fit();
+    else
+        m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CurvePlot::setNote(const QString &note)
+{
+    m_note = note;
+    m_words->setText(note);
+    setAccessibleDescription(note);
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CurvePlot::setWatermark(const QString &text)
+{
+    m_mark->setText(text);
+}
+
+void CurvePlot::fit()
+{
+    m_fitted = !m_curves.empty();
+    m_plot->rescaleAxes();
+    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis}) {
+        if (axis->scaleType() == QCPAxis::stLinear)
+            axis->scaleRange(1.06, axis->range().center());
+    }
+    if (m_plot->yAxis->scaleType() == QCPAxis::stLogarithmic) { // noise far below says nothing
+        const QCPRange range = m_plot->yAxis->range();
+        m_plot->yAxis->setRange(std::max(range.lower, range.upper * 1e-6), range.upper * 2);
+    }
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CurvePlot::keyPressEvent(QKeyEvent *event)
+{
+    switch (event->key()) {
+    case Qt::Key_0: return fit();
+    case Qt::Key_Plus: m_plot->xAxis->scaleRange(0.8); break;
+    case Qt::Key_Minus: m_plot->xAxis->scaleRange(1.25); break;
+    case Qt::Key_Left: m_plot->xAxis->moveRange(-0.1 * m_plot->xAxis->range().size()); break;
+    case Qt::Key_Right: m_plot->xAxis->moveRange(0.1 * m_plot->xAxis->range().size()); break;
+    default: return QWidget::keyPressEvent(event);
+    }
+    m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+QPixmap CurvePlot::picture()
+{
+    return m_plot->toPixmap(0, 0, 2.0);
+}
+
+bool CurvePlot::exportTo(const QString &path)
+{
+    const QString kind = QFileInfo(path).suffix().toLower();
+    if (kind == QLatin1String("png"))
+        return m_plot->savePng(path, 0, 0, 2.0);
+    if (kind == QLatin1String("pdf"))
+        return m_plot->savePdf(path);
+    if (kind != QLatin1String("svg"))
+        return false;
+    QSvgGenerator svg;
+    svg.setFileName(path);
+    svg.setSize(m_plot->size());
+    svg.setViewBox(QRect(QPoint(), m_plot->size()));
+    QCPPainter painter(&svg);
+    painter.setMode(QCPPainter::pmVectorized);
+    m_plot->toPainter(&painter, m_plot->width(), m_plot->height());
+    return painter.end();
+}
+
+} // namespace mb

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/plots/traceplottable.h"
+
+#include <QWidget>
+
+namespace mb {
+
+/// A line of a CurvePlot.
+struct Curve {
+    QString name;
+    TraceLook look;
+    QVector<double> x;
+    QVector<double> y;
+};
+
+/// Values against something else than time: a spectrum, one signal against another. One plot, named axes, a legend, a
+/// line of words under it. Wheel and drag zoom and move; 0 or a double click fits.
+class CurvePlot : public QWidget {
+    Q_OBJECT
+public:
+    CurvePlot(const ThemeSource &theme, const QString &accessibleName, QWidget *parent = nullptr);
+
+    void setAxes(const QString &x, const QString &y, bool logarithmicY);
+    void setCurves(const std::vector<Curve> &curves);
+    void setNote(const QString &note);
+    void setWatermark(const QString &text);
+    void fit();
+    [[nodiscard]] bool exportTo(const QString &path);
+    [[nodiscard]] QPixmap picture();
+    [[nodiscard]] const std::vector<Curve> &curves() const { return m_curves; }
+    [[nodiscard]] QString note() const { return m_note; }
+    QCustomPlot &plot() { return *m_plot; }
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    void restyle();
+
+    const ThemeSource &m_theme;
+    QCustomPlot *m_plot = nullptr;
+    QCPTextElement *m_words = nullptr;
+    QCPItemText *m_mark = nullptr;
+    std::vector<Curve> m_curves;
+    QString m_note;
+    bool m_fitted = false;
+};
+
+} // namespace mb

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plotboard.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mb {
+namespace {
+
+/// Colours that stand in for one that is taken, and patterns for when all are.
+constexpr std::array substitutes{TraceRole::Velocity, TraceRole::Position, TraceRole::Current, TraceRole::Duty,
+    TraceRole::Temperature, TraceRole::Error};
+constexpr std::array patterns{TraceDash::Long, TraceDash::Short, TraceDash::Dots};
+
+} // namespace
+
+void chooseColour(TraceStyle &style, const std::vector<TraceLook> &used)
+{
+    const auto taken = [&](TraceRole colour, TraceDash dash) {
+        return std::any_of(used.begin(), used.end(), [&](const TraceLook &look) {
+            const bool wished = (look.role == TraceRole::Setpoint) == (style.role == TraceRole::Setpoint);
+            return wished && look.colourRole() == colour && look.dash == dash;
+        });
+    };
+    if (!taken(style.role, TraceDash::Automatic))
+        return;
+    if (style.role != TraceRole::Setpoint) {
+        for (const TraceRole colour : substitutes) {
+            if (!taken(colour, TraceDash::Automatic)) {
+                style.colour = colour;
+                return;
+            }
+        }
+    }
+    const auto dash = std::find_if(
+        patterns.begin(), patterns.end(), [&](TraceDash pattern) { return !taken(style.role, pattern); });
+    style.dash = dash == patterns.end() ? patterns.back() : *dash;
+}
+
+PlotBoard::PlotBoard(Workbench &workbench, PlotStack &stack, QObject *parent)
+    : QObject(parent)
+    , m_workbench(workbench)
+    , m_stack(stack)
+{
+}
+
+const Channel *PlotBoard::rowOf(const Signal &signal) const
+{
+    if (signal.device == derivedDevice) {
+        const bool there = signal.channel.value < m_derived.size() && m_derived[signal.channel.value].signal;
+        return there ? m_derived[signal.channel.value].signal->telemetry()->channels().data() : nullptr;
+    }
+    const DeviceView *device = m_workbench.snapshot().device(signal.device);
+    const bool there = device && signal.channel.value < device->family->channels.size();
+    return there ? &device->family->channels[signal.channel.value] : nullptr;
+}
+
+std::shared_ptr<const Telemetry> PlotBoard::telemetryOf(const Signal &signal) const
+{
+    if (!rowOf(signal))
+        return nullptr;
+    if (signal.device == derivedDevice)
+        return m_derived[signal.channel.value].signal->telemetry();
+    return m_workbench.snapshot().device(signal.device)->telemetry;
+}
+
+QString PlotBoard::nameOf(const Signal &signal) const
+{
+    if (signal.device == derivedDevice)
+        return m_derived[signal.channel.value].name;
+    return signalName(*m_workbench.snapshot().device(signal.device), signal.channel);
+}
+
+const PlotBoard::Trace *PlotBoard::traceOf(int id) const
+{
+    const auto found
+        = std::find_if(m_traces.begin(), m_traces.end(), [id](const Trace &trace) { return trace.id == id; });
+    return found == m_traces.end() ? nullptr : &*found;
+}
+
+void PlotBoard::choose(const Signal &signal, bool on, const QString &pane)
+{
+    const auto found
+        = std::find_if(m_traces.begin(), m_traces.end(), [&](const Trace &trace) { return trace.signal == signal; });
+    const bool there = found != m_traces.end();
+    if (on && there && !pane.isEmpty())
+        return moveToPane(found->id, pane);
+    if (on == there || (on && !rowOf(signal)))
+        return;
+    m_touched = true;
+    if (on)
+        m_traces.push_back({signal, pane});
+    else
+        m_traces.erase(found);
+    rebuild();
+}
+
+QString PlotBoard::paneOf(int strip)
+{
+    if (strip >= 0 && strip < m_panes.size())
+        return m_panes.at(strip);
+    QString pane;
+    do
+        pane = QStringLiteral("pane %1").arg(++m_newPanes);
+    while (m_panes.contains(pane));
+    return pane;
+}
+
+void PlotBoard::moveToPane(int id, const QString &pane)
+{
+    for (Trace &trace : m_traces) {
+        if (trace.id == id)
+            trace.pane = pane;
+    }
+    m_touched = true;
+    rebuild();
+}
+
+void PlotBoard::setSecondAxis(int id, bool second)
+{
+    for (Trace &trace : m_traces) {
+        if (trace.id == id)
+            trace.second = second;
+    }
+    m_touched = true;
+    rebuild();
+}
+
+void PlotBoard::setTraces(std::vector<Trace> traces, bool touched)
+{
+    m_traces.clear();
+    for (Trace &trace : traces) {
+        if (rowOf(trace.signal))
+            m_traces.push_back(std::move(trace));
+    }
+    m_touched = touched;
+    rebuild();
+}
+
+void PlotBoard::reset()
+{
+    m_references.clear();
+    setTraces({}, false);
+}
+
+int PlotBoard::stripOf(const QString &pane, const QString &unit)
+{
+    const QString key = pane.isEmpty() ? unit : pane;
+    if (!m_panes.contains(key))
+        m_panes << key;
+    return m_panes.indexOf(key);
+}
+
+void PlotBoard::dress(Trace &trace)
+{
+    const Channel &row = *rowOf(trace.signal);
+    const ShownUnit unit = shownUnit(row.quantity, row.unit, m_units);
+    const auto telemetry = telemetryOf(trace.signal);
+    if (!trace.source || &trace.source->telemetry() != telemetry.get())
+        trace.source = std::make_shared<TelemetrySource>(telemetry, trace.signal.channel);
+    trace.source->setScale(unit.scale);
+    trace.style = {};
+    trace.style.name = nameOf(trace.signal);
+    trace.style.unit = unit.text;
+    trace.style.role = roleOf(row.quantity);
+    trace.style.secondAxis = trace.second;
+    trace.style.strip = stripOf(trace.pane, unit.text);
+    chooseColour(trace.style, m_used);
+    m_used.push_back(trace.style.look());
+    trace.id = m_stack.addTrace(trace.style, trace.source);
+}
+
+void PlotBoard::rebuild()
+{
+    m_stack.clear();
+    m_panes.clear();
+    m_used.clear();
+    bool simulated = false;
+    for (Trace &trace : m_traces) {
+        dress(trace);
+        const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
+        const LinkView *link = device ? m_workbench.snapshot().link(device->link) : nullptr;
+        simulated = simulated || (link && link->simulated);
+    }
+    for (Reference &reference : m_references) {
+        reference.style.strip = stripOf(reference.pane, reference.style.unit);
+        reference.id = m_stack.addTrace(reference.style, reference.trace);
+    }
+    m_stack.setWatermark(simulated ? tr("DEMO") : QString());
+    m_stack.setClock(std::chrono::duration<double>(m_workbench.unixOffset()).count());
+    followRates();
+    Q_EMIT changed();
+}
+
+void PlotBoard::follow()
+{
+    bool other = false;
+    for (Derived &derived : m_derived) {
+        if (!derived.signal) {
+            compile(derived);
+            other = other || derived.signal;
+        }
+    }
+    const auto gone = [this](const Trace &trace) { return !rowOf(trace.signal); };
+    if (const auto end = std::remove_if(m_traces.begin(), m_traces.end(), gone); end != m_traces.end()) {
+        m_traces.erase(end, m_traces.end());
+        other = true;
+    }
+    if (other)
+        rebuild();
+}
+
+void PlotBoard::followRates()
+{
+    double rate = 0.0;
+    std::uint64_t lost = 0;
+    std::uint64_t all = 0;
+    for (const Trace &trace : m_traces) {
+        const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
+        const std::size_t place = trace.signal.channel.value;
+        if (device)
+            trace.source->follow(place < device->rates.size() ? device->rates[place] : 0.0, m_workbench.now());
+        else if (trace.signal.device == derivedDevice)
+            trace.source->follow(m_derived[place].signal->telemetry()->rate({0}), m_workbench.now());
+        rate += trace.source->rate();
+        lost += trace.source->lost();
+        all += trace.source->lost() + trace.source->telemetry().size(trace.source->channel());
+    }
+    const QString foot = tr("%1 signals, %2 samples/s, %3 of %4 lost")
+                             .arg(formatCount(static_cast<qint64>(m_traces.size())), formatNumber(rate),
+                                 formatCount(static_cast<qint64>(lost)), formatCount(static_cast<qint64>(all)));
+    for (const Trace &trace : m_traces)
+        trace.source->setFootText(foot);
+}
+
+std::uint64_t PlotBoard::revision() const
+{
+    std::uint64_t sum = 0;
+    for (const Trace &trace : m_traces)
+        sum += trace.source ? trace.source->telemetry().revision() : 0;
+    return sum;
+}
+
+} // namespace mb

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "recording/derivedsignal.h"
+#include "recording/export.h"
+#include "widgets/common/selection.h"
+#include "widgets/common/workbench.h"
+#include "widgets/plots/displayunits.h"
+#include "widgets/plots/plotstack.h"
+#include "widgets/plots/signallist.h"
+#include "widgets/plots/telemetrysource.h"
+
+#include <deque>
+
+namespace mb {
+
+/// Gives a trace a colour or a pattern that none of the others has: `used` are their looks.
+void chooseColour(TraceStyle &style, const std::vector<TraceLook> &used);
+
+/// What is on the plots page: which signals of which devices, in which pane, on which axis; derived signals; references
+/// that were kept; notes. Fills a PlotStack and knows no other widget. GUI thread.
+class PlotBoard : public QObject {
+    Q_OBJECT
+public:
+    struct Trace {
+        Signal signal;
+        QString pane; ///< empty: one pane for each unit
+        bool second = false;
+        std::shared_ptr<TelemetrySource> source{};
+        TraceStyle style{};
+        int id = 0; ///< in the stack
+    };
+    /// A stretch that was kept: its keys count from the left edge, or from the trigger.
+    struct Reference {
+        TraceStyle style;
+        QString pane;
+        std::shared_ptr<const FixedTrace> trace;
+        int id = 0;
+    };
+    struct Derived {
+        QString name;
+        QString unit;
+        QString formula;
+        std::shared_ptr<DerivedSignal> signal; ///< nothing while a device of its formula is not there
+    };
+    /// A signal as formulas call it: d5_velocity.
+    struct Variable {
+        QString name;
+        Signal signal;
+    };
+
+    PlotBoard(Workbench &workbench, PlotStack &stack, QObject *parent);
+
+    [[nodiscard]] const std::vector<Trace> &traces() const { return m_traces; }
+    [[nodiscard]] const std::vector<Reference> &references() const { return m_references; }
+    [[nodiscard]] const std::deque<Derived> &derived() const { return m_derived; }
+    [[nodiscard]] const Trace *traceOf(int id) const;
+    [[nodiscard]] bool isTouched() const { return m_touched; }
+
+    /// Adds or removes a trace. `pane`: empty for the one of its unit.
+    void choose(const Signal &signal, bool on, const QString &pane = {});
+    /// The pane of a strip; a new one for -1.
+    [[nodiscard]] QString paneOf(int strip);
+    void moveToPane(int id, const QString &pane);
+    void setSecondAxis(int id, bool second);
+    /// Everything anew, as a layout says; nothing is remembered of a person's choice when `touched` is false.
+    void setTraces(std::vector<Trace> traces, bool touched);
+    void reset();
+
+    [[nodiscard]] std::vector<Variable> variables() const;
+    /// Yields what is wrong with the formula, or adds the signal and plots it.
+    [[nodiscard]] Result<void> addDerived(const QString &name, const QString &unit, const QString &formula);
+    /// Nothing, or what is wrong with the name or the formula.
+    [[nodiscard]] QString whatIsWrong(const QString &name, const QString &formula) const;
+    /// As addDerived(), unless there is one of this name; without plotting it.
+    void ensureDerived(const QString &name, const QString &unit, const QString &formula);
+    void removeDerived(int place);
+
+    /// What is seen of the measured traces, kept beside what comes.
+    void keepReferences();
+    void clearReferences();
+
+    void addNote(double key, const QString &text);
+    [[nodiscard]] const std::vector<TimedNote> &notes() const { return m_notes; }
+
+    /// The snapshot is a new one.
+    void follow();
+    void followRates();
+    /// Goes on computing derived signals, for a few milliseconds at most.
+    void advance();
+    /// Moves when a trace has something new.
+    [[nodiscard]] std::uint64_t revision() const;
+    [[nodiscard]] std::vector<ExportChannel> exportChannels(bool everything) const;
+    [[nodiscard]] std::vector<std::pair<std::string, mcap::Map>> about() const;
+
+Q_SIGNALS:
+    /// Traces, panes or references are others.
+    void changed();
+
+private:
+    void rebuild();
+    void dress(Trace &trace);
+    [[nodiscard]] int stripOf(const QString &pane, const QString &unit);
+    void compile(Derived &derived);
+    [[nodiscard]] QString nameOf(const Signal &signal) const;
+    [[nodiscard]] std::shared_ptr<const Telemetry> telemetryOf(const Signal &signal) const;
+    [[nodiscard]] const Channel *rowOf(const Signal &signal) const;
+
+    Workbench &m_workbench;
+    PlotStack &m_stack;
+    DisplayUnits m_units;
+    std::vector<Trace> m_traces;
+    std::vector<Reference> m_references;
+    std::deque<Derived> m_derived;
+    std::vector<TimedNote> m_notes;
+    QStringList m_panes;           ///< key of each strip, while rebuilding and after
+    std::vector<TraceLook> m_used; ///< looks of the traces that are there, while rebuilding
+    int m_newPanes = 0;
+    bool m_touched = false; ///< by a person: the defaults do not follow the selection any more
+};
+
+} // namespace mb

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/recorder.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/plots/telemetrysource.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+
+namespace mb {
+namespace {
+
+constexpr std::chrono::milliseconds period{500};
+
+} // namespace
+
+Recorder::Recorder(Workbench &workbench, const QString &folder, QObject *parent)
+    : QObject(parent)
+    , m_workbench(workbench)
+{
+    m_options.folder = folder.toStdString();
+    m_options.name = QStringLiteral("%1-%2")
+                         .arg(QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")))
+                         .arg(QCoreApplication::applicationPid())
+                         .toStdString();
+    m_follow.setInterval(period);
+    connect(&m_follow, &QTimer::timeout, this, &Recorder::follow);
+    m_follow.start();
+    m_thread = std::thread([this] { work(); });
+}
+
+Recorder::~Recorder()
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_end = true;
+    }
+    m_wake.notify_one();
+    m_thread.join();
+}
+
+void Recorder::follow()
+{
+    const Snapshot &shot = m_workbench.snapshot();
+    std::vector<ExportChannel> channels;
+    std::vector<std::pair<std::string, mcap::Map>> about;
+    for (const DeviceView &device : shot.devices) {
+        const LinkView *link = shot.link(device.link);
+        const auto all = channelsOf(device, link && link->simulated);
+        channels.insert(channels.end(), all.begin(), all.end());
+        auto described = describe(device);
+        std::move(described.begin(), described.end(), std::back_inserter(about));
+    }
+    {
+        const std::lock_guard lock(m_mutex);
+        m_now = m_workbench.now();
+        m_unixOffset = m_workbench.unixOffset();
+        m_due = true;
+        m_orders.push_back([channels = std::move(channels), about = std::move(about)](
+                               RollingRecorder &recorder) mutable { recorder.follow(channels, std::move(about)); });
+    }
+    m_wake.notify_one();
+    Q_EMIT changed();
+}
+
+void Recorder::post(std::function<void(RollingRecorder &)> order)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_orders.push_back(std::move(order));
+    }
+    m_wake.notify_one();
+}
+
+void Recorder::work()
+{
+    const auto recovered = recoverRecordings(m_options.folder);
+    for (const std::string &path : recovered ? *recovered : std::vector<std::string>{})
+        QMetaObject::invokeMethod(this, [this, path] {
+            m_workbench.report(Severity::Caution, {},
+                tr("The last session did not end by itself. What it recorded is in %1.").arg(qt(path)));
+        });
+    RollingRecorder recorder(m_options);
+    std::unique_lock lock(m_mutex);
+    for (bool end = false; !end;) {
+        m_wake.wait(lock, [this] { return m_end || m_due || !m_orders.empty(); });
+        auto orders = std::exchange(m_orders, {});
+        end = m_end;
+        const bool due = std::exchange(m_due, false) || end;
+        const Instant now = m_now;
+        const Duration offset = m_unixOffset;
+        lock.unlock();
+        for (const auto &order : orders)
+            order(recorder);
+        const Result<void> written = due ? recorder.write(now, offset) : Result<void>();
+        lock.lock();
+        m_state.keeping = recorder.isKeeping();
+        m_state.bytes = recorder.bytes();
+        m_state.samples = recorder.samples();
+        m_state.since = recorder.since() ? plotKey(*recorder.since()) : 0.0;
+        if (due)
+            m_state.failure = written ? QString() : qt(written.error().detail);
+    }
+}
+
+Recorder::State Recorder::state() const
+{
+    const std::lock_guard lock(m_mutex);
+    return m_state;
+}
+
+void Recorder::startKeeping()
+{
+    post([](RollingRecorder &recorder) { recorder.startKeeping(); });
+}
+
+void Recorder::note(Instant time, const QString &text)
+{
+    post([time, note = text.toStdString()](RollingRecorder &recorder) { recorder.note(time, note); });
+}
+
+void Recorder::save(const QString &path)
+{
+    {
+        const std::lock_guard lock(m_mutex);
+        m_state.saving = true;
+    }
+    post([this, path](RollingRecorder &recorder) {
+        const auto report = recorder.save(path.toStdString(), {});
+        const QString error = report ? QString() : qt(report.error().detail);
+        {
+            const std::lock_guard lock(m_mutex);
+            m_state.saving = false;
+        }
+        QMetaObject::invokeMethod(this, [this, path, error] { Q_EMIT saved(path, error); });
+    });
+}
+
+} // namespace mb

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "recording/rollingrecorder.h"
+#include "widgets/common/workbench.h"
+
+#include <QTimer>
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace mb {
+
+/// The recording that always runs: writes to disk in a thread of its own what devices send, twice a second. GUI thread.
+class Recorder : public QObject {
+    Q_OBJECT
+public:
+    struct State {
+        bool keeping = false;
+        bool saving = false;
+        std::uint64_t bytes = 0;
+        std::uint64_t samples = 0;
+        double since = 0.0; ///< key of the oldest sample on disk
+        QString failure;    ///< why nothing is written
+    };
+    /// `folder`: where all runs keep theirs. Reports recordings of runs that were killed to the workbench.
+    Recorder(Workbench &workbench, const QString &folder, QObject *parent = nullptr);
+    ~Recorder() override;
+
+    [[nodiscard]] State state() const;
+    [[nodiscard]] Duration kept() const { return m_options.keep; }
+    void startKeeping();
+    /// Joins the last minutes before startKeeping() and everything since into a file; saved() follows.
+    void save(const QString &path);
+    void note(Instant time, const QString &text);
+
+Q_SIGNALS:
+    void changed();
+    void saved(const QString &path, const QString &error);
+
+private:
+    void work();
+    void follow();
+    void post(std::function<void(RollingRecorder &)> order);
+
+    Workbench &m_workbench;
+    RollingRecorder::Options m_options;
+    QTimer m_follow;
+    mutable std::mutex m_mutex; ///< guards the rest
+    std::condition_variable m_wake;
+    std::vector<std::function<void(RollingRecorder &)>> m_orders;
+    State m_state;
+    Instant m_now{};
+    Duration m_unixOffset{};
+    bool m_due = false;
+    bool m_end = false;
+    std::thread m_thread;
+};
+
+} // namespace mb

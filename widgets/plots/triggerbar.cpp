@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/triggerbar.h"
+
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/segmented.h"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLineEdit>
+
+#include <algorithm>
+#include <array>
+
+namespace mb {
+namespace {
+
+using Kind = TriggerRule::Kind;
+constexpr std::array kinds{Kind::Rising, Kind::Falling, Kind::Either, Kind::Above, Kind::Below};
+constexpr std::array parts{0.05, 0.2, 0.5, 0.8, 0.95};
+
+} // namespace
+
+TriggerBar::TriggerBar(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    setProperty("surface", QStringLiteral("window"));
+    auto *row = new QHBoxLayout(this);
+    const Theme &now = theme.theme();
+    row->setContentsMargins(now.u(12), now.u(4), now.u(12), now.u(4));
+    row->setSpacing(now.u(8));
+    buildChoices();
+    buildLevel();
+    auto *close = new IconButton(theme, Symbol::Close, tr("Trigger off"), this);
+    row->addWidget(textLabel(tr("Trigger on"), TextRole::Caption, Tone::Dim, this));
+    for (QWidget *part : {static_cast<QWidget *>(m_trace), static_cast<QWidget *>(m_kind)})
+        row->addWidget(part);
+    row->addWidget(m_level);
+    row->addWidget(m_unit);
+    row->addWidget(m_before);
+    row->addWidget(m_mode);
+    auto *again = new CommandButton(theme, Symbol::Refresh, tr("Arm again"), this);
+    again->setToolTip(tr("Forgets the event that is shown and waits for the next one"));
+    row->addWidget(again);
+    row->addStretch(1);
+    row->addWidget(close);
+    connect(again, &QPushButton::clicked, this, &TriggerBar::changed);
+    connect(close, &QToolButton::clicked, this, &TriggerBar::closed);
+}
+
+void TriggerBar::buildChoices()
+{
+    m_trace = new QComboBox(this);
+    m_trace->setAccessibleName(tr("Trace that triggers"));
+    m_trace->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    m_kind = new QComboBox(this);
+    m_kind->addItems({tr("↑ rises through"), tr("↓ falls through"), tr("↕ crosses"), tr("is above"), tr("is below")});
+    m_kind->setAccessibleName(tr("Edge or level"));
+    m_before = new QComboBox(this);
+    for (const double part : parts)
+        m_before->addItem(tr("%1 % before").arg(formatNumber(part * 100.0)));
+    m_before->setCurrentIndex(1);
+    m_before->setAccessibleName(tr("Part of the window before the event"));
+    m_mode = new Segmented(tr("What follows an event"), {tr("Normal"), tr("Single")}, this);
+    m_mode->setToolTip(tr("Normal shows every event, single stops at the first"));
+    for (QComboBox *box : {m_trace, m_kind, m_before})
+        connect(box, qOverload<int>(&QComboBox::activated), this, &TriggerBar::changed);
+    connect(m_trace, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int place) {
+        m_unit->setText(place >= 0 && place < static_cast<int>(m_choices.size())
+                ? m_choices[static_cast<std::size_t>(place)].unit
+                : QString());
+    });
+    connect(m_mode, &Segmented::currentChanged, this, &TriggerBar::changed);
+}
+
+void TriggerBar::buildLevel()
+{
+    m_level = new QLineEdit(QStringLiteral("0"), this);
+    m_level->setFixedWidth(m_theme.theme().u(88));
+    m_level->setAccessibleName(tr("Level"));
+    m_level->setToolTip(tr("The level; the handle ▸ at the left of the plot drags it, too"));
+    m_unit = textLabel({}, TextRole::Caption, Tone::Dim, this);
+    connect(m_level, &QLineEdit::editingFinished, this, &TriggerBar::levelTyped);
+}
+
+void TriggerBar::levelTyped()
+{
+    setStyleProperty(*m_level, "invalid", !hasLevel());
+    if (hasLevel())
+        Q_EMIT changed();
+}
+
+bool TriggerBar::hasLevel() const
+{
+    return parseNumber(m_level->text()).has_value();
+}
+
+void TriggerBar::setTraces(const std::vector<Choice> &traces)
+{
+    const QString before = m_trace->currentText();
+    m_choices = traces;
+    const QSignalBlocker quiet(m_trace);
+    m_trace->clear();
+    for (const Choice &choice : traces)
+        m_trace->addItem(choice.name);
+    m_trace->setCurrentIndex(std::max(m_trace->findText(before), traces.empty() ? -1 : 0));
+    m_unit->setText(traces.empty() ? QString() : m_choices[static_cast<std::size_t>(m_trace->currentIndex())].unit);
+}
+
+int TriggerBar::trace() const
+{
+    const int place = m_trace->currentIndex();
+    return place < 0 ? -1 : m_choices.at(static_cast<std::size_t>(place)).id;
+}
+
+void TriggerBar::choose(int id)
+{
+    const auto found
+        = std::find_if(m_choices.begin(), m_choices.end(), [id](const Choice &choice) { return choice.id == id; });
+    if (found != m_choices.end())
+        m_trace->setCurrentIndex(static_cast<int>(found - m_choices.begin()));
+}
+
+TriggerSetup TriggerBar::setup() const
+{
+    TriggerSetup setup;
+    setup.kind = kinds.at(static_cast<std::size_t>(m_kind->currentIndex()));
+    setup.level = parseNumber(m_level->text()).value_or(0.0);
+    setup.before = parts.at(static_cast<std::size_t>(m_before->currentIndex()));
+    setup.mode = m_mode->current() == 1 ? TriggerSetup::Mode::Single : TriggerSetup::Mode::Normal;
+    return setup;
+}
+
+void TriggerBar::setLevel(double level)
+{
+    m_level->setText(QString::number(level, 'g', 4));
+}
+
+QString TriggerBar::description(double window) const
+{
+    const QString sign = m_kind->currentText().section(QLatin1Char(' '), 0, 0);
+    const TriggerSetup now = setup();
+    const bool edge = now.kind == Kind::Rising || now.kind == Kind::Falling || now.kind == Kind::Either;
+    return tr("trigger %1 %2 %3, %4 before")
+        .arg(edge ? sign : m_kind->currentText(), formatSignificant(now.level, 4), m_unit->text(),
+            formatDuration(window * now.before));
+}
+
+} // namespace mb
