@@ -67,7 +67,7 @@ void BusPage::buildTables()
     m_table->setModel(m_model);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_idTable = new TrafficView(
-        m_theme, tr("Identifiers"), {88, 50, 122, 42, 64, 72, 84, 208, 118, 104}, IdModel::Value, m_lower);
+        m_theme, tr("Identifiers"), {88, 50, 122, 42, 64, 72, 84, 208, 118, 100}, IdModel::Value, m_lower);
     m_idTable->setSpare(IdModel::Data);
     m_idTable->setSharing(IdModel::Spark);
     m_idTable->setModel(m_ids);
@@ -95,7 +95,6 @@ void BusPage::buildTables()
 
 void BusPage::buildSide()
 {
-    const Theme &theme = m_theme.theme();
     // At large fonts it is higher than the room that is left.
     auto *scroll = new QScrollArea(m_outer);
     m_side = scroll;
@@ -103,12 +102,12 @@ void BusPage::buildSide()
     scroll->setWidgetResizable(true);
     scroll->setFocusPolicy(Qt::NoFocus);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setMinimumWidth(theme.u(250));
     auto *content = new QWidget(scroll);
     setStyleProperty(*content, "surface", QStringLiteral("window"));
     content->setAttribute(Qt::WA_StyledBackground);
     scroll->setWidget(content);
     buildSideContent(*content);
+    scroll->setMinimumWidth(content->minimumSizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
     m_outer->addWidget(m_side);
     m_outer->setStretchFactor(0, 1);
     m_outer->setStretchFactor(1, 0);
@@ -215,7 +214,8 @@ void BusPage::arrange()
     home->addWidget(m_side);
     home->setStretchFactor(0, 1);
     home->setStretchFactor(1, 0);
-    home->setSizes({width() - theme.u(270), theme.u(270)});
+    const int side = theme.u(width() >= theme.u(1500) ? 360 : 300);
+    home->setSizes({width() - side, side});
 }
 
 } // namespace mb

@@ -135,8 +135,7 @@ void FrameDetail::buildFields(QVBoxLayout &column)
     column.addWidget(m_fields, 1);
     auto *row = new QHBoxLayout;
     m_copy = new CommandButton(m_theme, Symbol::Copy, tr("Copy"), this);
-    m_copy->setToolTip(tr("Copy the selected frames as candump text"));
-    m_copy->setKeyHint(QStringLiteral("Ctrl+C"));
+    m_copy->setToolTip(tr("Copy the selected frames as candump text (Ctrl+C)"));
     m_send = new CommandButton(m_theme, Symbol::FrameSend, tr("Send again…"), this);
     row->addWidget(m_copy, 1);
     row->addWidget(m_send, 1);
@@ -181,6 +180,8 @@ void FrameDetail::showFields(const FrameMeaning *meaning, const std::vector<std:
     const Theme &theme = m_theme.theme();
     const auto &fields = meaning ? meaning->frame.fields : std::vector<DecodedField>{};
     std::vector<QColor> colors(64);
+    // Names matter more; the bits are in the tooltip too, and their colours under the bytes.
+    m_fields->setColumnHidden(1, width() < theme.u(330));
     m_fields->setRowCount(static_cast<int>(fields.size()));
     int place = 0;
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -190,13 +191,12 @@ void FrameDetail::showFields(const FrameMeaning *meaning, const std::vector<std:
             if (i < bits.size() && ((bits[i] >> bit) & 1U) != 0)
                 colors[bit] = color;
         }
-        const bool scaled = fullScale(fields[i].unit).has_value();
-        const std::array texts{qt(fields[i].name), i < bits.size() ? bitsText(bits[i]) : QString(),
-            scaled ? tr("%1 = %2").arg(wireValue(fields[i]), fieldValue(fields[i])) : fieldValue(fields[i])};
+        const QString bit = i < bits.size() ? bitsText(bits[i]) : QString();
+        const std::array texts{qt(fields[i].name), bit, fieldValue(fields[i])};
         for (int column = 0; column < 3; ++column) {
             auto *item = new QTableWidgetItem(texts.at(static_cast<std::size_t>(column)));
             item->setTextAlignment(static_cast<int>(Qt::AlignVCenter | (column == 0 ? Qt::AlignLeft : Qt::AlignRight)));
-            item->setToolTip(QStringLiteral("%1 = %2").arg(qt(fields[i].name), wireValue(fields[i])));
+            item->setToolTip(tr("%1 = %2, bits %3").arg(qt(fields[i].name), wireValue(fields[i]), bit));
             if (column == 0)
                 item->setIcon(QIcon(swatch(theme, color)));
             if (column == 1)

@@ -35,6 +35,19 @@ CurvePlot::CurvePlot(const ThemeSource &theme, const QString &accessibleName, QW
     restyle();
 }
 
+/// A plot that was never laid out has no size to draw in.
+void CurvePlot::replotSoon()
+{
+    if (isVisible() && m_plot->width() > 1 && m_plot->height() > 1)
+        m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void CurvePlot::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    replotSoon();
+}
+
 void CurvePlot::restyle()
 {
     const Theme &theme = m_theme.theme();
@@ -97,7 +110,7 @@ void CurvePlot::setCurves(const std::vector<Curve> &curves)
     if (!m_fitted && !m_curves.empty())
         fit();
     else
-        m_plot->replot(QCustomPlot::rpQueuedReplot);
+        replotSoon();
 }
 
 void CurvePlot::setNote(const QString &note)
@@ -105,7 +118,7 @@ void CurvePlot::setNote(const QString &note)
     m_note = note;
     m_words->setText(note);
     setAccessibleDescription(note);
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    replotSoon();
 }
 
 void CurvePlot::setWatermark(const QString &text)
@@ -125,7 +138,7 @@ void CurvePlot::fit()
         const QCPRange range = m_plot->yAxis->range();
         m_plot->yAxis->setRange(std::max(range.lower, range.upper * 1e-6), range.upper * 2);
     }
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    replotSoon();
 }
 
 void CurvePlot::keyPressEvent(QKeyEvent *event)
@@ -138,7 +151,7 @@ void CurvePlot::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Right: m_plot->xAxis->moveRange(0.1 * m_plot->xAxis->range().size()); break;
     default: return QWidget::keyPressEvent(event);
     }
-    m_plot->replot(QCustomPlot::rpQueuedReplot);
+    replotSoon();
 }
 
 QPixmap CurvePlot::picture()

@@ -35,8 +35,10 @@ public:
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
+    void showEvent(QShowEvent *event) override;
 
 private:
+    void replotSoon();
     void restyle();
 
     const ThemeSource &m_theme;

@@ -52,15 +52,11 @@ Curve curveOf(const Spectrum &spectrum, const AnalysedTrace &trace)
 QString peakText(const Spectrum &spectrum, const AnalysedTrace &trace)
 {
     const std::size_t peak = spectrum.peak();
-    QString text = AnalysisText::tr("%1: peak %2 at %3 Hz")
-                       .arg(trace.name,
-                           formatSignificant(spectrum.amplitude[peak] * std::abs(trace.source->scale()), 3)
-                               + QChar(QChar::Nbsp) + trace.unit,
-                           formatSignificant(spectrum.frequency(peak), 4));
-    if (spectrum.shortened)
-        text += AnalysisText::tr(" (longest stretch without a gap, %1)")
-                    .arg(formatDuration(std::chrono::duration<double>(spectrum.to - spectrum.from).count()));
-    return text;
+    return AnalysisText::tr("%1: peak %2 at %3 Hz")
+        .arg(trace.name,
+            formatSignificant(spectrum.amplitude[peak] * std::abs(trace.source->scale()), 3) + QChar(QChar::Nbsp)
+                + trace.unit,
+            formatSignificant(spectrum.frequency(peak), 4));
 }
 
 } // namespace
@@ -76,9 +72,13 @@ Analysis spectra(const std::vector<AnalysedTrace> &traces, double from, double t
             continue;
         }
         analysis.curves.push_back(curveOf(*spectrum, trace));
-        notes << peakText(*spectrum, trace);
+        analysis.curves.back().name = peakText(*spectrum, trace);
+        if (spectrum->shortened && analysis.note.isEmpty())
+            analysis.note = AnalysisText::tr("the longest stretch without a gap");
     }
-    analysis.note = notes.join(QStringLiteral("  ·  "));
+    if (!analysis.note.isEmpty())
+        notes.prepend(analysis.note);
+    analysis.note = notes.join(QStringLiteral(" · "));
     return analysis;
 }
 

@@ -86,6 +86,7 @@ void PlotCursors::drawBox(QCPPainter &painter) const
     const double right = std::max(pixel(m_a), pixel(m_b));
     const bool fits = right + theme.u(10) + box.width() < area.right();
     box.moveLeft(fits ? right + theme.u(10) : std::min(pixel(m_a), pixel(m_b)) - theme.u(10) - box.width());
+    box.moveLeft(std::max(box.left(), area.left() + 4.0));
     box.moveTop(
         std::min<double>(area.center().y(), std::max<double>(area.top(), area.bottom() - box.height() - theme.u(8))));
     painter.setAntialiasing(true);

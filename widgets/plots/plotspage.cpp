@@ -211,6 +211,12 @@ void PlotsPage::showEvent(QShowEvent *event)
     follow();
 }
 
+void PlotsPage::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    followWidth();
+}
+
 void PlotsPage::hideEvent(QHideEvent *event)
 {
     m_tick.stop();

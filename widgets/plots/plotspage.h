@@ -72,6 +72,7 @@ public:
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     // plotspage.cpp, plotspagebars.cpp
@@ -112,6 +113,7 @@ private:
     void rememberLayout();
     void applyWaiting(bool first);
     [[nodiscard]] std::vector<PlotBoard::Trace> tracesOf(const PlotLayout &layout, DeviceId standIn) const;
+    void followWidth();
     void toggleRecording();
     void showRecording();
     void finished(const QString &path, const Result<ExportReport> &report);

@@ -58,7 +58,7 @@ void PlotsPage::buildRecord(QHBoxLayout &row)
 {
     m_record = new CommandButton(m_theme, Symbol::Record, tr("Record"), this);
     m_record->setKeyHint(QStringLiteral("R"));
-    m_record->setTextVariants({tr("Record"), tr("Stop and save")});
+    m_record->setTextVariants({tr("Record"), tr("Save")});
     m_record->hide();
     m_recordText = textLabel({}, TextRole::Caption, Tone::Dim, this);
     m_recordText->hide();

@@ -225,7 +225,7 @@ void PlotsPage::setRecorder(Recorder *recorder, const QString &folder)
     m_recorder = recorder;
     m_recordFolder = folder;
     m_record->setVisible(recorder != nullptr);
-    m_recordText->setVisible(recorder != nullptr);
+    followWidth();
     if (!recorder)
         return;
     m_record->setToolTip(tr("Keeps everything that devices send, beginning with the last %1.\n"
@@ -237,6 +237,12 @@ void PlotsPage::setRecorder(Recorder *recorder, const QString &folder)
             error.isEmpty() ? tr("recording written to %1").arg(path) : error);
         showRecording();
     });
+}
+
+/// On a narrow window the numbers of the recording stand in the tooltip only.
+void PlotsPage::followWidth()
+{
+    m_recordText->setVisible(m_recorder && width() > m_theme.theme().u(1250));
 }
 
 void PlotsPage::toggleRecording()
@@ -255,7 +261,7 @@ void PlotsPage::showRecording()
     if (!m_recorder)
         return;
     const Recorder::State state = m_recorder->state();
-    m_record->setText(state.keeping ? tr("Stop and save") : tr("Record"));
+    m_record->setText(state.keeping ? tr("Save") : tr("Record"));
     m_record->setSymbol(Symbol::Record, state.keeping ? Tone::Danger : Tone::Text);
     m_record->setEnabled(!state.saving);
     if (!state.failure.isEmpty()) {
@@ -268,6 +274,7 @@ void PlotsPage::showRecording()
     m_recordText->setText(state.keeping
             ? tr("%1 · %2 · %3 samples").arg(length, size, formatCount(static_cast<qint64>(state.samples)))
             : tr("last %1 on disk · %2").arg(length, size));
+    m_record->setAccessibleDescription(m_recordText->text());
 }
 
 } // namespace mb

@@ -118,7 +118,8 @@ void PlotsPage::refreshSpectrum()
     m_spectrum->setAxes(tr("frequency, Hz"), tr("amplitude, %1").arg(units.join(QStringLiteral(", "))), true);
     m_spectrum->setWatermark(m_stack->watermark());
     m_spectrum->setCurves(analysis.curves);
-    m_spectrum->setNote((selection ? tr("A … B, Hann window: ") : tr("what is seen, Hann window: ")) + analysis.note);
+    m_spectrum->setNote(
+        (selection ? tr("A … B") : tr("what is seen")) + tr(", Hann window, peak values. ") + analysis.note);
 }
 
 void PlotsPage::refreshAgainst()

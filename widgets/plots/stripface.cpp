@@ -62,7 +62,7 @@ void StripFace::drawHead(QCPPainter &painter, const QRectF &box) const
         painter.drawText(corner, Qt::AlignLeft | Qt::AlignVCenter, m_decor.keyUnit);
     }
     double x = box.left();
-    const double end = m_rect.outerRect().right();
+    const double end = m_decor.secondUnit.isEmpty() ? m_rect.outerRect().right() : box.right();
     const auto put = [&](const QString &text, const QFont &font, const QColor &color) {
         const QFontMetrics metrics(font);
         const QString shown = metrics.elidedText(text, Qt::ElideRight, static_cast<int>(std::max(0.0, end - x)));

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mb {
 namespace {
@@ -34,19 +35,17 @@ TriggerBar::TriggerBar(const ThemeSource &theme, QWidget *parent)
     buildChoices();
     buildLevel();
     auto *close = new IconButton(theme, Symbol::Close, tr("Trigger off"), this);
-    row->addWidget(textLabel(tr("Trigger on"), TextRole::Caption, Tone::Dim, this));
     for (QWidget *part : {static_cast<QWidget *>(m_trace), static_cast<QWidget *>(m_kind)})
         row->addWidget(part);
     row->addWidget(m_level);
     row->addWidget(m_unit);
     row->addWidget(m_before);
     row->addWidget(m_mode);
-    auto *again = new CommandButton(theme, Symbol::Refresh, tr("Arm again"), this);
-    again->setToolTip(tr("Forgets the event that is shown and waits for the next one"));
-    row->addWidget(again);
+    auto *again = new IconButton(theme, Symbol::Refresh, tr("Arm again: forgets this event, waits for the next"), this);
     row->addStretch(1);
+    row->addWidget(again);
     row->addWidget(close);
-    connect(again, &QPushButton::clicked, this, &TriggerBar::changed);
+    connect(again, &QToolButton::clicked, this, &TriggerBar::changed);
     connect(close, &QToolButton::clicked, this, &TriggerBar::closed);
 }
 
@@ -78,7 +77,7 @@ void TriggerBar::buildChoices()
 void TriggerBar::buildLevel()
 {
     m_level = new QLineEdit(QStringLiteral("0"), this);
-    m_level->setFixedWidth(m_theme.theme().u(88));
+    m_level->setFixedWidth(m_theme.theme().u(76));
     m_level->setAccessibleName(tr("Level"));
     m_level->setToolTip(tr("The level; the handle ▸ at the left of the plot drags it, too"));
     m_unit = textLabel({}, TextRole::Caption, Tone::Dim, this);
@@ -135,7 +134,11 @@ TriggerSetup TriggerBar::setup() const
 
 void TriggerBar::setLevel(double level)
 {
-    m_level->setText(QString::number(level, 'g', 4));
+    // Four digits are as near as a hand gets; no exponent.
+    const double size = level == 0.0 ? 0.0 : std::floor(std::log10(std::abs(level)));
+    const double step = std::pow(10.0, size - 3.0);
+    m_level->setText(
+        QString::number(std::round(level / step) * step, 'f', std::clamp(3 - static_cast<int>(size), 0, 9)));
 }
 
 QString TriggerBar::description(double window) const

@@ -11,7 +11,6 @@ class QLineEdit;
 
 namespace mb {
 
-class CommandButton;
 class Segmented;
 
 /// One line under the bar of the page: which trace, which edge, which level, how much before, normal or single.
