@@ -2,6 +2,33 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>AnalysisText</name>
+    <message>
+        <source>%1: peak %2 at %3 Hz</source>
+        <translation>%1: Spitze %2 bei %3 Hz</translation>
+    </message>
+    <message>
+        <source>%1: fewer than 16 samples connect</source>
+        <translation>%1: weniger als 16 zusammenhängende Werte</translation>
+    </message>
+    <message>
+        <source>the longest stretch without a gap</source>
+        <translation>der längste Abschnitt ohne Lücke</translation>
+    </message>
+    <message>
+        <source>%1 against %2</source>
+        <translation>%1 über %2</translation>
+    </message>
+    <message>
+        <source>%1 points, every %2. sample</source>
+        <translation>%1 Punkte, jeder %2. Wert</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+</context>
+<context>
     <name>DeviceActions</name>
     <message>
         <source>Identify (blink)</source>
@@ -66,6 +93,10 @@
     <message>
         <source>Link address, such as socketcan:can0 or sim:can?loss=0.01:</source>
         <translation>Adresse der Verbindung, etwa socketcan:can0 oder sim:can?loss=0.01:</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -200,6 +231,125 @@
     </message>
 </context>
 <context>
+    <name>DialogText</name>
+    <message>
+        <source>Signals that a formula may use</source>
+        <translation>Signale, die eine Formel verwenden darf</translation>
+    </message>
+    <message>
+        <source>Double click puts the name into the formula</source>
+        <translation>Doppelklick setzt den Namen in die Formel ein</translation>
+    </message>
+    <message>
+        <source>Note at this time</source>
+        <translation>Notiz zu diesem Zeitpunkt</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Was geschehen ist</translation>
+    </message>
+    <message>
+        <source>Add note</source>
+        <translation>Notiz hinzufügen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Derived signal</source>
+        <translation>Abgeleitetes Signal</translation>
+    </message>
+    <message>
+        <source>counts/s², A, …</source>
+        <translation>counts/s², A, …</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formel</translation>
+    </message>
+    <message>
+        <source>+ − * / ^ ( ) · derivative(x) · integral(x) · average(x, seconds) · abs, sqrt, sin, min, max … · values are in the unit of the device</source>
+        <translation>+ − * / ^ ( ) · derivative(x) · integral(x) · average(x, Sekunden) · abs, sqrt, sin, min, max … · Werte in der Einheit des Geräts</translation>
+    </message>
+    <message>
+        <source>Add signal</source>
+        <translation>Signal hinzufügen</translation>
+    </message>
+    <message>
+        <source>Export samples</source>
+        <translation>Werte exportieren</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>What is seen</source>
+        <translation>Sichtbarer Bereich</translation>
+    </message>
+    <message>
+        <source>A … B</source>
+        <translation>A … B</translation>
+    </message>
+    <message>
+        <source>Whole session</source>
+        <translation>Ganze Sitzung</translation>
+    </message>
+    <message>
+        <source>Show the cursors first: L</source>
+        <translation>Zuerst die Cursor einblenden: L</translation>
+    </message>
+    <message>
+        <source>Signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>Plotted signals</source>
+        <translation>Dargestellte Signale</translation>
+    </message>
+    <message>
+        <source>All signals of all devices</source>
+        <translation>Alle Signale aller Geräte</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>CSV table</source>
+        <translation>CSV-Tabelle</translation>
+    </message>
+    <message>
+        <source>MCAP recording</source>
+        <translation>MCAP-Aufnahme</translation>
+    </message>
+    <message>
+        <source>Both carry units, the devices with their parameters, notes, and how many samples were lost. MCAP opens in PlotJuggler and Foxglove.</source>
+        <translation>Beide enthalten Einheiten, die Geräte mit ihren Parametern, Notizen und die Anzahl verlorener Werte. MCAP lässt sich in PlotJuggler und Foxglove öffnen.</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>Datei wählen…</translation>
+    </message>
+    <message>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
+    </message>
+    <message>
+        <source>MCAP recording (*.mcap)</source>
+        <translation>MCAP-Aufnahme (*.mcap)</translation>
+    </message>
+</context>
+<context>
     <name>FileText</name>
     <message>
         <source>family “%1”</source>
@@ -243,22 +393,117 @@
     </message>
 </context>
 <context>
+    <name>FrameFilterParser</name>
+    <message>
+        <source>&apos;)&apos; has no &apos;(&apos; before it</source>
+        <translation>vor „)“ fehlt ein „(“</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; needs a term before it</source>
+        <translation>„%1“ braucht einen Ausdruck davor</translation>
+    </message>
+    <message>
+        <source>a term is missing after &apos;%1&apos;</source>
+        <translation>nach „%1“ fehlt ein Ausdruck</translation>
+    </message>
+    <message>
+        <source>&apos;(&apos; is not closed: a &apos;)&apos; is missing</source>
+        <translation>„(“ ist nicht geschlossen: ein „)“ fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos;: a comparison begins with field., such as field.%1</source>
+        <translation>„%1“: ein Vergleich beginnt mit field., etwa field.%1</translation>
+    </message>
+    <message>
+        <source>&apos;%1:&apos; has nothing after the colon</source>
+        <translation>„%1:“ hat nichts nach dem Doppelpunkt</translation>
+    </message>
+    <message>
+        <source>&apos;%1:&apos; is not known; id, family, message, device, dir, data, is and field. are</source>
+        <translation>„%1:“ ist unbekannt; bekannt sind id, family, message, device, dir, data, is und field.</translation>
+    </message>
+    <message>
+        <source>&apos;%1:&apos; is not known; &apos;%2:&apos; is</source>
+        <translation>„%1:“ ist unbekannt; bekannt ist „%2:“</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no identifier: hexadecimal such as 0x2061405, 0x2061* or 100..1FF</source>
+        <translation>„%1“ ist kein Identifier: hexadezimal, etwa 0x2061405, 0x2061* oder 100..1FF</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no device number: such as 5, 5,7 or 1..9</source>
+        <translation>„%1“ ist keine Gerätenummer: etwa 5, 5,7 oder 1..9</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; are no bytes: hexadecimal such as A125*, without blanks</source>
+        <translation>„%1“ sind keine Bytes: hexadezimal, etwa A125*, ohne Leerzeichen</translation>
+    </message>
+    <message>
+        <source>no family is called &apos;%1&apos;; there is %2</source>
+        <translation>keine Familie heißt „%1“; es gibt %2</translation>
+    </message>
+    <message>
+        <source>&apos;dir:%1&apos; is not known; dir:rx and dir:tx are</source>
+        <translation>„dir:%1“ ist unbekannt; bekannt sind dir:rx und dir:tx</translation>
+    </message>
+    <message>
+        <source>&apos;is:%1&apos; is not known; tx, rx, extended, standard, remote, error, unknown, known and control are</source>
+        <translation>„is:%1“ ist unbekannt; bekannt sind tx, rx, extended, standard, remote, error, unknown, known und control</translation>
+    </message>
+    <message>
+        <source>&apos;field.&apos; needs the name of a field, such as field.trgt&gt;100</source>
+        <translation>„field.“ braucht den Namen eines Felds, etwa field.trgt&gt;100</translation>
+    </message>
+    <message>
+        <source>&apos;field.%1%2&apos; needs a number behind it</source>
+        <translation>„field.%1%2“ braucht eine Zahl dahinter</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>identifier, hexadecimal</source>
+        <translation>Identifier, hexadezimal</translation>
+    </message>
+    <message>
+        <source>what the decoder says</source>
+        <translation>was der Decoder sagt</translation>
+    </message>
+    <message>
+        <source>a field by its name: its number, % of full scale, or that there is one</source>
+        <translation>ein Feld über seinen Namen: seine Zahl, % vom Endwert oder dass es vorhanden ist</translation>
+    </message>
+    <message>
+        <source>bytes, hexadecimal</source>
+        <translation>Bytes, hexadezimal</translation>
+    </message>
+    <message>
+        <source>direction; error, remote, extended, standard, unknown, known; makes a motor move</source>
+        <translation>Richtung; error, remote, extended, standard, unknown, known; bewegt einen Motor</translation>
+    </message>
+    <message>
+        <source>a bare word: part of a message, family or identifier</source>
+        <translation>ein einzelnes Wort: Teil von Nachricht, Familie oder Identifier</translation>
+    </message>
+    <message>
+        <source>terms beside each other must all hold</source>
+        <translation>Ausdrücke nebeneinander müssen alle zutreffen</translation>
+    </message>
+    <message>
+        <source>* stands for any characters, ? for one, a comma for or.</source>
+        <translation>* steht für beliebige Zeichen, ? für eines, ein Komma für oder.</translation>
+    </message>
+</context>
+<context>
     <name>FrameText</name>
     <message>
         <source>remote</source>
         <translation>Remote</translation>
     </message>
-    <message>
-        <source>&apos;%1:&apos; is not known; msg, dev, id, fam and dir are</source>
-        <translation>„%1:“ ist unbekannt; bekannt sind msg, dev, id, fam und dir</translation>
-    </message>
 </context>
 <context>
     <name>GainText</name>
-    <message>
-        <source>count/100&#xa0;ms</source>
-        <translation>count/100&#xa0;ms</translation>
-    </message>
     <message>
         <source>duty/(A·s)</source>
         <translation>duty/(A·s)</translation>
@@ -292,20 +537,20 @@
         <translation>count</translation>
     </message>
     <message>
-        <source>A</source>
-        <translation>A</translation>
-    </message>
-    <message>
-        <source>throttle per %1 · loop</source>
-        <translation>throttle je %1 · Zyklus</translation>
-    </message>
-    <message>
-        <source>throttle per %1 / loop</source>
-        <translation>throttle je %1 / Zyklus</translation>
-    </message>
-    <message>
         <source>throttle per %1</source>
         <translation>throttle je %1</translation>
+    </message>
+    <message>
+        <source>throttle × divisor per %1</source>
+        <translation>throttle × Divisor je %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
     </message>
 </context>
 <context>
@@ -366,10 +611,92 @@
     </message>
 </context>
 <context>
+    <name>SendGuard</name>
+    <message>
+        <source>No %1 %2 is known on this link, so STOP could not reach it. Scan first.</source>
+        <translation>An dieser Verbindung ist kein %1 %2 bekannt, STOP könnte es nicht erreichen. Zuerst suchen.</translation>
+    </message>
+    <message>
+        <source>Two units answer as %1. Assign one a new number first.</source>
+        <translation>Zwei Geräte antworten als %1. Zuerst einem eine neue Nummer zuweisen.</translation>
+    </message>
+    <message>
+        <source>%1 keeps its last set-point for ever: it has no watchdog. Drive it from the Tune page.</source>
+        <translation>%1 behält seinen letzten Sollwert für immer: es hat keinen Watchdog. Auf der Seite Regler ansteuern.</translation>
+    </message>
+    <message>
+        <source>%1 is busy: %2</source>
+        <translation>%1 ist beschäftigt: %2</translation>
+    </message>
+    <message>
+        <source>This window drives %1 already. Halt it first.</source>
+        <translation>Dieses Fenster steuert %1 bereits an. Zuerst anhalten.</translation>
+    </message>
+    <message>
+        <source>%1 is not armed. Select it, then hold Arm in the header.</source>
+        <translation>%1 ist nicht scharf. Gerät wählen, dann die Lampe in der Kopfzeile halten.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
+        <translation>„%1“ ist kein Frame wie etwa 02061405#8125</translation>
+    </message>
+    <message>
+        <source>The identifier is hexadecimal, such as 7FF or 02061405</source>
+        <translation>Der Identifier ist hexadezimal, etwa 7FF oder 02061405</translation>
+    </message>
+    <message>
+        <source>%1 has more than 29 bits: at most 1FFFFFFF</source>
+        <translation>%1 hat mehr als 29 Bit: höchstens 1FFFFFFF</translation>
+    </message>
+    <message>
+        <source>%1 has more than 11 bits: choose 29 bits</source>
+        <translation>%1 hat mehr als 11 Bit: 29 Bit wählen</translation>
+    </message>
+    <message>
+        <source>The data are pairs of hexadecimal digits, such as 81 25 11</source>
+        <translation>Die Daten sind Paare von Hexadezimalziffern, etwa 81 25 11</translation>
+    </message>
+    <message>
+        <source>%1 bytes: a frame has at most 8</source>
+        <translation>%1 Byte: ein Frame hat höchstens 8</translation>
+    </message>
+    <message>
+        <source>no decoder knows this identifier</source>
+        <translation>kein Decoder kennt diesen Identifier</translation>
+    </message>
+    <message>
+        <source>%1 of %2 #%3   %4</source>
+        <translation>%1 von %2 #%3   %4</translation>
+    </message>
+    <message>
+        <source>No open CAN link is shown. Open one first.</source>
+        <translation>Keine offene CAN-Verbindung wird angezeigt. Zuerst eine öffnen.</translation>
+    </message>
+</context>
+<context>
     <name>SourceText</name>
     <message>
         <source>%1 Hz, %2 of %3 lost</source>
         <translation>%1 Hz, %2 von %3 verloren</translation>
+    </message>
+</context>
+<context>
+    <name>TriggerText</name>
+    <message>
+        <source>trigger armed, waiting</source>
+        <translation>Trigger scharf, wartet</translation>
+    </message>
+    <message>
+        <source>single event caught</source>
+        <translation>Einzelereignis erfasst</translation>
+    </message>
+    <message>
+        <source>event %1, filling</source>
+        <translation>Ereignis %1, wird gefüllt</translation>
+    </message>
+    <message>
+        <source>event %1, waiting for the next</source>
+        <translation>Ereignis %1, wartet auf das nächste</translation>
     </message>
 </context>
 <context>
@@ -499,22 +826,70 @@
     </message>
 </context>
 <context>
-    <name>mb::BusPage</name>
+    <name>mb::BusBar</name>
     <message>
-        <source>Bus</source>
-        <translation>Bus</translation>
+        <source>Link</source>
+        <translation>Verbindung</translation>
     </message>
     <message>
-        <source>msg:STS* dev:5 -id:0206</source>
-        <translation>msg:STS* dev:5 -id:0206</translation>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Holds the frames still; everything is counted and kept meanwhile</source>
+        <translation>Hält die Frames an; gezählt und aufbewahrt wird inzwischen alles</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Leeren</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Frames that are shown…</source>
+        <translation>Angezeigte Frames…</translation>
+    </message>
+    <message>
+        <source>All frames that are kept…</source>
+        <translation>Alle aufbewahrten Frames…</translation>
+    </message>
+    <message>
+        <source>Send frame…</source>
+        <translation>Frame senden…</translation>
+    </message>
+    <message>
+        <source>What the expression does</source>
+        <translation>Was der Ausdruck bewirkt</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filtern</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Filter hides what does not match; Find marks what does, F3 goes to the next</source>
+        <translation>Filtern blendet aus, was nicht passt; Suchen markiert, was passt, F3 springt zum nächsten</translation>
+    </message>
+    <message>
+        <source>such as message:STS* device:5 not is:error</source>
+        <translation>etwa message:STS* device:5 not is:error</translation>
     </message>
     <message>
         <source>Filter frames</source>
         <translation>Frames filtern</translation>
     </message>
     <message>
-        <source>All words must hold: msg:STS* dev:5 id:0206 fam:dmc60c dir:tx, a minus turns one round</source>
-        <translation>Alle Wörter müssen zutreffen: msg:STS* dev:5 id:0206 fam:dmc60c dir:tx, ein Minus kehrt eines um</translation>
+        <source>How to write a filter</source>
+        <translation>So wird ein Filter geschrieben</translation>
     </message>
     <message>
         <source>Direction</source>
@@ -533,32 +908,97 @@
         <translation>tx</translation>
     </message>
     <message>
-        <source>Link</source>
-        <translation>Verbindung</translation>
+        <source>errors</source>
+        <translation>Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>mb::BusLoadView</name>
+    <message>
+        <source>Bus load of the last minute</source>
+        <translation>Buslast der letzten Minute</translation>
     </message>
     <message>
-        <source>Pause view</source>
-        <translation>Anzeige anhalten</translation>
+        <source>now %1 %, peak %2 %</source>
+        <translation>jetzt %1 %, Spitze %2 %</translation>
     </message>
+</context>
+<context>
+    <name>mb::BusPage</name>
     <message>
-        <source>Go on</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>Leeren</translation>
+        <source>Bus</source>
+        <translation>Bus</translation>
     </message>
     <message>
         <source>Frames</source>
         <translation>Frames</translation>
     </message>
     <message>
-        <source>load %1 %   %2 frames/s   lost %3</source>
-        <translation>Last %1 %   %2 Frames/s   verloren %3</translation>
+        <source>Identifiers</source>
+        <translation>Identifier</translation>
     </message>
     <message>
-        <source>%1 shown</source>
-        <translation>%1 angezeigt</translation>
+        <source>Bus load, %</source>
+        <translation>Buslast, %</translation>
+    </message>
+    <message>
+        <source>load %1 &amp;nbsp; frames/s %2 &amp;nbsp; lost %3 &amp;nbsp; errors %4</source>
+        <translation>Last %1 &amp;nbsp; Frames/s %2 &amp;nbsp; verloren %3 &amp;nbsp; Fehler %4</translation>
+    </message>
+    <message>
+        <source>not kept %1</source>
+        <translation>nicht aufbewahrt %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2 shown</source>
+        <translation>%1 von %2 angezeigt</translation>
+    </message>
+    <message>
+        <source>last 60 s, peak %1 %</source>
+        <translation>letzte 60 s, Spitze %1 %</translation>
+    </message>
+    <message>
+        <source>%1 identifiers</source>
+        <translation>%1 Identifier</translation>
+    </message>
+    <message>
+        <source>busiest %1, %2 frames/s</source>
+        <translation>am häufigsten %1, %2 Frames/s</translation>
+    </message>
+    <message>
+        <source>%1 frames of identifiers without a row</source>
+        <translation>%1 Frames von Identifiern ohne Zeile</translation>
+    </message>
+    <message>
+        <source>%1 frames that no decoder knows</source>
+        <translation>%1 Frames, die kein Decoder kennt</translation>
+    </message>
+    <message>
+        <source>error counters TEC %1, REC %2</source>
+        <translation>Fehlerzähler TEC %1, REC %2</translation>
+    </message>
+    <message>
+        <source>Export all frames</source>
+        <translation>Alle Frames exportieren</translation>
+    </message>
+    <message>
+        <source>Export the frames that are shown</source>
+        <translation>Angezeigte Frames exportieren</translation>
+    </message>
+    <message>
+        <source>candump log (*.log)</source>
+        <translation>candump-Protokoll (*.log)</translation>
+    </message>
+    <message>
+        <source>%1 frames written to %2</source>
+        <translation>%1 Frames geschrieben nach %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ByteStrip</name>
+    <message>
+        <source>Bytes %1</source>
+        <translation>Bytes %1</translation>
     </message>
 </context>
 <context>
@@ -844,6 +1284,45 @@
     <message>
         <source>Close this link</source>
         <translation>Diese Verbindung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::DoctorCard</name>
+    <message>
+        <source>Connection doctor</source>
+        <translation>Verbindungsdoktor</translation>
+    </message>
+    <message>
+        <source>looks by itself</source>
+        <translation>sieht von selbst nach</translation>
+    </message>
+    <message>
+        <source>CAN</source>
+        <translation>CAN</translation>
+    </message>
+    <message>
+        <source>Command for a terminal</source>
+        <translation>Befehl für ein Terminal</translation>
+    </message>
+    <message>
+        <source>Copy command</source>
+        <translation>Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Paste it into a terminal; this program never runs as root</source>
+        <translation>In ein Terminal einfügen; dieses Programm läuft nie als root</translation>
+    </message>
+    <message>
+        <source>Reconnect</source>
+        <translation>Neu verbinden</translation>
+    </message>
+    <message>
+        <source>Open this link now</source>
+        <translation>Diese Verbindung jetzt öffnen</translation>
+    </message>
+    <message>
+        <source>The command is in the clipboard; paste it into a terminal.</source>
+        <translation>Der Befehl ist in der Zwischenablage; in ein Terminal einfügen.</translation>
     </message>
 </context>
 <context>
@@ -1178,6 +1657,10 @@
         <source>Text (*.log *.txt)</source>
         <translation>Text (*.log *.txt)</translation>
     </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>mb::FrameDetail</name>
@@ -1190,24 +1673,8 @@
         <translation>Frame</translation>
     </message>
     <message>
-        <source>Select a frame</source>
-        <translation>Frame wählen</translation>
-    </message>
-    <message>
         <source>Fields</source>
         <translation>Felder</translation>
-    </message>
-    <message>
-        <source>field</source>
-        <translation>Feld</translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation>Wert</translation>
-    </message>
-    <message>
-        <source>Copy as candump text</source>
-        <translation>Als candump-Text kopieren</translation>
     </message>
     <message>
         <source>Unknown frame</source>
@@ -1222,12 +1689,44 @@
         <translation>empfangen</translation>
     </message>
     <message>
-        <source>%1 · %2 %3 · %4</source>
-        <translation>%1 · %2 %3 · %4</translation>
-    </message>
-    <message>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected frames as candump text (Ctrl+C)</source>
+        <translation>Gewählte Frames als candump-Text kopieren (Strg+C)</translation>
+    </message>
+    <message>
+        <source>Send again…</source>
+        <translation>Erneut senden…</translation>
+    </message>
+    <message>
+        <source>No frame selected</source>
+        <translation>Kein Frame gewählt</translation>
+    </message>
+    <message>
+        <source>Select one to see its fields</source>
+        <translation>Einen wählen, um seine Felder zu sehen</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Error frame</source>
+        <translation>Fehlerframe</translation>
+    </message>
+    <message>
+        <source>%1 · %2 #%3 · %4</source>
+        <translation>%1 · %2 #%3 · %4</translation>
+    </message>
+    <message>
+        <source>%1 = %2, bits %3</source>
+        <translation>%1 = %2, Bits %3</translation>
     </message>
 </context>
 <context>
@@ -1251,10 +1750,6 @@
     <message>
         <source>unknown</source>
         <translation>unbekannt</translation>
-    </message>
-    <message>
-        <source>class %1</source>
-        <translation>Klasse %1</translation>
     </message>
     <message>
         <source>no decoder knows this identifier</source>
@@ -1291,6 +1786,14 @@
     <message>
         <source>data</source>
         <translation>Daten</translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 Byte</translation>
+    </message>
+    <message>
+        <source>asks for data</source>
+        <translation>fordert Daten an</translation>
     </message>
 </context>
 <context>
@@ -1382,6 +1885,33 @@
         <source>off</source>
         <translation>aus</translation>
     </message>
+    <message>
+        <source>Divisor</source>
+        <translation>Divisor</translation>
+    </message>
+</context>
+<context>
+    <name>mb::GroupMotion</name>
+    <message>
+        <source>not prepared: hold the lamp to arm first</source>
+        <translation>nicht vorbereitet: zuerst die Lampe halten, um scharf zu schalten</translation>
+    </message>
+    <message>
+        <source>not prepared: the selected device has to take part</source>
+        <translation>nicht vorbereitet: das gewählte Gerät muss teilnehmen</translation>
+    </message>
+    <message>
+        <source>not started: not every device has acknowledged its move; prepare them again</source>
+        <translation>nicht gestartet: nicht jedes Gerät hat seine Bewegung bestätigt; erneut vorbereiten</translation>
+    </message>
+    <message>
+        <source>stopped, and the others of its group with it: %1</source>
+        <translation>gestoppt, und mit ihm die anderen seiner Gruppe: %1</translation>
+    </message>
+    <message>
+        <source>it is gone</source>
+        <translation>es ist weg</translation>
+    </message>
 </context>
 <context>
     <name>mb::HeaderBar</name>
@@ -1426,6 +1956,85 @@
     <message>
         <source>1 link</source>
         <translation>1 Verbindung</translation>
+    </message>
+</context>
+<context>
+    <name>mb::IdModel</name>
+    <message>
+        <source>err</source>
+        <translation>err</translation>
+    </message>
+    <message>
+        <source>tx</source>
+        <translation>tx</translation>
+    </message>
+    <message>
+        <source>rx</source>
+        <translation>rx</translation>
+    </message>
+    <message>
+        <source>error frame</source>
+        <translation>Fehlerframe</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>every %1 ms, standard deviation %2 ms, largest deviation %3 ms, over the last 32 periods</source>
+        <translation>alle %1 ms, Standardabweichung %2 ms, größte Abweichung %3 ms, über die letzten 32 Perioden</translation>
+    </message>
+    <message>
+        <source>Right click: choose the field</source>
+        <translation>Rechtsklick: Feld wählen</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the last 32 periods</source>
+        <translation>Standardabweichung der letzten 32 Perioden</translation>
+    </message>
+    <message>
+        <source>The last frame; bytes that changed within 0.7 s are marked</source>
+        <translation>Der letzte Frame; Bytes, die sich innerhalb von 0.7 s geändert haben, sind markiert</translation>
+    </message>
+    <message>
+        <source>id</source>
+        <translation>ID</translation>
+    </message>
+    <message>
+        <source>dir</source>
+        <translation>Ri.</translation>
+    </message>
+    <message>
+        <source>message</source>
+        <translation>Nachricht</translation>
+    </message>
+    <message>
+        <source>dev</source>
+        <translation>Ger.</translation>
+    </message>
+    <message>
+        <source>rate Hz</source>
+        <translation>Rate Hz</translation>
+    </message>
+    <message>
+        <source>jitter ms</source>
+        <translation>Jitter ms</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Frames</translation>
+    </message>
+    <message>
+        <source>data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>last value</source>
+        <translation>letzter Wert</translation>
+    </message>
+    <message>
+        <source>last 5 s</source>
+        <translation>letzte 5 s</translation>
     </message>
 </context>
 <context>
@@ -1786,6 +2395,10 @@
         <source>the window lost the focus</source>
         <translation>das Fenster verlor den Fokus</translation>
     </message>
+    <message>
+        <source>%1: %2 bytes received, %3 sent, %4 lost, %5 errors</source>
+        <translation>%1: %2 Byte empfangen, %3 gesendet, %4 verloren, %5 Fehler</translation>
+    </message>
 </context>
 <context>
     <name>mb::ModePanel</name>
@@ -1819,6 +2432,125 @@
     </message>
 </context>
 <context>
+    <name>mb::MovesPanel</name>
+    <message>
+        <source>Moves together</source>
+        <translation>Gemeinsame Bewegungen</translation>
+    </message>
+    <message>
+        <source>to a position</source>
+        <translation>auf eine Position</translation>
+    </message>
+    <message>
+        <source>by a distance</source>
+        <translation>um eine Strecke</translation>
+    </message>
+    <message>
+        <source>at a velocity</source>
+        <translation>mit einer Drehzahl</translation>
+    </message>
+    <message>
+        <source>Kind of the moves</source>
+        <translation>Art der Bewegungen</translation>
+    </message>
+    <message>
+        <source>profiled</source>
+        <translation>mit Profil</translation>
+    </message>
+    <message>
+        <source>With the stored acceleration and velocity</source>
+        <translation>Mit gespeicherter Beschleunigung und Drehzahl</translation>
+    </message>
+    <message>
+        <source>With the acceleration and velocity that are stored in the device.</source>
+        <translation>Mit der Beschleunigung und Drehzahl, die im Gerät gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Prepare</source>
+        <translation>Vorbereiten</translation>
+    </message>
+    <message>
+        <source>Switches the motors on where they stand, and gives each its move to keep.</source>
+        <translation>Schaltet die Motoren ein, wo sie stehen, und gibt jedem seine Bewegung zum Bereithalten.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Start the prepared moves together</source>
+        <translation>Vorbereitete Bewegungen gemeinsam starten</translation>
+    </message>
+    <message>
+        <source>One command on the line starts all prepared moves at the same moment.</source>
+        <translation>Ein Befehl auf der Leitung startet alle vorbereiteten Bewegungen im selben Augenblick.</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Halten</translation>
+    </message>
+    <message>
+        <source>Hold all of them where they are</source>
+        <translation>Alle dort halten, wo sie sind</translation>
+    </message>
+    <message>
+        <source>Brakes to a halt and holds the position. The motors stay on; STOP switches them off.</source>
+        <translation>Bremst bis zum Stillstand und hält die Position. Die Motoren bleiben eingeschaltet; STOP schaltet sie ab.</translation>
+    </message>
+    <message>
+        <source>%1 takes part</source>
+        <translation>%1 nimmt teil</translation>
+    </message>
+    <message>
+        <source>Target of %1</source>
+        <translation>Ziel von %1</translation>
+    </message>
+    <message>
+        <source>no answer</source>
+        <translation>keine Antwort</translation>
+    </message>
+    <message>
+        <source>started</source>
+        <translation>gestartet</translation>
+    </message>
+    <message>
+        <source>prepared</source>
+        <translation>vorbereitet</translation>
+    </message>
+    <message>
+        <source>being prepared</source>
+        <translation>wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>moving</source>
+        <translation>in Bewegung</translation>
+    </message>
+    <message>
+        <source>locked</source>
+        <translation>gesperrt</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Hold the lamp to arm. One lamp covers all that take part.</source>
+        <translation>Lampe halten, um scharf zu schalten. Eine Lampe gilt für alle, die teilnehmen.</translation>
+    </message>
+    <message>
+        <source>All are prepared. Start begins them at the same moment.</source>
+        <translation>Alle sind vorbereitet. Start beginnt sie im selben Augenblick.</translation>
+    </message>
+    <message>
+        <source>Prepare switches the motors on where they stand; nothing turns before Start.</source>
+        <translation>Vorbereiten schaltet die Motoren ein, wo sie stehen; vor dem Start dreht sich nichts.</translation>
+    </message>
+    <message>
+        <source>not prepared: &apos;%1&apos; is no number of counts</source>
+        <translation>nicht vorbereitet: „%1“ ist keine Anzahl von counts</translation>
+    </message>
+</context>
+<context>
     <name>mb::NoticeModel</name>
     <message>
         <source>time</source>
@@ -1840,14 +2572,6 @@
         <translation>Übersicht</translation>
     </message>
     <message>
-        <source>Connection doctor</source>
-        <translation>Verbindungsdoktor</translation>
-    </message>
-    <message>
-        <source>looks again every 2 s</source>
-        <translation>prüft alle 2 s</translation>
-    </message>
-    <message>
         <source>Try with simulated motors</source>
         <translation>Mit simulierten Motoren ausprobieren</translation>
     </message>
@@ -1864,14 +2588,6 @@
         <translation>Verbindung hinzufügen</translation>
     </message>
     <message>
-        <source>No interface found</source>
-        <translation>Keine Schnittstelle gefunden</translation>
-    </message>
-    <message>
-        <source>Plug in a CAN adapter at any time; it appears here and is opened by itself once it is up.</source>
-        <translation>CAN-Adapter jederzeit einstecken; er erscheint hier und wird von selbst geöffnet, sobald er eingeschaltet ist.</translation>
-    </message>
-    <message>
         <source>load</source>
         <translation>Last</translation>
     </message>
@@ -1886,6 +2602,22 @@
     <message>
         <source>%1 kbit/s</source>
         <translation>%1 kbit/s</translation>
+    </message>
+    <message>
+        <source>%1 bit/s</source>
+        <translation>%1 bit/s</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Frames received that no controller family knows: somebody else&apos;s traffic</source>
+        <translation>Empfangene Frames, die keine Controllerfamilie kennt: fremder Verkehr</translation>
+    </message>
+    <message>
+        <source>round trip</source>
+        <translation>Umlaufzeit</translation>
     </message>
 </context>
 <context>
@@ -2289,6 +3021,42 @@
     </message>
 </context>
 <context>
+    <name>mb::PlotBoard</name>
+    <message>
+        <source>DEMO</source>
+        <translation>DEMO</translation>
+    </message>
+    <message>
+        <source>%1 signals, %2 samples/s, %3 of %4 lost</source>
+        <translation>%1 Signale, %2 Werte/s, %3 von %4 verloren</translation>
+    </message>
+    <message>
+        <source>The signal needs a name.</source>
+        <translation>Das Signal braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>There is a derived signal of this name.</source>
+        <translation>Ein abgeleitetes Signal dieses Namens gibt es schon.</translation>
+    </message>
+    <message>
+        <source>ref %1</source>
+        <translation>Ref. %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::PlotScrubber</name>
+    <message>
+        <source>Whole session</source>
+        <translation>Ganze Sitzung</translation>
+    </message>
+    <message>
+        <source>The whole session: drag the box or click to scroll back, End returns to the present.
+The recording goes on meanwhile.</source>
+        <translation>Die ganze Sitzung: Rahmen ziehen oder klicken, um zurückzublättern, Ende führt zurück zur Gegenwart.
+Die Aufnahme läuft dabei weiter.</translation>
+    </message>
+</context>
+<context>
     <name>mb::PlotStack</name>
     <message>
         <source>Export plot</source>
@@ -2421,6 +3189,34 @@
         <source>gap %1</source>
         <translation>Lücke %1</translation>
     </message>
+    <message>
+        <source>Copy numbers</source>
+        <translation>Zahlen kopieren</translation>
+    </message>
+    <message>
+        <source>mean A…B</source>
+        <translation>Mittel A…B</translation>
+    </message>
+    <message>
+        <source>min … max</source>
+        <translation>min … max</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>σ, %1 samples</source>
+        <translation>σ, %1 Werte</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>/s</source>
+        <translation>/s</translation>
+    </message>
 </context>
 <context>
     <name>mb::PlotsPage</name>
@@ -2435,10 +3231,6 @@
     <message>
         <source>Nothing is plotted</source>
         <translation>Nichts dargestellt</translation>
-    </message>
-    <message>
-        <source>Double click a signal in the list at the right.</source>
-        <translation>Ein Signal in der Liste rechts doppelklicken.</translation>
     </message>
     <message>
         <source>plot written to %1</source>
@@ -2485,28 +3277,12 @@
         <translation>Export</translation>
     </message>
     <message>
-        <source>The picture as PNG, SVG or PDF, or what is visible as CSV</source>
-        <translation>Das Bild als PNG, SVG oder PDF oder das Sichtbare als CSV</translation>
-    </message>
-    <message>
         <source>Traces</source>
         <translation>Kurven</translation>
     </message>
     <message>
         <source>rate      lost</source>
         <translation>Rate   verl.</translation>
-    </message>
-    <message>
-        <source>L cursors · 0 fits · + − zooms · P pauses</source>
-        <translation>L Cursor · 0 alles · + − Zoom · P Pause</translation>
-    </message>
-    <message>
-        <source>DEMO</source>
-        <translation>DEMO</translation>
-    </message>
-    <message>
-        <source>%1 signals, %2 samples/s, %3 of %4 lost</source>
-        <translation>%1 Signale, %2 Werte/s, %3 von %4 verloren</translation>
     </message>
     <message>
         <source>%1 Hz</source>
@@ -2519,6 +3295,329 @@
     <message>
         <source>A %1   B %2</source>
         <translation>A %1   B %2</translation>
+    </message>
+    <message>
+        <source>Wheel zooms time, Ctrl+wheel values, Shift+wheel moves · drag moves · Shift+drag zooms into a box
+double click or End returns to the present · right click for more</source>
+        <translation>Rad zoomt die Zeit, Strg+Rad die Werte, Umschalt+Rad verschiebt · Ziehen verschiebt · Umschalt+Ziehen zoomt in einen Rahmen
+Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</translation>
+    </message>
+    <message>
+        <source>Double click a signal in the list at the right, or drag it here.</source>
+        <translation>Ein Signal rechts in der Liste doppelklicken oder hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Writing samples</source>
+        <translation>Schreibt Werte</translation>
+    </message>
+    <message>
+        <source>L cursors · 0 fits · + − zooms · P pauses · N note</source>
+        <translation>L Cursor · 0 passt ein · + − zoomt · P hält an · N Notiz</translation>
+    </message>
+    <message>
+        <source>window %1 ms</source>
+        <translation>Fenster %1 ms</translation>
+    </message>
+    <message>
+        <source>window %1 h</source>
+        <translation>Fenster %1 h</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>X-Y</source>
+        <translation>X-Y</translation>
+    </message>
+    <message>
+        <source>Against time, one signal against another, or amplitude against frequency of what is seen or of A … B</source>
+        <translation>Über der Zeit, ein Signal über einem anderen oder Amplitude über Frequenz für das Sichtbare oder A … B</translation>
+    </message>
+    <message>
+        <source>Trigger: stands still at an edge or a level</source>
+        <translation>Trigger: steht an einer Flanke oder einem Pegel still</translation>
+    </message>
+    <message>
+        <source>Keep what is seen as a reference</source>
+        <translation>Das Sichtbare als Referenz behalten</translation>
+    </message>
+    <message>
+        <source>Layouts: save, restore, reset</source>
+        <translation>Anordnungen: speichern, wiederherstellen, zurücksetzen</translation>
+    </message>
+    <message>
+        <source>The picture as PNG, SVG or PDF; samples as CSV or MCAP</source>
+        <translation>Das Bild als PNG, SVG oder PDF; Werte als CSV oder MCAP</translation>
+    </message>
+    <message>
+        <source>mean %1 · σ %2 · %3 … %4 · %5 samples</source>
+        <translation>Mittel %1 · σ %2 · %3 … %4 · %5 Werte</translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation> · %1 verloren</translation>
+    </message>
+    <message>
+        <source>derived</source>
+        <translation>abgeleitet</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Export PNG…</source>
+        <translation>PNG exportieren…</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Export SVG…</source>
+        <translation>SVG exportieren…</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>Export PDF…</source>
+        <translation>PDF exportieren…</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF-Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Export plot</source>
+        <translation>Kurve exportieren</translation>
+    </message>
+    <message>
+        <source>One export at a time: %1 is being written.</source>
+        <translation>Nur ein Export zur selben Zeit: %1 wird gerade geschrieben.</translation>
+    </message>
+    <message>
+        <source>writing %1</source>
+        <translation>schreibt %1</translation>
+    </message>
+    <message>
+        <source>%1 written: %2 samples, %3 lost</source>
+        <translation>%1 geschrieben: %2 Werte, %3 verloren</translation>
+    </message>
+    <message>
+        <source>export cancelled, nothing was written</source>
+        <translation>Export abgebrochen, nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>Save layout as…</source>
+        <translation>Anordnung speichern unter…</translation>
+    </message>
+    <message>
+        <source>Save layout</source>
+        <translation>Anordnung speichern</translation>
+    </message>
+    <message>
+        <source>Begin like this with every %1</source>
+        <translation>Bei jedem %1 so beginnen</translation>
+    </message>
+    <message>
+        <source>Begin with the usual for every %1</source>
+        <translation>Bei jedem %1 wie üblich beginnen</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Keeps everything that devices send, beginning with the last %1.
+What was recorded lately is on disk all the time and outlives a crash.</source>
+        <translation>Behält alles, was Geräte senden, beginnend mit den letzten %1.
+Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Absturz.</translation>
+    </message>
+    <message>
+        <source>recording written to %1</source>
+        <translation>Aufnahme geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>not recorded: %1</source>
+        <translation>nicht aufgenommen: %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 samples</source>
+        <translation>%1 · %2 · %3 Werte</translation>
+    </message>
+    <message>
+        <source>last %1 on disk · %2</source>
+        <translation>letzte %1 auf Festplatte · %2</translation>
+    </message>
+    <message>
+        <source>One signal against another</source>
+        <translation>Ein Signal über einem anderen</translation>
+    </message>
+    <message>
+        <source>Signal across</source>
+        <translation>Signal waagerecht</translation>
+    </message>
+    <message>
+        <source>Signal upwards</source>
+        <translation>Signal senkrecht</translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>amplitude, %1</source>
+        <translation>Amplitude, %1</translation>
+    </message>
+    <message>
+        <source>A … B</source>
+        <translation>A … B</translation>
+    </message>
+    <message>
+        <source>what is seen</source>
+        <translation>was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>, Hann window, peak values. </source>
+        <translation>, Hann-Fenster, Scheitelwerte. </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>A … B: </source>
+        <translation>A … B: </translation>
+    </message>
+    <message>
+        <source>what is seen: </source>
+        <translation>Sichtbares: </translation>
+    </message>
+    <message>
+        <source>In a pane of its own</source>
+        <translation>In ein eigenes Diagramm</translation>
+    </message>
+    <message>
+        <source>Into the pane above</source>
+        <translation>In das Diagramm darüber</translation>
+    </message>
+    <message>
+        <source>With its unit</source>
+        <translation>Zur gleichen Einheit</translation>
+    </message>
+    <message>
+        <source>Scale at the right</source>
+        <translation>Skala rechts</translation>
+    </message>
+    <message>
+        <source>Trigger on it	T</source>
+        <translation>Darauf triggern	T</translation>
+    </message>
+    <message>
+        <source>Keep all as references</source>
+        <translation>Alle als Referenz behalten</translation>
+    </message>
+    <message>
+        <source>Remove references</source>
+        <translation>Referenzen entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the trace</source>
+        <translation>Kurve entfernen</translation>
+    </message>
+    <message>
+        <source>Note at this time…	N</source>
+        <translation>Notiz zu diesem Zeitpunkt…	N</translation>
+    </message>
+    <message>
+        <source>Derived signal…</source>
+        <translation>Abgeleitetes Signal…</translation>
+    </message>
+    <message>
+        <source>Spectrum of what is seen</source>
+        <translation>Spektrum des Sichtbaren</translation>
+    </message>
+    <message>
+        <source>Export samples…</source>
+        <translation>Werte exportieren…</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProfilePanel</name>
+    <message>
+        <source>What only you know</source>
+        <translation>Was nur Sie wissen</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>How this unit is spoken to. The scan finds it out; choose another only if you know better.</source>
+        <translation>Wie dieses Gerät angesprochen wird. Die Suche stellt es fest; nur bei besserem Wissen einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>dialect as found</source>
+        <translation>Dialekt wie gefunden</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>Speak another dialect?</source>
+        <translation>Anderen Dialekt verwenden?</translation>
+    </message>
+    <message>
+        <source>Speak to this unit as %1?</source>
+        <translation>Dieses Gerät als %1 ansprechen?</translation>
+    </message>
+    <message>
+        <source>Speak it</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>dialect as found: %1</source>
+        <translation>Dialekt wie gefunden: %1</translation>
     </message>
 </context>
 <context>
@@ -2604,6 +3703,13 @@
     </message>
 </context>
 <context>
+    <name>mb::Recorder</name>
+    <message>
+        <source>The last session did not end by itself. What it recorded is in %1.</source>
+        <translation>Die letzte Sitzung wurde nicht regulär beendet. Ihre Aufnahme liegt in %1.</translation>
+    </message>
+</context>
+<context>
     <name>mb::ResolutionMeter</name>
     <message>
         <source>Resolution: off</source>
@@ -2624,6 +3730,124 @@
     <message>
         <source>%1 k LSB</source>
         <translation>%1 k LSB</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RoutePanel</name>
+    <message>
+        <source>Way in</source>
+        <translation>Zugang</translation>
+    </message>
+    <message>
+        <source>Programmer</source>
+        <translation>Programmiergerät</translation>
+    </message>
+    <message>
+        <source>Programmer and where it is plugged in, as after --via on the command line</source>
+        <translation>Programmiergerät und wo es angesteckt ist, wie nach --via in der Befehlszeile</translation>
+    </message>
+    <message>
+        <source>Microcontroller</source>
+        <translation>Mikrocontroller</translation>
+    </message>
+    <message>
+        <source>Which microcontroller the unit has</source>
+        <translation>Welchen Mikrocontroller das Gerät hat</translation>
+    </message>
+    <message>
+        <source>Erase what the unit has stored: its gains are lost</source>
+        <translation>Löschen, was das Gerät gespeichert hat: seine Verstärkungen gehen verloren</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SendPanel</name>
+    <message>
+        <source>Send a frame</source>
+        <translation>Frame senden</translation>
+    </message>
+    <message>
+        <source>Identifier</source>
+        <translation>Identifier</translation>
+    </message>
+    <message>
+        <source>id, such as 7FF</source>
+        <translation>ID, etwa 7FF</translation>
+    </message>
+    <message>
+        <source>Hexadecimal; a whole frame such as 02061405#8125 may be pasted here</source>
+        <translation>Hexadezimal; auch ein ganzer Frame wie 02061405#8125 lässt sich hier einfügen</translation>
+    </message>
+    <message>
+        <source>Length of the identifier</source>
+        <translation>Länge des Identifiers</translation>
+    </message>
+    <message>
+        <source>11 bits</source>
+        <translation>11 Bit</translation>
+    </message>
+    <message>
+        <source>29 bits</source>
+        <translation>29 Bit</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Daten</translation>
+    </message>
+    <message>
+        <source>data, such as 81 25 11</source>
+        <translation>Daten, etwa 81 25 11</translation>
+    </message>
+    <message>
+        <source>Repeat every</source>
+        <translation>Wiederholen alle</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source> ms</source>
+        <translation> ms</translation>
+    </message>
+    <message>
+        <source>Send</source>
+        <translation>Senden</translation>
+    </message>
+    <message>
+        <source>Hold to send</source>
+        <translation>Halten zum Senden</translation>
+    </message>
+    <message>
+        <source>End repeating</source>
+        <translation>Wiederholen beenden</translation>
+    </message>
+    <message>
+        <source>What is typed here is decoded before it is sent</source>
+        <translation>Was hier eingegeben wird, wird vor dem Senden dekodiert</translation>
+    </message>
+    <message>
+        <source>Makes a motor move: %1</source>
+        <translation>Bewegt einen Motor: %1</translation>
+    </message>
+    <message>
+        <source>ended</source>
+        <translation>beendet</translation>
+    </message>
+    <message>
+        <source>The link does not take frames as fast as they are sent</source>
+        <translation>Die Verbindung nimmt Frames nicht so schnell an, wie sie gesendet werden</translation>
+    </message>
+    <message>
+        <source>%1 sent</source>
+        <translation>%1 gesendet</translation>
+    </message>
+    <message>
+        <source>%1 sent, then: %2</source>
+        <translation>%1 gesendet, dann: %2</translation>
+    </message>
+    <message>
+        <source>the page was left</source>
+        <translation>die Seite wurde verlassen</translation>
     </message>
 </context>
 <context>
@@ -2712,10 +3936,6 @@
         <translation>Signale</translation>
     </message>
     <message>
-        <source>double click or tick</source>
-        <translation>Doppelklick oder Haken</translation>
-    </message>
-    <message>
         <source>Signals that can be plotted</source>
         <translation>Darstellbare Signale</translation>
     </message>
@@ -2723,6 +3943,38 @@
         <source>small</source>
         <extracomment>Translate as &quot;capital&quot; where a noun has a capital letter in the middle of a line too.</extracomment>
         <translation>capital</translation>
+    </message>
+    <message>
+        <source>double click or drag</source>
+        <translation>Doppelklick oder ziehen</translation>
+    </message>
+    <message>
+        <source>Derived signal…</source>
+        <translation>Abgeleitetes Signal…</translation>
+    </message>
+    <message>
+        <source>A formula over signals: derivative, moving average, difference …</source>
+        <translation>Eine Formel über Signale: Ableitung, gleitender Mittelwert, Differenz …</translation>
+    </message>
+    <message>
+        <source>derived</source>
+        <translation>abgeleitet</translation>
+    </message>
+    <message>
+        <source>%1
+right click removes the signal</source>
+        <translation>%1
+Rechtsklick entfernt das Signal</translation>
+    </message>
+    <message>
+        <source>%1
+double click plots it, drag it to a pane or below them</source>
+        <translation>%1
+Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
+    </message>
+    <message>
+        <source>Remove this derived signal</source>
+        <translation>Dieses abgeleitete Signal entfernen</translation>
     </message>
 </context>
 <context>
@@ -2955,6 +4207,18 @@
         <source>tour</source>
         <translation>Rundgang</translation>
     </message>
+    <message>
+        <source>acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation>counts/s²</translation>
+    </message>
+    <message>
+        <source>at speed</source>
+        <translation>auf Drehzahl</translation>
+    </message>
 </context>
 <context>
     <name>mb::TraceList</name>
@@ -2969,6 +4233,92 @@
     <message>
         <source>Traces</source>
         <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Pane, axis, trigger, reference …</source>
+        <translation>Diagramm, Achse, Trigger, Referenz …</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TrafficView</name>
+    <message>
+        <source>Columns of %1</source>
+        <translation>Spalten von %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TriggerBar</name>
+    <message>
+        <source>Trigger off</source>
+        <translation>Trigger aus</translation>
+    </message>
+    <message>
+        <source>Arm again: forgets this event, waits for the next</source>
+        <translation>Neu scharf: vergisst dieses Ereignis, wartet auf das nächste</translation>
+    </message>
+    <message>
+        <source>Trace that triggers</source>
+        <translation>Kurve, die triggert</translation>
+    </message>
+    <message>
+        <source>↑ rises through</source>
+        <translation>↑ überschreitet</translation>
+    </message>
+    <message>
+        <source>↓ falls through</source>
+        <translation>↓ unterschreitet</translation>
+    </message>
+    <message>
+        <source>↕ crosses</source>
+        <translation>↕ kreuzt</translation>
+    </message>
+    <message>
+        <source>is above</source>
+        <translation>liegt über</translation>
+    </message>
+    <message>
+        <source>is below</source>
+        <translation>liegt unter</translation>
+    </message>
+    <message>
+        <source>Edge or level</source>
+        <translation>Flanke oder Pegel</translation>
+    </message>
+    <message>
+        <source>%1 % before</source>
+        <translation>%1 % davor</translation>
+    </message>
+    <message>
+        <source>Part of the window before the event</source>
+        <translation>Anteil des Fensters vor dem Ereignis</translation>
+    </message>
+    <message>
+        <source>What follows an event</source>
+        <translation>Was auf ein Ereignis folgt</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normal</translation>
+    </message>
+    <message>
+        <source>Single</source>
+        <translation>Einzeln</translation>
+    </message>
+    <message>
+        <source>Normal shows every event, single stops at the first</source>
+        <translation>Normal zeigt jedes Ereignis, Einzeln hält beim ersten an</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>The level; the handle ▸ at the left of the plot drags it, too</source>
+        <translation>Der Pegel; auch der Griff ▸ links am Diagramm verschiebt ihn</translation>
+    </message>
+    <message>
+        <source>trigger %1 %2 %3, %4 before</source>
+        <translation>Trigger %1 %2 %3, %4 davor</translation>
     </message>
 </context>
 <context>
@@ -3243,10 +4593,6 @@
         <translation>%1 ist ausgeschaltet; einschalten: %2</translation>
     </message>
     <message>
-        <source>%1 is bus-off: check wiring, termination and bit rate, then: %2</source>
-        <translation>%1 ist bus-off: Verdrahtung, Abschluss und Bitrate prüfen, dann: %2</translation>
-    </message>
-    <message>
         <source>no permission to open CAN sockets here; allow them in the container or sandbox</source>
         <translation>keine Berechtigung für CAN-Sockets; im Container oder in der Sandbox freigeben</translation>
     </message>
@@ -3321,10 +4667,6 @@
     <message>
         <source>virtual</source>
         <translation>virtuell</translation>
-    </message>
-    <message>
-        <source>%1; %2 links are not supported yet</source>
-        <translation>%1; Verbindungen über %2 werden noch nicht unterstützt</translation>
     </message>
     <message>
         <source>%1 links are not supported yet</source>
@@ -4189,6 +5531,1018 @@
     <message>
         <source>page %1</source>
         <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>%1 is bus-off; check wiring, termination and bit rate, then: %2</source>
+        <translation>%1 ist bus-off; Verdrahtung, Abschluss und Bitrate prüfen, dann: %2</translation>
+    </message>
+    <message>
+        <source>there is no %1; plug in the adapter, or name another port</source>
+        <translation>%1 ist nicht vorhanden; Adapter einstecken oder anderen Anschluss nennen</translation>
+    </message>
+    <message>
+        <source>%1 is no serial port; name one such as /dev/ttyUSB0</source>
+        <translation>%1 ist keine serielle Schnittstelle; eine nennen, etwa /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>%1 is in use by another program; close that one first (%2 names it)</source>
+        <translation>%1 wird von einem anderen Programm benutzt; dieses zuerst schließen (%2 nennt es)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: %2</source>
+        <translation>%1 lässt sich nicht öffnen: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot do %2 bit/s: %3</source>
+        <translation>%1 kann %2 bit/s nicht: %3</translation>
+    </message>
+    <message>
+        <source>%1 cannot do %2 bit/s; the nearest it can is %3</source>
+        <translation>%1 kann %2 bit/s nicht; am nächsten kommt %3</translation>
+    </message>
+    <message>
+        <source>%1 bit/s is no rate of a serial line</source>
+        <translation>%1 bit/s ist keine Übertragungsrate einer seriellen Leitung</translation>
+    </message>
+    <message>
+        <source>%1 was unplugged; plug it in again</source>
+        <translation>%1 wurde abgezogen; wieder einstecken</translation>
+    </message>
+    <message>
+        <source>%1 failed (%2); unplug it and plug it in again</source>
+        <translation>%1 ist ausgefallen (%2); abziehen und wieder einstecken</translation>
+    </message>
+    <message>
+        <source>the other end of %1 hung up; start it again</source>
+        <translation>die Gegenseite von %1 hat aufgelegt; neu starten</translation>
+    </message>
+    <message>
+        <source>the cable was pulled out; plug it in again</source>
+        <translation>das Kabel wurde abgezogen; wieder einstecken</translation>
+    </message>
+    <message>
+        <source>the driver of %1 cannot switch the direction of an RS-485 line, so the adapter has to do it by itself; if nothing answers, use one that does</source>
+        <translation>der Treiber von %1 kann die Richtung einer RS-485-Leitung nicht umschalten, das muss der Adapter selbst tun; antwortet nichts, einen verwenden, der es kann</translation>
+    </message>
+    <message>
+        <source>unknown option &apos;%1&apos; of a serial link; baud, rs485 and echo are known</source>
+        <translation>unbekannte Option „%1“ einer seriellen Verbindung; bekannt sind baud, rs485 und echo</translation>
+    </message>
+    <message>
+        <source>sim: stands for several links; name one, such as sim:can</source>
+        <translation>sim: steht für mehrere Verbindungen; eine nennen, etwa sim:can</translation>
+    </message>
+    <message>
+        <source>pty: is where &apos;simulate&apos; puts its devices; open that terminal as serial:%1</source>
+        <translation>unter pty: legt „simulate“ seine Geräte an; dieses Terminal als serial:%1 öffnen</translation>
+    </message>
+    <message>
+        <source>is there</source>
+        <translation>ist da</translation>
+    </message>
+    <message>
+        <source>%1 is switched off</source>
+        <translation>%1 ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>%1 is bus-off</source>
+        <translation>%1 ist bus-off</translation>
+    </message>
+    <message>
+        <source>%1 only listens, nothing can be sent</source>
+        <translation>%1 empfängt nur, Senden ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>nobody acknowledges what %1 sends</source>
+        <translation>niemand bestätigt, was %1 sendet</translation>
+    </message>
+    <message>
+        <source>only disturbed frames arrive on %1, the bus has another bit rate than %2</source>
+        <translation>an %1 kommen nur gestörte Frames an, der Bus hat eine andere Bitrate als %2</translation>
+    </message>
+    <message>
+        <source>only disturbed frames arrive on %1, the bus has another bit rate</source>
+        <translation>an %1 kommen nur gestörte Frames an, der Bus hat eine andere Bitrate</translation>
+    </message>
+    <message>
+        <source>the bus leaves no room for what %1 sends</source>
+        <translation>der Bus lässt keinen Platz für das, was %1 sendet</translation>
+    </message>
+    <message>
+        <source>%1 is %2 with %3 transmit and %4 receive errors</source>
+        <translation>%1 ist %2 mit %3 Sende- und %4 Empfangsfehlern</translation>
+    </message>
+    <message>
+        <source>%1 is error-passive</source>
+        <translation>%1 ist error-passive</translation>
+    </message>
+    <message>
+        <source>%1 is error-warning</source>
+        <translation>%1 ist error-warning</translation>
+    </message>
+    <message>
+        <source>%1 frames were lost, the kernel keeps only %2 for this program</source>
+        <translation>%1 Frames gingen verloren, der Kernel hält nur %2 für dieses Programm vor</translation>
+    </message>
+    <message>
+        <source>no permission to open CAN sockets here</source>
+        <translation>keine Berechtigung für CAN-Sockets</translation>
+    </message>
+    <message>
+        <source>no permission to use %1</source>
+        <translation>keine Berechtigung für %1</translation>
+    </message>
+    <message>
+        <source>this kernel has no CAN support</source>
+        <translation>dieser Kernel kennt kein CAN</translation>
+    </message>
+    <message>
+        <source>there is no CAN interface</source>
+        <translation>keine CAN-Schnittstelle vorhanden</translation>
+    </message>
+    <message>
+        <source>bring it up</source>
+        <translation>einschalten</translation>
+    </message>
+    <message>
+        <source>bring it up as a full member</source>
+        <translation>als vollwertigen Teilnehmer einschalten</translation>
+    </message>
+    <message>
+        <source>load it</source>
+        <translation>laden</translation>
+    </message>
+    <message>
+        <source>plug in an adapter</source>
+        <translation>Adapter einstecken</translation>
+    </message>
+    <message>
+        <source>plug in an adapter at any time; it is opened by itself once it is up</source>
+        <translation>jederzeit einen Adapter einstecken; er wird von selbst geöffnet, sobald er eingeschaltet ist</translation>
+    </message>
+    <message>
+        <source>plug the adapter in again; the link is opened by itself as soon as it is up</source>
+        <translation>Adapter wieder einstecken; die Verbindung wird von selbst geöffnet, sobald er eingeschaltet ist</translation>
+    </message>
+    <message>
+        <source>allow them in the container or sandbox</source>
+        <translation>im Container oder in der Sandbox freigeben</translation>
+    </message>
+    <message>
+        <source>become a member of its group</source>
+        <translation>der Gruppe beitreten</translation>
+    </message>
+    <message>
+        <source>check wiring, termination and bit rate, then</source>
+        <translation>Verdrahtung, Abschluss und Bitrate prüfen, dann</translation>
+    </message>
+    <message>
+        <source>check wiring, termination and bit rate, then reconnect</source>
+        <translation>Verdrahtung, Abschluss und Bitrate prüfen, dann neu verbinden</translation>
+    </message>
+    <message>
+        <source>check wiring, termination and bit rate; it starts again by itself</source>
+        <translation>Verdrahtung, Abschluss und Bitrate prüfen; Neustart erfolgt von selbst</translation>
+    </message>
+    <message>
+        <source>check the cable, both 120 Ω resistors, and that no number is taken twice</source>
+        <translation>Kabel und beide Widerstände mit 120 Ω prüfen, und dass keine Nummer doppelt vergeben ist</translation>
+    </message>
+    <message>
+        <source>switch the devices on, check the cable and that two 120 Ω resistors end the bus, and that every device has the bit rate %1</source>
+        <translation>Geräte einschalten, Kabel prüfen, und dass zwei Widerstände mit 120 Ω den Bus abschließen und jedes Gerät die Bitrate %1 hat</translation>
+    </message>
+    <message>
+        <source>find it by listening only</source>
+        <translation>durch reines Mithören ermitteln</translation>
+    </message>
+    <message>
+        <source>this interface cannot listen without disturbing the bus, so ask who set it up; usual are 1 Mbit/s, 500, 250 and 125 kbit/s</source>
+        <translation>diese Schnittstelle kann nicht mithören, ohne den Bus zu stören, also den fragen, der ihn eingerichtet hat; üblich sind 1 Mbit/s, 500, 250 und 125 kbit/s</translation>
+    </message>
+    <message>
+        <source>find the sender that fills it, on the Bus page or with &apos;motorbenchctl monitor&apos;</source>
+        <translation>den Sender suchen, der ihn füllt, auf der Seite Bus oder mit „motorbenchctl monitor“</translation>
+    </message>
+    <message>
+        <source>allow more, then close and open the link</source>
+        <translation>mehr zulassen, dann die Verbindung schließen und öffnen</translation>
+    </message>
+    <message>
+        <source>reconnect</source>
+        <translation>neu verbinden</translation>
+    </message>
+    <message>
+        <source>%1 takes no frames: %2 wait to be sent; check that somebody else is on the bus</source>
+        <translation>%1 nimmt keine Frames an: %2 warten auf das Senden; prüfen, ob noch jemand am Bus ist</translation>
+    </message>
+    <message>
+        <source>this device has no watchdog, and nothing here would stop it if the program died</source>
+        <translation>dieses Gerät hat keinen Watchdog, und nichts hier würde es stoppen, wenn das Programm abstürzt</translation>
+    </message>
+    <message>
+        <source>this device has no watchdog, and on %1 nothing could stop it if the program died; use an interface of the kernel</source>
+        <translation>dieses Gerät hat keinen Watchdog, und an %1 könnte nichts es stoppen, wenn das Programm abstürzt; eine Schnittstelle des Kernels verwenden</translation>
+    </message>
+    <message>
+        <source>it is not known how to stop this device from outside</source>
+        <translation>es ist nicht bekannt, wie sich dieses Gerät von außen stoppen lässt</translation>
+    </message>
+    <message>
+        <source>the guardian does not stand by yet</source>
+        <translation>der Wächter steht noch nicht bereit</translation>
+    </message>
+    <message>
+        <source>no guardian came within two seconds</source>
+        <translation>innerhalb von zwei Sekunden kam kein Wächter</translation>
+    </message>
+    <message>
+        <source>this program was held up for so long that the guardian may have stopped the motor</source>
+        <translation>dieses Programm war so lange aufgehalten, dass der Wächter den Motor gestoppt haben kann</translation>
+    </message>
+    <message>
+        <source>%1 does not answer</source>
+        <translation>%1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Dialect %1 was chosen by hand, %2. %3</source>
+        <translation>Dialekt %1 wurde von Hand gewählt, %2. %3</translation>
+    </message>
+    <message>
+        <source>the unit answered as %1</source>
+        <translation>das Gerät antwortete als %1</translation>
+    </message>
+    <message>
+        <source>none was proven</source>
+        <translation>nachgewiesen war keiner</translation>
+    </message>
+    <message>
+        <source>stop the motor before its dialect is changed</source>
+        <translation>vor dem Wechsel des Dialekts den Motor stoppen</translation>
+    </message>
+    <message>
+        <source>%1 has no &apos;%2&apos; to be set</source>
+        <translation>%1 hat kein „%2“, das sich setzen lässt</translation>
+    </message>
+    <message>
+        <source>%1 written; this device cannot be read back</source>
+        <translation>%1 geschrieben; dieses Gerät lässt sich nicht zurücklesen</translation>
+    </message>
+    <message>
+        <source>Looking for Supermodified nodes at %1 bit/s</source>
+        <translation>Suche Supermodified-Knoten mit %1 bit/s</translation>
+    </message>
+    <message>
+        <source>Supermodified found: %1</source>
+        <translation>Supermodified gefunden: %1</translation>
+    </message>
+    <message>
+        <source>Its error level is 1, so every reading fails. Set error.level to 0.</source>
+        <translation>Die Fehlerstufe ist 1, daher schlägt jedes Lesen fehl. error.level auf 0 setzen.</translation>
+    </message>
+    <message>
+        <source>Its answers fit no known dialect.</source>
+        <translation>Die Antworten passen zu keinem bekannten Dialekt.</translation>
+    </message>
+    <message>
+        <source>What is sent to it is also done by node %1, because of an acceptance mask. Set node.mask to 255 and restart them.</source>
+        <translation>Was an dieses Gerät geht, führt wegen einer Akzeptanzmaske auch Knoten %1 aus. node.mask auf 255 setzen und beide neu starten.</translation>
+    </message>
+    <message>
+        <source>%1, and the device switched its output off</source>
+        <translation>%1, und das Gerät hat seinen Ausgang abgeschaltet</translation>
+    </message>
+    <message>
+        <source>the motor stalled (%1)</source>
+        <translation>der Motor hat blockiert (%1)</translation>
+    </message>
+    <message>
+        <source>the position left its range upwards (%1)</source>
+        <translation>die Position hat ihren Bereich nach oben verlassen (%1)</translation>
+    </message>
+    <message>
+        <source>the position left its range downwards (%1)</source>
+        <translation>die Position hat ihren Bereich nach unten verlassen (%1)</translation>
+    </message>
+    <message>
+        <source>a relative move was not answered, and is never sent twice: look where the motor stands</source>
+        <translation>eine relative Bewegung blieb ohne Antwort und wird nie zweimal gesendet: nachsehen, wo der Motor steht</translation>
+    </message>
+    <message>
+        <source>the device does not answer</source>
+        <translation>das Gerät antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the device says that the motor is not started; it may have lost its supply</source>
+        <translation>das Gerät meldet, dass der Motor nicht gestartet ist; vielleicht war die Versorgung unterbrochen</translation>
+    </message>
+    <message>
+        <source>the stop before it is not acknowledged yet</source>
+        <translation>der Stopp davor ist noch nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>a buffered move is not acknowledged yet; try again</source>
+        <translation>eine gepufferte Bewegung ist noch nicht bestätigt; erneut versuchen</translation>
+    </message>
+    <message>
+        <source>its dialect is not known, so no move can be sent; read it again</source>
+        <translation>der Dialekt ist nicht bekannt, daher lässt sich keine Bewegung senden; neu lesen</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>node %1 does not answer</source>
+        <translation>Knoten %1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>node id %1 is used by another node of this line</source>
+        <translation>Knoten-ID %1 hat schon ein anderer Knoten an dieser Leitung</translation>
+    </message>
+    <message>
+        <source>a step of %1 counts overflows the loop of this firmware; at most %2 with its P: use a profiled mode or several moves</source>
+        <translation>ein Sprung von %1 counts lässt den Regler dieser Firmware überlaufen; mit diesem P höchstens %2: eine Betriebsart mit Profil oder mehrere Bewegungen verwenden</translation>
+    </message>
+    <message>
+        <source>Connecting through avrdude</source>
+        <translation>Verbinde über avrdude</translation>
+    </message>
+    <message>
+        <source>Erasing flash</source>
+        <translation>Lösche Flash</translation>
+    </message>
+    <message>
+        <source>Writing flash</source>
+        <translation>Schreibe Flash</translation>
+    </message>
+    <message>
+        <source>Verifying flash</source>
+        <translation>Prüfe Flash</translation>
+    </message>
+    <message>
+        <source>Looking for the controller</source>
+        <translation>Suche den Controller</translation>
+    </message>
+    <message>
+        <source>no bootloader answers at %1 bit/s</source>
+        <translation>kein Bootloader antwortet mit %1 bit/s</translation>
+    </message>
+    <message>
+        <source>avrdude is not installed; install it with: %1</source>
+        <translation>avrdude ist nicht installiert; installieren mit: %1</translation>
+    </message>
+    <message>
+        <source>avrdude read back all %1 bytes and they are equal; the controller answers again, dialect %2</source>
+        <translation>avrdude hat alle %1 Byte zurückgelesen, sie sind gleich; der Controller antwortet wieder, Dialekt %2</translation>
+    </message>
+    <message>
+        <source>avrdude read back all %1 bytes and they are equal, but the controller does not answer; cut its power for a moment, and scan: a new firmware may have another rate or node id</source>
+        <translation>avrdude hat alle %1 Byte zurückgelesen, sie sind gleich, aber der Controller antwortet nicht; Versorgung kurz trennen und neu suchen: eine neue Firmware kann eine andere Übertragungsrate oder Knoten-ID haben</translation>
+    </message>
+    <message>
+        <source>a motor is driven on this line; stop it first</source>
+        <translation>an dieser Leitung wird ein Motor angesteuert; zuerst stoppen</translation>
+    </message>
+    <message>
+        <source>%1; the controller may hold half a program, and runs again once an update has succeeded</source>
+        <translation>%1; der Controller enthält womöglich ein halbes Programm und läuft erst nach einem erfolgreichen Update wieder</translation>
+    </message>
+    <message>
+        <source>it is not proven which codes this drive speaks, and the wrong ones start it at full power; scan again, or choose its dialect by hand</source>
+        <translation>es ist nicht nachgewiesen, welche Codes dieser Antrieb spricht, und die falschen starten ihn mit voller Leistung; neu suchen oder den Dialekt von Hand wählen</translation>
+    </message>
+    <message>
+        <source>a drive of dialect LL has no code for stop; only its power stops it</source>
+        <translation>ein Antrieb mit Dialekt LL hat keinen Code für Stopp; nur Trennen der Versorgung stoppt ihn</translation>
+    </message>
+    <message>
+        <source>its averaging was lowered, and until it has lost its power once it overwrites its own memory; switch it off and on</source>
+        <translation>die Mittelung wurde verringert, und bis die Versorgung einmal getrennt war, überschreibt der Antrieb seinen eigenen Speicher; aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>the output of its loop passed 32767, where it turns to full reverse; lower the gains or the steps</source>
+        <translation>der Ausgang des Reglers überschritt 32767, wo er auf voll rückwärts umschlägt; Verstärkungen oder Sprünge verkleinern</translation>
+    </message>
+    <message>
+        <source>its position is not known yet; a step from the wrong place could be far too large</source>
+        <translation>die Position ist noch nicht bekannt; ein Sprung von der falschen Stelle könnte viel zu groß sein</translation>
+    </message>
+    <message>
+        <source>an Abstract DC Drive cannot be asked for its settings</source>
+        <translation>ein Abstract DC Drive lässt sich nicht nach seinen Einstellungen fragen</translation>
+    </message>
+    <message>
+        <source>it is not proven which codes this drive speaks; nothing was written</source>
+        <translation>es ist nicht nachgewiesen, welche Codes dieser Antrieb spricht; nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>0 is no divisor; the loop would be undefined</source>
+        <translation>0 ist kein Divisor; der Regler wäre undefiniert</translation>
+    </message>
+    <message>
+        <source>a divisor changes all gains at once; stop the motor first</source>
+        <translation>ein Divisor ändert alle Verstärkungen zugleich; zuerst den Motor stoppen</translation>
+    </message>
+    <message>
+        <source>legal is 1 … 500; the drive does not check it and would overwrite its memory</source>
+        <translation>zulässig ist 1 … 500; der Antrieb prüft es nicht und würde seinen Speicher überschreiben</translation>
+    </message>
+    <message>
+        <source>lowering it needs a stopped motor</source>
+        <translation>zum Verringern muss der Motor stehen</translation>
+    </message>
+    <message>
+        <source>Its averaging was lowered and saved. Switch it off and on now: until then it overwrites its memory.</source>
+        <translation>Die Mittelung wurde verringert und gespeichert. Jetzt aus- und einschalten: bis dahin überschreibt der Antrieb seinen Speicher.</translation>
+    </message>
+    <message>
+        <source>it is not proven which codes this drive speaks; nothing was saved</source>
+        <translation>es ist nicht nachgewiesen, welche Codes dieser Antrieb spricht; nichts wurde gespeichert</translation>
+    </message>
+    <message>
+        <source>stop the motor first: the drive stands still while it writes its flash</source>
+        <translation>zuerst den Motor stoppen: der Antrieb steht still, während er seinen Flash schreibt</translation>
+    </message>
+    <message>
+        <source>an Abstract DC Drive has no lamp to blink</source>
+        <translation>ein Abstract DC Drive hat keine Lampe zum Blinken</translation>
+    </message>
+    <message>
+        <source>an Abstract DC Drive has no name</source>
+        <translation>ein Abstract DC Drive hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>the offset of an Abstract DC Drive is compiled into its firmware</source>
+        <translation>der Offset eines Abstract DC Drive ist fest in seine Firmware kompiliert</translation>
+    </message>
+    <message>
+        <source>the set-point comes from here, not from the device</source>
+        <translation>der Sollwert kommt von hier, nicht vom Gerät</translation>
+    </message>
+    <message>
+        <source>a rate is a positive number, or 0 for the usual one</source>
+        <translation>eine Rate ist eine positive Zahl, oder 0 für die übliche</translation>
+    </message>
+    <message>
+        <source>F: the firmware&apos;s codes</source>
+        <translation>F: Codes der Firmware</translation>
+    </message>
+    <message>
+        <source>A unit that speaks the document&apos;s codes would take position for current and current for position.</source>
+        <translation>Ein Gerät, das die Codes des Dokuments spricht, hielte Position für Strom und Strom für Position.</translation>
+    </message>
+    <message>
+        <source>L: legacy frames of 8 bytes</source>
+        <translation>L: alte Frames mit 8 Byte</translation>
+    </message>
+    <message>
+        <source>A unit with today&apos;s firmware ignores these frames, the stop excepted, which is sent both ways.</source>
+        <translation>Ein Gerät mit heutiger Firmware ignoriert diese Frames, außer dem Stopp, der auf beide Arten gesendet wird.</translation>
+    </message>
+    <message>
+        <source>LL: older, cannot be stopped</source>
+        <translation>LL: älter, nicht stoppbar</translation>
+    </message>
+    <message>
+        <source>It is only watched: there is no code that stops it.</source>
+        <translation>Es wird nur beobachtet: es gibt keinen Code, der es stoppt.</translation>
+    </message>
+    <message>
+        <source>D: the document&apos;s codes</source>
+        <translation>D: Codes des Dokuments</translation>
+    </message>
+    <message>
+        <source>A unit that speaks the firmware&apos;s codes runs at full power when it is told a position, and loses its divisor when D is written.</source>
+        <translation>Ein Gerät, das die Codes der Firmware spricht, läuft mit voller Leistung, wenn ihm eine Position vorgegeben wird, und verliert seinen Divisor, wenn D geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Counts per revolution</source>
+        <translation>Counts je Umdrehung</translation>
+    </message>
+    <message>
+        <source>Encoder edges in one turn: four times its lines.</source>
+        <translation>Encoderflanken einer Umdrehung: das Vierfache der Striche.</translation>
+    </message>
+    <message>
+        <source>Ampere per count</source>
+        <translation>Ampere je count</translation>
+    </message>
+    <message>
+        <source>What one count of the current converter stands for; it depends on the board.</source>
+        <translation>Wofür ein count des Stromwandlers steht; hängt von der Platine ab.</translation>
+    </message>
+    <message>
+        <source>Degrees per count</source>
+        <translation>Grad je count</translation>
+    </message>
+    <message>
+        <source>What one count of the temperature converter stands for; it depends on the board.</source>
+        <translation>Wofür ein count des Temperaturwandlers steht; hängt von der Platine ab.</translation>
+    </message>
+    <message>
+        <source>count/s</source>
+        <translation>count/s</translation>
+    </message>
+    <message>
+        <source>ADC count</source>
+        <translation>ADC-count</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>openocd is not installed; install it with: sudo apt install openocd</source>
+        <translation>openocd ist nicht installiert; installieren mit: sudo apt install openocd</translation>
+    </message>
+    <message>
+        <source>its motor moves; stop it first</source>
+        <translation>sein Motor bewegt sich; zuerst stoppen</translation>
+    </message>
+    <message>
+        <source>the image itself writes the settings pages; leave out erasing them</source>
+        <translation>das Image schreibt selbst die Seiten der Einstellungen; deren Löschen weglassen</translation>
+    </message>
+    <message>
+        <source>this is no program for the drive: it has bytes outside the flash of an STM32, 0x08000000 … 0x081FFFFF</source>
+        <translation>das ist kein Programm für den Antrieb: es hat Bytes außerhalb des Flash eines STM32, 0x08000000 … 0x081FFFFF</translation>
+    </message>
+    <message>
+        <source>this is no program for the drive: there are no vectors of an STM32 at 0x08000000. Make the Intel HEX file with: arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf</source>
+        <translation>das ist kein Programm für den Antrieb: bei 0x08000000 stehen keine Vektoren eines STM32. Die Intel-HEX-Datei erzeugen mit: arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf</translation>
+    </message>
+    <message>
+        <source>OpenOCD finds no debug probe; plug it in, and check that its kind is the one named after openocd:</source>
+        <translation>OpenOCD findet keinen Debug-Adapter; einstecken und prüfen, ob seine Art die hinter openocd: genannte ist</translation>
+    </message>
+    <message>
+        <source>OpenOCD has no interface of this name; name one of its interface files, such as openocd:stlink</source>
+        <translation>OpenOCD hat keine Schnittstelle dieses Namens; eine seiner Schnittstellendateien nennen, etwa openocd:stlink</translation>
+    </message>
+    <message>
+        <source>this interface does not speak SWD; name a debug probe that does, such as openocd:stlink</source>
+        <translation>diese Schnittstelle spricht kein SWD; einen Debug-Adapter nennen, der es kann, etwa openocd:stlink</translation>
+    </message>
+    <message>
+        <source>the microcontroller does not hold what was written; run it again with shorter wires or a lower speed</source>
+        <translation>der Mikrocontroller enthält nicht, was geschrieben wurde; mit kürzeren Leitungen oder geringerer Geschwindigkeit wiederholen</translation>
+    </message>
+    <message>
+        <source>the microcontroller refused to be written; it may be protected, or be another kind than --target says</source>
+        <translation>der Mikrocontroller ließ sich nicht beschreiben; er ist vielleicht geschützt oder von anderer Art, als --target angibt</translation>
+    </message>
+    <message>
+        <source>the microcontroller is another kind than --target says; choose the other one of f1 and f4</source>
+        <translation>der Mikrocontroller ist von anderer Art, als --target angibt; das andere von f1 und f4 wählen</translation>
+    </message>
+    <message>
+        <source>the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the drive</source>
+        <translation>der Debug-Adapter ist da, aber kein Mikrocontroller antwortet ihm; SWDIO, SWCLK, Masse und die Versorgung des Antriebs prüfen</translation>
+    </message>
+    <message>
+        <source>the microcontroller could not be halted; check the reset wire and the power of the drive</source>
+        <translation>der Mikrocontroller ließ sich nicht anhalten; Reset-Leitung und Versorgung des Antriebs prüfen</translation>
+    </message>
+    <message>
+        <source>the debug probe is there but may not be opened; install OpenOCD&apos;s udev rules or ask your administrator</source>
+        <translation>der Debug-Adapter ist da, darf aber nicht geöffnet werden; die udev-Regeln von OpenOCD installieren oder die Systemverwaltung fragen</translation>
+    </message>
+    <message>
+        <source>Velocity loop</source>
+        <translation>Drehzahlregler</translation>
+    </message>
+    <message>
+        <source>Current loop</source>
+        <translation>Stromregler</translation>
+    </message>
+    <message>
+        <source>Position loop</source>
+        <translation>Positionsregler</translation>
+    </message>
+    <message>
+        <source>P</source>
+        <translation>P</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>Divisor</source>
+        <translation>Divisor</translation>
+    </message>
+    <message>
+        <source>Output (255 = 100 %) per unit of error, times the divisor. Above 32767 the output wraps to full reverse: the program keeps set-points close enough to the motor for that.</source>
+        <translation>Ausgang (255 = 100 %) je Einheit der Abweichung, mal Divisor. Über 32767 schlägt der Ausgang auf voll rückwärts um: das Programm hält die Sollwerte dafür nah genug am Motor.</translation>
+    </message>
+    <message>
+        <source>Output per unit of error and millisecond, times the divisor. Each step of 20 ms is cut to a whole number, so small gains do nothing, and nothing limits the sum.</source>
+        <translation>Ausgang je Einheit der Abweichung und Millisekunde, mal Divisor. Jeder Schritt von 20 ms wird auf eine ganze Zahl abgeschnitten, kleine Verstärkungen bewirken also nichts, und nichts begrenzt die Summe.</translation>
+    </message>
+    <message>
+        <source>Output times milliseconds per change of error, times the divisor. Its sign is inverted in the drive: only negative numbers damp.</source>
+        <translation>Ausgang mal Millisekunden je Änderung der Abweichung, mal Divisor. Das Vorzeichen ist im Antrieb umgekehrt: nur negative Zahlen dämpfen.</translation>
+    </message>
+    <message>
+        <source>P, I and D are divided by it. Blank flash holds 0, with which no loop works; 0 is never written. A negative divisor reverses the loop and keeps its integral across modes.</source>
+        <translation>P, I und D werden durch ihn geteilt. Leerer Flash enthält 0, damit arbeitet kein Regler; 0 wird nie geschrieben. Ein negativer Divisor kehrt den Regler um und behält sein Integral über Betriebsarten hinweg.</translation>
+    </message>
+    <message>
+        <source>Samples of 20 ms in a mean of the current. Raise it freely; once lowered, the drive must lose its power for a moment before it is driven.</source>
+        <translation>Werte zu je 20 ms in einem Mittelwert des Stroms. Erhöhen ist jederzeit möglich; nach dem Verringern muss die Versorgung des Antriebs kurz getrennt werden, bevor er angesteuert wird.</translation>
+    </message>
+    <message>
+        <source>Averaging</source>
+        <translation>Mittelung</translation>
+    </message>
+    <message>
+        <source>It answers, but not as any known dialect; it can be watched but not driven.</source>
+        <translation>Antwortet, aber in keinem bekannten Dialekt; lässt sich beobachten, aber nicht ansteuern.</translation>
+    </message>
+    <message>
+        <source>Speaks the firmware&apos;s codes, not the document&apos;s.</source>
+        <translation>Spricht die Codes der Firmware, nicht die des Dokuments.</translation>
+    </message>
+    <message>
+        <source>Speaks the legacy frames of 8 bytes, as the published master does.</source>
+        <translation>Spricht die alten Frames mit 8 Byte, wie der veröffentlichte Master.</translation>
+    </message>
+    <message>
+        <source>So old that nothing but its power stops it; it can be watched but not driven.</source>
+        <translation>So alt, dass nur Trennen der Versorgung ihn stoppt; lässt sich beobachten, aber nicht ansteuern.</translation>
+    </message>
+    <message>
+        <source>Speaks the document&apos;s codes, which no published firmware does.</source>
+        <translation>Spricht die Codes des Dokuments, was keine veröffentlichte Firmware tut.</translation>
+    </message>
+    <message>
+        <source>Abstract DC Drives are found on CAN links only</source>
+        <translation>Abstract DC Drives gibt es nur an CAN-Verbindungen</translation>
+    </message>
+    <message>
+        <source>an Abstract DC Drive cannot exchange directions; exchange the wires, or the sign of the divisor</source>
+        <translation>ein Abstract DC Drive kann Richtungen nicht tauschen; die Leitungen tauschen oder das Vorzeichen des Divisors</translation>
+    </message>
+    <message>
+        <source>the ramp must be 0 or a positive number of duty per second</source>
+        <translation>die Rampe ist 0 oder ein positiver Tastgrad pro Sekunde</translation>
+    </message>
+    <message>
+        <source>count/100&#xa0;ms</source>
+        <translation>count/100&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>Zyklus</translation>
+    </message>
+    <message>
+        <source>Status bits</source>
+        <translation>Statusbits</translation>
+    </message>
+    <message>
+        <source>Channel 1</source>
+        <translation>Kanal 1</translation>
+    </message>
+    <message>
+        <source>Channel 2</source>
+        <translation>Kanal 2</translation>
+    </message>
+    <message>
+        <source>Channel 3</source>
+        <translation>Kanal 3</translation>
+    </message>
+    <message>
+        <source>Channel 4</source>
+        <translation>Kanal 4</translation>
+    </message>
+    <message>
+        <source>Stream and velocity</source>
+        <translation>Stream und Drehzahl</translation>
+    </message>
+    <message>
+        <source>disabled</source>
+        <translation>abgeschaltet</translation>
+    </message>
+    <message>
+        <source>home switch</source>
+        <translation>Referenzschalter</translation>
+    </message>
+    <message>
+        <source>index pulse</source>
+        <translation>Indexpuls</translation>
+    </message>
+    <message>
+        <source>both edges</source>
+        <translation>beide Flanken</translation>
+    </message>
+    <message>
+        <source>Of the position loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the four are sent together.</source>
+        <translation>Des Positionsreglers, in eigenen Einheiten der Platine mit undokumentierter Skalierung. Nicht rücklesbar; die vier werden zusammen gesendet.</translation>
+    </message>
+    <message>
+        <source>Bound of the position loop&apos;s integral, in power units: 8191 is full power. Cannot be read back.</source>
+        <translation>Grenze des Integrals im Positionsregler, in Leistungseinheiten: 8191 ist volle Leistung. Nicht rücklesbar.</translation>
+    </message>
+    <message>
+        <source>Of the velocity loop, in the board&apos;s own units, whose scale is not documented. Cannot be read back; the three are sent together.</source>
+        <translation>Des Drehzahlreglers, in eigenen Einheiten der Platine mit undokumentierter Skalierung. Nicht rücklesbar; die drei werden zusammen gesendet.</translation>
+    </message>
+    <message>
+        <source>Greatest power in every mode, 1 is full. What the board starts with is not documented: begin small. Cannot be read back.</source>
+        <translation>Größte Leistung in jeder Betriebsart, 1 ist voll. Womit die Platine startet, ist nicht dokumentiert: klein beginnen. Nicht rücklesbar.</translation>
+    </message>
+    <message>
+        <source>Greatest speed in both closed loops. What the board starts with is not documented. Cannot be read back.</source>
+        <translation>Größte Drehzahl bei beiden Regelungen. Womit die Platine startet, ist nicht dokumentiert. Nicht rücklesbar.</translation>
+    </message>
+    <message>
+        <source>Greatest acceleration in both closed loops; 0 is no limit. Cannot be read back.</source>
+        <translation>Größte Beschleunigung bei beiden Regelungen; 0 ist keine Grenze. Nicht rücklesbar.</translation>
+    </message>
+    <message>
+        <source>What the input of the channel is for. Cannot be read back; the five values of an input are sent together.</source>
+        <translation>Wozu der Eingang des Kanals dient. Nicht rücklesbar; die fünf Werte eines Eingangs werden zusammen gesendet.</translation>
+    </message>
+    <message>
+        <source>0 or 1. Data sheet and the maker&apos;s library disagree on which is active low: see what the status bit says.</source>
+        <translation>0 oder 1. Datenblatt und Bibliothek des Herstellers widersprechen sich, was davon low-aktiv ist: am Statusbit ablesen.</translation>
+    </message>
+    <message>
+        <source>0 to 3: which edge, and whether it only records or also sets the counter. Data sheet and library disagree on 1 and 2.</source>
+        <translation>0 bis 3: welche Flanke, und ob sie nur aufzeichnet oder auch den Zähler setzt. Datenblatt und Bibliothek widersprechen sich bei 1 und 2.</translation>
+    </message>
+    <message>
+        <source>Distance between the two ends of the switch; 0 is a single end stop. Cannot be read back.</source>
+        <translation>Abstand zwischen den beiden Enden des Schalters; 0 ist ein einzelner Endanschlag. Nicht rücklesbar.</translation>
+    </message>
+    <message>
+        <source>What the counter becomes at the edge. Cannot be read back.</source>
+        <translation>Welchen Wert der Zähler an der Flanke annimmt. Nicht rücklesbar.</translation>
+    </message>
+    <message>
+        <source>What the board sends of this channel: bits 0 and 1 size of the position, 2 relative, 3 velocity, 5 status. The program needs the full position.</source>
+        <translation>Was die Platine von diesem Kanal sendet: Bits 0 und 1 Größe der Position, 2 relativ, 3 Drehzahl, 5 Status. Das Programm braucht die volle Position.</translation>
+    </message>
+    <message>
+        <source>The encoder&apos;s counter. Writing it moves the zero, not the motor.</source>
+        <translation>Der Zähler des Encoders. Schreiben verschiebt den Nullpunkt, nicht den Motor.</translation>
+    </message>
+    <message>
+        <source>Of the telemetry, in units of 40.96 µs: 244 is 10 ms, 49 is 2 ms, 0 is off.</source>
+        <translation>Der Telemetrie, in Einheiten von 40.96 µs: 244 ist 10 ms, 49 ist 2 ms, 0 ist aus.</translation>
+    </message>
+    <message>
+        <source>What a stream packet has besides: bit 0 timing, bit 1 number of skipped periods.</source>
+        <translation>Was ein Stream-Paket außerdem enthält: Bit 0 Zeitangabe, Bit 1 Anzahl übersprungener Perioden.</translation>
+    </message>
+    <message>
+        <source>Edges, times four, over which velocity is measured: fewer is faster and coarser. 8 is good for tuning.</source>
+        <translation>Flanken, mal vier, über die die Drehzahl gemessen wird: weniger ist schneller und gröber. 8 ist gut zum Einstellen.</translation>
+    </message>
+    <message>
+        <source>Longest time over which velocity is measured: 2 to this power, times 0.64 µs; 20 is 671 ms.</source>
+        <translation>Längste Zeit, über die die Drehzahl gemessen wird: 2 hoch diese Zahl, mal 0.64 µs; 20 ist 671 ms.</translation>
+    </message>
+    <message>
+        <source>Position P</source>
+        <translation>Position P</translation>
+    </message>
+    <message>
+        <source>Position I</source>
+        <translation>Position I</translation>
+    </message>
+    <message>
+        <source>Position D</source>
+        <translation>Position D</translation>
+    </message>
+    <message>
+        <source>Position windup</source>
+        <translation>Position Windup</translation>
+    </message>
+    <message>
+        <source>Velocity P</source>
+        <translation>Drehzahl P</translation>
+    </message>
+    <message>
+        <source>Velocity I</source>
+        <translation>Drehzahl I</translation>
+    </message>
+    <message>
+        <source>Velocity D</source>
+        <translation>Drehzahl D</translation>
+    </message>
+    <message>
+        <source>Power limit</source>
+        <translation>Leistungsgrenze</translation>
+    </message>
+    <message>
+        <source>Velocity limit</source>
+        <translation>Drehzahlgrenze</translation>
+    </message>
+    <message>
+        <source>Acceleration limit</source>
+        <translation>Beschleunigungsgrenze</translation>
+    </message>
+    <message>
+        <source>Input mode</source>
+        <translation>Eingang Funktion</translation>
+    </message>
+    <message>
+        <source>Input polarity</source>
+        <translation>Eingang Polarität</translation>
+    </message>
+    <message>
+        <source>Input edge</source>
+        <translation>Eingang Flanke</translation>
+    </message>
+    <message>
+        <source>Input spacing</source>
+        <translation>Eingang Abstand</translation>
+    </message>
+    <message>
+        <source>Input position</source>
+        <translation>Eingang Position</translation>
+    </message>
+    <message>
+        <source>Data mask</source>
+        <translation>Datenmaske</translation>
+    </message>
+    <message>
+        <source>Position counter</source>
+        <translation>Positionszähler</translation>
+    </message>
+    <message>
+        <source>Stream period</source>
+        <translation>Stream-Periode</translation>
+    </message>
+    <message>
+        <source>Stream contents</source>
+        <translation>Stream-Inhalt</translation>
+    </message>
+    <message>
+        <source>History length</source>
+        <translation>Verlaufslänge</translation>
+    </message>
+    <message>
+        <source>History time bits</source>
+        <translation>Verlaufszeit-Bits</translation>
+    </message>
+    <message>
+        <source>Velocity as reported</source>
+        <translation>Drehzahl wie gemeldet</translation>
+    </message>
+    <message>
+        <source>Position in the turn</source>
+        <translation>Position in der Umdrehung</translation>
+    </message>
+    <message>
+        <source>Analog input 1</source>
+        <translation>Analogeingang 1</translation>
+    </message>
+    <message>
+        <source>Analog input 2</source>
+        <translation>Analogeingang 2</translation>
+    </message>
+    <message>
+        <source>Analog input 3</source>
+        <translation>Analogeingang 3</translation>
+    </message>
+    <message>
+        <source>Analog input 4</source>
+        <translation>Analogeingang 4</translation>
+    </message>
+    <message>
+        <source>Digital inputs</source>
+        <translation>Digitaleingänge</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Regler</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Digital lines</source>
+        <translation>Digitalleitungen</translation>
+    </message>
+    <message>
+        <source>Bus</source>
+        <translation>Bus</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>D1, D2: 1/65280 of full output per count of error; 4000 is full output at 16 counts. The scale of D3 is not documented.</source>
+        <translation>D1, D2: 1/65280 des vollen Ausgangs je count Abweichung; 4000 ist voller Ausgang bei 16 counts. Die Skalierung bei D3 ist nicht dokumentiert.</translation>
+    </message>
+    <message>
+        <source>D1, D2: 1/16711680 of full output per count of error and loop of 1.024 ms. The bound of the integral follows P at the next restart only.</source>
+        <translation>D1, D2: 1/16711680 des vollen Ausgangs je count Abweichung und Zyklus von 1.024 ms. Die Grenze des Integrals folgt P erst beim nächsten Neustart.</translation>
+    </message>
+    <message>
+        <source>D1, D2: 1/65280 of full output per count that the error changes in one loop of 1.024 ms.</source>
+        <translation>D1, D2: 1/65280 des vollen Ausgangs je count, um den sich die Abweichung in einem Zyklus von 1.024 ms ändert.</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>Of profiled moves. D1: at most 65535.</source>
+        <translation>Bei Bewegungen mit Profil. D1: höchstens 65535.</translation>
+    </message>
+    <message>
+        <source>Of profiled moves. D1: at most 65535; D1 and D2 compute wrongly from 46340 on.</source>
+        <translation>Bei Bewegungen mit Profil. D1: höchstens 65535; D1 und D2 rechnen ab 46340 falsch.</translation>
+    </message>
+    <message>
+        <source>Firmware of D1 and D2 stores it and does not limit anything.</source>
+        <translation>Die Firmware von D1 und D2 speichert es und begrenzt nichts.</translation>
+    </message>
+    <message>
+        <source>Time above the limit</source>
+        <translation>Zeit über der Grenze</translation>
+    </message>
+    <message>
+        <source>In force after a restart. D1 and D2 take it for the current limit until then; the limit is therefore written again behind it.</source>
+        <translation>Gilt nach einem Neustart. D1 und D2 nehmen sie bis dahin als Stromgrenze; die Grenze wird deshalb danach noch einmal geschrieben.</translation>
+    </message>
+    <message>
+        <source>Outputs among the lines</source>
+        <translation>Leitungen als Ausgang</translation>
+    </message>
+    <message>
+        <source>1, 2, 4, 8 for DIO1 to DIO4; a set bit makes an output. DIO1 and DIO3 low for 3 s start the analog programming of the device, DIO2 and DIO4 low restore its factory settings.</source>
+        <translation>1, 2, 4, 8 für DIO1 bis DIO4; ein gesetztes Bit macht einen Ausgang. DIO1 und DIO3 3 s auf low starten die analoge Programmierung des Geräts, DIO2 und DIO4 auf low stellen die Werkseinstellungen wieder her.</translation>
+    </message>
+    <message>
+        <source>Levels of the outputs</source>
+        <translation>Pegel der Ausgänge</translation>
+    </message>
+    <message>
+        <source>Bits as for the directions; inputs ignore theirs. Cannot be read back and is lost at power-off.</source>
+        <translation>Bits wie bei den Richtungen; Eingänge ignorieren ihre. Nicht rücklesbar, geht beim Ausschalten verloren.</translation>
+    </message>
+    <message>
+        <source>Node id</source>
+        <translation>Knoten-ID</translation>
+    </message>
+    <message>
+        <source>Its address on the line. In force after a restart; until then it answers under the old one.</source>
+        <translation>Die Adresse an der Leitung. Gilt nach einem Neustart; bis dahin antwortet das Gerät unter der alten.</translation>
+    </message>
+    <message>
+        <source>Acceptance mask</source>
+        <translation>Akzeptanzmaske</translation>
+    </message>
+    <message>
+        <source>Bits of an address that count. 255: only its own; less makes a group that acts on what is sent to any of its members, and on their answers. In force after a restart.</source>
+        <translation>Bits einer Adresse, die zählen. 255: nur die eigene; weniger bildet eine Gruppe, die ausführt, was an eines ihrer Mitglieder gesendet wird, und auch auf deren Antworten reagiert. Gilt nach einem Neustart.</translation>
+    </message>
+    <message>
+        <source>Bit rate</source>
+        <translation>Bitrate</translation>
+    </message>
+    <message>
+        <source>In force after a restart. Reads as the rate at which it answers. 115200 is really 119048: prefer 57600.</source>
+        <translation>Gilt nach einem Neustart. Gelesen wird die Rate, mit der das Gerät antwortet. 115200 ist tatsächlich 119048: besser 57600.</translation>
+    </message>
+    <message>
+        <source>Error level</source>
+        <translation>Fehlerstufe</translation>
+    </message>
+    <message>
+        <source>D1 and D2. Level 1 would make every reading fail, so only 0 is offered: write it where another program set 1.</source>
+        <translation>D1 und D2. Bei Stufe 1 schlüge jedes Lesen fehl, daher wird nur 0 angeboten: schreiben, wo ein anderes Programm 1 gesetzt hat.</translation>
+    </message>
+    <message>
+        <source>Reactions to errors</source>
+        <translation>Reaktionen auf Fehler</translation>
+    </message>
+    <message>
+        <source>D3. Two bits for each of 20 errors, the first lowest: 0 nothing, 1 stop, 2 halt. Which error is which is not documented.</source>
+        <translation>D3. Zwei Bits für jeden von 20 Fehlern, der erste zuunterst: 0 nichts, 1 Stopp, 2 Halt. Welcher Fehler welcher ist, ist nicht dokumentiert.</translation>
+    </message>
+    <message>
+        <source>Anti-windup</source>
+        <translation>Anti-Windup</translation>
+    </message>
+    <message>
+        <source>D3. Bound of the integral; its scale is not documented.</source>
+        <translation>D3. Grenze des Integrals; ihre Skalierung ist nicht dokumentiert.</translation>
     </message>
 </context>
 </TS>

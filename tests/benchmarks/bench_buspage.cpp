@@ -103,6 +103,18 @@ void savePicture(BusPage &page, const char *name, const QString &folder)
     page.grab().save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"));
 }
 
+/// A full bus, until it ends.
+void fill(TrafficLog &log, const Clock &clock, const std::atomic<bool> &ends)
+{
+    const Instant start = clock.now();
+    for (std::uint32_t i = 0; !ends; ++i) {
+        const Instant due = start + i * Duration(std::chrono::seconds(1)) / framesPerSecond;
+        while (!ends && clock.now() < due)
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        log.append(Direction::Received, frameNumber(i, due));
+    }
+}
+
 /// Frames from another thread, the event loop running; every event that was due is timed.
 void pageUnderLoad(const Scene &scene, const QString &folder)
 {
@@ -124,15 +136,7 @@ void pageUnderLoad(const Scene &scene, const QString &folder)
     if (scene.sends)
         page.findChild<SendPanel *>()->setFrame(*canFrameFromText("02060005#7100000000280000"));
     std::atomic<bool> ends = false;
-    const Instant start = clock.now();
-    std::thread bus([&] {
-        for (std::uint32_t i = 0; !ends; ++i) {
-            const Instant due = start + i * Duration(std::chrono::seconds(1)) / framesPerSecond;
-            while (!ends && clock.now() < due)
-                std::this_thread::sleep_for(std::chrono::microseconds(200));
-            log->append(Direction::Received, frameNumber(i, due));
-        }
-    });
+    std::thread bus([&] { fill(*log, clock, ends); });
     Late late;
     Instant due = clock.now();
     QTimer beat;

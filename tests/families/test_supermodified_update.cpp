@@ -52,12 +52,12 @@ TEST(SupermodifiedAvrdude, OnlyEverWritesFlash)
 {
     for (const std::string_view via : {"avrdude:arduino:/dev/ttyUSB0", "avrdude:usbasp:usb"}) {
         auto job = *avrdude::jobOf(via);
-        job.file = "/tmp/a.hex";
+        job.file = "/some/a.hex";
         job.rate = job.isBootloader() ? 57600 : 0;
         const auto command = avrdude::commandOf(job);
         EXPECT_EQ(command.program, "avrdude");
         EXPECT_EQ(std::count(command.arguments.begin(), command.arguments.end(), "-U"), 1);
-        EXPECT_EQ(command.arguments.back(), "flash:w:/tmp/a.hex:i");
+        EXPECT_EQ(command.arguments.back(), "flash:w:/some/a.hex:i");
         EXPECT_EQ(std::count(command.arguments.begin(), command.arguments.end(), "-V"), 0) << "it verifies";
         EXPECT_EQ(std::count(command.arguments.begin(), command.arguments.end(), "-D"), job.isBootloader() ? 1 : 0);
         for (const std::string &argument : command.arguments)

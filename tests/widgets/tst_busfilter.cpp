@@ -53,15 +53,31 @@ void BusFilterTest::wildcardsMatchWholeWords()
     QVERIFY(!wildcardMatches("", "x"));
 }
 
+static void row(const char *filter, const char *frame, bool passes)
+{
+    QTest::newRow(qPrintable(QStringLiteral("%1 | %2").arg(QLatin1String(filter), QLatin1String(frame))))
+        << QString::fromLatin1(filter) << QString::fromLatin1(frame) << passes;
+}
+
+static void combinedRows()
+{
+    row("message:STS* device:5", generalOf7, false);
+    row("message:STS* and device:7", generalOf7, true);
+    row("device:5 or device:7", generalOf7, true);
+    row("not device:5", generalOf7, true);
+    row("-device:5", generalOf5, false);
+    row("!message:STS*", controlOf5, true);
+    row("not (device:5 or device:7)", unknown, true);
+    row("message:STS* (device:5 or device:7) not field.dtcApplied<25%", generalOf5, true);
+    row("message:STS* (device:5 or device:7) not field.dtcApplied<25%", generalOf7, false);
+    row("device:5 or device:7 message:ENUM*", generalOf5, true); // 'and' binds closer than 'or'
+}
+
 void BusFilterTest::termsDecideByTheFrame_data()
 {
     QTest::addColumn<QString>("filter");
     QTest::addColumn<QString>("frame");
     QTest::addColumn<bool>("passes");
-    const auto row = [](const char *filter, const char *frame, bool passes) {
-        QTest::newRow(qPrintable(QStringLiteral("%1 | %2").arg(QLatin1String(filter), QLatin1String(frame))))
-            << QString::fromLatin1(filter) << QString::fromLatin1(frame) << passes;
-    };
     row("", unknown, true);
     row("id:02061405", generalOf5, true);
     row("id:0x2061405", generalOf5, true);
@@ -108,16 +124,7 @@ void BusFilterTest::termsDecideByTheFrame_data()
     row("general", generalOf5, true);
     row("06140", generalOf5, true);
     row("dmc", unknown, false);
-    row("message:STS* device:5", generalOf7, false);
-    row("message:STS* and device:7", generalOf7, true);
-    row("device:5 or device:7", generalOf7, true);
-    row("not device:5", generalOf7, true);
-    row("-device:5", generalOf5, false);
-    row("!message:STS*", controlOf5, true);
-    row("not (device:5 or device:7)", unknown, true);
-    row("message:STS* (device:5 or device:7) not field.dtcApplied<25%", generalOf5, true);
-    row("message:STS* (device:5 or device:7) not field.dtcApplied<25%", generalOf7, false);
-    row("device:5 or device:7 message:ENUM*", generalOf5, true); // 'and' binds closer than 'or'
+    combinedRows();
 }
 
 void BusFilterTest::termsDecideByTheFrame()

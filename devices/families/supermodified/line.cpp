@@ -103,7 +103,7 @@ void Line::pump()
         transmit(std::move(*entry));
     m_pumping = false;
     if (!m_inFlight)
-        waitForPoll();
+        pollTurn();
 }
 
 std::optional<Line::Entry> Line::next()
@@ -179,7 +179,7 @@ void Line::finish(Result<Frame> result)
     pump();
 }
 
-void Line::waitForPoll()
+void Line::pollTurn()
 {
     const auto due = m_schedule.nextDue();
     if (!due)
@@ -242,7 +242,7 @@ void Line::setPollPeriod(PollKey key, Duration period)
 {
     m_schedule.setPeriod(key, period, m_clock.now());
     if (!m_inFlight && m_link.state() == LinkState::Open)
-        waitForPoll();
+        pollTurn();
 }
 
 void Line::setPollRequest(PollKey key, Request request)

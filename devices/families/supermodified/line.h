@@ -129,7 +129,7 @@ private:
     void finish(Result<Frame> result);
     void onLinkState();
     void failUpTo(std::uint64_t id);
-    void waitForPoll();
+    void pollTurn();
     [[nodiscard]] static bool belongs(int host, int node, std::uint8_t mask);
     void chooseHost();
 
