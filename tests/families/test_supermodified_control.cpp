@@ -322,6 +322,27 @@ TEST(SupermodifiedControl, AnotherMasterIsHeardAndLocksControl)
     EXPECT_TRUE(device->mayMove());
 }
 
+TEST(SupermodifiedControl, CurrentIsACountUntilTheUserSaysWhatItIsWorth)
+{
+    Bench bench;
+    bench.add("supermodified:4,dialect=D1");
+    bench.add("supermodified:5,dialect=D3");
+    const auto raw = bench.connect(4);
+    const auto known = bench.connect(5);
+    const auto current = *raw->telemetry()->find("current");
+    EXPECT_EQ(raw->telemetry()->channels()[current.value].unit, "counts");
+    EXPECT_EQ(known->telemetry()->channels()[current.value].unit, "A");
+    SetPoint fast = setPoint(Mode::Velocity, 8000.0);
+    ASSERT_TRUE(raw->command(fast));
+    bench.clock.advance(2s);
+    const double counts = raw->telemetry()->latest(current)->value;
+    EXPECT_GT(counts, 5.0);
+    ASSERT_TRUE(raw->calibrate("amperes_per_count", 0.01));
+    EXPECT_EQ(raw->telemetry()->channels()[current.value].unit, "A");
+    bench.clock.advance(200ms);
+    EXPECT_NEAR(raw->telemetry()->latest(current)->value, counts * 0.01, 0.5 * counts * 0.01);
+}
+
 TEST(SupermodifiedControl, ItsStopScriptStopsARunningNode)
 {
     Bench bench;

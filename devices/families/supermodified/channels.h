@@ -18,6 +18,10 @@ constexpr ChannelIndex analog1{6}; ///< and the next three
 constexpr ChannelIndex digital{10};
 } // namespace channel
 
+namespace calibration {
+constexpr std::string_view amperes = "amperes_per_count";
+} // namespace calibration
+
 /// D1 and D2 tell the current as a count of their converter, D3 in mA.
 [[nodiscard]] std::span<const Channel> channelTable(bool currentKnown = false);
 

@@ -40,7 +40,7 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
     , m_linkState(link.stateChanged().add([this](LinkState state) { onLinkState(state); }))
     , m_identityChanged(changed().add([this] { identityChanged(); }))
 {
-    //USETABLE telemetry()->useTable(channelTable(m_node.dialect == Dialect::D3));
+    doProfileChanged();
     m_line->note(m_node.id,
         m_line->nodes().contains(m_node.id) ? m_line->nodes().at(m_node.id) : Line::Known{m_node.baudrate, exactMask});
 }
@@ -195,8 +195,16 @@ void Controller::identityChanged()
     if (now.id == m_node.id && now.baudrate == m_node.baudrate && now.dialect == m_node.dialect)
         return;
     m_node = now;
-    //USETABLE telemetry()->useTable(channelTable(m_node.dialect == Dialect::D3));
+    doProfileChanged();
     m_polls.nodeChanged();
+}
+
+/// D3 tells mA; what a count of the others stands for only the user knows.
+void Controller::doProfileChanged()
+{
+    const double scale = profile().calibrated(calibration::amperes);
+    m_polls.setCurrentScale(scale);
+    telemetry()->useTable(channelTable(m_node.dialect == Dialect::D3 || scale > 0.0));
 }
 
 void Controller::setHeard(bool heard)

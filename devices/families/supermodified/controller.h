@@ -61,6 +61,7 @@ private:
     void onLinkState(LinkState state);
     void onMotion();
     void identityChanged();
+    void doProfileChanged() override;
     void setHeard(bool heard);
     void updateLiveness();
 

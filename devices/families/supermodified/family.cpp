@@ -10,6 +10,8 @@
 #include "families/supermodified/scan.h"
 #include "families/supermodified/simulator.h"
 
+#include <QtGlobal>
+
 #include <array>
 
 namespace mb::supermodified {
@@ -22,6 +24,15 @@ constexpr std::array<std::string_view, 2> bench{
     "supermodified:4,dialect=D1",
     "supermodified:5,dialect=D3",
 };
+
+constexpr std::array calibrations{
+    Calibration{calibration::amperes, "A", QT_TRANSLATE_NOOP("table", "Ampere per count"),
+        QT_TRANSLATE_NOOP("table", "D1 and D2: what one count of the current converter stands for; D3 tells ampere."),
+        1e-6, 1e3},
+};
+
+/// Through the serial bootloader; a programmer on the pins is `avrdude:usbasp:usb` and the like.
+constexpr std::array routes{UpdateRoute{"avrdude", "avrdude:arduino:/dev/ttyUSB0"}};
 
 constexpr Capabilities capabilities{
     .readback = true,
@@ -50,6 +61,8 @@ const Family family{
     .modes = modes,
     .capabilities = capabilities,
     .bench = bench,
+    .calibrations = calibrations,
+    .routes = routes,
     .scan = scan,
     .probe = probe,
     .open = open,
