@@ -73,6 +73,12 @@ std::size_t LogPoller::pollers() const
     return std::max<std::size_t>(1, static_cast<std::size_t>(others));
 }
 
+/// Programs at the other end of a link without a bit rate may be held up for longer than a drive ever is.
+int LogPoller::silentAfter() const
+{
+    return m_link.bitrate() > 0 ? 3 : 5;
+}
+
 /// From the end of an answer to the next question.
 Duration LogPoller::gap() const
 {
@@ -139,10 +145,10 @@ void LogPoller::ask()
 void LogPoller::timedOut()
 {
     const auto open = std::exchange(m_open, std::nullopt);
-    m_missed = std::min(m_missed + 1, silentAfter);
+    m_missed = std::min(m_missed + 1, silentAfter());
     if (open && m_heard)
         m_events.missed(*open);
-    if (m_missed >= silentAfter) {
+    if (m_missed >= silentAfter()) {
         m_freeAt = m_clock.now() + silentPeriod;
         if (std::exchange(m_heard, false))
             m_events.silent();

@@ -33,8 +33,6 @@ public:
     [[nodiscard]] double most() const;
 
 private:
-    static constexpr int silentAfter = 3;
-
     void receive(const CanFrame &frame);
     void count(const CanFrame &frame);
     void schedule();
@@ -42,6 +40,7 @@ private:
     void timedOut();
     void arrived(Log log, std::int32_t value, Instant time);
     [[nodiscard]] std::optional<LogReply> replyIn(const CanFrame &frame) const;
+    [[nodiscard]] int silentAfter() const;
     [[nodiscard]] std::size_t pollers() const;
     [[nodiscard]] Duration gap() const;
     [[nodiscard]] Log mostUrgent() const;

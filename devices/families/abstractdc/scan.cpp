@@ -61,7 +61,8 @@ public:
     Task<void> askAll()
     {
         m_tried.clear();
-        const Instant end = m_clock.now() + answerTime(m_link) - answerSlack + broadcastSlack;
+        const Duration answers = std::max(answerTime(m_link), 2 * roundTrip(m_link) + broadcastSlack);
+        const Instant end = m_clock.now() + answers;
         if (auto sent = m_link.send(encodeLogRequest(dialectF, 0, Log::Velocity)); !sent)
             co_return fail(sent.error());
         while (m_clock.now() < end) {
@@ -78,6 +79,8 @@ public:
         const std::vector<int> offsets = co_await std::move(looking);
         for (const int offset : offsets) {
             // A legacy drive that somebody else asks at this moment answers there too: only this one answers 800.
+            if (m_offsets.count(offset) > 0)
+                continue;
             auto asking = m_prober.ask({offset, id::logRequestOld, 1, {at(id::velocityLogLegacy, offset)}});
             const auto answer = co_await std::move(asking);
             if (answer && m_offsets.insert(offset).second)

@@ -152,7 +152,7 @@ std::int32_t Unit::positionLog()
 
 void Unit::reply(Log log, std::int32_t value)
 {
-    if (m_pending + m_link.backlog() >= mailboxes)
+    if (m_pending >= mailboxes)
         return;
     std::array<std::uint8_t, 4> data{};
     writeU32le(data, 0, static_cast<std::uint32_t>(value));

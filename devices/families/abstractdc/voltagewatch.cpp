@@ -9,6 +9,8 @@ namespace mb::abstractdc {
 namespace {
 
 constexpr int unknownBitrate = 50'000;
+/// Such a link has other programs, not drives, at its other end, which answer when they get the processor.
+constexpr auto programSlack = std::chrono::milliseconds(80);
 
 int bitrateOf(const CanLink &link)
 {
@@ -24,7 +26,7 @@ Duration roundTrip(const CanLink &link)
 
 Duration answerTime(const CanLink &link)
 {
-    return 2 * roundTrip(link) + answerSlack;
+    return 2 * roundTrip(link) + answerSlack + (link.bitrate() > 0 ? Duration::zero() : Duration(programSlack));
 }
 
 VoltageWatch::VoltageWatch(CanLink &link, Clock &clock)

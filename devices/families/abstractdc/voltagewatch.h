@@ -31,7 +31,7 @@ private:
 };
 
 /// How long an answer may take on this link (1.3): twice request and answer, and 20 ms. A link that does not know its bit rate
-/// is taken for a slow one.
+/// is taken for a slow one with other programs on it, which take their time.
 [[nodiscard]] Duration answerTime(const CanLink &link);
 /// Request and answer on the wire.
 [[nodiscard]] Duration roundTrip(const CanLink &link);
