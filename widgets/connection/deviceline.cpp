@@ -110,6 +110,9 @@ void DeviceLine::follow()
     m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity.serial), known(device->identity.firmware)));
     const Instant now = m_workbench.now();
     const auto show = [&](ValueLabel *label, std::string_view channel, double factor, int decimals) {
+        const auto row = device->telemetry->find(channel);
+        if (row && factor == 1.0) // counts, until somebody said what a count is
+            label->setUnit(tableText(device->telemetry->channels()[row->value].unit));
         if (const auto value = liveValue(*device, channel, now))
             label->setValue(formatNumber(*value * factor, decimals));
         else

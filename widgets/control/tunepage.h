@@ -75,6 +75,7 @@ private:
         int editedSlot = 0;
         int runningSlot = 0;
         DisplayUnits units;
+        double profiled = 0.0; ///< counts per revolution that the device's profile had last
         std::unique_ptr<StagedEdits> edits;
         StepLog steps;
     };

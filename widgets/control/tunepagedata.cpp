@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -79,8 +80,6 @@ void TunePage::followDevice(const DeviceView &view)
     }
     if (m_shown != view.id) {
         m_shown = view.id;
-        if (const double counts = view.profile.calibrated(countsPerRevolutionKey); counts > 0.0)
-            chosen.units.countsPerRevolution = counts;
         m_modes->setFamily(*view.family);
         m_modes->chainAfter(m_run);
         m_modes->show(chosen.mode, chosen.editedSlot, chosen.runningSlot);
@@ -93,6 +92,14 @@ void TunePage::followDevice(const DeviceView &view)
         m_steps->setUnits(chosen.units);
         m_plot->choose(view, chosen.mode);
         followSteps(view, true);
+    }
+    const double counts = view.profile.calibrated(countsPerRevolutionKey);
+    if (counts > 0.0 && counts != std::exchange(chosen.profiled, counts)) {
+        chosen.units.countsPerRevolution = counts;
+        m_setPoint->setUnits(chosen.units);
+        m_plot->setUnits(chosen.units);
+        m_gains->setUnits(chosen.units);
+        m_steps->setUnits(chosen.units);
     }
     m_plot->choose(view, chosen.mode);
     followSteps(view, false);

@@ -177,7 +177,7 @@ void TunePlot::addTrace(const DeviceView &device, std::string_view channel, int 
     const auto index = device.telemetry->find(channel);
     if (!index)
         return;
-    const Channel &row = device.family->channels[index->value];
+    const Channel &row = device.telemetry->channels()[index->value]; // whose units may depend on the device
     const ShownUnit unit = shownUnit(row.quantity, row.unit, m_units);
     auto source = std::make_shared<TelemetrySource>(
         device.telemetry, *index, main ? TelemetrySource::Foot::Always : TelemetrySource::Foot::WhenLossy);

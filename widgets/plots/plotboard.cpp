@@ -55,7 +55,10 @@ const Channel *PlotBoard::rowOf(const Signal &signal) const
     }
     const DeviceView *device = m_workbench.snapshot().device(signal.device);
     const bool there = device && signal.channel.value < device->family->channels.size();
-    return there ? &device->family->channels[signal.channel.value] : nullptr;
+    if (!there)
+        return nullptr;
+    const auto rows = device->telemetry ? device->telemetry->channels() : device->family->channels;
+    return &rows[signal.channel.value];
 }
 
 std::shared_ptr<const Telemetry> PlotBoard::telemetryOf(const Signal &signal) const

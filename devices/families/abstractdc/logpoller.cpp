@@ -10,6 +10,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration silentPeriod = 500ms;
 constexpr Duration pollerMemory = 3s;
+constexpr int longSilence = 20; ///< questions in a row without an answer, until it is asked less often
 
 std::size_t at(Log log)
 {
@@ -145,11 +146,11 @@ void LogPoller::ask()
 void LogPoller::timedOut()
 {
     const auto open = std::exchange(m_open, std::nullopt);
-    m_missed = std::min(m_missed + 1, silentAfter());
+    m_missed = std::min(m_missed + 1, longSilence);
     if (open && m_heard)
         m_events.missed(*open);
     if (m_missed >= silentAfter()) {
-        m_freeAt = m_clock.now() + silentPeriod;
+        m_freeAt = m_clock.now() + (m_missed < longSilence ? answerTime(m_link) : silentPeriod);
         if (std::exchange(m_heard, false))
             m_events.silent();
     }
