@@ -105,6 +105,7 @@ bool MovesTest::isReady() const
 
 void MovesTest::init()
 {
+    applyTheme(*qApp, m_theme.theme());
     m_engine = std::make_unique<Engine>(only, false);
     m_selection = std::make_unique<Selection>();
     m_arming = std::make_unique<Arming>(*m_engine);

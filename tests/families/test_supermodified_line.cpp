@@ -294,6 +294,41 @@ TEST(SupermodifiedLine, APollThatIsLostIsCounted)
     EXPECT_TRUE(device->liveness().heard);
 }
 
+TEST(SupermodifiedLine, APollThatIsRefusedIsAskedAgainAndNothingIsLost)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4");
+    const auto device = bench.connect(4);
+    bench.clock.advance(1s);
+    for (int i = 0; i < 20; ++i) {
+        node.disturb("error", 0x43);
+        bench.clock.advance(100ms);
+    }
+    device->telemetry()->commit();
+    for (std::uint16_t i = 0; i < Bench::family().channels.size(); ++i)
+        EXPECT_EQ(device->telemetry()->lost(ChannelIndex{i}), 0U);
+    EXPECT_GT(device->telemetry()->rate(*device->telemetry()->find("position")), 18.0);
+    EXPECT_EQ(run(bench.clock, device->readFaults())->size(), codeNames().size());
+}
+
+TEST(SupermodifiedLine, ASearchAtOtherRatesLosesNoSampleOfWhatIsFound)
+{
+    mb::test::SimulatedSession bench("sim:serial");
+    bench.scan();
+    bench.clock.advance(2s);
+    int nodes = 0;
+    for (Device *device : bench.session.devices()) {
+        if (device->family().key != "supermodified")
+            continue;
+        ++nodes;
+        device->telemetry()->commit();
+        for (std::uint16_t i = 0; i < device->family().channels.size(); ++i)
+            EXPECT_EQ(device->telemetry()->lost(ChannelIndex{i}), 0U)
+                << device->selector() << ' ' << device->family().channels[i].key;
+    }
+    EXPECT_EQ(nodes, 2);
+}
+
 TEST(SupermodifiedLine, AnswersAreMeasured)
 {
     Bench bench;

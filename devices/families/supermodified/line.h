@@ -80,6 +80,8 @@ public:
     void setPollPeriod(PollKey key, Duration period);
     void setPollRequest(PollKey key, Request request);
     void removePoll(PollKey key);
+    /// Its last question was refused: it is due again now.
+    void repeatPoll(PollKey key) { m_schedule.hasten(key, m_clock.now()); }
 
     /// Frames of others than our own exchange: another master's, or late replies.
     [[nodiscard]] Listeners<const Frame &> &overheard() { return m_overheard; }

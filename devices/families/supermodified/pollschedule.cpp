@@ -26,6 +26,14 @@ void PollSchedule::setPeriod(Key key, Duration period, Instant now)
     }
 }
 
+void PollSchedule::hasten(Key key, Instant now)
+{
+    for (Entry &entry : m_entries) {
+        if (entry.key == key)
+            entry.next = std::min(entry.next, now);
+    }
+}
+
 std::vector<PollSchedule::Entry>::const_iterator PollSchedule::first() const
 {
     // std::min_element keeps the first of equals, and take() moves who had a turn to the end

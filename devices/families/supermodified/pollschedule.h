@@ -22,6 +22,9 @@ public:
     /// A shorter period brings the next turn forward.
     void setPeriod(Key key, Duration period, Instant now);
 
+    /// The next turn is due now.
+    void hasten(Key key, Instant now);
+
     /// When the next turn is due; nothing when nobody wants one.
     [[nodiscard]] std::optional<Instant> nextDue() const;
     /// Whose turn it is, and gives the next one to somebody else; only when nextDue() is not later than `now`.

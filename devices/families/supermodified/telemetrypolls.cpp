@@ -114,15 +114,18 @@ void TelemetryPolls::interrupt()
 
 void TelemetryPolls::answered(std::size_t index, const Result<Frame> &reply)
 {
-    const Poll &poll = m_polls[index];
-    const bool good = reply && !codesOf(*reply);
-    if (!good && m_heard) {
+    Poll &poll = m_polls[index];
+    const bool good = reply && !codesOf(*reply); // an error instead of an answer is asked again, and nothing is lost
+    if (!reply && m_heard) {
         for (int i = 0; i < poll.channels; ++i)
             m_telemetry.lost(ChannelIndex{static_cast<std::uint16_t>(poll.first.value + i)}, 1);
     }
     m_events.answered(reply); // first: after a silence, the sample belongs to a new line
     if (good)
         take(poll, *reply);
+    else if (reply && !poll.refused) // once: a node of error level 1 refuses every time
+        m_line.repeatPoll(poll.key);
+    poll.refused = reply && !good;
 }
 
 void TelemetryPolls::append(ChannelIndex channel, double value)

@@ -50,6 +50,7 @@ private:
         double driven = 0.0; ///< Hz, while the motor is driven
         double wished = 0.0; ///< Hz; 0: nobody
         Line::PollKey key = 0;
+        bool refused = false; ///< the last answer was an error
     };
     void answered(std::size_t index, const Result<Frame> &reply);
     void take(const Poll &poll, const Frame &reply);
