@@ -6,6 +6,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/plots/displayunits.h"
 #include "widgets/plots/plotboard.h"
+#include "widgets/plots/qcustomplotkeywords.h"
 
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -16,6 +17,7 @@
 namespace mb {
 namespace {
 
+constexpr double pictureScale = 2.0;
 constexpr QSize usualSize{1280, 800};
 
 int refuse(const QString &cause)
@@ -86,7 +88,8 @@ int plotFile(const Options &options)
     QApplication::setFont(font);
     PlotStack stack(theme);
     const QStringList sides = options.size.split(QLatin1Char('x'));
-    stack.resize(sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : usualSize);
+    const QSize size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : usualSize;
+    stack.resize(size);
     addTraces(stack, **recording);
     const auto from = plotKey((*recording)->first);
     const auto to = plotKey((*recording)->last);
@@ -98,7 +101,11 @@ int plotFile(const Options &options)
     stack.show();
     stack.refresh(to);
     stack.refresh(to); // the first one has found out how wide the labels are
-    if (!stack.exportTo(options.out))
+    // a picture has the size that was asked for, even where the window would want more
+    const bool written = suffix == QLatin1String("png")
+        ? stack.plot().savePng(options.out, size.width(), size.height(), pictureScale)
+        : stack.exportTo(options.out);
+    if (!written)
         return refuse(QStringLiteral("%1 cannot be written; choose a folder that you may write to").arg(options.out));
     say(options, **recording, stack.traceCount());
     return 0;

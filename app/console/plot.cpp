@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <unistd.h>
 
@@ -36,6 +37,7 @@ Task<int> plot(Console &console, Arguments a)
     for (std::string &word : words)
         pointers.push_back(word.data());
     pointers.push_back(nullptr);
+    ::setenv("QT_LOGGING_RULES", "*.warning=false", 1); // what the toolkit grumbles about is no word of ours
     ::execv(program.c_str(), pointers.data());
     co_return fail(Fault::OutOfRange,
         program + " cannot be run: " + std::strerror(errno) + "; both programs must be in one folder");

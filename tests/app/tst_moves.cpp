@@ -192,9 +192,9 @@ void MovesTest::oneThatStallsTakesTheOthersWithIt()
 {
     m_page->movesPanel().findChild<QCheckBox *>(QString())->setChecked(true);
     prepare(QStringLiteral("1500"));
-    ask<bool>([](EngineCore &core) {
+    QVERIFY(ask<bool>([](EngineCore &core) {
         return core.session().bench(*core.session().links().front())->simulators().back()->disturb("stall", 1);
-    });
+    }));
     QTest::mouseClick(&button("startMoves"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
 }

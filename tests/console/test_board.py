@@ -44,7 +44,7 @@ class BoardTest(ContractTest):
         for axis in "1234":
             last = self.run_json("drive", self.device, "--mode", "duty", "--target", "0.3", "--axis", axis, "--for", "0.5")[-1]
             self.assertEqual((last["stopped"], last["reason"]), (True, "done"), axis)
-            moved = [row for row in self.run_json("watch", self.device, "--channel", f"ch{axis}.position", "--for", "0.2")[:-1]]
+            moved = [row for row in self.run_json("watch", self.device, "--channel", f"ch{axis}.position", "--for", "1")[:-1]]
             self.assertGreater(abs(moved[-1]["value"]), 10, axis)
 
     def test_watch_streams_up_to_500_times_a_second(self):

@@ -112,7 +112,7 @@ private:
                 continue;
             auto judging = judge(m_prober, answer);
             const std::optional<Found> found = co_await std::move(judging);
-            if (!found || (!found->dialect && m_offsets.count(found->offset) > 0))
+            if (!found || (!found->dialect && (m_offsets.count(found->offset) > 0 || isPositionOfLegacy(answer))))
                 continue;
             m_offsets.insert(found->offset);
             if (!found->dialect) { // answers may have been lost: another round tries again
@@ -124,6 +124,14 @@ private:
             m_sink.found(identityOf(found->offset, found->dialect));
         }
         co_return {};
+    }
+
+    /// Identifiers of velocity logs reach into those of legacy position logs, which somebody may be asking for meanwhile.
+    [[nodiscard]] bool isPositionOfLegacy(std::uint32_t answer) const
+    {
+        const auto offset = static_cast<int>(answer) - static_cast<int>(id::positionLogLegacy);
+        return std::any_of(m_found.begin(), m_found.end(),
+            [offset](const auto &known) { return known.second.offset == offset && known.second.dialect == &dialectL; });
     }
 
     CanLink &m_link;

@@ -175,6 +175,8 @@ Task<void> Updater::sendLine(std::size_t index)
         if (!answer)
             co_return fail(answer.error());
         heard(*answer);
+        if (holds(*answer, bannerWord))
+            co_return fail(Fault::Refused, "the board restarted at " + line);
         if (isFailure(*answer))
             co_return fail(Fault::Refused, line + " was refused: " + *answer);
         confirmed = *answer != text; // a terminal may echo what it hears
@@ -191,8 +193,8 @@ Task<void> Updater::leave()
     if (auto sent = m_console.send("reset"); !sent)
         co_return fail(sent.error());
     m_progress.step("take the jumper out; the board is asked for its version", 0, 0);
-    co_await Sleep(m_clock, 200ms);
-    resetBoard();
+    co_await Sleep(
+        m_clock, 200ms); // no pulse on the reset line: with the jumper in, that would enter the bootloader again
     co_return {};
 }
 
