@@ -6544,5 +6544,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>D3. Bound of the integral; its scale is not documented.</source>
         <translation>D3. Grenze des Integrals; ihre Skalierung ist nicht dokumentiert.</translation>
     </message>
+    <message>
+        <source>D1 and D2: what one count of the current converter stands for; D3 tells ampere.</source>
+        <translation>D1 und D2: wofür ein Count des Stromwandlers steht; D3 nennt Ampere.</translation>
+    </message>
 </context>
 </TS>

@@ -27,7 +27,7 @@ struct QuadQuad2Drv : testing::Test {
         : bench(address)
     {
         bench.scan();
-        device = bench.device(0);
+        device = bench.device(0, "quadquad2drv");
         board = bench.simulator("quadquad2drv:0");
     }
     void SetUp() override { ASSERT_NE(device, nullptr); }
@@ -236,7 +236,7 @@ TEST(QuadQuad2DrvLoss, EveryParameterComesThroughWhenATenthOfTheTransfersIsGarbl
 {
     SimulatedSession bench("sim:spi?loss=0.1");
     bench.scan();
-    Device *device = bench.device(0);
+    Device *device = bench.device(0, "quadquad2drv");
     ASSERT_NE(device, nullptr);
     NoProgress progress;
     const auto outcomes = run(bench.clock, readParameters(*device, readable(*device), progress));

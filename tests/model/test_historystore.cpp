@@ -99,8 +99,8 @@ TEST(HistoryStore, MemoryStaysWithinTheBudgetHoweverLongTheRecording)
     const auto store = storeOf(1'000'000);
     History history;
     history.keepIn(store);
-    for (int i = 0; i < 2'000'000; ++i)
-        history.append(at(i * 1000), i);
+    for (std::int64_t i = 0; i < 2'000'000; ++i)
+        history.append(at(i * 1000), static_cast<double>(i));
     EXPECT_LE(store->resident(), 1'000'000U + 60'000U); // and the chunk that is being filled
     EXPECT_LE(history.memoryUse(), 1'200'000U);
     EXPECT_GT(store->stored(), 20'000'000U);
@@ -112,7 +112,7 @@ TEST(HistoryStore, ASpikeThatWentToTheFileIsSeenFromAboveAndFromNear)
 {
     History history;
     history.keepIn(storeOf(tiny));
-    for (int i = 0; i < 3'600'000; ++i)
+    for (std::int64_t i = 0; i < 3'600'000; ++i)
         history.append(at(i * 1000), i == 1'234'567 ? 1e6 : 0.0);
     std::vector<Point> points;
     for (const std::int64_t span : {3'600'000'000LL, 60'000'000LL, 1'000'000LL, 2'000LL}) {

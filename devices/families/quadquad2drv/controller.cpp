@@ -52,6 +52,9 @@ void Controller::onPacket(const Packet &packet, Instant time)
             if (stream)
                 m_streamAt = time;
             onMotion(*motion, time);
+        } else if (!m_learning && busy().empty()) { // another program has changed what the board sends
+            m_learning = true;
+            m_scope.spawn<void>(takeLayout(), [this](const Result<void> &) { m_learning = false; });
         }
         return;
     }

@@ -80,6 +80,7 @@ private:
     bool m_restarted = false;
     bool m_polling = false;
     bool m_checking = false;
+    bool m_learning = false;
     bool m_stopConfirmed = false;
     std::optional<Instant> m_motionAt;
     std::optional<Instant> m_streamAt;
