@@ -107,12 +107,13 @@ Task<std::vector<int>> findOldest(CanLink &link, Clock &clock)
             offsets.insert(offset);
     });
     const bool all = roundTrip(link) * maxOffset <= sweepMost;
+    const Duration spacing = std::max<Duration>(1ms, 4 * roundTrip(link)); // others' frames do not wait behind a burst
     for (int offset = 0; offset <= (all ? maxOffset : 0); ++offset) {
         if (auto sent = link.send(encodeLogRequest(dialectLL, offset, Log::Position)); !sent)
             co_return fail(sent.error());
+        co_await Sleep(clock, spacing);
     }
-    const Duration wait = answerTime(link) + (all ? roundTrip(link) * maxOffset : Duration::zero());
-    co_await Sleep(clock, wait);
+    co_await Sleep(clock, answerTime(link));
     co_return std::vector<int>(offsets.begin(), offsets.end());
 }
 
