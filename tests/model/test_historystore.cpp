@@ -157,7 +157,7 @@ TEST(HistoryStatistics, AgreeWithTheSlowWayOnRandomStretches)
     std::mt19937 random(6);
     std::uniform_int_distribution<std::size_t> place(0, entries.size() - 1);
     for (int i = 0; i < 300; ++i) {
-        const auto [a, b] = std::minmax(place(random), place(random));
+        const auto [a, b] = std::minmax({place(random), place(random)});
         const Instant from = entries[a].point.time;
         const Instant to = entries[b].point.time;
         const auto slow = slowly(pair.plain.plain, from, to);

@@ -61,8 +61,10 @@ struct LiveRun {
         live.clock.advance(6s);
         state = recorder->state();
         recorder.reset();
-        for (const Device *device : live.session.devices())
-            collect(samples, *device, from);
+        for (const Device *device : live.session.devices()) {
+            if (device->family().recognise) // the others are not found in recordings
+                collect(samples, *device, from);
+        }
     }
 
     test::TemporaryFolder folder;
@@ -196,8 +198,10 @@ TEST(ReplaySession, LetsNothingBeDrivenOrWritten)
     auto read = test::run(playback.clock, device.read(ParameterIndex{0}));
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().fault, Fault::Unsupported);
+    const auto sent = playback.link->counters().tx; // what the recorder had sent
     playback.session.stopAll();
-    EXPECT_EQ(playback.link->counters().tx, 51U) << "only what the recorder had sent";
+    EXPECT_FALSE(device.command(setPoint));
+    EXPECT_EQ(playback.link->counters().tx, sent);
 }
 
 TEST(ReplaySession, KnowsADeviceBetterWhenTheRecordingHasItsAnswers)

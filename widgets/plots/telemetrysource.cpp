@@ -63,7 +63,7 @@ std::optional<TraceSource::Statistics> TelemetrySource::statistics(double from, 
     if (!found)
         return std::nullopt;
     const double size = std::abs(m_scale);
-    const auto [low, high] = std::minmax(found->low * m_scale, found->high * m_scale);
+    const auto [low, high] = std::minmax({found->low * m_scale, found->high * m_scale});
     return Statistics{
         found->count, found->lost, found->mean * m_scale, found->deviation * size, found->rms * size, low, high};
 }
