@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window's own engine, window and arming, without a screen, driving device 5 of a link until it is killed:
 //     windowdriver LINK          prints "driving" once a snapshot shows the motor moving
+//     windowdriver LINK FAMILY   drives device 5 of this family, where there are several
 //     windowdriver LINK listen   only watches; prints "listening", and at the end of its input "RX LOST"
 // For tests/socketcan/kill-window. The lease is renewed where the program renews it, on the GUI thread.
 #include "app/engine.h"
@@ -19,15 +20,16 @@ namespace {
 /// What the program should do next, from each snapshot.
 class Driver {
 public:
-    Driver(mb::Engine &engine, mb::MainWindow &window)
+    Driver(mb::Engine &engine, mb::MainWindow &window, std::string_view family)
         : m_engine(engine)
         , m_window(window)
+        , m_family(family)
     {
     }
     void follow()
     {
         for (const mb::DeviceView &device : m_engine.snapshot().devices) {
-            if (device.identity.address == 5)
+            if (device.identity.address == 5 && (m_family.empty() || device.family->key == m_family))
                 follow(device);
         }
     }
@@ -54,6 +56,7 @@ private:
 
     mb::Engine &m_engine;
     mb::MainWindow &m_window;
+    std::string_view m_family;
     bool m_told = false;
 };
 
@@ -103,9 +106,9 @@ private:
 int main(int argc, char **argv)
 {
     const bool listens = argc == 3 && std::string_view(argv[2]) == "listen";
-    const auto link = argc == 2 || listens ? mb::LinkAddress::parse(argv[1]) : mb::fail(mb::Fault::OutOfRange, "");
+    const auto link = argc == 2 || argc == 3 ? mb::LinkAddress::parse(argv[1]) : mb::fail(mb::Fault::OutOfRange, "");
     if (!link) {
-        std::fputs("usage: windowdriver LINK [listen]\n", stderr);
+        std::fputs("usage: windowdriver LINK [listen|FAMILY]\n", stderr);
         return 2;
     }
     QApplication::setStyle(QStringLiteral("Fusion"));
@@ -114,7 +117,7 @@ int main(int argc, char **argv)
     mb::Settings settings(false);
     mb::Engine engine(mb::families(), false);
     mb::MainWindow window(engine, theme, settings);
-    Driver driver(engine, window);
+    Driver driver(engine, window, argc == 3 ? argv[2] : "");
     std::optional<Listener> listener;
     if (listens)
         listener.emplace(engine);
