@@ -50,6 +50,19 @@ Segmented::Segmented(const QString &accessibleName, const QStringList &texts, QW
         addSegment(text);
 }
 
+void Segmented::removeLast()
+{
+    QAbstractButton *last = m_group->button(count() - 1);
+    if (!last)
+        return;
+    const bool wasCurrent = last->isChecked();
+    m_group->removeButton(last);
+    delete last;
+    if (wasCurrent)
+        setCurrent(0);
+    updateEnds();
+}
+
 int Segmented::addSegment(const QString &text)
 {
     auto *button = new SegmentButton(this);

@@ -19,6 +19,8 @@ public:
     Segmented(const QString &accessibleName, const QStringList &texts, QWidget *parent = nullptr);
 
     int addSegment(const QString &text);
+    /// Takes the last one away; the first is current when that was it.
+    void removeLast();
     void setText(int index, const QString &text);
     void setSegmentEnabled(int index, bool enabled, const QString &reason = {});
     int count() const;

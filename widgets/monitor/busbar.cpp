@@ -111,12 +111,13 @@ void BusBar::applyFilter()
 
 void BusBar::setLinks(const QStringList &names)
 {
-    for (int i = m_names.size(); i < names.size(); ++i)
-        m_links->addSegment(names[i]);
+    while (m_links->count() < names.size())
+        m_links->addSegment(names[m_links->count()]);
+    while (m_links->count() > names.size())
+        m_links->removeLast();
     for (int i = 0; i < names.size(); ++i)
         m_links->setText(i, names[i]);
-    if (names.size() >= m_names.size())
-        m_names = names;
+    m_names = names;
     m_links->setVisible(m_names.size() > 1);
 }
 
