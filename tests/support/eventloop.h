@@ -5,6 +5,7 @@
 #include "transport/qtclock.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 
 #include <functional>
 
@@ -17,6 +18,10 @@ public:
         : m_application(m_count, m_arguments)
     {
     }
+    EventLoop(const EventLoop &) = delete;
+    EventLoop &operator=(const EventLoop &) = delete;
+    /// What was to be deleted later, is: no loop comes after this one.
+    ~EventLoop() { QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); }
     [[nodiscard]] QtClock &clock() { return m_clock; }
 
     /// Serves events until `done()`; false when that did not come true within `limit`, so that no test hangs.
