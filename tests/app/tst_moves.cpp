@@ -13,6 +13,7 @@
 #include <QComboBox>
 #include <QDir>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QTest>
 
 #include <algorithm>
@@ -54,6 +55,7 @@ private Q_SLOTS:
     void stopEndsAllOfThem();
     void oneThatStallsTakesTheOthersWithIt();
     void everyControlHasAName();
+    void nothingIsWiderThanTheColumn();
 
 private:
     template <class T> [[nodiscard]] T ask(const std::function<T(EngineCore &)> &question)
@@ -208,6 +210,29 @@ void MovesTest::everyControlHasAName()
         if (qobject_cast<QLineEdit *>(widget) || qobject_cast<QComboBox *>(widget))
             QVERIFY(!widget->accessibleName().isEmpty());
     }
+}
+
+void MovesTest::nothingIsWiderThanTheColumn()
+{
+    const QFont usual = QApplication::font();
+    for (const double size : {10.0, 20.0}) {
+        m_theme.setTheme(lightTheme(size));
+        QFont font = QApplication::font();
+        font.setPointSizeF(size);
+        QApplication::setFont(font);
+        applyTheme(*qApp, m_theme.theme());
+        m_page = std::make_unique<TunePage>(*m_engine, *m_selection, *m_arming, m_theme, nullptr);
+        m_page->resize(m_theme.theme().u(1208), m_theme.theme().u(1000));
+        m_page->show();
+        QTRY_VERIFY(m_page->movesPanel().isVisibleTo(m_page.get()));
+        auto *area = m_page->findChild<QScrollArea *>();
+        QVERIFY(area->isAncestorOf(&m_page->movesPanel()));
+        QTRY_VERIFY2(area->widget()->width() <= area->viewport()->width(),
+            qPrintable(QStringLiteral("%1 in %2").arg(area->widget()->width()).arg(area->viewport()->width())));
+        picture(size > 15.0 ? "moves-200.png" : "moves-light.png");
+    }
+    m_theme.setTheme(darkTheme());
+    QApplication::setFont(usual);
 }
 
 QTEST_MAIN(MovesTest)

@@ -98,9 +98,8 @@ void GainsPanel::showBounds(bool shown)
     if (m_bounds)
         m_bounds->setVisible(shown);
     const bool divided = m_family && m_family->loop && m_family->loop->divided;
-    m_more->setText(shown ? tr("Hide limits of the loop")
-            : divided     ? tr("Divisor")
-                          : tr("I zone, allowable error, ramp, output limits"));
+    m_more->setText(shown ? tr("Hide limits of the loop") : divided ? tr("Divisor") : tr("Limits of the loop"));
+    m_more->setVisible(m_family && !gainSet(*m_family, m_mode, m_slot).bounds.empty());
 }
 
 void GainsPanel::explain()

@@ -18,7 +18,15 @@ namespace {
 
 constexpr std::array shown{Mode::Velocity, Mode::Position, Mode::Current, Mode::Duty, Mode::Voltage, Mode::Follow,
     Mode::RampPosition, Mode::RampVelocity};
-constexpr int perLine = 3;
+constexpr int longLabel = 15; ///< characters; three buttons with longer labels are wider than the column
+
+/// Buttons in a line.
+int perLineOf(const std::vector<Mode> &modes)
+{
+    const bool isLong
+        = std::any_of(modes.begin(), modes.end(), [](Mode mode) { return modeText(mode).size() > longLabel; });
+    return isLong ? 2 : 3;
+}
 
 QString titled(const QString &text)
 {
@@ -77,12 +85,14 @@ void ModePanel::rebuild()
         delete button;
     auto &grid = static_cast<QGridLayout &>(*m_buttons->layout());
     const int count = static_cast<int>(m_modes.size());
+    const int perLine = perLineOf(m_modes);
+    grid.setColumnStretch(2, 0);
     for (int i = 0; i < count; ++i) {
         auto *button = new QToolButton(m_buttons);
         button->setText(titled(modeText(m_modes[static_cast<std::size_t>(i)])));
         button->setAccessibleName(tr("%1 mode").arg(button->text()));
         button->setCheckable(true);
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        button->setSizePolicy(perLine == 2 ? QSizePolicy::Ignored : QSizePolicy::Expanding, QSizePolicy::Fixed);
         const int place = i % perLine;
         const bool last = place == perLine - 1 || i == count - 1;
         setStyleProperty(*button, "segment",

@@ -56,6 +56,7 @@ void MovesPanel::buildKind()
     row->setSpacing(m_theme.theme().u(8));
     m_kind = new QComboBox(this);
     m_kind->addItems({tr("to a position"), tr("by a distance"), tr("at a velocity")});
+    m_kind->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_kind->setAccessibleName(tr("Kind of the moves"));
     m_profiled = new QCheckBox(tr("profiled"), this);
     m_profiled->setAccessibleName(tr("With the stored acceleration and velocity"));
@@ -68,8 +69,8 @@ void MovesPanel::buildKind()
 
 void MovesPanel::buildButtons()
 {
-    auto *row = new QHBoxLayout;
-    row->setSpacing(m_theme.theme().u(6));
+    auto *grid = new QGridLayout;
+    grid->setSpacing(m_theme.theme().u(6));
     m_prepare = new CommandButton(m_theme, tr("Prepare"), this);
     m_prepare->setToolTip(tr("Switches the motors on where they stand, and gives each its move to keep."));
     m_prepare->setObjectName(QStringLiteral("prepareMoves"));
@@ -81,10 +82,12 @@ void MovesPanel::buildButtons()
     m_hold->setAccessibleName(tr("Hold all of them where they are"));
     m_hold->setToolTip(tr("Brakes to a halt and holds the position. The motors stay on; STOP switches them off."));
     m_hold->setObjectName(QStringLiteral("holdMoves"));
-    row->addWidget(m_prepare, 1);
-    row->addWidget(m_start, 1);
-    row->addWidget(m_hold, 1);
-    static_cast<QVBoxLayout *>(layout())->addLayout(row);
+    for (CommandButton *button : {m_prepare, m_start, m_hold})
+        button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    grid->addWidget(m_prepare, 0, 0);
+    grid->addWidget(m_start, 0, 1);
+    grid->addWidget(m_hold, 1, 0, 1, 2);
+    static_cast<QVBoxLayout *>(layout())->addLayout(grid);
     connect(m_prepare, &QPushButton::clicked, this, &MovesPanel::prepare);
     connect(m_start, &QPushButton::clicked, this, &MovesPanel::startTogether);
     connect(m_hold, &QPushButton::clicked, this, &MovesPanel::hold);

@@ -118,6 +118,7 @@ void SetPointPanel::buildOptions()
     m_options = new DriveOptions(m_theme, this);
     m_options->hide();
     m_more = linkButton({}, this);
+    m_more->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed); // the summary may be longer than a line
     const auto retitle = [this] {
         const QString summary = m_options->summary();
         const QString title = m_options->isHidden() ? tr("Ramp, brake, direction, limits") : tr("Hide drive options");
