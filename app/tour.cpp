@@ -178,7 +178,12 @@ void Tour::planMotion()
     picture(QStringLiteral("plots"));
     planPlots();
     add(
-        QStringLiteral("bus"), [this] { m_window.showPage(PageId::Bus); }, [] { return true; });
+        QStringLiteral("bus"),
+        [this] {
+            m_window.showPage(PageId::Bus);
+            drive(); // a picture may have outlasted the motion lease
+        },
+        [this] { return isAtSpeed(); });
     pause(std::chrono::milliseconds(1000));
     picture(QStringLiteral("bus"));
     add(
@@ -210,8 +215,12 @@ void Tour::planFirmware()
     add(
         QStringLiteral("update to the end"), [] {},
         [this] {
-            const OperationView *operation = m_workbench.snapshot().operation(device(inBootloader)->id);
-            return operation && operation->update && operation->update->outcome == UpdateOutcome::Done;
+            // The newest operation may already be the one that reads the parameters of the new application.
+            const auto &operations = m_workbench.snapshot().operations;
+            return std::any_of(operations.begin(), operations.end(), [this](const OperationView &operation) {
+                return operation.device == device(inBootloader)->id && operation.update
+                    && operation.update->outcome == UpdateOutcome::Done;
+            });
         },
         std::chrono::seconds(60));
     pause(std::chrono::milliseconds(500));
