@@ -35,8 +35,11 @@ void ValueLabel::setValue(const QString &value)
 {
     if (value == m_value)
         return;
+    const int before = fieldWidth();
     m_value = value;
     updateAccessibleText();
+    if (fieldWidth() != before)
+        updateGeometry();
     update();
 }
 

@@ -48,7 +48,7 @@ void DeviceCard::buildLive()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(theme.u(6));
     auto *row = new QHBoxLayout;
-    row->setSpacing(theme.u(16));
+    row->setSpacing(theme.u(8));
     const auto add = [&](std::size_t place, const QString &caption, const QString &unit, const QString &widest) {
         m_values[place] = new ValueLabel(m_theme, ValueLabel::Look::Card, caption, unit, m_live);
         m_values[place]->setWidest(widest);

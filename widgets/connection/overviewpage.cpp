@@ -11,11 +11,17 @@
 
 #include <QGridLayout>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedWidget>
 
 #include <algorithm>
 
 namespace mb {
+namespace {
+
+constexpr int mostColumns = 6;
+
+} // namespace
 
 OverviewPage::OverviewPage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
@@ -139,10 +145,10 @@ OverviewPage::LinkCard OverviewPage::makeLinkCard(const LinkView &link)
     made.card = new Card(m_theme, QString::fromStdString(link.name), m_canvas);
     made.card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
     auto *row = new QHBoxLayout;
-    row->setSpacing(m_theme.theme().u(20));
+    row->setSpacing(m_theme.theme().u(8));
     const auto add = [&](const QString &caption, const QString &unit) {
         auto *label = new ValueLabel(m_theme, ValueLabel::Look::Line, caption, unit, made.card);
-        label->setWidest(QStringLiteral("888"));
+        label->setWidest(QStringLiteral("88"));
         row->addWidget(label);
         return label;
     };
@@ -227,9 +233,23 @@ void OverviewPage::followDevices(const Snapshot &shot)
     arrange();
 }
 
+/// As many cards beside each other as none of them is cut.
+int OverviewPage::fittingColumns() const
+{
+    const Theme &theme = m_theme.theme();
+    int widest = theme.u(320);
+    for (const auto &[address, card] : m_links)
+        widest = std::max(widest, card.card->minimumSizeHint().width());
+    for (const auto &[id, card] : m_cards)
+        widest = std::max(widest, card->minimumSizeHint().width());
+    const auto *scroll = static_cast<QScrollArea *>(m_states->widget(0));
+    const int room = width() - 2 * theme.u(12) - scroll->verticalScrollBar()->sizeHint().width();
+    return std::clamp((room + theme.u(8)) / (widest + theme.u(8)), 1, mostColumns);
+}
+
 void OverviewPage::arrange()
 {
-    const int columns = std::clamp(width() / m_theme.theme().u(340), 1, 6);
+    const int columns = fittingColumns();
     if (columns == m_columns)
         return;
     m_columns = columns;
@@ -245,7 +265,7 @@ void OverviewPage::arrange()
             ++place;
         }
     }
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < mostColumns; ++i) {
         m_linkGrid->setColumnStretch(i, i < columns ? 1 : 0);
         m_deviceGrid->setColumnStretch(i, i < columns ? 1 : 0);
     }

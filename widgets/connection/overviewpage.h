@@ -53,6 +53,7 @@ private:
     void followLinks(const Snapshot &shot);
     void followDevices(const Snapshot &shot);
     [[nodiscard]] static QString rateText(const LinkView &link);
+    [[nodiscard]] int fittingColumns() const;
     void arrange();
     [[nodiscard]] LinkCard makeLinkCard(const LinkView &link);
 
