@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console.h"
 
+#include "app/profilefolder.h"
+
 namespace mb::console {
 
 Console::Console(Clock &clock, std::span<const Family *const> families, Options options)
@@ -10,7 +12,7 @@ Console::Console(Clock &clock, std::span<const Family *const> families, Options 
     , m_remarked(m_session.remarked().add([this](const Link &, const std::string &text) { note(text); }))
     , m_profileTrouble(m_session.profileTrouble().add([](const std::string &text) { complain(text); }))
 {
-    m_session.keepProfiles(usualProfileDirectory());
+    m_session.keepProfiles(profileFolder());
 }
 
 void Console::note(std::string_view text) const

@@ -75,6 +75,20 @@ void addBus(Table &table, Console &console, const CanLink &link)
         table.add({"link", found.text()});
 }
 
+/// A choice that nobody made is the first.
+std::string calibrationText(const Device &device, const Calibration &row)
+{
+    const double known = device.profile().calibrated(row.key);
+    if (row.choices.empty())
+        return known > 0.0 ? numberText(known) : "unknown; keep it with --keep";
+    std::string text;
+    for (const Choice &choice : row.choices) {
+        if (static_cast<double>(choice.raw) == known || text.empty())
+            text = numberText(static_cast<double>(choice.raw)) + " (" + std::string(choice.label) + ')';
+    }
+    return text + "; another with --keep";
+}
+
 void printText(Console &console, const Device &device, const Faults &faults)
 {
     const Identity &identity = device.identity();
@@ -93,8 +107,7 @@ void printText(Console &console, const Device &device, const Faults &faults)
     for (const auto &[key, text] : identity.descriptors)
         table.add({key, text});
     for (const Calibration &row : device.family().calibrations) {
-        const double known = device.profile().calibrated(row.key);
-        table.add({std::string(row.key), known > 0.0 ? numberText(known) : "unknown; keep it with --keep"});
+        table.add({std::string(row.key), calibrationText(device, row)});
     }
     for (const FaultRecord &fault : faults.value_or(std::vector<FaultRecord>{}))
         table.add({"fault " + fault.key, describe(fault)});

@@ -44,7 +44,8 @@ std::vector<ParameterIndex> toRead(const Family &family, const ParameterFile &fi
     std::vector<ParameterIndex> indices;
     for (const ParameterChange &change : file.values) {
         const Parameter &p = family.parameters[change.index.value];
-        if (p.access == Access::ReadWrite && p.persistent && p.nature == Nature::Setting)
+        const bool restored = p.persistent || !family.capabilities.keepsSettings;
+        if (p.access == Access::ReadWrite && restored && p.nature == Nature::Setting)
             indices.push_back(change.index);
     }
     return indices;
@@ -78,9 +79,33 @@ void show(Console &console, const Device &device, const std::vector<Change> &cha
     if (console.json())
         console.out().json({{QStringLiteral("changes"), rows}});
     else if (changes.empty())
-        console.out().line("nothing to change: " + device.selector() + " has the values of the file");
+        console.out().line("nothing to change: " + device.selector() + " has the values already");
     else
         table.print(console.out());
+}
+
+/// Of a board that keeps nothing: what was written to it last and a reset has taken.
+std::vector<Change> lostChanges(const Device &device)
+{
+    std::vector<Change> changes;
+    for (const ParameterChange &lost : lostSettings(device.family(), device.profile()))
+        changes.push_back({{lost.index, std::nullopt, lost.raw}});
+    return changes;
+}
+
+/// Nothing where no file was named, which only boards that keep nothing allow.
+Result<std::optional<ParameterFile>> loadNamed(const std::string &path, const Family &family)
+{
+    if (path.empty() && family.capabilities.keepsSettings)
+        return fail(Fault::OutOfRange,
+            "a " + std::string(family.title)
+                + " keeps its settings itself; name a FILE that 'motorbenchctl get DEVICE --file F' saved");
+    if (path.empty())
+        return std::optional<ParameterFile>();
+    auto file = load(path, family);
+    if (!file)
+        return fail(file.error());
+    return std::optional<ParameterFile>(std::move(*file));
 }
 
 /// Writes what differs; yields the first error, after which the rest stays unchanged.
@@ -107,25 +132,35 @@ Task<void> readCurrent(Console &console, Device &device, std::vector<ParameterIn
     co_return {};
 }
 
+Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterFile file, std::string path)
+{
+    for (const std::string &note : file.notes)
+        console.note(path + ": " + note + ", left out");
+    auto reading = readCurrent(console, device, toRead(device.family(), file));
+    co_await std::move(reading);
+    std::vector<Change> changes;
+    for (const ParameterDifference &difference : differences(device, file))
+        changes.push_back({difference});
+    co_return changes;
+}
+
 Task<int> restore(Console &console, Arguments arguments)
 {
     const auto target = parseTarget(console, arguments.device);
     if (!target)
         co_return fail(target.error());
-    const auto file = load(arguments.file, *target->family);
+    const auto file = loadNamed(arguments.file, *target->family);
     if (!file)
         co_return fail(file.error());
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     if (auto ready = needsApplication(*device); !ready)
         co_return fail(ready.error());
-    for (const std::string &note : file->notes)
-        console.note(arguments.file + ": " + note + ", left out");
-    auto reading = readCurrent(console, *device, toRead(*target->family, *file));
-    co_await std::move(reading);
-    std::vector<Change> changes;
-    for (const ParameterDifference &difference : differences(*device, *file))
-        changes.push_back({difference});
+    std::vector<Change> changes = *file ? std::vector<Change>() : lostChanges(*device);
+    if (*file) {
+        auto comparing = changesOf(console, *device, **file, arguments.file);
+        changes = co_await std::move(comparing);
+    }
     std::optional<Error> error;
     if (!arguments.dryRun && !changes.empty()) {
         auto writing = write(console, *device, changes);
@@ -144,7 +179,8 @@ Job declareRestore(CLI::App &arguments)
 {
     const auto a = std::make_shared<Arguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
-    arguments.add_option("file", a->file, "A file that 'get --file' saved")->required();
+    arguments.add_option("file", a->file,
+        "A file that 'get --file' saved; without it, on boards that keep nothing, what was last written to them");
     arguments.add_flag("--dry-run", a->dryRun, "Show the difference, write nothing");
     return [a](Console &console) { return restore(console, *a); };
 }

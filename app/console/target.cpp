@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/target.h"
 
+#include "model/parametertransfer.h"
 #include "model/registry.h"
 
 #include <algorithm>
@@ -81,13 +82,34 @@ Result<std::vector<LinkAddress>> parseLinks(const Console &console, const std::v
     return links;
 }
 
+namespace {
+
+Task<void> noteReset(Console &console, Device &device)
+{
+    if (device.family().capabilities.keepsSettings || device.identity().state == DeviceState::Bootloader)
+        co_return {};
+    auto looking = device.refresh();
+    co_await std::move(looking);
+    if (const auto lost = lostSettings(device.family(), device.profile()).size(); lost > 0)
+        console.note(device.selector() + " was reset: " + std::to_string(lost)
+            + " settings that were written to it are unknown; write them again with 'motorbenchctl restore "
+            + device.selector() + "'");
+    co_return {};
+}
+
+} // namespace
+
 Task<Device *> connect(Console &console, Target target)
 {
     auto task = console.session().connect(std::move(target.selector));
     const Result<Device *> device = co_await std::move(task).attempt();
     if (!device && device.error().fault == Fault::Refused)
         co_return fail(Fault::OutOfRange, device.error().detail);
-    co_return device;
+    if (!device)
+        co_return fail(device.error());
+    auto noting = noteReset(console, **device);
+    co_await std::move(noting);
+    co_return *device;
 }
 
 Result<void> needsApplication(const Device &device)

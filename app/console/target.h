@@ -24,7 +24,7 @@ struct Target {
 [[nodiscard]] Result<std::vector<LinkAddress>> parseLinks(
     const Console &console, const std::vector<std::string> &texts);
 
-/// Opens the link and finds the device. A selector that fits several units is wrong usage, not an error of the device.
+/// Opens the link and finds the device. Where a reset takes every setting it is asked whether one came, and that is noted. A selector that fits several units is wrong usage, not an error of the device.
 [[nodiscard]] Task<Device *> connect(Console &console, Target target);
 /// Refused while the device waits in its bootloader, where it has neither parameters nor a motor.
 [[nodiscard]] Result<void> needsApplication(const Device &device);

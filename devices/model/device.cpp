@@ -67,7 +67,9 @@ void Device::setProfile(DeviceProfile profile)
     m_profile = std::move(profile);
     for (const auto &[key, raw] : m_profile.written) {
         const auto index = findParameter(m_family.parameters, key);
-        if (index && m_parameters.parameter(*index).access == Access::WriteOnly)
+        if (!index || !isLegal(m_parameters.parameter(*index), raw) || m_profile.lost.contains(key))
+            continue;
+        if (m_parameters.parameter(*index).access == Access::WriteOnly)
             m_parameters.setWritten(*index, raw);
     }
     applyProfile();
@@ -86,6 +88,13 @@ Result<void> Device::calibrate(std::string_view key, std::optional<double> value
         [key](const Calibration &candidate) { return candidate.key == key; });
     if (row == m_family.calibrations.end())
         return fail(Fault::Unsupported, std::string(m_family.key) + " has no '" + std::string(key) + "' to be set");
+    const auto isValue = [value](const Choice &choice) { return static_cast<double>(choice.raw) == value; };
+    if (value && !row->choices.empty() && std::none_of(row->choices.begin(), row->choices.end(), isValue)) {
+        std::string legal;
+        for (const Choice &choice : row->choices)
+            legal += (legal.empty() ? "" : ", ") + std::to_string(choice.raw) + " (" + std::string(choice.label) + ')';
+        return fail(Fault::OutOfRange, std::string(key) + ": legal is " + legal);
+    }
     if (value && (!std::isfinite(*value) || *value < row->minimum || *value > row->maximum))
         return fail(Fault::OutOfRange,
             std::string(key) + ": legal is " + numberText(row->minimum) + " … " + numberText(row->maximum));
@@ -117,8 +126,19 @@ Result<void> Device::setDialect(std::string_view key)
 void Device::assume(ParameterIndex index, std::int64_t raw)
 {
     m_parameters.setWritten(index, raw);
-    m_profile.written[std::string(m_parameters.parameter(index).key)] = raw;
+    const std::string key(m_parameters.parameter(index).key);
+    m_profile.written[key] = raw;
+    m_profile.lost.erase(key);
     m_profileChanged.notify();
+}
+
+void Device::settingsLost()
+{
+    m_parameters.forgetAll();
+    for (const auto &[key, raw] : m_profile.written)
+        m_profile.lost.insert(key);
+    m_profileChanged.notify();
+    m_changed.notify();
 }
 
 void Device::setCounter(const std::string &key, std::int64_t value)
@@ -156,7 +176,8 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
         co_return fail(Fault::OutOfRange, std::string(parameter.key) + " is read-only");
     auto task = doWrite(index, raw);
     const Result<std::int64_t> inForce = co_await std::move(task).attempt();
-    if (inForce && parameter.access == Access::WriteOnly)
+    const bool forgotten = !m_family.capabilities.keepsSettings && parameter.nature == Nature::Setting;
+    if (inForce && (parameter.access == Access::WriteOnly || forgotten))
         assume(index, *inForce);
     else if (inForce && parameter.nature != Nature::Counter)
         m_parameters.setWritten(index, *inForce);

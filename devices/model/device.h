@@ -91,7 +91,7 @@ public:
 
     /// What this program knows of the device that the device cannot tell.
     [[nodiscard]] const DeviceProfile &profile() const { return m_profile; }
-    /// What a file kept. Write-only parameters become assumed.
+    /// What a file kept. Write-only parameters become assumed, those that a reset took stay unknown.
     void setProfile(DeviceProfile profile);
     /// A number that only its user knows, in the unit of the row (Family::calibrations); nothing makes it unknown again.
     [[nodiscard]] Result<void> calibrate(std::string_view key, std::optional<double> value);
@@ -124,6 +124,10 @@ protected:
     [[nodiscard]] Instant stoppedAt() const { return m_stoppedAt; }
     /// For families: a write-only parameter is known to have been set to this, by us or by somebody we heard.
     void assume(ParameterIndex index, std::int64_t raw);
+    /// For families whose devices keep nothing: something was written that is believed to be in force.
+    [[nodiscard]] bool holdsSettings() const { return m_profile.lost.size() < m_profile.written.size(); }
+    /// The same: a reset was noticed. Everything is unknown, what was written is lost until it is written again.
+    void settingsLost();
     /// For families: a counter of the profile.
     void setCounter(const std::string &key, std::int64_t value);
 

@@ -5,9 +5,9 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QStandardPaths>
 
 #include <cmath>
 #include <optional>
@@ -61,6 +61,29 @@ template <class Number> QJsonObject objectOf(const std::map<std::string, Number>
     return object;
 }
 
+std::optional<std::set<std::string>> texts(const QJsonValue &value)
+{
+    std::set<std::string> found;
+    if (value.isUndefined())
+        return found;
+    if (!value.isArray())
+        return std::nullopt;
+    for (const QJsonValue text : value.toArray()) {
+        if (!text.isString())
+            return std::nullopt;
+        found.insert(text.toString().toStdString());
+    }
+    return found;
+}
+
+QJsonArray arrayOf(const std::set<std::string> &values)
+{
+    QJsonArray array;
+    for (const std::string &text : values)
+        array.append(qt(text));
+    return array;
+}
+
 std::optional<DeviceProfile> parse(const QByteArray &bytes)
 {
     const QJsonDocument document = QJsonDocument::fromJson(bytes);
@@ -70,13 +93,15 @@ std::optional<DeviceProfile> parse(const QByteArray &bytes)
     const auto calibration = numbers(object.value(QStringLiteral("calibration")));
     const auto written = integers(object.value(QStringLiteral("written")));
     const auto counters = integers(object.value(QStringLiteral("counters")));
-    if (!calibration || !written || !counters)
+    const auto lost = texts(object.value(QStringLiteral("lost")));
+    if (!calibration || !written || !counters || !lost)
         return std::nullopt;
     DeviceProfile profile;
     profile.dialect = object.value(QStringLiteral("dialect")).toString().toStdString();
     profile.calibration = *calibration;
     profile.written = *written;
     profile.counters = *counters;
+    profile.lost = *lost;
     return profile;
 }
 
@@ -125,13 +150,9 @@ Result<void> ProfileBook::save(std::string_view selector, const DeviceProfile &p
         {QStringLiteral("calibration"), objectOf(profile.calibration)},
         {QStringLiteral("written"), objectOf(profile.written)},
         {QStringLiteral("counters"), objectOf(profile.counters)},
+        {QStringLiteral("lost"), arrayOf(profile.lost)},
     };
     return saveFile(pathOf(selector), QJsonDocument(object).toJson());
-}
-
-std::string usualProfileDirectory()
-{
-    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString() + "/motorbench/devices";
 }
 
 } // namespace mb

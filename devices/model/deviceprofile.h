@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -13,9 +14,10 @@ namespace mb {
 /// What this program keeps of one device because the device cannot tell it: what its user knows, and what was last written to
 /// settings that cannot be read back. Keys are those of the family's tables.
 struct DeviceProfile {
-    std::string dialect;                          ///< chosen by the user; empty: as the scan finds it
-    std::map<std::string, double> calibration;    ///< of Family::calibrations; what is missing is unknown
-    std::map<std::string, std::int64_t> written;  ///< raw values, by parameter key
+    std::string dialect;                         ///< chosen by the user; empty: as the scan finds it
+    std::map<std::string, double> calibration;   ///< of Family::calibrations; what is missing is unknown
+    std::map<std::string, std::int64_t> written; ///< raw values, by parameter key
+    std::set<std::string> lost; ///< keys of `written` that a reset has taken from the device since they were written
     std::map<std::string, std::int64_t> counters; ///< what a family counts over the life of the device
 
     [[nodiscard]] double calibrated(std::string_view key, double unknown = 0.0) const
@@ -23,10 +25,7 @@ struct DeviceProfile {
         const auto found = calibration.find(std::string(key));
         return found == calibration.end() ? unknown : found->second;
     }
-    [[nodiscard]] bool isEmpty() const
-    {
-        return dialect.empty() && calibration.empty() && written.empty() && counters.empty();
-    }
+    [[nodiscard]] bool isEmpty() const { return *this == DeviceProfile(); }
     friend bool operator==(const DeviceProfile &, const DeviceProfile &) = default;
 };
 
@@ -47,8 +46,5 @@ public:
 private:
     std::string m_directory;
 };
-
-/// Where the programs keep them: below the user's data directory (XDG_DATA_HOME).
-[[nodiscard]] std::string usualProfileDirectory();
 
 } // namespace mb

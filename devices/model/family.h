@@ -7,8 +7,11 @@
 #include "model/simulator.h"
 
 #include <functional>
+#include <utility>
 
 namespace mb {
+
+class SetPointStream;
 
 /// What a device of this family can do; each has its clause in the contract test.
 struct Capabilities {
@@ -21,6 +24,8 @@ struct Capabilities {
     bool relativeMoves = false; ///< SetPoint::relative
     bool bufferedMoves = false; ///< SetPoint::buffered, and one command that starts them on all devices of a link
     bool storesAtOnce = false;  ///< an acknowledged write survives a power cycle
+    /// False: a reset takes every setting, so this program keeps what was written and offers to write it again.
+    bool keepsSettings = true;
     int axes = 1;
     int gainSlots = 1;
     /// A scan of a bus of up to eight units is complete by then.
@@ -45,6 +50,7 @@ struct Calibration {
     std::string_view help;
     double minimum = 0.0;
     double maximum = 0.0;
+    std::span<const Choice> choices{}; ///< not empty: one of these, the first while nobody chose
 };
 /// The one calibration that widgets know by name: encoder counts of one turn, four edges a line.
 constexpr std::string_view countsPerRevolutionKey = "counts_per_revolution";
@@ -59,6 +65,31 @@ struct LoopScale {
     std::string_view time;           ///< English name of `period`: "loop", "ms"
     bool divided = false;            ///< each loop has a parameter `divisor`
     bool derivativeInverted = false; ///< a positive raw D pushes the same way as the change
+};
+
+struct ExperimentOptions {
+    int axis = 1;
+    double power = 0.0; ///< most that the motor gets, fraction of full power
+    int answer = 0;     ///< to Experiment::question, its place in the list
+};
+
+struct ExperimentReport {
+    std::vector<std::pair<std::string, double>> found; ///< calibrations that it has set, by key
+    std::string sentence;                              ///< the result for people, in English
+};
+
+/// What a device does not tell, found out by trying: guided by the window, run as a job that can be cancelled.
+struct Experiment {
+    std::string_view key;
+    std::string_view title;       ///< English, of a button: a verb and its object
+    std::string_view explanation; ///< what happens, and what must be so before it begins
+    double power = 0.0;           ///< greatest power that is offered first; 0: nothing moves
+    double mostPower = 0.0;
+    std::string_view question; ///< what only its user sees; empty: nothing
+    std::span<const std::string_view> answers{};
+    /// Sets the calibrations only when everything fitted. Ends with the motor stopped and the gains as they were, whatever
+    /// happens. The stream's lease is the caller's to renew. Unsafe, Refused with the cause; LinkLost, Timeout.
+    Task<ExperimentReport> (*run)(Device &, SetPointStream &, ExperimentOptions, Progress &) = nullptr;
 };
 
 /// Gets what a scan finds, each as soon as it answers. A device may be reported again with more detail: same address and
@@ -78,12 +109,31 @@ struct UpdateOptions {
     bool eraseSettings = false; ///< what the unit has stored goes too; families without such a thing refuse it
 };
 
+/// Something that hands or the program do during an update, in the order of the work. The update reports each as a part of
+/// its progress, numbered from 0.
+struct GuidedStep {
+    std::string_view title;
+    std::string_view text;
+    std::string_view drawing; ///< which one the window shows with it: jumper-closed, jumper-open; empty: none
+};
+
+/// What is not known of a way in, with what is likely; another value goes into `--via` as an option: `?key=value`.
+struct UpdateSetting {
+    std::string_view key;
+    std::string_view label;
+    std::string_view help;
+    std::string_view fallback;
+    std::span<const std::string_view> choices{}; ///< empty: any text
+};
+
 /// A way in for an update besides the device's own link: what `--via` is to name.
 struct UpdateRoute {
     std::string_view scheme;                     ///< before the first colon: openocd
     std::string_view example;                    ///< openocd:stlink
     std::span<const std::string_view> targets{}; ///< of `--target`; empty: it needs none
     bool erasesSettings = false;                 ///< UpdateOptions::eraseSettings
+    std::span<const GuidedStep> steps{};         ///< empty: it needs no hands
+    std::span<const UpdateSetting> settings{};
 };
 
 enum class UpdateOutcome { Done, UpToDate, Refused, Failed, Cancelled };
@@ -122,6 +172,7 @@ struct Family {
 
     std::span<const DialectChoice> dialects{};   ///< empty: there is one
     std::span<const Calibration> calibrations{}; ///< empty: everything is known
+    std::span<const Experiment> experiments{};   ///< empty: nothing can be found out
     std::span<const UpdateRoute> routes{};       ///< of update(); empty: the device's own link
     const LoopScale *loop = nullptr;             ///< nullptr: what the gains mean is not known
     /// Puts changes of write-only or interlocked parameters into the order that passes through safe states only.

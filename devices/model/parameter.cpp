@@ -92,6 +92,12 @@ Result<std::int64_t> toRaw(const Parameter &parameter, double number)
     return std::clamp(toFixed(number, parameter.one), wire.low, wire.high);
 }
 
+bool isLegal(const Parameter &parameter, std::int64_t raw)
+{
+    const auto number = static_cast<double>(raw);
+    return number >= parameter.minimum * parameter.one - 0.5 && number <= parameter.maximum * parameter.one + 0.5;
+}
+
 Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text)
 {
     std::string word = trimmed(text);

@@ -126,6 +126,8 @@ using Value = std::variant<std::monostate, bool, double>;
 /// Nearest raw value. OutOfRange, with the legal range in the detail, when `number` is outside or not a whole number where
 /// one is needed.
 [[nodiscard]] Result<std::int64_t> toRaw(const Parameter &parameter, double number);
+/// A raw value that the row allows, such as one that a file kept.
+[[nodiscard]] bool isLegal(const Parameter &parameter, std::int64_t raw);
 /// What a user typed: a number with "." or ",", `0x…`, on/off/true/false/yes/no, or a choice. OutOfRange otherwise.
 [[nodiscard]] Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text);
 /// Shortest text that parseRaw() turns back into `raw`; on/off for booleans.

@@ -30,8 +30,7 @@ Result<std::int64_t> rawFrom(const Parameter &parameter, const QJsonObject &row)
     const std::string key(parameter.key);
     if (raw.isDouble()) {
         const double number = raw.toDouble();
-        if (number != std::floor(number) || number < parameter.minimum * parameter.one - 0.5
-            || number > parameter.maximum * parameter.one + 0.5)
+        if (number != std::floor(number) || !isLegal(parameter, static_cast<std::int64_t>(number)))
             return fail(Fault::OutOfRange, key + ": raw value " + numberText(number) + " is out of range");
         return static_cast<std::int64_t>(number);
     }
@@ -153,7 +152,9 @@ std::vector<ParameterDifference> differences(const ParameterSource &source, cons
     std::vector<ParameterDifference> out;
     for (const ParameterChange &change : file.values) {
         const Parameter &parameter = source.family.parameters[change.index.value];
-        if (parameter.access == Access::ReadOnly || !parameter.persistent || parameter.nature != Nature::Setting)
+        if (parameter.access == Access::ReadOnly || parameter.nature != Nature::Setting)
+            continue;
+        if (!parameter.persistent && source.family.capabilities.keepsSettings)
             continue;
         const auto &entry = source.entries[change.index.value];
         const auto known = entry.state == ParameterState::Failed ? std::nullopt : entry.raw;

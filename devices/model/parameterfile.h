@@ -47,6 +47,7 @@ struct ParameterDifference {
 };
 
 /// What `restore` would write: keys that can be written, are persistent and are settings, and differ from what is known.
+/// Of a device that keeps nothing without power (Capabilities::keepsSettings) every setting.
 [[nodiscard]] std::vector<ParameterDifference> differences(const ParameterSource &source, const ParameterFile &file);
 [[nodiscard]] std::vector<ParameterDifference> differences(const Device &device, const ParameterFile &file);
 

@@ -84,4 +84,40 @@ Task<std::vector<TransferOutcome>> writeParameters(
     co_return outcomes;
 }
 
+std::vector<ParameterChange> lostSettings(const Family &family, const DeviceProfile &profile)
+{
+    std::vector<ParameterChange> lost;
+    for (std::uint16_t i = 0; i < family.parameters.size(); ++i) {
+        const std::string key(family.parameters[i].key);
+        const auto raw = profile.written.find(key);
+        if (profile.lost.contains(key) && raw != profile.written.end() && isLegal(family.parameters[i], raw->second))
+            lost.push_back({{i}, raw->second});
+    }
+    return lost;
+}
+
+Task<int> rewriteSettings(Device &device, Progress &progress)
+{
+    if (device.liveness().moving)
+        co_return fail(Fault::Unsafe, "stop the motors before settings are written again");
+    const std::vector<ParameterChange> lost = lostSettings(device.family(), device.profile());
+    const int total = static_cast<int>(lost.size());
+    for (int i = 0; i < total; ++i) {
+        const ParameterChange &change = lost[static_cast<std::size_t>(i)];
+        const std::string key(device.parameters().parameter(change.index).key);
+        const std::string sofar = std::to_string(i) + " of " + std::to_string(total) + " settings were written again; ";
+        progress.step("Writing " + key, i, total);
+        auto task = writeOne(device, change);
+        const TransferOutcome outcome = co_await std::move(task);
+        if (!outcome.raw)
+            co_return fail(outcome.raw.error().fault,
+                sofar + key + ": " + outcome.raw.error().detail + "; what is missing is still unknown, do it again");
+        if (device.liveness().restarted)
+            co_return fail(Fault::Refused, sofar + "then the board was reset once more; do it again");
+    }
+    progress.step("Written", total, total);
+    progress.log(Severity::Good, std::to_string(total) + " settings written again");
+    co_return total;
+}
+
 } // namespace mb

@@ -21,6 +21,13 @@ struct TransferOutcome {
 [[nodiscard]] Task<std::vector<TransferOutcome>> readParameters(
     Device &device, std::vector<ParameterIndex> indices, Progress &progress);
 
+/// What a reset took from a device that keeps nothing, and can be written again, in table order (DeviceProfile::lost).
+[[nodiscard]] std::vector<ParameterChange> lostSettings(const Family &family, const DeviceProfile &profile);
+
+/// Writes it again; yields how many. Unsafe while a motor turns. Ends at the first error or second reset and says how far it
+/// came; what was not written stays lost, so that it can be run again after any cut.
+[[nodiscard]] Task<int> rewriteSettings(Device &device, Progress &progress);
+
 /// Writes in the order that is safe for the family (Family::arrange), else as given; each is read back and compared (never a Counter, and a Live one is not compared).
 /// Ends at the first error, so that nothing half-known goes on; the outcomes tell how far it came.
 [[nodiscard]] Task<std::vector<TransferOutcome>> writeParameters(

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs motorbenchctl and holds what it says against the contract that every verb has in common."""
 import json
+import os
 import subprocess
+import tempfile
 import unittest
 
 PROGRAM = ""
@@ -13,6 +15,11 @@ EMPTY = "sim:can/dmc60c:9"
 SCAN_ROW = {"device", "family", "address", "session", "name", "serial", "state", "firmware", "bootloader", "dialect", "detail"}
 LINK_ROW = {"link", "kind", "state", "detail"}
 SAMPLE = {"t", "channel", "value", "unit"}
+
+
+# What the programs keep of devices goes with the tests.
+DATA = tempfile.TemporaryDirectory()
+os.environ["XDG_DATA_HOME"] = DATA.name
 
 
 class Run:

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A board on SPI in another process: QuadQuad2Drv over a socket, its bootloader over a pseudo terminal."""
+import glob
 import json
 import os
 import subprocess
@@ -66,6 +67,67 @@ class BoardTest(ContractTest):
         self.assertEqual(watching.returncode, 5, err)
         self.assertIn("closed the connection; start it again", err)
 
+    def reset(self, process):
+        """A simulator that starts anew is a board that was reset."""
+        process.terminate()
+        process.wait(contract.LIMIT)
+        return self.simulate()
+
+    def test_what_a_reset_took_is_told_and_written_again(self):
+        board = self.simulate()
+        self.run_one("set", self.device, "ch1.position.p=250", "ch1.limit.power=0.5", "history.length=8")
+        rows = self.run_one("get", self.device)["parameters"]
+        self.assertEqual((rows["ch1.position.p"]["value"], rows["ch1.position.p"]["state"]), (250, "assumed"))
+        self.assertEqual(self.run_one("restore", self.device), {"changes": []})
+        self.reset(board)
+        run = contract.Run(["--json", "get", self.device])
+        self.assertEqual(run.status, 0, run.err)
+        self.assertIn("was reset: 3 settings that were written to it are unknown; write them again", run.err)
+        row = run.objects()[0]["parameters"]["ch1.position.p"]
+        self.assertEqual((row["value"], row["state"]), (None, "unknown"))
+        change = {"key": "ch1.position.p", "from": None, "to": 250}
+        shown = self.run_one("restore", self.device, "--dry-run")["changes"]
+        self.assertEqual(len(shown), 3)
+        self.assertIn(dict(change, result="would write"), shown)
+        self.assertIn(dict(change, result="written"), self.run_one("restore", self.device)["changes"])
+        rows = self.run_one("get", self.device)["parameters"]
+        self.assertEqual((rows["ch1.position.p"]["value"], rows["history.length"]["value"]), (250, 8))
+        self.assertNotIn("was reset", contract.Run(["--json", "get", self.device]).err)
+
+    def test_a_reset_stays_known_when_the_board_was_driven_before_it_was_written_again(self):
+        board = self.simulate()
+        self.run_one("set", self.device, "ch1.position.p=250")
+        self.reset(board)
+        self.run_json("drive", self.device, "--mode", "duty", "--target", "0.1", "--for", "0.3")
+        self.assertEqual([row["key"] for row in self.run_one("restore", self.device)["changes"]], ["ch1.position.p"])
+
+    def test_a_file_is_restored_though_nothing_on_the_board_is_persistent(self):
+        board = self.simulate()
+        self.run_one("set", self.device, "ch3.velocity.p=150", "history.length=9")
+        path = os.path.join(os.path.dirname(self.socket), "saved.json")
+        self.run_text("get", self.device, "--file", path)
+        self.reset(board)
+        changes = self.run_one("restore", self.device, path)["changes"]
+        self.assertIn({"key": "ch3.velocity.p", "from": None, "to": 150, "result": "written"}, changes)
+        self.assertEqual(self.run_one("get", self.device, "history.length")["parameters"]["history.length"]["value"], 9)
+
+    def test_a_damaged_project_file_is_put_aside_and_told(self):
+        self.simulate()
+        self.run_one("set", self.device, "ch1.position.p=250")
+        kept = [path for path in glob.glob(os.path.join(contract.DATA.name, "motorbench/devices/*.json")) if self.holds(path)]
+        self.assertEqual(len(kept), 1)
+        with open(kept[0], "w", encoding="utf-8") as file:
+            file.write("{")
+        run = contract.Run(["--json", "get", self.device, "history.length"])
+        self.assertEqual(run.status, 0, run.err)
+        self.assertIn("is no device profile; it was put aside as", run.err)
+        self.assertTrue(os.path.exists(kept[0] + ".damaged"))
+        self.assertEqual(contract.Run(["--quiet", "--json", "get", self.device, "history.length"]).err, "")
+
+    def holds(self, path):
+        with open(path, encoding="utf-8") as file:
+            return json.load(file)["device"] == self.device
+
     def test_an_update_goes_over_the_bootloaders_terminal(self):
         self.simulate(f",boot=pty:{self.boot},jumper=closed")
         short = self.short_file()
@@ -83,9 +145,17 @@ class BoardTest(ContractTest):
 
     def test_an_update_without_its_serial_port_is_refused_with_the_remedy(self):
         self.simulate()
-        refused = self.run_one("flash", self.device, self.short_file(), status=2)
-        self.assertEqual(refused["result"], "refused")
-        self.assertIn("--via serial:", refused["evidence"])
+        self.assert_error(2, "flash", self.device, self.short_file(), says="add --via serial:")
+        self.assert_error(2, "flash", self.device, self.short_file(), "--via", "avrdude:usbasp:usb", says="add --via serial:")
+
+    def test_what_is_not_known_of_the_bootloader_is_a_setting(self):
+        self.simulate(f",boot=pty:{self.boot},jumper=closed")
+        way = f"serial:{self.boot}?ending=crlf&pause=20&banner=QUADQUAD&failure=oops|error"
+        done = self.run_one("flash", self.device, self.short_file(), "--via", way)
+        self.assertEqual((done["result"], done["to"]), ("done", "1.4"))
+        for wrong in ("ending=x", "pause=-1", "pause=x", "format=7E1"):
+            refused = self.run_json("flash", self.device, self.short_file(), "--via", f"serial:{self.boot}?{wrong}", status=2)
+            self.assertEqual(refused[0]["result"], "refused", wrong)
 
     def short_file(self):
         """The first records of the demo firmware and its end."""

@@ -12,9 +12,10 @@ constexpr char firstPrintable = ' ';
 
 } // namespace
 
-BootConsole::BootConsole(SerialLink &link, Clock &clock)
+BootConsole::BootConsole(SerialLink &link, Clock &clock, std::string ending)
     : m_link(link)
     , m_clock(clock)
+    , m_ending(std::move(ending))
     , m_unfinished(clock)
     , m_received(link.received().add([this](std::span<const std::uint8_t> bytes) { hear(bytes); }))
     , m_state(link.stateChanged().add([this](LinkState) { wake(); }))
@@ -24,7 +25,7 @@ BootConsole::BootConsole(SerialLink &link, Clock &clock)
 Result<void> BootConsole::send(const std::string &text)
 {
     std::vector<std::uint8_t> bytes(text.begin(), text.end());
-    bytes.push_back('\r');
+    bytes.insert(bytes.end(), m_ending.begin(), m_ending.end());
     return m_link.send(bytes);
 }
 
@@ -57,6 +58,15 @@ void BootConsole::wake()
         m_waiting->set();
 }
 
+std::optional<std::string> BootConsole::take()
+{
+    if (m_lines.empty())
+        return std::nullopt;
+    std::string first = std::move(m_lines.front());
+    m_lines.pop_front();
+    return first;
+}
+
 void BootConsole::clear()
 {
     m_lines.clear();
@@ -81,11 +91,8 @@ Task<std::string> BootConsole::line(Duration timeout)
         limit.startIn(timeout, [&waiting] { waiting.event.set(); });
         co_await waiting.event.wait();
     }
-    if (!m_lines.empty()) {
-        std::string first = std::move(m_lines.front());
-        m_lines.pop_front();
-        co_return first;
-    }
+    if (auto first = take())
+        co_return std::move(*first);
     if (m_link.state() != LinkState::Open)
         co_return fail(m_link.notOpen());
     co_return fail(Fault::Timeout, "the bootloader said nothing");

@@ -6,6 +6,7 @@
 #include "transport/seriallink.h"
 
 #include <deque>
+#include <optional>
 #include <string>
 
 namespace mb::quadquad2drv {
@@ -13,14 +14,16 @@ namespace mb::quadquad2drv {
 /// The bootloader's text (section 7): lines of whatever ending, blank ones left out, cut at 256 characters.
 class BootConsole {
 public:
-    BootConsole(SerialLink &link, Clock &clock);
+    BootConsole(SerialLink &link, Clock &clock, std::string ending = "\r");
     BootConsole(const BootConsole &) = delete;
     BootConsole &operator=(const BootConsole &) = delete;
 
-    /// Sends text and a carriage return, as the terminal program of the data sheet does.
+    /// Sends text and the ending of a line.
     Result<void> send(const std::string &text);
     /// The next line; Timeout, LinkLost. What stands without an end for 200 ms counts as a line: a prompt has none.
     [[nodiscard]] Task<std::string> line(Duration timeout);
+    /// A line that is there already.
+    [[nodiscard]] std::optional<std::string> take();
     void clear();
 
 private:
@@ -30,6 +33,7 @@ private:
 
     SerialLink &m_link;
     Clock &m_clock;
+    std::string m_ending;
     std::string m_partial;
     std::deque<std::string> m_lines;
     Event *m_waiting = nullptr;

@@ -161,6 +161,16 @@ Bytes setHistory(std::uint8_t length, std::uint8_t timeBits)
     return packet(PacketId::SetHistory, {length, timeBits});
 }
 
+std::uint8_t inputConfiguration(int mode, int polarity, int edge, const Readings &readings)
+{
+    constexpr std::array<int, 4> edgeOfSheet{0, 2, 1, 3};
+    if (mode == static_cast<int>(InputMode::Disabled))
+        return 0;
+    const int bit = readings.libraryPolarity ? polarity : 1 - polarity;
+    const int code = readings.libraryPolarity ? edge : edgeOfSheet[static_cast<std::size_t>(edge & 3)];
+    return static_cast<std::uint8_t>(mode | bit << 3 | code << 4);
+}
+
 Bytes setInputMode(std::uint8_t mask, const InputSettings &settings)
 {
     Bytes payload{mask, settings.configuration};

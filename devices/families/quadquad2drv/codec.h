@@ -58,6 +58,9 @@ struct InputSettings {
     std::uint16_t spacing = 0;
     std::int32_t position = 0;
 };
+/// The configuration byte of an input whose polarity (0 active high, 1 active low) and edge (0 record and 1 set at the positive
+/// end, 2 and 3 the same at the negative one) mean what the vendor's library says; the readings tell how to say it (2.3).
+[[nodiscard]] std::uint8_t inputConfiguration(int mode, int polarity, int edge, const Readings &readings);
 /// Two bytes a tuple when the mode is disabled (2.3).
 [[nodiscard]] Bytes setInputMode(std::uint8_t mask, const InputSettings &settings);
 [[nodiscard]] Bytes setControlMode(std::uint8_t mask, ControlMode mode);

@@ -140,7 +140,8 @@ void Controller::look()
     if (m_motionAt && now - *m_motionAt > silence)
         m_heard = false;
     const bool streamGone = m_streamPeriod > 0 && (!m_streamAt || now - *m_streamAt > silence);
-    if ((streamGone || m_changed) && !m_checking && busy().empty() && m_spi.state() == LinkState::Open) {
+    if ((streamGone || m_changed || (m_heard && !m_judged)) && !m_checking && busy().empty()
+        && m_spi.state() == LinkState::Open) {
         m_checking = true;
         m_scope.spawn<void>(checkReset(), [this](const Result<void> &) { m_checking = false; });
     }
@@ -150,7 +151,8 @@ void Controller::look()
     m_look.startIn(lookPeriod, [this] { look(); });
 }
 
-/// Section 4: a board that was reset has its start-up data masks again.
+/// Section 4: a board that was reset has its start-up data masks again. At the first look that tells of a reset since the
+/// settings in its profile were written, by this run of the program or another one: all that write set other masks first.
 Task<void> Controller::checkReset()
 {
     auto asking = m_port.request(getRequest(PacketId::GetDataMask), 1);
@@ -158,20 +160,37 @@ Task<void> Controller::checkReset()
     const auto masks = parseDataMasks(reply);
     if (!masks)
         co_return fail(Fault::BadReply, "the data masks have an unexpected length");
-    if (!m_changed || *masks == m_port.masks())
-        co_return {};
+    judge(*masks);
+    if (*masks != m_port.masks()) // another program has changed what the board sends
+        m_port.setLayout(*masks, m_port.streamConfig());
+    co_return {};
+}
+
+/// Wherever the masks are seen: what is understood with the new ones must not hide what they mean.
+void Controller::judge(const DataMasks &masks)
+{
+    const bool startUp
+        = std::all_of(masks.begin(), masks.end(), [](std::uint8_t mask) { return mask == datamask::startUp; });
+    const bool told = m_changed && masks != m_port.masks();
+    const bool before = !m_judged && holdsSettings();
+    m_judged = true;
+    if (startUp && (told || before))
+        forgetBoard();
+}
+
+void Controller::forgetBoard()
+{
     m_changed = false;
     m_restarted = true;
     m_streamPeriod = 0;
     m_drives = {};
     m_orders.clear();
-    m_port.setLayout(*masks, 0);
+    m_port.setLayout({datamask::startUp, datamask::startUp, datamask::startUp, datamask::startUp}, 0);
     for (Tracked &tracked : m_tracked)
         tracked.position.reset();
-    parameters().forgetAll();
+    settingsLost();
     schedulePoll();
     updateLiveness();
-    co_return {};
 }
 
 void Controller::updateLiveness()

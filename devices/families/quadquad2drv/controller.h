@@ -13,14 +13,35 @@ namespace mb::quadquad2drv {
 
 /// One board with four axes. Asks for motion data while nobody streams, 100 times a second; setRate() makes the board stream.
 /// Whoever writes or drives makes it tell position, velocity and status of every channel (data mask 0x2B): finding the
-/// start-up mask again means that the board was reset, and `liveness().restarted` holds until refresh() succeeds.
+/// start-up masks again means that the board was reset, and `liveness().restarted` holds until refresh() succeeds. What its
+/// profile says was written is lost then, also when the reset was before this program came.
 class Controller final : public Device {
 public:
     Controller(const Family &family, SpiLink &link, Clock &clock, Identity identity);
 
+    /// @name For experiments (experiments.h)
+    /// @{
+    /// Sends a request and waits until the board has accepted it.
+    [[nodiscard]] Task<void> tell(Bytes request);
+    /// Status bits of an axis (0…3) now.
+    [[nodiscard]] Task<std::uint8_t> askStatus(int axis);
+    /// How fast the velocity estimate is at present: packet 13.
+    [[nodiscard]] Task<History> askHistory();
+    /// Requests that make gains, limits and input of an axis what they are known or assumed to be.
+    [[nodiscard]] std::vector<Bytes> settingsOf(int axis);
+    /// The one of the input alone.
+    [[nodiscard]] Bytes inputOf(int axis);
+    /// Sends them whoever waits for it or not, once the axis is stopped.
+    void putBack(std::vector<Bytes> requests);
+    /// @}
+
+    /// Until somebody gives the axis another one: a quarter, since wrong polarity means full speed away (trap 15).
+    static constexpr std::int64_t firstPowerLimit = 2048;
+
 private:
     struct Drive {
         ControlMode mode = ControlMode::Off;
+        bool shifted = false; ///< Readings::velocityTargetShifted when the mode was taken: never changed in motion
         std::optional<SetPoint> profile; ///< of a ramp under way, which is sent once
     };
     struct Tracked {
@@ -45,6 +66,9 @@ private:
     [[nodiscard]] Bytes groupRequest(int axis, AxisParameter which, std::int64_t raw);
     [[nodiscard]] Result<Bytes> writeRequest(ParameterIndex index, std::int64_t raw);
     [[nodiscard]] std::int64_t known(int axis, AxisParameter which);
+    [[nodiscard]] Task<void> sendAll(std::vector<Bytes> requests);
+    [[nodiscard]] Readings readings() const;
+    void doProfileChanged() override;
 
     // Device, at once: controllermotion.cpp
     [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
@@ -68,6 +92,8 @@ private:
     void schedulePoll();
     void look();
     [[nodiscard]] Task<void> checkReset();
+    void judge(const DataMasks &masks);
+    void forgetBoard();
     void updateLiveness();
 
     SpiLink &m_spi;
@@ -75,7 +101,9 @@ private:
     std::array<Tracked, axes> m_tracked;
     std::array<Drive, axes> m_drives;
     std::uint16_t m_streamPeriod = 0;
-    bool m_changed = false; ///< we told the board something that a reset undoes
+    bool m_changed = false;        ///< we told the board something that a reset undoes
+    bool m_libraryPolarity = true; ///< as inputs were written last
+    bool m_judged = false;         ///< whether the board was reset before we came is known
     bool m_heard = false;
     bool m_restarted = false;
     bool m_polling = false;

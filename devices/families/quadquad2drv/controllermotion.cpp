@@ -13,7 +13,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::uint8_t allAxes = 0x0F;
-constexpr std::int64_t firstPowerLimit = 2048; ///< a quarter: wrong polarity means full speed away (trap 15)
 constexpr int stopTries = 20;
 
 constexpr double lowestCounts = -2147483648.0;
@@ -96,14 +95,14 @@ void Controller::enter(int axis, ControlMode mode)
     limitFirstMotion(axis);
     Bytes rest = setPower(maskOf(axis), 0);
     if (mode == ControlMode::Velocity)
-        rest = setVelocityTarget(maskOf(axis), 0.0, {});
+        rest = setVelocityTarget(maskOf(axis), 0.0, readings());
     else if (mode == ControlMode::Position)
         rest = setPositionTarget(
             maskOf(axis), static_cast<std::int32_t>(*m_tracked[static_cast<std::size_t>(axis)].position));
     post(rest);
     post(setControlMode(maskOf(axis), mode));
     post(rest);
-    m_drives[static_cast<std::size_t>(axis)] = {mode, std::nullopt};
+    m_drives[static_cast<std::size_t>(axis)] = {mode, readings().velocityTargetShifted, std::nullopt};
     updateLiveness();
 }
 
@@ -127,7 +126,9 @@ void Controller::aim(int axis, const SetPoint &setPoint)
     const std::uint8_t mask = maskOf(axis);
     switch (setPoint.mode) {
     case Mode::Duty: post(setPower(mask, static_cast<std::int16_t>(std::lround(setPoint.target * fullPower)))); break;
-    case Mode::Velocity: post(setVelocityTarget(mask, setPoint.target, {})); break;
+    case Mode::Velocity:
+        post(setVelocityTarget(mask, setPoint.target, {.velocityTargetShifted = drive.shifted}));
+        break;
     case Mode::Position: post(setPositionTarget(mask, whole())); break;
     case Mode::RampPosition: post(rampPosition(mask, whole(), setPoint.velocity, setPoint.acceleration)); break;
     case Mode::RampVelocity: post(rampVelocity(mask, whole(), setPoint.acceleration)); break;

@@ -2,6 +2,7 @@
 // Controller: what asks and waits.
 #include "families/quadquad2drv/controller.h"
 
+#include "families/quadquad2drv/calibrations.h"
 #include "families/quadquad2drv/channels.h"
 #include "families/quadquad2drv/scan.h"
 
@@ -32,6 +33,8 @@ Task<void> Controller::doRefresh()
     const auto version = parseVersion(reply);
     if (!version)
         co_return fail(Fault::BadReply, "the version has an unexpected length");
+    auto judging = checkReset();
+    co_await std::move(judging);
     auto layout = takeLayout();
     co_await std::move(layout);
     Identity known = identity();
@@ -56,15 +59,22 @@ Task<void> Controller::takeLayout()
     const auto period = parseStreamPeriod(periodReply);
     if (!masks || !config || !period)
         co_return fail(Fault::BadReply, "the stream settings have an unexpected length");
+    judge(*masks);
     m_port.setLayout(*masks, *config);
     m_streamPeriod = *period;
     schedulePoll();
     co_return {};
 }
 
-/// Whole positions, velocity and status of every channel.
+/// Whole positions, velocity and status of every channel. Afterwards a reset before now could not be seen any more.
 Task<void> Controller::tellEverything()
 {
+    if (!m_judged) {
+        auto judging = checkReset();
+        co_await std::move(judging);
+        if (m_restarted)
+            co_return fail(Fault::Unsafe, "the board was reset since its settings were written; look at it again");
+    }
     auto masks = m_port.request(setDataMask(allAxes, datamask::everything));
     co_await std::move(masks);
     m_changed = true;
@@ -140,8 +150,8 @@ Bytes Controller::groupRequest(int axis, AxisParameter which, std::int64_t raw)
     if (which <= VelocityD)
         return setVelocityGains(maskOf(axis), {gain(VelocityP), gain(VelocityI), gain(VelocityD)});
     InputSettings input;
-    input.configuration
-        = static_cast<std::uint8_t>(value(InputMode) | value(InputPolarity) << 3 | value(InputEdge) << 4);
+    input.configuration = inputConfiguration(static_cast<int>(value(InputMode)), static_cast<int>(value(InputPolarity)),
+        static_cast<int>(value(InputEdge)), readings());
     input.spacing = gain(InputSpacing);
     input.position = static_cast<std::int32_t>(value(InputPosition));
     return setInputMode(maskOf(axis), input);
@@ -186,6 +196,10 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
             parameters().setRead(indexOf(other), co_await std::move(reading));
         }
     }
+    if (m_port.masks()[0] == datamask::startUp) {
+        auto telling = tellEverything();
+        co_await std::move(telling);
+    }
     auto request = writeRequest(index, raw);
     if (!request)
         co_return fail(request.error());
@@ -194,6 +208,11 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
     const Result<Packet> reply = co_await std::move(writing).attempt();
     if (!reply)
         co_return fail(reply.error().fault, std::string(row.key) + ": " + reply.error().detail);
+    if (!isBoard(index) && static_cast<AxisParameter>(index.value % parametersPerAxis) == AxisParameter::DataMask) {
+        DataMasks masks = m_port.masks(); // told, and so no sign of a reset
+        masks[index.value / parametersPerAxis] = static_cast<std::uint8_t>(raw);
+        m_port.setLayout(masks, m_port.streamConfig());
+    }
     auto layout = takeLayout();
     co_await std::move(layout);
     if (row.access == Access::WriteOnly)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/family.h"
 
+#include "families/quadquad2drv/calibrations.h"
 #include "families/quadquad2drv/channels.h"
 #include "families/quadquad2drv/controller.h"
 #include "families/quadquad2drv/decode.h"
+#include "families/quadquad2drv/experiments.h"
 #include "families/quadquad2drv/firmware.h"
 #include "families/quadquad2drv/parameters.h"
 #include "families/quadquad2drv/scan.h"
@@ -25,6 +27,7 @@ constexpr Capabilities capabilities{
     .identify = false,
     .rename = false,
     .renumber = false,
+    .keepsSettings = false,
     .axes = axes,
     .gainSlots = 1,
     .commandPeriod = std::chrono::milliseconds(50),
@@ -43,6 +46,9 @@ const Family family{
     .modes = modes,
     .capabilities = capabilities,
     .bench = bench,
+    .calibrations = calibration::table(),
+    .experiments = experiments(),
+    .routes = routes(),
     .scan = scan,
     .probe = probe,
     .open = open,

@@ -39,6 +39,17 @@ constexpr std::array<Choice, 4> inputModes{{
     {3, QT_TRANSLATE_NOOP("table", "both edges")},
 }};
 
+constexpr std::array<Choice, 2> polarities{{
+    {0, QT_TRANSLATE_NOOP("table", "active high")},
+    {1, QT_TRANSLATE_NOOP("table", "active low")},
+}};
+constexpr std::array<Choice, 4> edges{{
+    {0, QT_TRANSLATE_NOOP("table", "record at the positive end")},
+    {1, QT_TRANSLATE_NOOP("table", "set at the positive end")},
+    {2, QT_TRANSLATE_NOOP("table", "record at the negative end")},
+    {3, QT_TRANSLATE_NOOP("table", "set at the negative end")},
+}};
+
 constexpr std::string_view positionGainHelp = QT_TRANSLATE_NOOP("table",
     "Of the position loop, in the board's own units, whose scale is not documented. Cannot be read back; the four are "
     "sent together.");
@@ -57,10 +68,11 @@ constexpr std::string_view accelerationHelp
 constexpr std::string_view inputHelp = QT_TRANSLATE_NOOP("table",
     "What the input of the channel is for. Cannot be read back; the five values of an input are sent together.");
 constexpr std::string_view polarityHelp = QT_TRANSLATE_NOOP("table",
-    "0 or 1. Data sheet and the maker's library disagree on which is active low: see what the status bit says.");
+    "At which level the input is active. Data sheet and the maker's library say it with opposite bits: which one the "
+    "board follows is a setting of the device, and an experiment tells.");
 constexpr std::string_view edgeHelp = QT_TRANSLATE_NOOP("table",
-    "0 to 3: which edge, and whether it only records or also sets the counter. Data sheet and library disagree on 1 "
-    "and 2.");
+    "At which end of the switch the position is recorded, or also set as the counter. Data sheet and library disagree, "
+    "as for the polarity.");
 constexpr std::string_view spacingHelp = QT_TRANSLATE_NOOP(
     "table", "Distance between the two ends of the switch; 0 is a single end stop. Cannot be read back.");
 constexpr std::string_view inputPositionHelp
@@ -123,8 +135,10 @@ template <int Axis> constexpr void fillLimits(std::span<Parameter> out, std::uin
     out[10].choices = inputModes;
     out[11] = hidden(key<Axis, "input.polarity">(), id++, WireType::Uint8, 1.0, "", 1.0, 0.0, group,
         QT_TRANSLATE_NOOP("table", "Input polarity"), polarityHelp);
+    out[11].choices = polarities;
     out[12] = hidden(key<Axis, "input.edge">(), id++, WireType::Uint8, 1.0, "", 3.0, 0.0, group,
         QT_TRANSLATE_NOOP("table", "Input edge"), edgeHelp);
+    out[12].choices = edges;
     out[13] = hidden(key<Axis, "input.spacing">(), id++, WireType::Uint16, 1.0, "counts", 65535.0, 0.0, group,
         QT_TRANSLATE_NOOP("table", "Input spacing"), spacingHelp);
     out[14] = row(key<Axis, "input.position">(), id++, WireType::Int32, 1.0, "counts", -2147483648.0, 2147483647.0, 0.0,

@@ -85,6 +85,7 @@ constexpr std::int32_t fastest = 100'000;    ///< transitions/s
 constexpr std::int32_t steepest = 1'000'000; ///< transitions/s²
 constexpr double limitOne = 4096.0;          ///< raw value of 1.0 of limits and ramps, "shl 12"
 constexpr double resolution = 4.0;           ///< of the velocity, transitions/s
+constexpr double loopTime = 0.002;           ///< s, one pass of the control loop
 constexpr std::uint16_t fastestStream = 49;  ///< 2.007 ms, the loop runs at 500 Hz (5)
 constexpr std::uint16_t usualStream = 244;   ///< 10 ms
 constexpr std::chrono::nanoseconds streamUnit{40'960};

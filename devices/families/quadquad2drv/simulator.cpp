@@ -49,6 +49,16 @@ bool setOption(BoardOptions &options, std::string_view key, std::string_view val
         options.jumper = value == "closed";
         return options.jumper || value == "open";
     }
+    if (key == "scale")
+        return parseNumber(value, options.gainScale) && options.gainScale >= 1e-3 && options.gainScale <= 1e3;
+    if (key == "inputs") {
+        options.libraryPolarity = value == "library";
+        return options.libraryPolarity || value == "datasheet";
+    }
+    if (key == "target") {
+        options.shiftedTarget = value == "shifted";
+        return options.shiftedTarget || value == "plain";
+    }
     return key == "serial" || (key == "firmware" && setVersion(options, value));
 }
 
@@ -66,8 +76,8 @@ Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
     std::stable_sort(options.faults.begin(), options.faults.end(),
         [](const SimulatedFault &a, const SimulatedFault &b) { return a.at < b.at; });
     for (const auto &[key, value] : unit.options) {
-        constexpr std::array<std::string_view, 7> known{
-            "motor", "load", "firmware", "serial", "boot", "state", "jumper"};
+        constexpr std::array<std::string_view, 10> known{
+            "motor", "load", "firmware", "serial", "boot", "state", "jumper", "scale", "inputs", "target"};
         if (std::find(known.begin(), known.end(), key) == known.end())
             return fail(Fault::OutOfRange, "a simulated QuadQuad2Drv has no option '" + key + "'");
         if (!setOption(options, key, value))

@@ -8,13 +8,6 @@
 namespace mb::quadquad2drv::simulation {
 namespace {
 
-// power units per raw gain and count (or count/s), and per pass of the loop for I and D
-constexpr double positionP = 0.05;
-constexpr double positionI = 1e-4;
-constexpr double positionD = 0.2;
-constexpr double velocityP = 0.01;
-constexpr double velocityI = 1e-4;
-constexpr double velocityD = 1e-5;
 constexpr double ratedSpeed = 50'000.0; ///< 2.5, transitions/s
 constexpr double edgeSeconds = 0.64e-6;
 constexpr std::size_t mostPoints = 4096;
@@ -122,8 +115,9 @@ double Axis::positionLoop()
 {
     const auto &[p, i, d, windup] = settings.positionGains;
     const double error = m_reference - counter();
-    m_integral = std::clamp(m_integral + positionI * i * error, -1.0 * windup, 1.0 * windup);
-    const double out = positionP * p * error + m_integral + positionD * d * (error - m_lastError);
+    m_integral = std::clamp(m_integral + m_scale * gain::positionI * i * error, -1.0 * windup, 1.0 * windup);
+    const double out
+        = m_scale * gain::positionP * p * error + m_integral + m_scale * gain::positionD * d * (error - m_lastError);
     m_lastError = error;
     return out;
 }
@@ -132,8 +126,9 @@ double Axis::velocityLoop()
 {
     const auto &[p, i, d] = settings.velocityGains;
     const double error = m_referenceVelocity - m_window.speed();
-    m_integral = std::clamp(m_integral + velocityI * i * error, -1.0 * fullPower, 1.0 * fullPower);
-    const double out = velocityP * p * error + m_integral + velocityD * d * (error - m_lastError);
+    m_integral = std::clamp(m_integral + m_scale * gain::velocityI * i * error, -1.0 * fullPower, 1.0 * fullPower);
+    const double out
+        = m_scale * gain::velocityP * p * error + m_integral + m_scale * gain::velocityD * d * (error - m_lastError);
     m_lastError = error;
     return out;
 }
@@ -162,7 +157,7 @@ void Axis::step(double seconds)
 void Axis::watchInput()
 {
     const auto mode = static_cast<InputMode>(settings.input & 0x03U);
-    const bool activeLow = (settings.input & 0x08U) != 0; // as the vendor's library has it (2.3)
+    const bool activeLow = ((settings.input & 0x08U) != 0) == m_libraryPolarity; // 2.3, both readings
     const bool active = mode != InputMode::Disabled && m_inputHigh != activeLow;
     if (active)
         m_status |= status::inputWasActive;
@@ -175,8 +170,8 @@ void Axis::trigger(bool positive)
 {
     m_status |= positive ? status::positiveEdge : status::negativeEdge;
     const unsigned edge = (settings.input >> 4U) & 0x03U;
-    const bool sets = (edge & 1U) != 0;
-    const bool wantsPositive = (edge & 2U) == 0;
+    const bool sets = (edge & (m_libraryPolarity ? 1U : 2U)) != 0;
+    const bool wantsPositive = (edge & (m_libraryPolarity ? 2U : 1U)) == 0;
     if (sets && positive == wantsPositive)
         setCounter(settings.inputPosition);
 }

@@ -13,6 +13,16 @@ namespace mb::quadquad2drv::simulation {
 /// Of the board's control loop (tuning.md 3.8 says that the scale is not documented; these make the default gains step well).
 constexpr double loopSeconds = 0.002;
 
+/// Power units per raw gain and count (or count/s), and per pass of the loop for I and D; all times AxisSettings' scale.
+namespace gain {
+constexpr double positionP = 0.05;
+constexpr double positionI = 1e-4;
+constexpr double positionD = 0.2;
+constexpr double velocityP = 0.01;
+constexpr double velocityI = 1e-4;
+constexpr double velocityD = 1e-5;
+} // namespace gain
+
 /// Speed from the edges of a moving window: it ends with 4 · length edges, or with the time limit (2.5, tuning.md 3.2).
 class SpeedWindow {
 public:
@@ -54,6 +64,12 @@ struct AxisSettings {
 class Axis {
 public:
     Axis(const MotorParameters &motor, double load);
+    /// What the maker does not tell: how much a raw gain is, and which bit of an input means low.
+    void setNature(double scale, bool libraryPolarity)
+    {
+        m_scale = scale;
+        m_libraryPolarity = libraryPolarity;
+    }
 
     AxisSettings settings;
 
@@ -86,6 +102,8 @@ private:
     void trigger(bool positive);
 
     MotorModel m_motor;
+    double m_scale = 1.0;
+    bool m_libraryPolarity = true;
     SpeedWindow m_window;
     std::int64_t m_origin = 0;
     std::int32_t m_lastRead = 0;

@@ -31,8 +31,10 @@ Board::Board(SpiSlaveLink &link, Clock &clock, const BoardOptions &options, Noti
     , m_stream(clock)
     , m_answer(clock)
 {
-    for (std::size_t i = 0; i < axes; ++i)
+    for (std::size_t i = 0; i < axes; ++i) {
         m_axes[i] = std::make_unique<Axis>(*motorByName(options.motors[i]), options.loads[i]);
+        m_axes[i]->setNature(options.gainScale, options.libraryPolarity);
+    }
     for (const SimulatedFault &fault : options.faults) {
         if (fault.kind == "encoder-reversed")
             m_axes.front()->motor().setEncoderReversed(true);

@@ -18,6 +18,9 @@ struct BoardOptions {
     std::array<std::uint8_t, 3> version{1, 3, 1}; ///< major, minor, protocol
     std::optional<LinkAddress> boot;              ///< the bootloader's serial line
     bool inBootloader = false;                    ///< starts there
+    double gainScale = 1.0;                       ///< on the simulator's own
+    bool libraryPolarity = true;                  ///< else polarity and edge are as the data sheet says
+    bool shiftedTarget = false;                   ///< velocity targets are expected times 4096
     bool jumper = false;                          ///< AUX1–AUX2 closed: a reset enters the bootloader
     std::vector<SimulatedFault> faults;
     std::uint64_t seed = 1;

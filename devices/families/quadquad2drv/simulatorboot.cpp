@@ -89,6 +89,8 @@ Boot::Boot(SerialLink &link, Clock &clock, Board &board, const BoardOptions &opt
     m_board.setResetListener([this] {
         if (m_jumper)
             start();
+        else if (m_running)
+            leave();
     });
     if (options.inBootloader)
         start();
@@ -97,11 +99,21 @@ Boot::Boot(SerialLink &link, Clock &clock, Board &board, const BoardOptions &opt
 void Boot::start()
 {
     m_running = true;
-    m_whole = false;
     m_lines = 0;
     m_text.clear();
     m_board.setRunning(false);
     announce();
+}
+
+void Boot::leave()
+{
+    m_banner.stop();
+    m_running = false;
+    auto version = m_board.version();
+    if (m_whole)
+        ++version[1];
+    m_board.setVersion(version);
+    m_board.setRunning(true);
 }
 
 void Boot::announce()
@@ -129,14 +141,10 @@ void Boot::take(const std::string &line)
 {
     m_banner.stop();
     if (line == "reset") {
-        m_running = false;
-        auto version = m_board.version();
-        if (m_whole)
-            ++version[1];
-        m_board.setVersion(version);
-        m_board.setRunning(true);
+        leave();
         return;
     }
+    m_whole = m_whole && m_lines > 0; // a new file begins
     if (++m_lines == m_failLine) {
         m_failLine = 0; // the supply comes back with the jumper still closed
         start();

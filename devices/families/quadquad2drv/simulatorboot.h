@@ -32,6 +32,7 @@ public:
 
 private:
     void start();
+    void leave();
     void announce();
     void hear(std::span<const std::uint8_t> bytes);
     void take(const std::string &line);

@@ -233,7 +233,7 @@ ReturnCode Board::setMotion(std::uint8_t id, Axis &axis, Values v)
         s.rampVelocity = s.rampAcceleration = 0.0;
         return ReturnCode::Ok;
     case PacketId::SetVelocityTarget:
-        s.velocityTarget = i32(v, 0);
+        s.velocityTarget = m_options.shiftedTarget ? i32(v, 0) / limitOne : i32(v, 0);
         s.rampVelocity = s.rampAcceleration = 0.0;
         return s.velocityTarget >= -fastest && s.velocityTarget <= fastest ? ReturnCode::Ok
                                                                            : ReturnCode::InvalidParameter;

@@ -13,21 +13,20 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::array<std::string_view, 4> failureWords{"err", "fail", "bad", "invalid"};
-constexpr std::string_view bannerWord = "bootloader";
 constexpr Duration verifyPeriod = 500ms;
-constexpr Duration verifyTime = 30s; ///< the jumper is taken out by hand
+constexpr Duration verifyTime = 60s; ///< the jumper is taken out by hand
+constexpr int resetEvery = 4;        ///< questions for the version
 
-bool holds(std::string text, std::string_view word)
+std::string lower(std::string text)
 {
     std::transform(
         text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text.find(word) != std::string::npos;
+    return text;
 }
 
-bool isFailure(const std::string &text)
+bool holds(const std::string &text, const std::string &word)
 {
-    return std::any_of(failureWords.begin(), failureWords.end(), [&](std::string_view w) { return holds(text, w); });
+    return !word.empty() && lower(text).find(lower(word)) != std::string::npos;
 }
 
 } // namespace
@@ -39,10 +38,31 @@ Updater::Updater(
     , m_clock(device.clock())
     , m_image(image)
     , m_progress(progress)
-    , m_settings(settings)
-    , m_console(link, device.clock())
+    , m_settings(std::move(settings))
+    , m_console(link, device.clock(), m_settings.ending)
 {
     m_report.from = device.identity().firmware;
+}
+
+bool Updater::isFailure(const std::string &text) const
+{
+    return std::any_of(m_settings.failures.begin(), m_settings.failures.end(),
+        [&text](const std::string &word) { return holds(text, word); });
+}
+
+bool Updater::isBanner(const std::string &text) const
+{
+    return holds(text, m_settings.banner);
+}
+
+void Updater::enter(Step step)
+{
+    m_progress.part(static_cast<int>(step), PartState::Active);
+}
+
+void Updater::leaveStep(Step step)
+{
+    m_progress.part(static_cast<int>(step), PartState::Done);
 }
 
 void Updater::say(const std::string &text)
@@ -119,6 +139,10 @@ Task<void> Updater::openLine()
 Task<void> Updater::awaitBanner()
 {
     m_progress.step("close the jumper between AUX1 and AUX2, then reset the board or switch it off and on", 0, 0);
+    for (const Step later : {Step::Sending, Step::OpenJumper, Step::Compare})
+        m_progress.part(static_cast<int>(later), PartState::Waiting);
+    for (const Step now : {Step::CloseJumper, Step::Reset, Step::Greeting})
+        enter(now);
     m_device.stop();
     resetBoard();
     const Instant deadline = m_clock.now() + m_settings.bannerTime;
@@ -130,8 +154,11 @@ Task<void> Updater::awaitBanner()
         if (!text)
             break;
         heard(*text);
-        if (holds(*text, bannerWord))
+        if (isBanner(*text)) {
+            for (const Step done : {Step::CloseJumper, Step::Reset, Step::Greeting})
+                leaveStep(done);
             co_return {};
+        }
     }
     co_return fail(Fault::Timeout,
         "the bootloader did not announce itself; check the jumper AUX1–AUX2, the crossed wires TX and RX, and the 3.3 "
@@ -142,7 +169,7 @@ Task<void> Updater::awaitBanner()
 Task<void> Updater::sendAll()
 {
     const std::size_t total = m_image.lines().size();
-    m_progress.part(0, PartState::Active);
+    enter(Step::Sending);
     for (std::size_t i = 0; i < total; ++i) {
         m_progress.step("sending the firmware", static_cast<int>(i), static_cast<int>(total));
         auto sending = sendLine(i);
@@ -150,7 +177,7 @@ Task<void> Updater::sendAll()
         m_sent = i + 1;
     }
     m_report.pages = static_cast<int>(total);
-    m_progress.part(0, PartState::Done);
+    leaveStep(Step::Sending);
     m_progress.step("sending the firmware", static_cast<int>(total), static_cast<int>(total));
     co_return {};
 }
@@ -175,7 +202,7 @@ Task<void> Updater::sendLine(std::size_t index)
         if (!answer)
             co_return fail(answer.error());
         heard(*answer);
-        if (holds(*answer, bannerWord))
+        if (isBanner(*answer))
             co_return fail(Fault::Refused, "the board restarted at " + line);
         if (isFailure(*answer))
             co_return fail(Fault::Refused, line + " was refused: " + *answer);
@@ -189,22 +216,41 @@ Task<void> Updater::sendLine(std::size_t index)
 
 Task<void> Updater::leave()
 {
-    say("reset");
-    if (auto sent = m_console.send("reset"); !sent)
-        co_return fail(sent.error());
+    enter(Step::OpenJumper);
+    if (!m_settings.farewell.empty()) {
+        say(m_settings.farewell);
+        if (auto sent = m_console.send(m_settings.farewell); !sent)
+            co_return fail(sent.error());
+    }
     m_progress.step("take the jumper out; the board is asked for its version", 0, 0);
     co_await Sleep(
         m_clock, 200ms); // no pulse on the reset line: with the jumper in, that would enter the bootloader again
     co_return {};
 }
 
+/// A bootloader that greets again was reset with the jumper in: the user is told, and the reset line pulsed now and then.
+void Updater::hearBoot()
+{
+    while (const auto text = m_console.take()) {
+        heard(*text);
+        if (isBanner(*text))
+            m_progress.step("the jumper is still in: take it out, then reset the board", 0, 0);
+    }
+}
+
 Task<void> Updater::verify()
 {
+    enter(Step::Compare);
     const Instant deadline = m_clock.now() + verifyTime;
-    while (m_clock.now() < deadline) {
+    for (int asked = 1; m_clock.now() < deadline; ++asked) {
+        hearBoot();
+        if (asked % resetEvery == 0)
+            resetBoard();
         auto asking = m_device.refresh();
         const Result<void> answered = co_await std::move(asking).attempt();
         if (answered) {
+            leaveStep(Step::OpenJumper);
+            leaveStep(Step::Compare);
             m_report.to = m_device.identity().firmware;
             m_report.verified = true;
             m_report.outcome = UpdateOutcome::Done;

@@ -15,6 +15,9 @@ public:
     [[nodiscard]] Task<UpdateReport> run(bool dryRun);
 
 private:
+    /// Those of Family::routes.
+    enum class Step { CloseJumper, Reset, Greeting, Sending, OpenJumper, Compare };
+
     [[nodiscard]] Task<void> openLine();
     [[nodiscard]] Task<void> awaitBanner();
     [[nodiscard]] Task<void> sendAll();
@@ -24,6 +27,11 @@ private:
     void say(const std::string &text);
     void heard(const std::string &text);
     void resetBoard();
+    void enter(Step step);
+    void leaveStep(Step step);
+    void hearBoot();
+    [[nodiscard]] bool isFailure(const std::string &text) const;
+    [[nodiscard]] bool isBanner(const std::string &text) const;
     [[nodiscard]] UpdateReport failed(const Error &error) const;
 
     Device &m_device;

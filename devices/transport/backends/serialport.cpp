@@ -76,6 +76,13 @@ Result<void> SerialPortLink::dress()
 {
     if (auto applied = applyRate(baudrate()); !applied)
         return applied;
+    if (m_options.format != "8N1"
+        && !(m_port->setParity(m_options.format[1] == 'E' ? QSerialPort::EvenParity
+                     : m_options.format[1] == 'O'         ? QSerialPort::OddParity
+                                                          : QSerialPort::NoParity)
+            && m_port->setStopBits(m_options.format[2] == '2' ? QSerialPort::TwoStop : QSerialPort::OneStop)))
+        return fail(
+            Fault::OutOfRange, name() + " cannot do " + m_options.format + ": " + m_port->errorString().toStdString());
     setRemark({});
     if (m_options.rs485 && !setDriverRs485(m_port->handle(), true))
         setRemark("the driver of " + name()
@@ -225,15 +232,18 @@ Result<std::unique_ptr<Link>> makeSerialPortLink(const LinkAddress &address, Clo
         const auto parsed = std::from_chars(value.data(), value.data() + value.size(), number);
         const bool whole = parsed.ec == std::errc{} && parsed.ptr == value.data() + value.size();
         bool good = whole && (number == 0 || number == 1);
-        if (key == "baud")
+        if (key == "format") {
+            good = value == "8N1" || value == "8E1" || value == "8O1" || value == "8N2";
+            options.format = value;
+        } else if (key == "baud")
             good = whole && number >= SerialLink::slowest && number <= SerialLink::fastest;
         else if (key == "rs485")
             options.rs485 = number == 1;
         else if (key == "echo")
             options.echo = number == 1;
         else
-            return fail(
-                Fault::OutOfRange, "unknown option '" + key + "' of a serial link; baud, rs485 and echo are known");
+            return fail(Fault::OutOfRange,
+                "unknown option '" + key + "' of a serial link; baud, format, rs485 and echo are known");
         if (!good)
             return fail(Fault::OutOfRange, "link option " + key + "=" + value + " is out of range");
     }

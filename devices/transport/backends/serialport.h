@@ -17,7 +17,7 @@ namespace mb {
 ///
 /// Options of the address: `baud` (SerialLink::fixedBaudrate); `rs485=1` lets the driver of the port switch the
 /// transmitter where it can, and otherwise leaves a remark that the adapter must; `echo=1` for adapters that read what
-/// they send. With either of the two the line is half duplex: nothing is sent before one byte time has passed since the
+/// they send; `format` for what is not 8N1: 8E1, 8O1, 8N2. With either of the two the line is half duplex: nothing is sent before one byte time has passed since the
 /// last byte from others. `errors` and `lost` also count what the driver reports, looked at once a second while bytes
 /// come, and when recounted.
 class SerialPortLink final : public SerialLink {
@@ -25,6 +25,7 @@ public:
     struct Options {
         bool rs485 = false;
         bool echo = false;
+        std::string format = "8N1";
     };
     SerialPortLink(LinkAddress address, Clock &clock, Options options);
     ~SerialPortLink() override;

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/quadquad2drv/experiments.h"
+
+#include "async/sleep.h"
+#include "families/quadquad2drv/calibrations.h"
+#include "families/quadquad2drv/controller.h"
+
+#include <QtGlobal>
+
+#include <array>
+
+namespace mb::quadquad2drv {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double firstPower = 0.25;
+constexpr double greatestPower = 0.5;
+constexpr Duration settling = 50ms;
+
+constexpr std::array<std::string_view, 2> levels{
+    QT_TRANSLATE_NOOP("table", "open: nothing is connected, the pin is high"),
+    QT_TRANSLATE_NOOP("table", "connected to GND: the pin is low"),
+};
+
+constexpr std::array<Experiment, 2> table{{
+    {
+        .key = "gain-scales",
+        .title = QT_TRANSLATE_NOOP("table", "Find the gain scales"),
+        .explanation = QT_TRANSLATE_NOOP("table",
+            "The maker does not tell what a raw gain is worth. The motor of one axis is turned to and fro for one to "
+            "two "
+            "minutes, with the power that you allow here: first with constant power, then with one gain alone at a "
+            "time, which "
+            "grows until the motor moves. The shaft must turn freely, some turns each way, and nobody may touch it. "
+            "Gains and "
+            "limits are put back at the end."),
+        .power = firstPower,
+        .mostPower = greatestPower,
+        .question = {},
+        .answers = {},
+        .run = findGainScales,
+    },
+    {
+        .key = "input-reading",
+        .title = QT_TRANSLATE_NOOP("table", "Find the input polarity"),
+        .explanation = QT_TRANSLATE_NOOP("table",
+            "Data sheet and the maker's library give the polarity of the inputs opposite bits. The input of one axis "
+            "is set up "
+            "with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, "
+            "the "
+            "counter stays, and the input is set up afterwards as it was."),
+        .power = 0.0,
+        .mostPower = 0.0,
+        .question = QT_TRANSLATE_NOOP("table", "The input pin of this axis is"),
+        .answers = levels,
+        .run = findInputReading,
+    },
+}};
+
+/// Sets the input up as it was, however the experiment ends, and with the reading that was found.
+class BorrowedInput {
+public:
+    BorrowedInput(Controller &board, int axis)
+        : m_board(board)
+        , m_axis(axis)
+    {
+    }
+    BorrowedInput(const BorrowedInput &) = delete;
+    BorrowedInput &operator=(const BorrowedInput &) = delete;
+    ~BorrowedInput() { m_board.putBack({m_board.inputOf(m_axis)}); }
+
+private:
+    Controller &m_board;
+    int m_axis;
+};
+
+/// Whether the input is active with this polarity bit, as it is on the wire. Edge 0 records and sets nothing in both readings.
+Task<bool> isActive(Controller &board, int axis, int bit)
+{
+    InputSettings input;
+    input.configuration = static_cast<std::uint8_t>(static_cast<int>(InputMode::Home) | bit << 3);
+    auto telling = board.tell(setInputMode(static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis)), input));
+    co_await std::move(telling);
+    co_await Sleep(board.clock(), settling);
+    auto asking = board.askStatus(axis);
+    const std::uint8_t bits = co_await std::move(asking);
+    co_return (bits & status::inputActive) != 0;
+}
+
+} // namespace
+
+std::span<const Experiment> experiments()
+{
+    return table;
+}
+
+Task<ExperimentReport> findInputReading(Device &device, SetPointStream &, ExperimentOptions options, Progress &progress)
+{
+    if (options.axis < 1 || options.axis > axes)
+        co_return fail(Fault::OutOfRange, "the board has axes 1 to 4");
+    if (device.liveness().moving)
+        co_return fail(Fault::Unsafe, "stop the motors first");
+    auto &board = static_cast<Controller &>(device);
+    const int axis = options.axis - 1;
+    const BorrowedInput borrowed(board, axis);
+    std::array<bool, 2> active{};
+    for (int bit = 0; bit < 2; ++bit) {
+        progress.step("looking at the status bit", bit, 2);
+        auto asking = isActive(board, axis, bit);
+        active[static_cast<std::size_t>(bit)] = co_await std::move(asking);
+        progress.log(Severity::Info,
+            "polarity bit " + std::to_string(bit) + ": the input is "
+                + (active[static_cast<std::size_t>(bit)] ? "active" : "not active"));
+    }
+    if (active[0] == active[1])
+        co_return fail(Fault::Refused,
+            "the status bit is the same with both polarities, so it tells nothing; look at the wiring of the input");
+    const bool high = options.answer == 0;
+    const bool bitZeroIsHigh = active[0] == high;
+    const int reading = bitZeroIsHigh ? calibration::asLibrary : calibration::asDataSheet;
+    if (auto kept = board.calibrate(calibration::inputReading, reading); !kept)
+        co_return fail(kept.error());
+    ExperimentReport report;
+    report.found.emplace_back(calibration::inputReading, reading);
+    report.sentence = bitZeroIsHigh ? "polarity 0 is active high: the board follows the maker's library"
+                                    : "polarity 0 is active low: the board follows the data sheet";
+    co_return report;
+}
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ScaleSearch: what it looks for, one gain after the other (tuning.md 3.8).
+#include "families/quadquad2drv/calibrations.h"
+#include "families/quadquad2drv/experiments.h"
+#include "families/quadquad2drv/scalesearch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb::quadquad2drv {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int greatestGain = 65535;
+constexpr int phases = 6;
+constexpr std::array<double, 4> levels{0.4, 0.6, 0.8, 1.0}; ///< of the power limit
+constexpr double sameBothWays = 0.2;
+constexpr double steady = 0.015;
+constexpr double proportional = 0.05; ///< spread of a P scale (tuning.md 3.8, step 2)
+constexpr double integral = 0.1;
+constexpr double coarsest = 0.03; ///< of the set-point: with less of it left as error nothing can be measured
+
+int times(int gain, double factor)
+{
+    return std::clamp(static_cast<int>(std::lround(gain * factor)), 1, greatestGain);
+}
+
+/// Four digits.
+double rounded(double value)
+{
+    const double inverse = std::pow(10.0, 3.0 - std::floor(std::log10(value)));
+    return std::round(value * inverse) / inverse;
+}
+
+} // namespace
+
+Task<void> ScaleSearch::measureAll()
+{
+    int phase = 0;
+    const auto step = [&](const char *what) { m_progress.step(what, phase++, phases); };
+    step("turning the motor with several powers");
+    auto plant = measurePlant();
+    co_await std::move(plant);
+    step("looking for velocity P");
+    auto velocityPs = findVelocityP();
+    m_velocityP = co_await std::move(velocityPs);
+    found(calibration::velocityP, m_velocityP);
+    step("looking for velocity I");
+    auto velocityIs = findVelocityI();
+    found(calibration::velocityI, co_await std::move(velocityIs));
+    step("looking for position P");
+    auto positionPs = findPositionP();
+    m_positionP = co_await std::move(positionPs);
+    found(calibration::positionP, m_positionP);
+    step("looking for position I");
+    auto positionIs = findPositionI();
+    found(calibration::positionI, co_await std::move(positionIs));
+    step("looking for position D");
+    auto positionDs = findPositionD();
+    if (const std::optional<double> scale = co_await std::move(positionDs))
+        found(calibration::positionD, *scale);
+    else
+        m_progress.log(Severity::Caution, "position D has no effect that could be measured; its scale stays unknown");
+    m_progress.step("putting the settings back", phases, phases);
+    co_return {};
+}
+
+void ScaleSearch::found(std::string_view key, double scale)
+{
+    const double value = rounded(scale);
+    m_report.found.emplace_back(key, value);
+    m_report.sentence += (m_report.sentence.empty() ? "" : ", ") + std::string(key) + ' ' + numberText(value);
+    m_progress.log(Severity::Good, std::string(key) + " is " + numberText(value));
+}
+
+Task<PowerStep> ScaleSearch::powerStep(double power)
+{
+    m_direction = -m_direction;
+    begin();
+    auto moving = move(Mode::Duty, m_direction * power / fullPower);
+    co_await std::move(moving);
+    PowerStep step{power, 0.0, 0.0};
+    for (int i = 0; i < 10; ++i) {
+        auto waiting = wait(i == 0 ? 1200ms : 400ms);
+        co_await std::move(waiting);
+        const double end = m_track.end();
+        step.speed = m_track.speed(end - 0.5, end);
+        if (std::abs(step.speed - m_track.speed(end - 1.0, end - 0.5)) <= steady * std::abs(step.speed))
+            break;
+    }
+    if (m_track.way() < -10.0 && step.speed < 0.0)
+        co_return fail(Fault::Unsafe,
+            "the encoder counts against the power; exchange the wires of the motor or the phases of the encoder before "
+            "any "
+            "loop is closed");
+    if (m_track.way() < 10.0)
+        step.speed = 0.0;
+    if (step.speed > 0.0)
+        step.lag = m_track.end() - m_track.counts.back() / step.speed;
+    auto resting = rest();
+    co_await std::move(resting);
+    co_return step;
+}
+
+Task<void> ScaleSearch::measurePlant()
+{
+    std::vector<PowerStep> steps;
+    for (const double level : levels) {
+        auto one = powerStep(level * m_most);
+        const PowerStep there = co_await std::move(one);
+        auto other = powerStep(level * m_most);
+        const PowerStep back = co_await std::move(other);
+        const double speed = (there.speed + back.speed) / 2.0;
+        say("power " + numberText(std::round(level * m_most)) + ": " + numberText(std::round(there.speed)) + " and "
+            + numberText(std::round(back.speed)) + " counts/s");
+        if (std::abs(there.speed - back.speed) > sameBothWays * speed)
+            co_return fail(Fault::Refused,
+                "the motor turns differently in both directions; the shaft must be free, without load on one side");
+        steps.push_back({level * m_most, speed, (there.lag + back.lag) / 2.0});
+    }
+    const auto plant = fitPlant(steps);
+    if (!plant)
+        co_return fail(plant.error());
+    m_plant = *plant;
+    say("the motor gives " + numberText(rounded(m_plant.gain)) + " counts/s per power unit, friction takes "
+        + numberText(std::round(m_plant.friction)) + " units, it follows within "
+        + numberText(std::round(m_plant.lag * 1000.0)) + " ms");
+    co_return {};
+}
+
+Task<int> ScaleSearch::firstGain(Run run, std::size_t which, double way)
+{
+    for (int gain = 1;; gain = std::min(2 * gain, greatestGain)) {
+        run.gains[which] = gain;
+        auto driving = drive(run);
+        const Track track = co_await std::move(driving);
+        if (track.way() >= way)
+            co_return gain;
+        if (gain == greatestGain)
+            break;
+    }
+    co_return fail(Fault::Refused,
+        run.loop == Loop::Velocity ? "no gain of the velocity loop turns the motor; the board may want velocity "
+                                     "targets times 4096: choose that "
+                                     "setting, and try again"
+                                   : "no gain of the position loop turns the motor");
+}
+
+Task<double> ScaleSearch::velocityP(int gain, double aim)
+{
+    auto driving = drive({Loop::Velocity, {gain, 0, 0}, aim, 1.8, 0.0});
+    const Track track = co_await std::move(driving);
+    const double speed = track.speed(track.end() - 0.6, track.end());
+    const double error = aim - speed;
+    if (error < coarsest * aim)
+        co_return fail(Fault::Refused, "the gain scale is too coarse to be measured with so little power");
+    co_return (speed / m_plant.gain + m_plant.friction) / (gain * error);
+}
+
+/// P alone, at rest in speed: the power is what the friction and the speed take.
+Task<double> ScaleSearch::findVelocityP()
+{
+    const double aim = 0.8 * m_plant.speedAt(m_most);
+    auto first = firstGain({Loop::Velocity, {}, aim, 0.8, 0.0}, 0, 0.15 * aim);
+    const int gain = co_await std::move(first);
+    auto rough = velocityP(gain, aim);
+    const double scale = co_await std::move(rough);
+    const double middle = (0.5 * aim / m_plant.gain + m_plant.friction) / (scale * 0.5 * aim);
+    std::vector<double> scales;
+    int last = 0;
+    for (const double factor : {0.7, 1.0, 1.4, 2.0}) {
+        const int next = times(1, middle * factor);
+        for (const double part : {1.0, 0.7}) {
+            if (next == last)
+                continue;
+            auto measuring = velocityP(next, part * aim);
+            scales.push_back(co_await std::move(measuring));
+        }
+        last = next;
+    }
+    const auto mean = agreed(scales, proportional);
+    if (!mean)
+        co_return fail(mean.error());
+    co_return *mean;
+}
+
+std::vector<double> ScaleSearch::termsOf(const Run &run, const Track &track, std::size_t which) const
+{
+    std::vector<double> terms;
+    const double gain = run.gains[which];
+    double sum = 0.0;
+    for (std::size_t i = 0; i < track.size(); ++i) {
+        const double before = i == 0 ? 0.0 : track.seconds[i - 1];
+        const double position = track.counts[i];
+        const double mean = i == 0 ? position / 2.0 : (position + track.counts[i - 1]) / 2.0;
+        sum += (run.aim - mean) * (track.seconds[i] - before);
+        double term = 0.0;
+        if (run.loop == Loop::Velocity)
+            term = (run.aim * track.seconds[i] - position) / loopTime;
+        else if (which == 0)
+            term = run.aim - position;
+        else if (which == 1)
+            term = sum / loopTime;
+        else
+            term = -loopTime * track.speed(track.seconds[i] - 0.04, track.seconds[i] + 0.04);
+        terms.push_back(gain * term);
+    }
+    return terms;
+}
+
+Task<double> ScaleSearch::scaleAt(Run run, std::size_t which)
+{
+    auto driving = drive(run);
+    const Track track = co_await std::move(driving);
+    Drive power{termsOf(run, track, which), {}, m_most};
+    if (which == 2) {
+        power.others = termsOf(run, track, 0);
+        for (double &other : power.others)
+            other *= m_positionP;
+    }
+    const auto fit = fitScale(m_plant, track, power);
+    if (!fit)
+        co_return fail(fit.error());
+    co_return fit->scale;
+}
+
+Task<double> ScaleSearch::findVelocityI()
+{
+    const double aim = 0.8 * m_plant.speedAt(m_most);
+    Run run{Loop::Velocity, {}, aim, 1.6, 0.0};
+    auto first = firstGain(run, 1, 0.25 * aim);
+    const int gain = co_await std::move(first);
+    std::vector<double> scales;
+    for (const double factor : {1.0, 1.5, 2.0}) {
+        run.gains = {0, times(gain, factor), 0};
+        auto measuring = scaleAt(run, 1);
+        scales.push_back(co_await std::move(measuring));
+    }
+    const auto mean = agreed(scales, integral);
+    if (!mean)
+        co_return fail(mean.error());
+    co_return *mean;
+}
+
+Task<double> ScaleSearch::findPositionP()
+{
+    const double aim = 0.8 * m_plant.speedAt(m_most);
+    Run run{Loop::Position, {}, aim, 1.5, 0.85 * aim};
+    auto first = firstGain(run, 0, 0.15 * aim);
+    run.gains[0] = co_await std::move(first);
+    auto rough = scaleAt(run, 0);
+    const double one = co_await std::move(rough);
+    std::vector<double> scales;
+    for (const double part : {0.6, 0.8}) { // of the power at the start
+        run.gains[0] = times(1, part * m_most / (one * aim));
+        for (int way = 0; way < 2; ++way) {
+            auto measuring = scaleAt(run, 0);
+            scales.push_back(co_await std::move(measuring));
+        }
+    }
+    const auto mean = agreed(scales, integral);
+    if (!mean)
+        co_return fail(mean.error());
+    co_return *mean;
+}
+
+Task<double> ScaleSearch::findPositionI()
+{
+    const double aim = 1.5 * m_plant.speedAt(m_most);
+    Run run{Loop::Position, {}, aim, 2.0, 0.6 * aim};
+    auto first = firstGain(run, 1, 0.15 * aim);
+    const int gain = co_await std::move(first);
+    std::vector<double> scales;
+    for (const double factor : {1.0, 1.5, 2.0}) {
+        run.gains = {0, times(gain, factor), 0};
+        auto measuring = scaleAt(run, 1);
+        scales.push_back(co_await std::move(measuring));
+    }
+    const auto mean = agreed(scales, integral);
+    if (!mean)
+        co_return fail(mean.error());
+    co_return *mean;
+}
+
+/// Beside a P that is known: D brakes.
+Task<std::optional<double>> ScaleSearch::findPositionD()
+{
+    const double aim = m_plant.speedAt(m_most);
+    const int p = times(1, 0.7 * m_most / (m_positionP * aim));
+    Run run{Loop::Position, {p, 0, 0}, aim, 0.8, 0.0};
+    auto freely = drive(run);
+    const Track free = co_await std::move(freely);
+    for (int gain = 1;; gain = std::min(2 * gain, greatestGain)) {
+        run.gains[2] = gain;
+        auto driving = drive(run);
+        const Track braked = co_await std::move(driving);
+        if (braked.way() <= 0.65 * free.way())
+            break;
+        if (gain == greatestGain)
+            co_return std::optional<double>();
+    }
+    std::vector<double> scales;
+    run.seconds = 1.5;
+    const int gain = run.gains[2];
+    for (const double factor : {1.0, 0.75}) {
+        run.gains[2] = times(gain, factor);
+        for (int way = 0; way < 2; ++way) {
+            auto measuring = scaleAt(run, 2);
+            scales.push_back(co_await std::move(measuring));
+        }
+    }
+    const auto mean = agreed(scales, 2.0 * integral);
+    if (!mean)
+        co_return fail(mean.error());
+    co_return std::optional<double>(*mean);
+}
+
+Task<ExperimentReport> findGainScales(
+    Device &device, SetPointStream &stream, ExperimentOptions options, Progress &progress)
+{
+    if (options.axis < 1 || options.axis > axes || !(options.power > 0.0) || options.power > 1.0)
+        co_return fail(Fault::OutOfRange, "an axis from 1 to 4 and a power limit above 0 are needed");
+    ScaleSearch search(static_cast<Controller &>(device), stream, options, progress);
+    auto running = search.run();
+    const ExperimentReport report = co_await std::move(running);
+    co_return report;
+}
+
+} // namespace mb::quadquad2drv

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The update over the bootloader's serial line, on virtual time: steps for hands, settings for what nobody knows, failures.
+#include "families/quadquad2drv/firmware.h"
+#include "families/quadquad2drv/simulatorboard.h"
+#include "families/quadquad2drv/simulatorboot.h"
+#include "families/quadquad2drv/updater.h"
+#include "model/operation.h"
+#include "model/registry.h"
+#include "support/simulatedsession.h"
+#include "transport/backends/virtualserial.h"
+#include "transport/backends/virtualspi.h"
+
+namespace mb::quadquad2drv {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::string_view hex = ":0400000001020304F2\n:0400040005060708DE\n:00000001FF\n";
+
+/// Board, bootloader and host, all in memory.
+struct UpdateBench {
+    explicit UpdateBench(const std::string &options = {})
+        : slave(*LinkAddress::parse("sim:spi"))
+        , spi(*LinkAddress::parse("sim:spi"), clock, slave, 500'000, 1)
+        , line(clock, VirtualSerialLine::Wiring::FullDuplex, 1)
+        , boardEnd(*LinkAddress::parse("sim:serial"), line)
+        , hostEnd(*LinkAddress::parse("sim:serial"), line)
+    {
+        simulation::BoardOptions made
+            = *simulation::BoardOptions::parse(*SimulatedUnit::parse("quadquad2drv:0" + options));
+        (void)slave.open();
+        board = std::make_unique<simulation::Board>(slave, clock, made, [](std::string_view, double) {});
+        (void)boardEnd.open();
+        boot = std::make_unique<simulation::Boot>(boardEnd, clock, *board, made);
+        (void)spi.open();
+        Identity identity;
+        identity.family = "quadquad2drv";
+        device = findFamily(families(), "quadquad2drv")->open(spi, clock, identity);
+        (void)test::run(clock, device->refresh());
+    }
+    UpdateReport update(const BootSettings &settings = {})
+    {
+        Updater updater(*device, hostEnd, image, operation, settings);
+        std::optional<UpdateReport> end;
+        operation.run<UpdateReport>(
+            updater.run(false), [&end](Result<UpdateReport> report) { end = report ? *report : UpdateReport{}; });
+        EXPECT_TRUE(clock.runUntil(
+            [&] {
+                if (hand)
+                    hand();
+                return end.has_value();
+            },
+            10min));
+        return end.value_or(UpdateReport{});
+    }
+    [[nodiscard]] PartState step(int number) const { return operation.status().parts.at(number); }
+    [[nodiscard]] bool said(std::string_view text) const
+    {
+        const auto &log = operation.status().log;
+        return std::any_of(
+            log.begin(), log.end(), [text](const LogLine &row) { return row.text.find(text) != std::string::npos; });
+    }
+
+    VirtualClock clock;
+    VirtualSpiSlaveLink slave;
+    VirtualSpiLink spi;
+    VirtualSerialLine line;
+    VirtualSerialLink boardEnd;
+    VirtualSerialLink hostEnd;
+    std::unique_ptr<simulation::Board> board;
+    std::unique_ptr<simulation::Boot> boot;
+    std::unique_ptr<Device> device;
+    FirmwareImage image = *FirmwareImage::fromIntelHex(hex);
+    Operation operation{clock, "update"};
+    std::function<void()> hand; ///< what the user does, looked at often
+};
+
+TEST(QuadQuad2DrvUpdate, GoesThroughEveryStepAndComparesTheVersion)
+{
+    UpdateBench bench;
+    bench.hand = [&bench] { // closes the jumper when asked, takes it out when asked
+        const std::string &step = bench.operation.status().step;
+        if (step.starts_with("close the jumper"))
+            bench.boot->setJumper(true);
+        if (step.starts_with("take the jumper out"))
+            bench.boot->setJumper(false);
+    };
+    bench.boot->setJumper(true);
+    const UpdateReport report = bench.update();
+    EXPECT_EQ(report.outcome, UpdateOutcome::Done) << report.evidence;
+    EXPECT_EQ(report.from, "1.3");
+    EXPECT_EQ(report.to, "1.4");
+    for (int step = 0; step < static_cast<int>(routes().front().steps.size()); ++step)
+        EXPECT_EQ(bench.step(step), PartState::Done) << step;
+    EXPECT_TRUE(bench.said("> :0400000001020304F2"));
+    EXPECT_TRUE(bench.said("< ok"));
+}
+
+TEST(QuadQuad2DrvUpdate, WaitsForTheGreetingAndSaysWhatToLookAtWhenNoneComes)
+{
+    UpdateBench bench;
+    const Instant begin = bench.clock.now();
+    const UpdateReport report = bench.update();
+    EXPECT_EQ(report.outcome, UpdateOutcome::Failed);
+    EXPECT_NE(report.evidence.find("check the jumper"), std::string::npos);
+    EXPECT_GE(bench.clock.now() - begin, 30s);
+    EXPECT_EQ(bench.step(0), PartState::Active) << "it never got further than the hands";
+    EXPECT_EQ(bench.step(3), PartState::Waiting);
+}
+
+TEST(QuadQuad2DrvUpdate, AJumperThatWasLeftInIsToldAndTheUpdateEndsOnceItIsOut)
+{
+    UpdateBench bench;
+    bench.boot->setJumper(true);
+    BootSettings settings;
+    settings.farewell = {}; // only jumper and reset leave this bootloader
+    bool told = false;
+    Instant since{};
+    bench.hand = [&] {
+        const std::string &step = bench.operation.status().step;
+        if (!told && step.starts_with("the jumper is still in")) {
+            told = true;
+            since = bench.clock.now();
+        }
+        if (told && bench.clock.now() - since > 3s)
+            bench.boot->setJumper(false);
+    };
+    const UpdateReport report = bench.update(settings);
+    EXPECT_TRUE(told);
+    EXPECT_EQ(report.outcome, UpdateOutcome::Done) << report.evidence;
+    EXPECT_EQ(report.to, "1.4");
+    EXPECT_EQ(bench.step(4), PartState::Done);
+}
+
+TEST(QuadQuad2DrvUpdate, ARefusalIsRecognisedByTheWordsThatWereSet)
+{
+    UpdateBench bench;
+    bench.boot->setJumper(true);
+    BootSettings settings;
+    settings.failures = {"ok"};
+    const UpdateReport report = bench.update(settings);
+    EXPECT_EQ(report.outcome, UpdateOutcome::Failed);
+    EXPECT_NE(report.evidence.find("line 1 was refused: ok"), std::string::npos) << report.evidence;
+}
+
+TEST(QuadQuad2DrvUpdate, CancelledWhileItWaitsForHandsItLeavesNothingBehind)
+{
+    UpdateBench bench;
+    Updater updater(*bench.device, bench.hostEnd, bench.image, bench.operation, {});
+    std::optional<Fault> end;
+    bench.operation.run<UpdateReport>(updater.run(false),
+        [&end](const Result<UpdateReport> &report) { end = report ? Fault::BadCheck : report.error().fault; });
+    bench.clock.advance(5s);
+    ASSERT_TRUE(bench.operation.cancel());
+    bench.clock.advance(1s);
+    EXPECT_EQ(end, Fault::Cancelled);
+}
+
+TEST(QuadQuad2DrvUpdate, SettingsAreTakenOutOfTheLinkAndTheRestStays)
+{
+    LinkAddress via = *LinkAddress::parse(
+        "serial:/dev/ttyUSB0?baud=57600&ending=lf&pause=80&failure=No|Oops&banner=hello&farewell=none&format=8E1");
+    const auto settings = BootSettings::take(via);
+    ASSERT_TRUE(settings);
+    EXPECT_EQ(settings->ending, "\n");
+    EXPECT_EQ(settings->lineTime, 80ms);
+    EXPECT_EQ(settings->failures, (std::vector<std::string>{"no", "oops"}));
+    EXPECT_EQ(settings->banner, "hello");
+    EXPECT_EQ(settings->farewell, "");
+    EXPECT_EQ(via.text(), "serial:/dev/ttyUSB0?baud=57600&format=8E1");
+    for (const char *wrong : {"serial:x?ending=tab", "serial:x?pause=9999", "serial:x?pause=1x"}) {
+        LinkAddress bad = *LinkAddress::parse(wrong);
+        EXPECT_EQ(BootSettings::take(bad).error().fault, Fault::OutOfRange) << wrong;
+    }
+}
+
+} // namespace
+} // namespace mb::quadquad2drv
