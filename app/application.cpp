@@ -115,7 +115,10 @@ Application::Application(QApplication &qt, const Options &options)
     dress(options.theme.isEmpty() ? m_settings.theme() : options.theme, options.fontScale);
     m_engine = std::make_unique<Engine>(families(), !options.demo);
     if (!options.demo)
-        m_engine->post([](EngineCore &core) { core.session().keepProfiles(profileFolder()); });
+        m_engine->post([](EngineCore &core) {
+            core.session().keepProfiles(profileFolder());
+            core.keepTranscripts(transcriptFolder());
+        });
     m_window = std::make_unique<MainWindow>(*m_engine, *m_theme, m_settings);
     if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)
         m_window->resize(sides[0].toInt(), sides[1].toInt());

@@ -195,6 +195,17 @@ void Engine::storeParameters(DeviceId device, Finished finished)
     post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.storeParameters(device, back); });
 }
 
+void Engine::rewriteSettings(DeviceId device, Finished finished)
+{
+    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.rewriteSettings(device, back); });
+}
+
+void Engine::experiment(DeviceId device, const std::string &key, const ExperimentOptions &options, Finished finished)
+{
+    post([device, key, options, back = comeBack(std::move(finished))](
+             EngineCore &core) { core.experiment(device, key, options, back); });
+}
+
 void Engine::identify(DeviceId device, Finished finished)
 {
     post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.identify(device, back); });

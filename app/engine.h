@@ -33,6 +33,9 @@ public:
     void readParameters(DeviceId device) override;
     void writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) override;
     void storeParameters(DeviceId device, Finished finished) override;
+    void rewriteSettings(DeviceId device, Finished finished) override;
+    void experiment(
+        DeviceId device, const std::string &key, const ExperimentOptions &options, Finished finished) override;
     void identify(DeviceId device, Finished finished) override;
     void rename(DeviceId device, const QString &name, Finished finished) override;
     void renumber(DeviceId device, int address, Finished finished) override;

@@ -185,6 +185,7 @@ void EngineCore::scanned(Link &link, const Result<std::vector<Device *>> &device
     m_lastScan = m_clock.now();
     if (!devices)
         notice(Severity::Caution, link.address().shortName(), devices.error().detail);
+    probeSilent(link);
     touch();
 }
 
@@ -463,6 +464,7 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
             if (!device)
                 return;
             device->setBusy({});
+            saveTranscript(running, *device);
             const bool good = report->outcome == UpdateOutcome::Done || report->outcome == UpdateOutcome::UpToDate;
             notice(good ? Severity::Good : Severity::Danger, labelOf(*device), "firmware: " + report->evidence);
             scan(device->link());

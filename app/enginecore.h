@@ -49,6 +49,8 @@ public:
     void readParameters(DeviceId id);
     void writeParameters(DeviceId id, std::vector<ParameterChange> changes, Finished finished);
     void storeParameters(DeviceId id, Finished finished);
+    void rewriteSettings(DeviceId id, const Finished &finished);
+    void experiment(DeviceId id, const std::string &key, const ExperimentOptions &options, const Finished &finished);
     void identify(DeviceId id, Finished finished);
     void rename(DeviceId id, const std::string &name, Finished finished);
     void renumber(DeviceId id, int address, Finished finished);
@@ -65,6 +67,8 @@ public:
     void stopAll();
 
     void update(DeviceId id, std::shared_ptr<const FirmwareImage> image, const UpdateOptions &options);
+    /// From now on the log of each update is kept in this folder, one file an update.
+    void keepTranscripts(std::string folder) { m_transcripts = std::move(folder); }
     void cancel(OperationId id);
     void sendFrame(const std::string &link, const CanFrame &frame, const Finished &finished);
 
@@ -101,6 +105,8 @@ private:
     void dropVanished();
     void removeLink(Link &link);
     bool openAwaited(const LinkAddress &address);
+    void saveTranscript(const Running &running, const Device &device);
+    void probeSilent(Link &link);
     void streamChanged(DeviceId id);
     void prune();
     void touch() { m_changed.notify(); }
@@ -123,6 +129,7 @@ private:
     std::map<std::string, Diagnosis> m_failed; ///< by address, until it opens or is closed
     std::set<std::string> m_closedByHand;      ///< not opened again by themselves
     AwaitedPorts m_awaited;
+    std::string m_transcripts; ///< folder; empty: none are kept
     std::list<Running> m_operations;
     std::uint32_t m_lastOperation = 0;
     Subscription m_sessionChanged;

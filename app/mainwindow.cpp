@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow.h"
 
+#include "app/conditions.h"
 #include "app/footprint.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
@@ -26,6 +27,7 @@
 #include <QDateTime>
 #include <QDockWidget>
 #include <QMenu>
+#include <QScrollArea>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -137,6 +139,7 @@ void MainWindow::buildPages()
     m_tabs = new PageTabs(m_theme, central);
     m_tabs->setAccessibleName(tr("Pages"));
     m_banners = new BannerStack(m_theme, central);
+    m_conditions = new Conditions(m_workbench, *m_arming, *m_banners, this);
     m_line = new DeviceLine(m_workbench, m_selection, m_theme, central);
     m_pages = new QStackedWidget(central);
     column->addWidget(m_tabs);
@@ -162,8 +165,15 @@ void MainWindow::buildPages()
 
 void MainWindow::buildInspector()
 {
-    m_inspector = makeDock(*this, QStringLiteral("inspectorDock"), tr("Inspector"),
-        new Inspector(m_workbench, m_selection, m_theme, this), Qt::RightDockWidgetArea);
+    auto *scroll = new QScrollArea(this); // what only the user knows of a device may be long
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
+    auto *inspector = new Inspector(m_workbench, m_selection, m_theme, scroll);
+    scroll->setMinimumWidth(inspector->sizeHint().width());
+    scroll->setWidget(inspector);
+    m_inspector = makeDock(*this, QStringLiteral("inspectorDock"), tr("Inspector"), scroll, Qt::RightDockWidgetArea);
 }
 
 void MainWindow::buildStatus()
@@ -248,7 +258,8 @@ void MainWindow::follow()
 {
     const Snapshot &shot = m_workbench.snapshot();
     followLinks(shot);
-    followConditions(shot);
+    m_conditions->follow();
+    m_header->setNotices(m_banners->count());
     m_header->setLampStatus(m_arming->status(m_selection.device()));
     const bool any = !shot.devices.empty();
     const QString reason = any ? QString() : tr("needs a device; open a link first");
@@ -290,35 +301,6 @@ void MainWindow::followLinks(const Snapshot &shot)
     m_header->setLinks(chips);
     m_stripe->setText(tr("simulated bench"));
     m_stripe->setVisible(simulated);
-}
-
-void MainWindow::followConditions(const Snapshot &shot)
-{
-    for (const LinkView &link : shot.links) {
-        const QString key = QStringLiteral("link ") + QString::fromStdString(link.address);
-        if (link.state == LinkState::Lost)
-            m_banners->post(key, BannerKind::Danger, tr("%1 is lost").arg(QString::fromStdString(link.name)),
-                tableText(link.reason));
-        else
-            m_banners->clear(key);
-    }
-    for (const DeviceView &device : shot.devices) {
-        const QString key = QStringLiteral("device %1").arg(device.id.value);
-        if (device.liveness.foreignMaster)
-            m_banners->post(key, BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)),
-                tr("Arming is off until it stops sending control frames."));
-        else if (device.identity.state == DeviceState::Duplicate)
-            m_banners->post(key, BannerKind::Caution, tr("Several units answer as %1").arg(titleOf(device)),
-                tr("Control is locked. Assign one of them a new number from the menu of its row."));
-        else
-            m_banners->clear(key);
-    }
-    if (m_arming->state() == LampState::Stopped)
-        m_banners->post(QStringLiteral("stopped"), BannerKind::Danger, tr("Stopped: %1").arg(m_arming->reason()),
-            tr("Hold the lamp for 1 s to arm again."));
-    else
-        m_banners->clear(QStringLiteral("stopped"));
-    m_header->setNotices(m_banners->count());
 }
 
 void MainWindow::showNotice(const Notice &notice)

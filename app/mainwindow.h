@@ -18,6 +18,7 @@ class QStackedWidget;
 namespace mb {
 
 class BannerStack;
+class Conditions;
 class DemoStripe;
 class DeviceLine;
 class HeaderBar;
@@ -56,7 +57,6 @@ private:
     void follow();
     void followLinks(const Snapshot &shot);
     void followPages();
-    void followConditions(const Snapshot &shot);
     void showNotice(const Notice &notice);
     void showFootprint();
     void whenDeactivated();
@@ -72,6 +72,7 @@ private:
     QDockWidget *m_inspector = nullptr;
     PageTabs *m_tabs = nullptr;
     BannerStack *m_banners = nullptr;
+    Conditions *m_conditions = nullptr;
     DeviceLine *m_line = nullptr;
     QStackedWidget *m_pages = nullptr;
     QLabel *m_message = nullptr;

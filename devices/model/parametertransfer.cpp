@@ -100,6 +100,10 @@ Task<int> rewriteSettings(Device &device, Progress &progress)
 {
     if (device.liveness().moving)
         co_return fail(Fault::Unsafe, "stop the motors before settings are written again");
+    if (device.liveness().restarted) { // noticed, and nobody has looked at it since
+        auto looking = device.refresh();
+        co_await std::move(looking);
+    }
     const std::vector<ParameterChange> lost = lostSettings(device.family(), device.profile());
     const int total = static_cast<int>(lost.size());
     for (int i = 0; i < total; ++i) {

@@ -128,6 +128,15 @@ class BoardTest(ContractTest):
         with open(path, encoding="utf-8") as file:
             return json.load(file)["device"] == self.device
 
+    def test_readings_are_kept_with_info(self):
+        self.simulate()
+        self.assertIn("0 (counts/s (safe)); another with --keep", self.run_text("info", self.device))
+        kept = self.run_one("info", self.device, "--keep", "velocity_target_shift=12", "--keep", "input_reading=1")
+        self.assertEqual((kept["descriptors"]["velocity_target_shift"], kept["descriptors"]["input_reading"]), ("12", "1"))
+        self.assertIn("12 (counts/s × 4096)", self.run_text("info", self.device))
+        self.assert_error(2, "info", self.device, "--keep", "velocity_target_shift=5")
+        self.assertNotIn("velocity_target_shift", self.run_one("info", self.device, "--keep", "velocity_target_shift=")["descriptors"])
+
     def test_an_update_goes_over_the_bootloaders_terminal(self):
         self.simulate(f",boot=pty:{self.boot},jumper=closed")
         short = self.short_file()

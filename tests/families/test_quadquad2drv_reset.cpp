@@ -91,6 +91,17 @@ TEST_F(QuadQuad2DrvReset, WritingAgainSendsWhatWasWrittenAndNothingIsLostAnyMore
     EXPECT_EQ(device->parameters().entry(indexOf(BoardParameter::HistoryLength)).raw, 8);
 }
 
+TEST_F(QuadQuad2DrvReset, ItIsWrittenAgainEvenBeforeAnybodyLookedAtTheBoard)
+{
+    writeSome();
+    powerCycle();
+    bench.clock.advance(1s);
+    ASSERT_TRUE(device->liveness().restarted);
+    const auto written = run(bench.clock, rewriteSettings(*device, progress));
+    ASSERT_TRUE(written) << written.error().detail;
+    EXPECT_EQ(lost(), 0U);
+}
+
 TEST_F(QuadQuad2DrvReset, ASecondRunBelievesWhatWasWrittenWhileTheBoardKeptItsPower)
 {
     writeSome();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window's own engine, window and arming, without a screen, driving device 5 of a link until it is killed:
-//     windowdriver LINK          prints "driving" once a snapshot shows the motor moving
+// The window's own engine, window and arming, without a screen, driving device 5 of a link, or all axes of a board, until it is killed:
+//     windowdriver LINK          prints "driving" once a snapshot shows the motor moving, on a board every motor
 //     windowdriver LINK FAMILY   drives device 5 of this family, where there are several
 //     windowdriver LINK listen   only watches; prints "listening", and at the end of its input "RX LOST"
 // For tests/socketcan/kill-window. The lease is renewed where the program renews it, on the GUI thread.
@@ -29,7 +29,8 @@ public:
     void follow()
     {
         for (const mb::DeviceView &device : m_engine.snapshot().devices) {
-            if (device.identity.address == 5 && (m_family.empty() || device.family->key == m_family))
+            const bool board = device.family->capabilities.axes > 1;
+            if ((board || device.identity.address == 5) && (m_family.empty() || device.family->key == m_family))
                 follow(device);
         }
     }
@@ -43,8 +44,9 @@ private:
             mb::SetPoint setPoint;
             setPoint.mode = mb::Mode::Duty;
             setPoint.target = 0.3;
-            arming.run(setPoint);
-        } else if (!m_told && device.motion.running && device.liveness.moving) {
+            for (setPoint.axis = 1; setPoint.axis <= device.family->capabilities.axes; ++setPoint.axis)
+                arming.run(setPoint);
+        } else if (!m_told && device.motion.running && device.liveness.moving && turnsOnEveryAxis(device)) {
             m_told = true;
             std::puts("driving");
             std::fflush(stdout);
@@ -52,6 +54,21 @@ private:
             std::fprintf(stderr, "windowdriver: stopped: %s\n", qPrintable(arming.reason()));
             QCoreApplication::exit(1);
         }
+    }
+
+    /// What a device with one motor shows is `liveness.moving`.
+    [[nodiscard]] static bool turnsOnEveryAxis(const mb::DeviceView &device)
+    {
+        const auto channels = device.telemetry->channels();
+        for (std::uint16_t i = 0; i < channels.size(); ++i) {
+            const std::string_view key = channels[i].key;
+            if (!key.starts_with("ch") || !key.ends_with(".velocity"))
+                continue;
+            const auto now = device.telemetry->latest({i});
+            if (!now || now->value == 0.0)
+                return false;
+        }
+        return true;
     }
 
     mb::Engine &m_engine;

@@ -64,6 +64,18 @@ public:
         call.changes = std::move(changes);
         note(std::move(call), std::move(finished));
     }
+    void rewriteSettings(DeviceId device, Finished finished) override
+    {
+        note({"rewriteSettings", device}, std::move(finished));
+    }
+    void experiment(
+        DeviceId device, const std::string &key, const ExperimentOptions &options, Finished finished) override
+    {
+        Call call{"experiment", device, key};
+        call.setPoint.axis = options.axis;
+        call.number = options.power;
+        note(std::move(call), std::move(finished));
+    }
     void storeParameters(DeviceId device, Finished finished) override
     {
         note({"storeParameters", device}, std::move(finished));

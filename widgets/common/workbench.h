@@ -45,6 +45,13 @@ public:
     virtual void readParameters(DeviceId device) = 0;
     /// Writes with read-back; `finished` has the first error. An operation of the device.
     virtual void writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) = 0;
+    /// Writes what a reset took (DeviceProfile::lost) again. An operation of the device.
+    virtual void rewriteSettings(DeviceId device, Finished finished) = 0;
+    /// Finds out what the device does not tell (Family::experiments). An operation of the device; one that moves needs
+    /// renewMotion() all the time. `finished` has the first error, the log of the operation what was found.
+    virtual void experiment(
+        DeviceId device, const std::string &key, const ExperimentOptions &options, Finished finished)
+        = 0;
     /// Waits for the device's own proof that flash has what RAM has. An operation of the device.
     virtual void storeParameters(DeviceId device, Finished finished) = 0;
 

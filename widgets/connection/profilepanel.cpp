@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/connection/experimentdialog.h"
 
 #include <QAbstractButton>
 #include <QComboBox>
@@ -12,6 +13,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPointer>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 namespace mb {
@@ -44,8 +46,13 @@ void ProfilePanel::rebuild(const Family &family)
     column->addWidget(new SectionLabel(tr("What only you know"), m_content));
     if (!family.dialects.empty())
         buildDialects(family, *column);
-    for (const Calibration &calibration : family.calibrations)
-        buildRow(calibration, *column);
+    for (const Calibration &calibration : family.calibrations) {
+        if (calibration.choices.empty())
+            buildRow(calibration, *column);
+        else
+            buildChoices(calibration, *column);
+    }
+    buildExperiments(family, *column);
     m_trouble = textLabel({}, TextRole::Caption, Tone::Danger, m_content);
     m_trouble->setWordWrap(true);
     m_trouble->setVisible(false);
@@ -84,6 +91,50 @@ void ProfilePanel::buildRow(const Calibration &calibration, QVBoxLayout &column)
     const Row row{&calibration, field};
     m_rows.push_back(row);
     connect(field, &QLineEdit::editingFinished, this, [this, row] { typed(row); });
+}
+
+void ProfilePanel::buildChoices(const Calibration &calibration, QVBoxLayout &column)
+{
+    auto *caption = textLabel(tableText(calibration.label), TextRole::Body, Tone::Dim, m_content);
+    auto *choices = new QComboBox(m_content);
+    choices->setAccessibleName(tableText(calibration.label));
+    choices->setToolTip(tableText(calibration.help));
+    choices->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    for (const Choice &choice : calibration.choices)
+        choices->addItem(tableText(choice.label), static_cast<int>(choice.raw));
+    column.addWidget(caption);
+    column.addWidget(choices);
+    const Row row{&calibration, nullptr, choices};
+    m_rows.push_back(row);
+    connect(choices, qOverload<int>(&QComboBox::activated), this, [this, row](int place) { chosen(row, place); });
+}
+
+void ProfilePanel::buildExperiments(const Family &family, QVBoxLayout &column)
+{
+    for (const Experiment &known : family.experiments) {
+        auto *button = new QPushButton(tableText(known.title) + QStringLiteral("…"), m_content);
+        button->setObjectName(qt(known.key));
+        button->setAccessibleName(tableText(known.title));
+        button->setToolTip(tableText(known.explanation));
+        column.addWidget(button);
+        connect(button, &QPushButton::clicked, this, [this, &known] { experiment(known); });
+    }
+}
+
+void ProfilePanel::experiment(const Experiment &experiment)
+{
+    auto *dialog = new ExperimentDialog(m_workbench, m_device, experiment, m_theme, window());
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void ProfilePanel::chosen(const Row &row, int place)
+{
+    m_workbench.calibrate(m_device, std::string(row.calibration->key), row.choices->itemData(place).toDouble(),
+        [self = QPointer<ProfilePanel>(this)](const Result<void> &result) {
+            if (self)
+                self->say(result);
+        });
 }
 
 void ProfilePanel::typed(const Row &row)
@@ -143,9 +194,27 @@ void ProfilePanel::chooseDialect(int place)
     question->open();
 }
 
+void ProfilePanel::showRow(const Row &row, const DeviceView &device, bool another)
+{
+    if (row.choices) {
+        const double known = device.profile.calibrated(
+            row.calibration->key, static_cast<double>(row.calibration->choices.front().raw));
+        row.choices->setCurrentIndex(std::max(0, row.choices->findData(static_cast<int>(known))));
+        return;
+    }
+    if (row.field->hasFocus() && !another)
+        return;
+    const double known = device.profile.calibrated(row.calibration->key);
+    const QString text = known > 0.0 ? editText(known) : QString();
+    if (row.field->text() != text && (another || row.field->property("state").toString().isEmpty()))
+        row.field->setText(text);
+}
+
 void ProfilePanel::show(const DeviceView *device)
 {
-    const bool any = device && (!device->family->dialects.empty() || !device->family->calibrations.empty());
+    const bool any = device
+        && (!device->family->dialects.empty() || !device->family->calibrations.empty()
+            || !device->family->experiments.empty());
     setVisible(any);
     if (!any)
         return;
@@ -153,14 +222,8 @@ void ProfilePanel::show(const DeviceView *device)
         rebuild(*device->family);
     const bool another = device->id != m_device;
     m_device = device->id;
-    for (const Row &row : m_rows) {
-        if (row.field->hasFocus() && !another)
-            continue;
-        const double known = device->profile.calibrated(row.calibration->key);
-        const QString text = known > 0.0 ? editText(known) : QString();
-        if (row.field->text() != text && (another || row.field->property("state").toString().isEmpty()))
-            row.field->setText(text);
-    }
+    for (const Row &row : m_rows)
+        showRow(row, *device, another);
     if (!m_dialects)
         return;
     int place = 0;

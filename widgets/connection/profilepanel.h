@@ -16,7 +16,7 @@ class QVBoxLayout;
 namespace mb {
 
 /// What only the user of a device knows: what a count of its sensors stands for, and which dialect it speaks if not the one that
-/// was found. Rows come from the tables of the family; hidden where there are none.
+/// was found. What can be found out by trying has a button. Rows come from the tables of the family; hidden where there are none.
 class ProfilePanel : public QWidget {
     Q_OBJECT
 public:
@@ -28,10 +28,16 @@ private:
     struct Row {
         const Calibration *calibration = nullptr;
         QLineEdit *field = nullptr;
+        QComboBox *choices = nullptr; ///< of a row that has some
     };
     void rebuild(const Family &family);
     void buildDialects(const Family &family, QVBoxLayout &column);
     void buildRow(const Calibration &calibration, QVBoxLayout &column);
+    void buildChoices(const Calibration &calibration, QVBoxLayout &column);
+    void buildExperiments(const Family &family, QVBoxLayout &column);
+    void chosen(const Row &row, int place);
+    void experiment(const Experiment &experiment);
+    void showRow(const Row &row, const DeviceView &device, bool another);
     void typed(const Row &row);
     void chooseDialect(int place);
     void say(const Result<void> &result);

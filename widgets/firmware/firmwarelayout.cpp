@@ -6,6 +6,7 @@
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/firmware/pagemap.h"
 #include "widgets/firmware/routepanel.h"
+#include "widgets/firmware/stepspanel.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -183,14 +184,21 @@ QWidget *FirmwarePage::buildSide(QWidget *parent)
     auto *inner = new QVBoxLayout;
     inner->setContentsMargins(theme.u(16), 0, theme.u(16), theme.u(12));
     inner->setSpacing(theme.u(8));
-    inner->addWidget(new SectionLabel(tr("Flash pages"), panel));
+    m_steps = new StepsPanel(m_theme, panel);
+    inner->addWidget(m_steps);
+    m_pagesOfFlash = new QWidget(panel);
+    auto *pages = new QVBoxLayout(m_pagesOfFlash);
+    pages->setContentsMargins(0, 0, 0, 0);
+    pages->setSpacing(theme.u(8));
+    pages->addWidget(new SectionLabel(tr("Flash pages"), panel));
     m_map = new PageMap(m_theme, panel);
-    inner->addWidget(m_map);
+    pages->addWidget(m_map);
     auto *legend = textLabel(tr("In the order they are written. Green: written. Amber edge: sent again. Dashed: not in "
                                 "the image. Red: must not be cut."),
         TextRole::Caption, Tone::Dim, panel);
     legend->setWordWrap(true);
-    inner->addWidget(legend);
+    pages->addWidget(legend);
+    inner->addWidget(m_pagesOfFlash);
     m_notes = textLabel({}, TextRole::Caption, Tone::Dim, panel);
     m_notes->setWordWrap(true);
     inner->addWidget(m_notes);

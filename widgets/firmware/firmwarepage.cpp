@@ -8,6 +8,7 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/firmware/pagemap.h"
 #include "widgets/firmware/routepanel.h"
+#include "widgets/firmware/stepspanel.h"
 
 #include <QDateTime>
 #include <QDragEnterEvent>
@@ -62,8 +63,7 @@ void FirmwarePage::inspectImage()
     if (!m_imageError.isEmpty())
         m_imageDetail->setText(m_imageError);
     else if (m_summary)
-        m_imageDetail->setText(
-            tr("version %1 · pages: %2").arg(QString::fromStdString(m_summary->version)).arg(m_summary->parts.size()));
+        m_imageDetail->setText(imageText());
     else
         m_imageDetail->setText(
             m_path.isEmpty() ? tr("Open an Intel HEX file, or drop it here") : tr("select a device to check it"));
@@ -75,6 +75,29 @@ void FirmwarePage::inspectImage()
         notes += tableText(note);
     m_notes->setText(notes.join(QLatin1Char('\n')));
     follow();
+}
+
+/// Notes say what there is to say of a file without a version.
+QString FirmwarePage::imageText() const
+{
+    if (m_summary->version.empty() && !m_summary->notes.empty())
+        return tableText(m_summary->notes.front());
+    return tr("version %1 · pages: %2").arg(QString::fromStdString(m_summary->version)).arg(m_summary->parts.size());
+}
+
+bool FirmwarePage::isGuided(const DeviceView *device)
+{
+    return device && !device->family->routes.empty() && !device->family->routes.front().steps.empty();
+}
+
+void FirmwarePage::followRoute(const DeviceView *device, const OperationView *operation)
+{
+    m_route->show(device ? device->family : nullptr, m_workbench.listings());
+    const bool guided = isGuided(device);
+    m_pagesOfFlash->setVisible(!guided);
+    m_steps->setSteps(guided ? device->family->routes.front().steps : std::span<const GuidedStep>());
+    if (guided)
+        m_steps->follow(operation ? &operation->status : nullptr);
 }
 
 const OperationView *FirmwarePage::updateOf(const DeviceView *device) const
@@ -132,7 +155,7 @@ void FirmwarePage::follow()
     } else {
         m_versions->clear();
     }
-    m_route->show(device ? device->family : nullptr);
+    followRoute(device, operation);
     followChecks(device, operation);
     followProgress(operation);
     followLog(operation);
@@ -204,11 +227,14 @@ void FirmwarePage::followProgress(const OperationView *operation)
     }
     const OperationStatus &status = operation->status;
     const bool running = status.state == OperationStatus::State::Running;
-    m_progress->setRange(0, std::max(status.total, 1));
+    const bool waiting = running && status.total == 0; // for hands, or for an answer
+    m_progress->setRange(0, waiting ? 0 : std::max(status.total, 1));
     m_progress->setValue(status.done);
     m_map->setStates(status.parts);
     if (running) {
-        m_step->setText(tr("%1, %2 of %3 written").arg(tableText(status.step)).arg(status.done).arg(status.total));
+        m_step->setText(waiting
+                ? tableText(status.step)
+                : tr("%1, %2 of %3 written").arg(tableText(status.step)).arg(status.done).arg(status.total));
         m_rate->setText(remaining(status));
         setTone(*m_step, Tone::Text);
         return;
@@ -219,6 +245,8 @@ void FirmwarePage::followProgress(const OperationView *operation)
     m_rate->setText(tr("%1 s, pages sent again: %2").arg(formatNumber(seconds, 1)).arg(report.retries));
     const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
     setTone(*m_step, good ? Tone::Ok : Tone::Danger);
+    if (report.outcome == UpdateOutcome::Done)
+        m_progress->setValue(m_progress->maximum());
 }
 
 QString FirmwarePage::timeOf(Instant time) const
@@ -266,6 +294,11 @@ void FirmwarePage::followSafety(const OperationView *operation)
             : running               ? tr("Safe to unplug")
                                     : tr("Nothing is written now"));
     setTone(*m_safetyTitle, critical ? Tone::Danger : Tone::Ok);
+    if (isGuided(m_workbench.snapshot().device(m_selection.device()))) {
+        m_safetyText->setText(tr("A board that is cut stays in its bootloader. Leave the jumper in and run the update "
+                                 "again."));
+        return;
+    }
     m_safetyText->setText(critical ? tr("Page 0 holds the reset vector. A cut now cannot be repaired over the bus.")
                                    : tr("A unit that is cut stays in its bootloader and can be updated again. Only "
                                         "page 0, the last, must not be interrupted."));

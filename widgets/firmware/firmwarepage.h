@@ -19,6 +19,7 @@ class Banner;
 class CommandButton;
 class PageMap;
 class RoutePanel;
+class StepsPanel;
 class StateGlyph;
 
 /// Firmware of the selected device: image, checks before the start, page map, rate, time left, cancel, log. Says done only
@@ -60,6 +61,9 @@ private:
     void followLog(const OperationView *operation);
     void followSafety(const OperationView *operation);
     void setCheck(const Check &check, bool holds, const QString &text);
+    void followRoute(const DeviceView *device, const OperationView *operation);
+    [[nodiscard]] static bool isGuided(const DeviceView *device);
+    [[nodiscard]] QString imageText() const;
     [[nodiscard]] const OperationView *updateOf(const DeviceView *device) const;
     [[nodiscard]] QString timeOf(Instant time) const;
     [[nodiscard]] QString remaining(const OperationStatus &status) const;
@@ -88,7 +92,9 @@ private:
     QWidget *m_safety = nullptr;
     QLabel *m_safetyTitle = nullptr;
     QLabel *m_safetyText = nullptr;
+    QWidget *m_pagesOfFlash = nullptr;
     PageMap *m_map = nullptr;
+    StepsPanel *m_steps = nullptr;
     QLabel *m_notes = nullptr;
     OperationId m_shownOperation;
     std::size_t m_shownLines = 0;

@@ -4,30 +4,49 @@
 #include "widgets/common/theme.h"
 
 #include "model/family.h"
+#include "transport/linkcatalog.h"
 
 #include <QWidget>
 
+#include <vector>
+
 class QCheckBox;
 class QComboBox;
-class QLineEdit;
+class QFormLayout;
+class QPushButton;
 
 namespace mb {
 
-/// The way in for an update of a family that is not updated over its own link: programmer, kind of microcontroller, and
-/// whether what the unit has stored is erased. Hidden for the others.
+/// The way in for an update of a family that is not updated over its own link: programmer or serial port, kind of
+/// microcontroller, whether what the unit has stored is erased, and what is not known of the way. Hidden for the others.
 class RoutePanel : public QWidget {
     Q_OBJECT
 public:
     explicit RoutePanel(const ThemeSource &theme, QWidget *parent = nullptr);
-    /// nullptr: no device.
-    void show(const Family *family);
+    /// nullptr: no device. The listings name the serial ports that there are.
+    void show(const Family *family, const std::vector<LinkListing> &listings);
     [[nodiscard]] UpdateOptions options() const;
+    /// As typed into the field.
+    void setVia(const QString &via);
 
 private:
+    struct Field {
+        const UpdateSetting *setting = nullptr;
+        QComboBox *value = nullptr;
+    };
+    void buildFields(const UpdateRoute &route);
+    void listPorts(const UpdateRoute &route, const std::vector<LinkListing> &listings);
+    [[nodiscard]] QString viaWithSettings() const;
+
+    const ThemeSource &m_theme;
     const Family *m_family = nullptr;
-    QLineEdit *m_via = nullptr;
+    QStringList m_ports;
+    QComboBox *m_via = nullptr;
     QComboBox *m_target = nullptr;
     QCheckBox *m_erase = nullptr;
+    QPushButton *m_more = nullptr;
+    QWidget *m_settings = nullptr;
+    std::vector<Field> m_fields;
 };
 
 } // namespace mb

@@ -128,6 +128,10 @@ public:
             m_board.axis(what[5] - '1').setInputLevel(value != 0.0);
             return true;
         }
+        if (what == "reset") {
+            m_board.reset();
+            return true;
+        }
         if (what == "jumper" && m_boot) {
             m_boot->setJumper(value != 0.0);
             return true;

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/conditions.h"
+
+#include "widgets/common/banner.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/control/arming.h"
+
+#include <QPointer>
+
+namespace mb {
+namespace {
+
+constexpr auto resetKey = "reset ";
+
+QString resetKeyOf(DeviceId device)
+{
+    return QLatin1String(resetKey) + QString::number(device.value);
+}
+
+/// The job that writes the settings again, while it runs.
+const OperationView *rewriting(const Snapshot &shot, DeviceId device)
+{
+    const OperationView *operation = shot.operation(device);
+    const bool runs = operation && operation->status.state == OperationStatus::State::Running
+        && operation->status.title == "Write settings again";
+    return runs ? operation : nullptr;
+}
+
+} // namespace
+
+Conditions::Conditions(Workbench &workbench, Arming &arming, BannerStack &banners, QObject *parent)
+    : QObject(parent)
+    , m_workbench(workbench)
+    , m_arming(arming)
+    , m_banners(banners)
+{
+    connect(&banners, &BannerStack::actionTriggered, this, &Conditions::act);
+}
+
+void Conditions::follow()
+{
+    for (const LinkView &link : m_workbench.snapshot().links) {
+        const QString key = QStringLiteral("link ") + QString::fromStdString(link.address);
+        if (link.state == LinkState::Lost)
+            m_banners.post(key, BannerKind::Danger, tr("%1 is lost").arg(QString::fromStdString(link.name)),
+                tableText(link.reason));
+        else
+            m_banners.clear(key);
+    }
+    for (const DeviceView &device : m_workbench.snapshot().devices) {
+        followDevice(device);
+        followReset(device);
+    }
+    for (const DeviceId gone : std::set<DeviceId>(m_reset)) {
+        if (!m_workbench.snapshot().device(gone))
+            endReset(gone);
+    }
+    if (m_arming.state() == LampState::Stopped)
+        m_banners.post(QStringLiteral("stopped"), BannerKind::Danger, tr("Stopped: %1").arg(m_arming.reason()),
+            tr("Hold the lamp for 1 s to arm again."));
+    else
+        m_banners.clear(QStringLiteral("stopped"));
+}
+
+void Conditions::followDevice(const DeviceView &device)
+{
+    const QString key = QStringLiteral("device %1").arg(device.id.value);
+    if (device.liveness.foreignMaster)
+        m_banners.post(key, BannerKind::Caution, tr("Another master drives %1").arg(titleOf(device)),
+            tr("Arming is off until it stops sending control frames."));
+    else if (device.identity.state == DeviceState::Duplicate)
+        m_banners.post(key, BannerKind::Caution, tr("Several units answer as %1").arg(titleOf(device)),
+            tr("Control is locked. Assign one of them a new number from the menu of its row."));
+    else
+        m_banners.clear(key);
+}
+
+void Conditions::followReset(const DeviceView &device)
+{
+    const QString key = resetKeyOf(device.id);
+    const auto lost = static_cast<int>(lostSettings(*device.family, device.profile).size());
+    if (lost == 0) {
+        endReset(device.id);
+        return;
+    }
+    m_reset.insert(device.id);
+    if (const OperationView *operation = rewriting(m_workbench.snapshot(), device.id)) {
+        m_banners.post(key, BannerKind::Caution,
+            tr("Writing the settings of %1 again: %2 of %3")
+                .arg(titleOf(device))
+                .arg(operation->status.done)
+                .arg(operation->status.total),
+            tr("Each is confirmed by the board."), tr("Cancel"));
+        return;
+    }
+    const auto failure = m_failures.find(device.id);
+    m_banners.post(key, BannerKind::Caution,
+        lost == 1 ? tr("%1 was reset: 1 setting is unknown").arg(titleOf(device))
+                  : tr("%1 was reset: %2 settings are unknown").arg(titleOf(device)).arg(lost),
+        failure == m_failures.end()
+            ? tr("The board keeps nothing without power. This program knows what was last written.")
+            : failure->second,
+        tr("Write them again"));
+}
+
+void Conditions::endReset(DeviceId device)
+{
+    m_reset.erase(device);
+    m_failures.erase(device);
+    m_banners.clear(resetKeyOf(device));
+}
+
+void Conditions::act(const QString &key)
+{
+    if (!key.startsWith(QLatin1String(resetKey)))
+        return;
+    const DeviceId device{key.midRef(static_cast<int>(qstrlen(resetKey))).toUInt()};
+    if (const OperationView *operation = rewriting(m_workbench.snapshot(), device)) {
+        m_workbench.cancel(operation->id);
+        return;
+    }
+    m_failures.erase(device);
+    m_workbench.rewriteSettings(device, [self = QPointer<Conditions>(this), device](const Result<void> &result) {
+        if (self)
+            self->written(device, result);
+    });
+}
+
+void Conditions::written(DeviceId device, const Result<void> &result)
+{
+    if (!result)
+        m_failures[device] = result.error().fault == Fault::Cancelled
+            ? tr("Writing was cancelled; what is missing can be written later.")
+            : errorText(result.error());
+    follow();
+}
+
+} // namespace mb

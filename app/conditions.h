@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/workbench.h"
+
+#include <map>
+#include <set>
+
+namespace mb {
+
+class Arming;
+class BannerStack;
+struct DeviceView;
+
+/// Keeps the banners above the pages in step with links and devices: what is lost, locked, stopped, or forgotten by a board
+/// that was reset, which a click writes again.
+class Conditions : public QObject {
+    Q_OBJECT
+public:
+    Conditions(Workbench &workbench, Arming &arming, BannerStack &banners, QObject *parent);
+
+    void follow();
+
+private:
+    void followDevice(const DeviceView &device);
+    void followReset(const DeviceView &device);
+    void endReset(DeviceId device);
+    void act(const QString &key);
+    void written(DeviceId device, const Result<void> &result);
+
+    Workbench &m_workbench;
+    Arming &m_arming;
+    BannerStack &m_banners;
+    std::set<DeviceId> m_reset;             ///< with a banner
+    std::map<DeviceId, QString> m_failures; ///< of writing again, by device
+};
+
+} // namespace mb

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Jobs that families bring with them.
+#include "app/enginecore.h"
+
+#include "model/parameterfile.h"
+
+#include <QDir>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+Task<void> rewrite(Device &device, Progress &progress)
+{
+    auto writing = mb::rewriteSettings(device, progress);
+    co_await std::move(writing);
+    co_return {};
+}
+
+Task<void> tryOut(
+    Device &device, SetPointStream &stream, const Experiment &experiment, ExperimentOptions options, Progress &progress)
+{
+    auto running = experiment.run(device, stream, options, progress);
+    const ExperimentReport report = co_await std::move(running);
+    progress.log(Severity::Good, report.sentence);
+    co_return {};
+}
+
+/// Unix time with milliseconds, as in the traffic logs.
+std::string stampOf(Duration sinceEpoch)
+{
+    const auto all = std::chrono::duration_cast<std::chrono::milliseconds>(sinceEpoch).count();
+    std::string rest = std::to_string(all % 1000);
+    return std::to_string(all / 1000) + '.' + std::string(3 - rest.size(), '0') + rest;
+}
+
+} // namespace
+
+/// What was said to a bootloader and what it answered, for whoever has to find out why it failed.
+void EngineCore::saveTranscript(const Running &running, const Device &device)
+{
+    if (m_transcripts.empty())
+        return;
+    const OperationStatus &status = running.operation->status();
+    std::string text = "# firmware update of " + device.selector() + '\n';
+    for (const LogLine &line : status.log)
+        text += '(' + stampOf(line.time.time_since_epoch() + m_clock.unixOffset()) + ") " + line.text + '\n';
+    if (running.update)
+        text += "# " + std::string(toString(running.update->outcome)) + ": " + running.update->evidence + '\n';
+    const auto seconds
+        = std::chrono::duration_cast<std::chrono::seconds>(status.startedAt.time_since_epoch() + m_clock.unixOffset());
+    const std::string path = m_transcripts + '/' + std::string(device.family().key) + '-'
+        + std::to_string(device.identity().address) + '-' + std::to_string(seconds.count()) + ".log";
+    QDir().mkpath(QString::fromStdString(m_transcripts));
+    if (const auto saved = saveFile(path, QByteArray::fromStdString(text)); !saved)
+        notice(Severity::Caution, labelOf(device), "the transcript of the update is not kept: " + saved.error().detail);
+    else
+        notice(Severity::Info, labelOf(device), "the transcript of the update is in " + path);
+}
+
+/// A board on SPI that waits in its bootloader is silent; it must not vanish from the list for that.
+void EngineCore::probeSilent(Link &link)
+{
+    const auto all = m_session.devices();
+    const bool known
+        = std::any_of(all.begin(), all.end(), [&link](const Device *device) { return &device->link() == &link; });
+    if (known || link.kind() != LinkKind::Spi || link.state() != LinkState::Open)
+        return;
+    for (const Family *family : m_session.families()) {
+        if (!family->probe
+            || std::find(family->links.begin(), family->links.end(), LinkKind::Spi) == family->links.end())
+            continue;
+        m_scope.spawn<Device *>(m_session.connect({link.address(), std::string(family->key), 0, std::nullopt}),
+            [this](const Result<Device *> &) { touch(); });
+    }
+}
+
+void EngineCore::rewriteSettings(DeviceId id, const Finished &finished)
+{
+    beginSimple(id, "Write settings again", rewrite, [this, id, finished](const Result<void> &result) {
+        if (const Device *device = m_session.find(id); device && result)
+            notice(Severity::Good, labelOf(*device), "the settings that the reset took are written again");
+        if (finished)
+            finished(result);
+    });
+}
+
+void EngineCore::experiment(
+    DeviceId id, const std::string &key, const ExperimentOptions &options, const Finished &finished)
+{
+    Device *device = m_session.find(id);
+    const std::span<const Experiment> known = device ? device->family().experiments : std::span<const Experiment>();
+    const auto found = std::find_if(
+        known.begin(), known.end(), [&key](const Experiment &candidate) { return candidate.key == key; });
+    if (found == known.end()) {
+        if (finished)
+            finished(device ? fail(Fault::Unsupported, "this device has no experiment '" + key + "'")
+                            : fail(Fault::Timeout, "the device is gone"));
+        return;
+    }
+    SetPointStream &stream = m_session.stream(*device);
+    if (stream.isRunning()) {
+        if (finished)
+            finished(fail(Fault::Unsafe, "stop the motor before an experiment begins"));
+        return;
+    }
+    beginSimple(
+        id, found->title.data(),
+        [&stream, &experiment = *found, options](
+            Device &unit, Progress &progress) { return tryOut(unit, stream, experiment, options, progress); },
+        finished);
+}
+
+} // namespace mb

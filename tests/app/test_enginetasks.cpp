@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Boards that keep nothing, as the engine's half sees them: resets, writing again, experiments, bootloaders. Virtual time.
+#include "app/enginecore.h"
+#include "async/virtualclock.h"
+#include "model/registry.h"
+
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+class BoardCore : public testing::Test {
+protected:
+    explicit BoardCore(const std::string &options = {})
+        : unit("quadquad2drv:0" + options)
+    {
+        family = *findFamily(families(), "quadquad2drv");
+        family.bench = units;
+        core.openLink(*LinkAddress::parse("sim:spi"), {});
+        clock.advance(1s);
+    }
+    [[nodiscard]] Device *device()
+    {
+        return core.session().devices().empty() ? nullptr : core.session().devices().front();
+    }
+    [[nodiscard]] DeviceId id() { return core.session().idOf(*device()); }
+    [[nodiscard]] Simulator &board()
+    {
+        return *core.session().bench(*core.session().links().front())->simulators().front();
+    }
+    void write()
+    {
+        std::optional<Result<void>> written;
+        const auto gain = *findParameter(family.parameters, "ch1.velocity.p");
+        const auto limit = *findParameter(family.parameters, "ch2.limit.power");
+        core.writeParameters(
+            id(), {{gain, 120}, {limit, 4000}}, [&written](const Result<void> &result) { written = result; });
+        ASSERT_TRUE(clock.runUntil([&written] { return written.has_value(); }, 10s));
+        ASSERT_TRUE(*written);
+    }
+    void reset()
+    {
+        board().setPowered(false);
+        board().setPowered(true);
+        clock.advance(4s);
+    }
+    [[nodiscard]] std::size_t lost() { return core.snapshot().devices.front().profile.lost.size(); }
+    [[nodiscard]] bool said(const std::string &part) const
+    {
+        return std::any_of(
+            lines.begin(), lines.end(), [&part](const std::string &l) { return l.find(part) != std::string::npos; });
+    }
+
+    std::string unit;
+    std::array<std::string_view, 1> units{unit};
+    Family family;
+    std::array<const Family *, 1> only{&family};
+    VirtualClock clock;
+    EngineCore core{clock, only, false};
+    std::vector<std::string> lines;
+    Subscription listening
+        = core.noticed().add([this](Severity, const std::string &, const std::string &text) { lines.push_back(text); });
+};
+
+TEST_F(BoardCore, ShowsWhatAResetTookAndWritesItAgain)
+{
+    write();
+    EXPECT_EQ(lost(), 0U);
+    reset();
+    EXPECT_TRUE(said("the unit restarted"));
+    EXPECT_EQ(lost(), 2U);
+    std::optional<Result<void>> again;
+    core.rewriteSettings(id(), [&again](const Result<void> &result) { again = result; });
+    ASSERT_TRUE(clock.runUntil([&again] { return again.has_value(); }, 10s));
+    EXPECT_TRUE(*again);
+    EXPECT_EQ(lost(), 0U);
+    EXPECT_TRUE(said("are written again"));
+}
+
+TEST_F(BoardCore, AnOrderForADeviceThatIsGoneIsAnswered)
+{
+    const DeviceId gone = id();
+    core.closeLink("sim:spi");
+    std::optional<Result<void>> first;
+    std::optional<Result<void>> second;
+    core.rewriteSettings(gone, [&first](const Result<void> &result) { first = result; });
+    core.experiment(gone, "gain-scales", {}, [&second](const Result<void> &result) { second = result; });
+    ASSERT_TRUE(first && second);
+    EXPECT_FALSE(*first);
+    EXPECT_FALSE(*second);
+}
+
+TEST_F(BoardCore, AnExperimentThatIsNotKnownOrComesInMotionIsRefused)
+{
+    std::optional<Result<void>> unknown;
+    core.experiment(id(), "no-such", {}, [&unknown](const Result<void> &result) { unknown = result; });
+    ASSERT_TRUE(unknown);
+    EXPECT_EQ(unknown->error().fault, Fault::Unsupported);
+    SetPoint setPoint;
+    setPoint.mode = Mode::Duty;
+    setPoint.target = 0.1;
+    core.startMotion(id(), setPoint, 10s, {});
+    std::optional<Result<void>> moving;
+    core.experiment(id(), "gain-scales", {}, [&moving](const Result<void> &result) { moving = result; });
+    ASSERT_TRUE(moving);
+    EXPECT_EQ(moving->error().fault, Fault::Unsafe);
+}
+
+TEST_F(BoardCore, AnExperimentTellsInItsLogWhatItFound)
+{
+    std::optional<Result<void>> end;
+    core.experiment(id(), "input-reading", {}, [&end](const Result<void> &result) { end = result; });
+    ASSERT_TRUE(clock.runUntil([&end] { return end.has_value(); }, 10s));
+    ASSERT_TRUE(*end);
+    const OperationView operation = core.snapshot().operations.back();
+    ASSERT_FALSE(operation.status.log.empty());
+    EXPECT_EQ(operation.status.log.back().text, "polarity 0 is active high: the board follows the maker's library");
+}
+
+class SilentBoard : public BoardCore {
+protected:
+    SilentBoard()
+        : BoardCore(",state=bootloader,boot=pty:" + QTemporaryDirPath())
+    {
+    }
+    static std::string QTemporaryDirPath()
+    {
+        static const QTemporaryDir folder;
+        return folder.filePath(QStringLiteral("boot")).toStdString();
+    }
+};
+
+TEST_F(SilentBoard, ABoardThatWaitsInItsBootloaderIsInTheListThoughItIsSilent)
+{
+    clock.advance(2s);
+    ASSERT_NE(device(), nullptr);
+    EXPECT_EQ(device()->identity().state, DeviceState::Bootloader);
+    EXPECT_NE(device()->identity().detail.find("bootloader"), std::string::npos);
+    EXPECT_FALSE(device()->mayMove());
+}
+
+} // namespace
+} // namespace mb
