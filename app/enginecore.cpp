@@ -312,10 +312,7 @@ void EngineCore::writeParameters(DeviceId id, std::vector<ParameterChange> chang
             else if (!outcomes->empty() && !outcomes->back().raw)
                 result = fail(outcomes->back().raw.error());
             if (device && result)
-                notice(Severity::Good, labelOf(*device),
-                    std::to_string(outcomes->size())
-                        + (device->family().capabilities.readback ? " written, read back and equal"
-                                                                  : " written; this device cannot be read back"));
+                notice(Severity::Good, labelOf(*device), proofOf(*outcomes));
             else if (device)
                 notice(Severity::Danger, labelOf(*device), result.error().detail);
             answer(finished, result);

@@ -107,6 +107,7 @@ private:
     bool openAwaited(const LinkAddress &address);
     void saveTranscript(const Running &running, const Device &device);
     void probeSilent(Link &link);
+    [[nodiscard]] static std::string proofOf(const std::vector<TransferOutcome> &outcomes);
     void streamChanged(DeviceId id);
     void prune();
     void touch() { m_changed.notify(); }

@@ -2,9 +2,7 @@
 // Jobs that families bring with them.
 #include "app/enginecore.h"
 
-#include "model/parameterfile.h"
-
-#include <QDir>
+#include "model/transcript.h"
 
 #include <algorithm>
 
@@ -27,36 +25,32 @@ Task<void> tryOut(
     co_return {};
 }
 
-/// Unix time with milliseconds, as in the traffic logs.
-std::string stampOf(Duration sinceEpoch)
-{
-    const auto all = std::chrono::duration_cast<std::chrono::milliseconds>(sinceEpoch).count();
-    std::string rest = std::to_string(all % 1000);
-    return std::to_string(all / 1000) + '.' + std::string(3 - rest.size(), '0') + rest;
-}
-
 } // namespace
+
+/// Of writes that all went well: what is known of them.
+std::string EngineCore::proofOf(const std::vector<TransferOutcome> &outcomes)
+{
+    const auto blind = std::count_if(
+        outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return !outcome.verified; });
+    const std::string all = std::to_string(outcomes.size());
+    if (blind == 0)
+        return all + " written, read back and equal";
+    if (static_cast<std::size_t>(blind) == outcomes.size())
+        return all + " written; they cannot be read back";
+    return all + " written; " + std::to_string(blind) + " of them cannot be read back";
+}
 
 /// What was said to a bootloader and what it answered, for whoever has to find out why it failed.
 void EngineCore::saveTranscript(const Running &running, const Device &device)
 {
     if (m_transcripts.empty())
         return;
-    const OperationStatus &status = running.operation->status();
-    std::string text = "# firmware update of " + device.selector() + '\n';
-    for (const LogLine &line : status.log)
-        text += '(' + stampOf(line.time.time_since_epoch() + m_clock.unixOffset()) + ") " + line.text + '\n';
-    if (running.update)
-        text += "# " + std::string(toString(running.update->outcome)) + ": " + running.update->evidence + '\n';
-    const auto seconds
-        = std::chrono::duration_cast<std::chrono::seconds>(status.startedAt.time_since_epoch() + m_clock.unixOffset());
-    const std::string path = m_transcripts + '/' + std::string(device.family().key) + '-'
-        + std::to_string(device.identity().address) + '-' + std::to_string(seconds.count()) + ".log";
-    QDir().mkpath(QString::fromStdString(m_transcripts));
-    if (const auto saved = saveFile(path, QByteArray::fromStdString(text)); !saved)
-        notice(Severity::Caution, labelOf(device), "the transcript of the update is not kept: " + saved.error().detail);
+    const auto path = mb::saveTranscript(
+        m_transcripts, device, running.operation->status(), running.update.value_or(UpdateReport{}));
+    if (path)
+        notice(Severity::Info, labelOf(device), "the transcript of the update is in " + *path);
     else
-        notice(Severity::Info, labelOf(device), "the transcript of the update is in " + path);
+        notice(Severity::Caution, labelOf(device), "the transcript of the update is not kept: " + path.error().detail);
 }
 
 /// A board on SPI that waits in its bootloader is silent; it must not vanish from the list for that.

@@ -168,7 +168,6 @@ void MainWindow::buildInspector()
     auto *scroll = new QScrollArea(this); // what only the user knows of a device may be long
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
     auto *inspector = new Inspector(m_workbench, m_selection, m_theme, scroll);
     scroll->setMinimumWidth(inspector->sizeHint().width());

@@ -2,9 +2,11 @@
 #include "app/console/progressline.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "app/profilefolder.h"
 #include "async/event.h"
 #include "model/operation.h"
 #include "model/parameterfile.h"
+#include "model/transcript.h"
 
 #include <algorithm>
 #include <memory>
@@ -94,6 +96,15 @@ public:
                 done.set();
             });
         tick();
+    }
+
+    /// Kept for whoever has to find out why it failed.
+    void keep(const Device &device, const UpdateReport &how) const
+    {
+        if (m_operation.status().log.empty())
+            return;
+        const auto path = saveTranscript(transcriptFolder(), device, m_operation.status(), how);
+        m_console.note(path ? "the transcript of the update is in " + *path : path.error().detail);
     }
 
     Event done;
@@ -191,6 +202,7 @@ Task<int> flash(Console &console, Arguments arguments)
         if (!update.report && exitStatusOf(update.report.error().fault) == exitUsage)
             co_return fail(update.report.error());
         report = reportOf(std::move(update.report));
+        update.keep(*device, report);
     }
     const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(console.clock().now() - start);
     show(console, report, static_cast<double>(took.count()) / 1000.0);

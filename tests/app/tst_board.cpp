@@ -29,6 +29,7 @@ private Q_SLOTS:
     void writingAgainCanBeCancelled();
     void anExperimentThatMovesNeedsAHeldButtonAndEndsWithItsDialog();
     void anExperimentKeepsWhatItFound();
+    void gainScalesAreFoundInRealTimeToo();
     void readingsAreChosenInTheInspector();
 
 private:
@@ -219,6 +220,25 @@ void BoardTest::anExperimentKeepsWhatItFound()
     saveDialog(*dialog, "experiment-found");
     QTRY_VERIFY_WITH_TIMEOUT(board()->profile.calibration.contains("input_reading"), patience);
     QCOMPARE(board()->profile.calibrated("input_reading", -1.0), 0.0);
+    dialog->close();
+}
+
+/// On virtual time it is held to its tolerance (test_quadquad2drv_scales); here threads and sockets have their say.
+void BoardTest::gainScalesAreFoundInRealTimeToo()
+{
+    if (qEnvironmentVariableIsEmpty("MOTORBENCH_SOAK"))
+        QSKIP("two minutes of a turning motor; set MOTORBENCH_SOAK");
+    QPointer<ExperimentDialog> dialog = openExperiment("gain-scales");
+    QVERIFY(dialog);
+    dialog->start();
+    QTRY_VERIFY_WITH_TIMEOUT(!dialog->isRunning(), 400000);
+    saveDialog(*dialog, "experiment-scales");
+    QVERIFY2(dialog->result().contains(QStringLiteral("Found")), qPrintable(dialog->result()));
+    QTRY_VERIFY_WITH_TIMEOUT(board()->profile.calibration.size() >= 4, patience);
+    for (const auto &[key, scale] : board()->profile.calibration)
+        qInfo("%s %g", key.c_str(), scale);
+    m_bench->window().showPage(PageId::Overview);
+    picture("board-scales");
     dialog->close();
 }
 

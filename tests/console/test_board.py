@@ -140,8 +140,12 @@ class BoardTest(ContractTest):
     def test_an_update_goes_over_the_bootloaders_terminal(self):
         self.simulate(f",boot=pty:{self.boot},jumper=closed")
         short = self.short_file()
-        done = self.run_one("flash", self.device, short, "--via", "serial:" + self.boot)
+        run = contract.Run(["--json", "flash", self.device, short, "--via", "serial:" + self.boot])
+        done = run.objects()[0]
         self.assertEqual((done["result"], done["from"], done["to"], done["verified"]), ("done", "1.3", "1.4", True))
+        with open(run.err.split("transcript of the update is in ")[1].split("\n")[0], encoding="utf-8") as file:
+            transcript = file.read()
+        self.assertTrue("> :" in transcript and "< ok" in transcript and "# done" in transcript, transcript)
 
     def test_an_update_that_is_cut_is_reported_and_can_be_repeated(self):
         self.simulate(f",boot=pty:{self.boot},jumper=closed,fault=power-page@5")

@@ -33,6 +33,8 @@ GlyphState kindGlyph(BannerKind kind)
     return GlyphState::Warning;
 }
 
+constexpr int narrow = 480; ///< below it the buttons stand under the words
+
 QLabel *wrapped(TextRole role, Tone tone, QWidget *parent)
 {
     QLabel *label = textLabel({}, role, tone, parent);
@@ -82,6 +84,7 @@ void Banner::setText(const QString &cause, const QString &remedy)
     m_remedy->setVisible(!remedy.isEmpty());
     setAccessibleName(cause);
     setAccessibleDescription(remedy);
+    fit();
 }
 
 void Banner::setAction(const QString &text)
@@ -89,6 +92,24 @@ void Banner::setAction(const QString &text)
     m_action->setText(text);
     m_action->setAccessibleName(text);
     m_action->setVisible(!text.isEmpty());
+    fit();
+}
+
+/// Words are never cut, however large the font and narrow the window: what is below gets less room.
+void Banner::fit()
+{
+    m_action->ensurePolished();
+    m_action->setMinimumWidth(m_action->text().isEmpty() ? 0 : m_action->sizeHint().width());
+    if (width() > 0 && hasHeightForWidth())
+        setMinimumHeight(heightForWidth(width()));
+}
+
+void Banner::resizeEvent(QResizeEvent *event)
+{
+    QFrame::resizeEvent(event);
+    const bool beside = width() >= m_theme.theme().u(narrow);
+    qobject_cast<QBoxLayout *>(layout())->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    fit();
 }
 
 void Banner::setDismissable(bool dismissable)

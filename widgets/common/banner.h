@@ -33,9 +33,11 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void restyle();
+    void fit();
 
     const ThemeSource &m_theme;
     BannerKind m_kind;

@@ -48,20 +48,29 @@ Board::~Board()
     m_link.attach(nullptr);
 }
 
+/// The board's clock does not wait for a machine that is late: what was missed is caught up, up to a tenth of a second.
+Instant Board::next(Instant due, Duration period) const
+{
+    constexpr Duration most = std::chrono::milliseconds(100);
+    return std::max(due + period, m_clock.now() - most);
+}
+
 void Board::start()
 {
     m_started = m_clock.now();
-    m_loop.start(m_started + loopPeriod, [this] { loop(); });
+    m_due = m_started + loopPeriod;
+    m_loop.start(m_due, [this] { loop(); });
 }
 
 void Board::loop()
 {
-    const double seconds = std::chrono::duration<double>(m_clock.now() - m_started).count();
+    const double seconds = std::chrono::duration<double>(m_due - m_started).count();
     for (const auto &axis : m_axes)
         axis->step(seconds);
     afterFault(std::chrono::duration<double>(m_clock.now() - m_begun).count());
     noteOutput();
-    m_loop.start(m_clock.now() + loopPeriod, [this] { loop(); });
+    m_due = next(m_due, loopPeriod);
+    m_loop.start(m_due, [this] { loop(); });
 }
 
 void Board::afterFault(double seconds)

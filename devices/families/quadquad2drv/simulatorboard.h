@@ -54,6 +54,7 @@ public:
 private:
     using Bytes = std::vector<std::uint8_t>;
 
+    [[nodiscard]] Instant next(Instant due, Duration period) const;
     void loop();
     void restart();
     void listen(std::uint8_t byte);
@@ -96,6 +97,7 @@ private:
     bool m_running = true;
     bool m_outputOn = false;
     Instant m_started{};
+    Instant m_due{}; ///< of the loop's next pass
     Instant m_begun{};
     std::size_t m_nextFault = 0;
     Timer m_loop;
