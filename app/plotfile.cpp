@@ -103,7 +103,7 @@ int plotFile(const Options &options)
     stack.refresh(to); // the first one has found out how wide the labels are
     // a picture has the size that was asked for, even where the window would want more
     const bool written = suffix == QLatin1String("png")
-        ? stack.plot().savePng(options.out, size.width(), size.height(), pictureScale)
+        ? stack.plot().picture(size, pictureScale).save(options.out, "PNG")
         : stack.exportTo(options.out);
     if (!written)
         return refuse(QStringLiteral("%1 cannot be written; choose a folder that you may write to").arg(options.out));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotstack.h"
 
+#include <QPaintEvent>
 #include <QPdfWriter>
 #include <QSignalSpy>
 #include <QSvgRenderer>
@@ -49,6 +50,44 @@ std::unique_ptr<PlotStack> shownStack(const ThemeSource &theme)
     return stack;
 }
 
+/// A flat trace with one high sample, or none.
+std::unique_ptr<PlotStack> spikeStack(const ThemeSource &theme, int spikeAt)
+{
+    auto stack = shownStack(theme);
+    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0, TraceDash::Automatic, TraceMarker::None},
+        std::make_shared<FixedTrace>(flatWithSpike(200'000, spikeAt, 1000.0)));
+    stack->setRange(0, 1);
+    stack->setValueRange(0, std::pair(-100.0, 1100.0));
+    stack->refresh(0);
+    return stack;
+}
+
+/// Goes on for ever, between −1 and 1.
+class Wave : public TraceSource {
+public:
+    void columns(double from, double to, int, std::vector<PlotPoint> &points) const override
+    {
+        points.clear();
+        for (double key = std::floor(from * 10); key < to * 10 + 1; ++key)
+            points.push_back({key / 10, std::sin(key / 4)});
+    }
+    std::optional<double> latest() const override { return 0.5; }
+    QString foot() const override { return s("10 Hz"); }
+};
+
+/// Counts what was painted in part only.
+class PartialPaints : public QObject {
+public:
+    explicit PartialPaints(QWidget &widget) { widget.installEventFilter(this); }
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        if (event->type() == QEvent::Paint)
+            count += static_cast<QPaintEvent *>(event)->region() != static_cast<QWidget *>(watched)->rect() ? 1 : 0;
+        return false;
+    }
+    int count = 0;
+};
+
 int pixelsNear(const QImage &image, const QColor &color)
 {
     int found = 0;
@@ -69,6 +108,8 @@ class PlotsTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
     void aSpikeBetweenTwoPixelsIsDrawn();
+    void aPenDrawsTheSpikeToo();
+    void whatIsKeptOfThePictureIsWhatWouldBeDrawn();
     void nothingIsFetchedWhileHidden();
     void liveFollowsThePresentByWholeColumns();
     void pausedStaysWhereItIs();
@@ -89,27 +130,53 @@ private Q_SLOTS:
     void summarySpeaksOfEveryTrace();
 
 private:
+    [[nodiscard]] QColor velocityColor() const { return m_theme.theme().trace(TraceRole::Velocity); }
+
     ThemeSource m_theme{darkTheme()};
 };
 
 void PlotsTest::aSpikeBetweenTwoPixelsIsDrawn()
 {
     // One of 200 000 samples is high: 1/400 of a pixel column.
-    const auto stack = shownStack(m_theme);
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0, TraceDash::Automatic, TraceMarker::None},
-        std::make_shared<FixedTrace>(flatWithSpike(200'000, 123'457, 1000.0)));
-    stack->setRange(0, 1);
-    stack->setValueRange(0, std::pair(-100.0, 1100.0));
-    stack->refresh(0);
-    const int withSpike = pixelsNear(stack->plot().toPixmap().toImage(), m_theme.theme().trace(TraceRole::Velocity));
-    const auto flat = shownStack(m_theme);
-    flat->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0, TraceDash::Automatic, TraceMarker::None},
-        std::make_shared<FixedTrace>(flatWithSpike(200'000, -1, 0.0)));
-    flat->setRange(0, 1);
-    flat->setValueRange(0, std::pair(-100.0, 1100.0));
-    flat->refresh(0);
-    const int withoutSpike = pixelsNear(flat->plot().toPixmap().toImage(), m_theme.theme().trace(TraceRole::Velocity));
+    const auto pixels = [this](int spikeAt) {
+        return pixelsNear(spikeStack(m_theme, spikeAt)->plot().picture({600, 300}, 1.0), velocityColor());
+    };
+    const int withSpike = pixels(123'457);
+    const int withoutSpike = pixels(-1);
     QVERIFY2(withSpike > withoutSpike + 100, qPrintable(QStringLiteral("%1 %2").arg(withSpike).arg(withoutSpike)));
+}
+
+void PlotsTest::aPenDrawsTheSpikeToo() // as for SVG and PDF
+{
+    const auto pixels = [this](int spikeAt) {
+        return pixelsNear(spikeStack(m_theme, spikeAt)->plot().toPixmap().toImage(), velocityColor());
+    };
+    const int withSpike = pixels(123'457);
+    const int withoutSpike = pixels(-1);
+    QVERIFY2(withSpike > withoutSpike + 100, qPrintable(QStringLiteral("%1 %2").arg(withSpike).arg(withoutSpike)));
+}
+
+void PlotsTest::whatIsKeptOfThePictureIsWhatWouldBeDrawn()
+{
+    const auto stack = shownStack(m_theme);
+    for (int strip = 0; strip < 2; ++strip) {
+        stack->addTrace({s("velocity"), s("rpm"), TraceRole::Velocity, strip}, std::make_shared<Wave>());
+        stack->addTrace({s("set-point"), s("rpm"), TraceRole::Setpoint, strip}, std::make_shared<Wave>());
+    }
+    stack->setWatermark(s("DEMO"));
+    stack->setLimits(0, {{0.4, s("limit"), TraceRole::Current}});
+    stack->setMarks({{107, s("load pulse")}});
+    stack->setWindow(10);
+    QVERIFY(QTest::qWaitForWindowExposed(stack.get()));
+    stack->refresh(100);
+    PartialPaints partial(stack->plot());
+    for (int i = 1; i <= 40; ++i) {
+        stack->refresh(100 + i * 0.317);
+        const QImage shown = stack->plot().grab().toImage();
+        stack->plot().render();
+        QCOMPARE(shown, stack->plot().grab().toImage());
+    }
+    QVERIFY2(partial.count > 10, "every refresh has drawn everything: nothing was tried");
 }
 
 void PlotsTest::nothingIsFetchedWhileHidden()
@@ -168,7 +235,7 @@ void PlotsTest::aGapAtThePresentEndsNow()
     stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<FixedTrace>(points));
     stack->setWindow(10);
     stack->refresh(5);
-    const QImage image = stack->plot().toPixmap().toImage();
+    const QImage image = stack->plot().picture({600, 300}, 1.0);
     QVERIFY(stack->summary().contains(s("1 gap")));
     QVERIFY(pixelsNear(image, m_theme.theme().caution) > 5);
 }
@@ -332,10 +399,10 @@ void PlotsTest::aNoteIsDrawnThroughAllStrips()
     stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<FixedTrace>(std::vector<PlotPoint>{}));
     stack->setRange(0, 1);
     stack->refresh(0);
-    const QImage before = stack->plot().toPixmap().toImage();
+    const QImage before = stack->plot().picture({600, 300}, 1.0);
     stack->setMarks({{0.5, s("load pulse")}});
     stack->refresh(0);
-    QVERIFY(stack->plot().toPixmap().toImage() != before);
+    QVERIFY(stack->plot().picture({600, 300}, 1.0) != before);
 }
 
 void PlotsTest::theNumbersOfTheSelectionAreExact()

@@ -118,11 +118,6 @@ private:
 
 } // namespace
 
-double PixelMap::y(double value) const
-{
-    return std::clamp(value * valueScale + valueOffset, -16000.0, 16000.0);
-}
-
 ColumnPath columnPath(const std::vector<PlotPoint> &points, const PixelMap &map)
 {
     ColumnPath path;
@@ -171,16 +166,21 @@ double valueAt(const std::vector<PlotPoint> &points, double key)
 
 std::optional<std::pair<double, double>> valueRange(const std::vector<PlotPoint> &points, double from, double to)
 {
-    std::optional<std::pair<double, double>> range;
-    for (const PlotPoint &point : points) {
-        if (point.key < from || point.key > to || !std::isfinite(point.value))
-            continue;
-        if (!range)
-            range = {point.value, point.value};
-        range->first = std::min(range->first, point.value);
-        range->second = std::max(range->second, point.value);
+    const auto before = [](const PlotPoint &point, double key) { return point.key < key; };
+    const auto after = [](double key, const PlotPoint &point) { return key < point.key; };
+    const auto begin = std::lower_bound(points.begin(), points.end(), from, before);
+    const auto end = std::upper_bound(begin, points.end(), to, after);
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double low = infinity;
+    double high = -infinity;
+    for (auto point = begin; point != end; ++point) {
+        const double value = point->value; // what is not finite is neither less nor greater
+        low = value < low && value > -infinity ? value : low;
+        high = value > high && value < infinity ? value : high;
     }
-    return range;
+    if (low > high)
+        return {};
+    return std::pair(low, high);
 }
 
 } // namespace mb

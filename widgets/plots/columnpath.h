@@ -6,6 +6,7 @@
 #include <QLineF>
 #include <QPolygonF>
 #include <QVector>
+#include <algorithm>
 #include <utility>
 
 namespace mb {
@@ -20,7 +21,7 @@ struct PixelMap {
 
     double x(double key) const { return key * keyScale + keyOffset; }
     /// Kept within what the painter can clip without loss of speed.
-    double y(double value) const;
+    double y(double value) const { return std::clamp(value * valueScale + valueOffset, -16000.0, 16000.0); }
 };
 
 /// What to draw for a trace: lines where points are sparse, one vertical span for each column where they are dense.

@@ -119,6 +119,7 @@ protected:
 
 private:
     void drawHead(QCPPainter &painter, const QRectF &box) const;
+    void drawKeyUnit(QCPPainter &painter, const QRectF &box) const;
     void drawLimits(QCPPainter &painter, const QRectF &box) const;
     void drawNotes(QCPPainter &painter, const QRectF &box) const;
     void drawTags(QCPPainter &painter, const QRectF &box) const;

@@ -17,6 +17,7 @@
 namespace mb {
 namespace {
 
+constexpr double PictureScale = 2.0;
 constexpr int TableColumns = 1 << 20; ///< so many that a source hands out every sample
 
 QString csvField(const QString &text)
@@ -49,7 +50,7 @@ bool PlotStack::exportPicture(const QString &path, const QString &kind)
 {
     const QSize size = m_plot->size();
     if (kind == QLatin1String("png"))
-        return m_plot->savePng(path, size.width(), size.height(), 2.0);
+        return m_plot->picture(size, PictureScale).save(path, "PNG");
     const auto paint = [&](QPaintDevice &device) {
         QCPPainter painter(&device);
         if (!painter.isActive())
@@ -161,7 +162,8 @@ void PlotStack::fillMenu(QMenu &menu)
     cursors->setCheckable(true);
     cursors->setChecked(cursorsShown());
     menu.addSeparator();
-    add(tr("Copy picture"), [this] { QApplication::clipboard()->setPixmap(m_plot->toPixmap(0, 0, 2.0)); });
+    add(tr("Copy picture"),
+        [this] { QApplication::clipboard()->setImage(m_plot->picture(m_plot->size(), PictureScale)); });
     add(tr("Copy numbers"), [this] { QApplication::clipboard()->setText(numbers()); });
     add(tr("Copy summary"), [this] { QApplication::clipboard()->setText(summary()); });
     menu.addSeparator();

@@ -2,6 +2,7 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/autorange.h"
 #include "widgets/plots/plotdecor.h"
+#include "widgets/plots/plotframe.h"
 
 #include <QDateTime>
 #include <cmath>
@@ -36,6 +37,9 @@ QSize PlotFoot::maximumOuterSizeHint() const
 
 void PlotFoot::draw(QCPPainter *painter)
 {
+    const auto *frame = qobject_cast<const PlotFrame *>(parentPlot());
+    if (frame && frame->stands())
+        return;
     const Theme &theme = m_theme.theme();
     const QRectF box = rect();
     painter->setAntialiasing(false);

@@ -8,7 +8,7 @@
 namespace mb {
 namespace {
 
-constexpr double WordsEvery = 0.1; ///< seconds between two changes of numbers that somebody reads
+constexpr qint64 WordsEvery = 100; ///< milliseconds between two changes of numbers that somebody reads
 
 /// Decimals that tell a five-hundredth of the axis apart.
 int decimalsFor(double span)
@@ -34,9 +34,11 @@ void PlotStack::refresh(double now)
     const bool moved = m_live && followPresent(now);
     if (!moved && !m_dirty)
         return;
+    m_scaled = false;
     fetch();
-    if (m_dirty || std::abs(now - m_wordsAt) >= WordsEvery) {
-        m_wordsAt = now;
+    const bool words = m_dirty || !m_wordsSince.isValid() || m_wordsSince.elapsed() >= WordsEvery;
+    if (words) {
+        m_wordsSince.start();
         for (std::size_t i = 0; i < m_strips.size(); ++i)
             updateTags(*m_strips[i], static_cast<int>(i));
         updateFoot();
@@ -44,12 +46,34 @@ void PlotStack::refresh(double now)
     }
     m_dirty = false;
     const int width = plotWidth();
-    m_plot->replot();
+    // What stands beside the axes reaches over all of the picture with cursors, and changes with a second axis.
+    const bool second = std::any_of(
+        m_strips.begin(), m_strips.end(), [](const auto &strip) { return !strip->decor.secondUnit.isEmpty(); });
+    if (words || m_scaled || second || m_cursors->visible())
+        m_plot->render();
+    else
+        m_plot->renderPart(movingPart());
     // Drawing lays out first: after a resize, or with wider tick labels, the columns were made for another width.
     if (plotWidth() != width) {
         fetch();
-        m_plot->replot();
+        m_plot->render();
     }
+}
+
+QRegion PlotStack::movingPart() const
+{
+    const Theme &theme = m_theme.theme();
+    QRegion moving;
+    for (const auto &strip : m_strips) {
+        const QRect box = strip->rect->rect();
+        const int top = box.top() - theme.u(8); // half of a label of the axis
+        moving += QRect(QPoint(0, top), QPoint(box.right() + 3, box.bottom() + theme.u(8)));
+    }
+    if (!m_strips.empty()) { // the labels of the time
+        const QCPAxisRect &last = *m_strips.back()->rect;
+        moving += QRect(QPoint(0, last.rect().bottom() + 1), last.outerRect().bottomRight());
+    }
+    return moving;
 }
 
 int PlotStack::plotWidth() const
@@ -134,6 +158,7 @@ void PlotStack::updateAxis(Strip &strip, int index, bool second, double to)
         values.setRange(fixed->first, fixed->second);
     } else if (seen) {
         const AutoRange::Range range = automatic.update(seen->first, seen->second, m_now);
+        m_scaled = m_scaled || values.range() != QCPRange(range.lower, range.upper);
         values.setRange(range.lower, range.upper);
     }
 }

@@ -3,7 +3,6 @@
 
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/plotcursors.h"
-#include "widgets/plots/spancanvas.h"
 
 #include <QPainter>
 #include <QRubberBand>
@@ -31,12 +30,10 @@ PlotStack::~PlotStack() = default;
 
 void PlotStack::buildPlot()
 {
-    m_plot = new QCustomPlot(this);
+    m_plot = new PlotFrame(this);
     m_plot->setFocusPolicy(Qt::NoFocus);
     m_plot->setContextMenuPolicy(Qt::NoContextMenu);
-    m_plot->setNoAntialiasingOnDrag(true);
     m_plot->addLayer(QStringLiteral("wished"), m_plot->layer(QStringLiteral("main")), QCustomPlot::limBelow);
-    m_plot->addLayer(QStringLiteral("spans"), m_plot->layer(QStringLiteral("main")), QCustomPlot::limAbove);
     m_plot->plotLayout()->clear();
     m_plot->plotLayout()->setRowSpacing(0);
     m_margins = new QCPMarginGroup(m_plot);
@@ -60,7 +57,6 @@ std::unique_ptr<PlotStack::Strip> PlotStack::makeStrip()
     strip->rect->axis(QCPAxis::atRight)->setTicker(QSharedPointer<NumberTicker>::create());
     strip->rect->axis(QCPAxis::atRight)->grid()->setVisible(false);
     strip->rect->axis(QCPAxis::atBottom)->setTicker(m_timeTicker);
-    strip->canvas = new SpanCanvas(*strip->rect);
     new StripBackdrop(*strip->rect, m_theme, strip->decor); // both belong to the plot
     new StripFace(*strip->rect, m_theme, strip->decor);
     return strip;
@@ -102,7 +98,7 @@ void PlotStack::rebuildLayout()
 
 void PlotStack::restyle()
 {
-    m_plot->setBackground(m_theme.theme().canvas);
+    m_plot->setCanvas(m_theme.theme().canvas);
     for (const auto &strip : m_strips)
         styleStrip(*strip, strip == m_strips.back());
     for (auto &[id, trace] : m_traces)
@@ -200,8 +196,6 @@ int PlotStack::addTrace(const TraceStyle &style, std::shared_ptr<const TraceSour
     trace.plottable->setName(style.name);
     if (style.role == TraceRole::Setpoint || style.dash == TraceDash::Dots)
         trace.plottable->setLayer(QStringLiteral("wished")); // behind what was measured
-    else
-        trace.plottable->setCanvas(m_strips.at(static_cast<std::size_t>(style.strip))->canvas);
     const int id = m_nextTrace++;
     m_traces.emplace(id, std::move(trace));
     updateHeads();

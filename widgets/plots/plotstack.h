@@ -3,8 +3,10 @@
 
 #include "widgets/plots/autorange.h"
 #include "widgets/plots/plotdecor.h"
+#include "widgets/plots/plotframe.h"
 #include "widgets/plots/tracesource.h"
 
+#include <QElapsedTimer>
 #include <QPointer>
 #include <QWidget>
 #include <map>
@@ -135,7 +137,7 @@ public:
     /// Whether the menu offers a table of what is seen; a page that exports more says no.
     void setOwnTable(bool own) { m_ownTable = own; }
 
-    QCustomPlot &plot() { return *m_plot; }
+    PlotFrame &plot() { return *m_plot; }
 
 Q_SIGNALS:
     void liveChanged(bool live);
@@ -175,7 +177,6 @@ private:
     struct Strip {
         StripStyle style;
         QCPAxisRect *rect = nullptr;
-        SpanCanvas *canvas = nullptr;
         AutoRange range;
         std::optional<std::pair<double, double>> fixed;
         AutoRange secondRange;
@@ -198,6 +199,8 @@ private:
     // plotrefresh.cpp
     bool followPresent(double now);
     int plotWidth() const;
+    /// What changes while only time goes on.
+    QRegion movingPart() const;
     void fetch();
     void fetchTrace(Trace &trace, double from, double to, int pixels);
     void updateStrip(int index, double to);
@@ -237,7 +240,7 @@ private:
     void announce();
 
     const ThemeSource &m_theme;
-    QCustomPlot *m_plot = nullptr;
+    PlotFrame *m_plot = nullptr;
     QCPMarginGroup *m_margins = nullptr;
     QPointer<PlotFoot> m_foot;
     QSharedPointer<TimeTicker> m_timeTicker;
@@ -252,8 +255,9 @@ private:
     double m_now = 0.0;
     bool m_live = true;
     bool m_dirty = true;
+    bool m_scaled = false; ///< a value axis has changed
     bool m_pending = false;
-    double m_wordsAt = 0.0;
+    QElapsedTimer m_wordsSince;
     std::vector<PlotPoint> m_scratch;
     QString m_footNote;
     QString m_watermark;

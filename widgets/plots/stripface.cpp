@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotdecor.h"
+#include "widgets/plots/plotframe.h"
 
 #include <numeric>
 
@@ -30,8 +31,12 @@ void StripFace::draw(QCPPainter *painter)
 {
     const QRectF box = m_rect.rect();
     painter->setAntialiasing(true);
-    drawHead(*painter, box);
-    drawTags(*painter, box);
+    const auto *frame = qobject_cast<const PlotFrame *>(parentPlot());
+    if (!frame || !frame->stands()) {
+        drawHead(*painter, box);
+        drawTags(*painter, box);
+    }
+    drawKeyUnit(*painter, box);
     painter->save();
     painter->setClipRect(box.adjusted(0, -2, 2, 0));
     drawLimits(*painter, box);
@@ -57,10 +62,6 @@ void StripFace::drawHead(QCPPainter &painter, const QRectF &box) const
         const QRectF corner(box.right() + theme.u(7), top, m_decor.secondRoom + theme.u(40), height);
         painter.drawText(corner, Qt::AlignLeft | Qt::AlignVCenter, m_decor.secondUnit);
     }
-    if (!m_decor.keyUnit.isEmpty()) {
-        const QRectF corner(box.right() + theme.u(18), box.bottom() + theme.u(4), theme.u(40), theme.u(18));
-        painter.drawText(corner, Qt::AlignLeft | Qt::AlignVCenter, m_decor.keyUnit);
-    }
     double x = box.left();
     const double end = m_decor.secondUnit.isEmpty() ? m_rect.outerRect().right() : box.right();
     const auto put = [&](const QString &text, const QFont &font, const QColor &color) {
@@ -80,6 +81,17 @@ void StripFace::drawHead(QCPPainter &painter, const QRectF &box) const
         x += theme.u(30);
         put(entry.name, small, theme.text);
     }
+}
+
+void StripFace::drawKeyUnit(QCPPainter &painter, const QRectF &box) const
+{
+    if (m_decor.keyUnit.isEmpty())
+        return;
+    const Theme &theme = m_theme.theme();
+    const QRectF corner(box.right() + theme.u(18), box.bottom() + theme.u(4), theme.u(40), theme.u(18));
+    painter.setFont(caption());
+    painter.setPen(theme.dim);
+    painter.drawText(corner, Qt::AlignLeft | Qt::AlignVCenter, m_decor.keyUnit);
 }
 
 void StripFace::drawLimits(QCPPainter &painter, const QRectF &box) const

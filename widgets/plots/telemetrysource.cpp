@@ -37,12 +37,14 @@ void TelemetrySource::follow(double rate, Instant now)
 
 void TelemetrySource::columns(double from, double to, int pixels, std::vector<PlotPoint> &points) const
 {
-    points.clear();
     m_telemetry->columns(m_channel, toInstant(from), toInstant(to), pixels, m_window);
-    for (const Point &point : m_window.points()) {
-        if (point.time >= m_since)
-            points.push_back({plotKey(point.time), point.value * m_scale});
-    }
+    const std::vector<Point> &found = m_window.points();
+    const auto first
+        = std::partition_point(found.begin(), found.end(), [this](const Point &point) { return point.time < m_since; });
+    points.resize(static_cast<std::size_t>(found.end() - first));
+    std::transform(first, found.end(), points.begin(), [scale = m_scale](const Point &point) {
+        return PlotPoint{plotKey(point.time), point.value * scale};
+    });
 }
 
 std::optional<double> TelemetrySource::latest() const

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/traceplottable.h"
 
-#include "widgets/plots/spancanvas.h"
+#include "widgets/plots/plotframe.h"
 
+#include <array>
 #include <cmath>
 
 namespace mb {
@@ -10,6 +11,33 @@ namespace {
 
 constexpr double MarkerEvery = 0.12; ///< of the width
 constexpr int MostMarkers = 9;
+constexpr double MarkerSize = 8.0;
+constexpr double MeasuredWidth = 1.5;
+constexpr double EmphasisWidth = 2.2;
+
+/// Lengths of a dash and of the pause after it; nothing for a solid line.
+std::array<int, 2> dashesOf(const TraceLook &look)
+{
+    switch (look.dash) {
+    case TraceDash::Long: return {9, 5};
+    case TraceDash::Short: return {6, 4};
+    case TraceDash::Dots: return {2, 3};
+    case TraceDash::Automatic: return look.role == TraceRole::Setpoint ? std::array{6, 4} : std::array{0, 0};
+    case TraceDash::Solid: break;
+    }
+    return {0, 0};
+}
+
+/// The picture that is painted on, where traces may write into it: not a file of lines, and nothing is scaled. (Half a
+/// pixel is what QCPPainter moves for antialiasing.)
+QImage *pictureOf(QCPPainter &painter)
+{
+    if (painter.modes().testFlag(QCPPainter::pmVectorized) || painter.device()->devType() != QInternal::Image
+        || painter.worldTransform().type() > QTransform::TxTranslate)
+        return nullptr;
+    auto *image = static_cast<QImage *>(painter.device());
+    return image->format() == QImage::Format_RGB32 ? image : nullptr;
+}
 
 QPolygonF corners(const QPointF &at, std::initializer_list<QPointF> offsets)
 {
@@ -25,13 +53,8 @@ QPen tracePen(const TraceLook &look, const Theme &theme)
 {
     QPen pen(theme.trace(look.colourRole()), 1);
     pen.setCosmetic(true);
-    const bool automaticDash = look.dash == TraceDash::Automatic && look.role == TraceRole::Setpoint;
-    if (look.dash == TraceDash::Long)
-        pen.setDashPattern({9, 5});
-    else if (look.dash == TraceDash::Short || automaticDash)
-        pen.setDashPattern({6, 4});
-    else if (look.dash == TraceDash::Dots)
-        pen.setDashPattern({2, 3});
+    if (const auto [dash, pause] = dashesOf(look); dash > 0)
+        pen.setDashPattern({dash + 0.0, pause + 0.0});
     return pen;
 }
 
@@ -99,7 +122,8 @@ TracePlottable::TracePlottable(QCPAxis *keyAxis, QCPAxis *valueAxis)
 void TracePlottable::setLook(const TraceLook &look, const Theme &theme)
 {
     m_look = look;
-    m_markerSize = theme.u(8);
+    m_unit = theme.u(100) / 100.0;
+    m_marker = {};
     setPen(tracePen(look, theme));
 }
 
@@ -143,70 +167,104 @@ void TracePlottable::draw(QCPPainter *painter)
 {
     if (m_points.empty() || !keyAxis() || !valueAxis())
         return;
-    const double ratio = std::max(1.0, painter->device()->devicePixelRatioF());
-    const PixelMap map = pixelMap(1.0 / ratio);
-    const ColumnPath path = columnPath(m_points, map);
-    applyDefaultAntialiasingHint(painter);
-    painter->setPen(pen());
-    painter->setBrush(Qt::NoBrush);
-    drawLines(*painter, path);
-    // Strokes of 1 px beside each other: a wider pen costs 20 times as much.
-    const bool measured = pen().style() == Qt::SolidLine;
-    if (m_look.emphasis || measured)
-        drawShifted(*painter, path, {0.5, 0.5});
-    if (m_look.emphasis)
-        drawShifted(*painter, path, {0.5, -0.5});
+    const PixelMap map = pixelMap(1.0 / std::max(1.0, painter->device()->devicePixelRatioF()));
+    auto *frame = qobject_cast<PlotFrame *>(parentPlot());
+    QImage *image = frame ? pictureOf(*painter) : nullptr;
+    if (image)
+        drawPixels(*image, map, frame->raster());
+    else
+        drawPath(*painter, columnPath(m_points, map));
     drawMarkers(*painter, map);
 }
 
-void TracePlottable::drawShifted(QCPPainter &painter, const ColumnPath &path, const QPointF &shift) const
+double TracePlottable::strokeWidth() const
 {
-    for (const QPolygonF &line : path.lines)
-        painter.drawPolyline(line.translated(shift));
+    const bool measured = dashesOf(m_look)[0] == 0;
+    return m_unit * (m_look.emphasis ? EmphasisWidth : (measured ? MeasuredWidth : 1.0));
 }
 
-void TracePlottable::drawLines(QCPPainter &painter, const ColumnPath &path) const
+void TracePlottable::drawPixels(QImage &image, const PixelMap &map, TraceRaster &raster) const
 {
-    for (const QPolygonF &line : path.lines) {
-        if (line.size() == 1)
-            painter.drawPoint(line.first());
+    const double ratio = image.devicePixelRatio();
+    const QRect box = keyAxis()->axisRect()->rect();
+    const QPoint corner(qCeil(box.left() * ratio), qCeil(box.top() * ratio));
+    const QRect clip(corner, QSize(qFloor(box.width() * ratio), qFloor(box.height() * ratio)));
+    PixelMap pixels;
+    pixels.keyScale = map.keyScale * ratio;
+    pixels.keyOffset = map.keyOffset * ratio - corner.x();
+    pixels.valueScale = map.valueScale * ratio;
+    pixels.valueOffset = (map.valueOffset + 0.5) * ratio - corner.y(); // a row counts from its middle, as the grid's
+    const auto [dash, pause] = dashesOf(m_look);
+    const double unit = m_unit * ratio;
+    const TraceStroke stroke{pen().color().rgb(), strokeWidth() * ratio, qRound(dash * unit), qRound(pause * unit)};
+    raster.draw(image, clip & image.rect(), m_points, pixels, stroke);
+}
+
+void TracePlottable::drawPath(QCPPainter &painter, const ColumnPath &path) const
+{
+    QPen line = pen();
+    line.setWidthF(strokeWidth());
+    QVector<qreal> pattern = line.dashPattern();
+    for (qreal &length : pattern)
+        length *= m_unit / strokeWidth(); // counted in pen widths
+    if (!pattern.isEmpty())
+        line.setDashPattern(pattern);
+    painter.setAntialiasing(true);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(line);
+    for (const QPolygonF &points : path.lines) {
+        if (points.size() == 1)
+            painter.drawPoint(points.first());
         else
-            painter.drawPolyline(line);
-    }
-    if (!path.spans.isEmpty())
-        drawSpans(painter, path);
-}
-
-void TracePlottable::drawSpans(QCPPainter &painter, const ColumnPath &path) const
-{
-    if (m_canvas && !painter.modes().testFlag(QCPPainter::pmVectorized)) {
-        m_canvas->add(path.spans, pen().color(), std::max(1.0, painter.device()->devicePixelRatioF()));
-        return;
+            painter.drawPolyline(points);
     }
     // A dash pattern along vertical spans would tear the trace apart.
-    QPen solid = pen();
-    solid.setStyle(Qt::SolidLine);
+    line.setStyle(Qt::SolidLine);
     painter.setAntialiasing(false);
-    painter.setPen(solid);
+    painter.setPen(line);
     painter.drawLines(path.spans);
-    painter.setPen(pen());
-    applyDefaultAntialiasingHint(&painter);
 }
 
-void TracePlottable::drawMarkers(QCPPainter &painter, const PixelMap &map) const
+const QImage &TracePlottable::markerPicture(double ratio)
+{
+    if (!m_marker.isNull() && m_marker.devicePixelRatio() == ratio)
+        return m_marker;
+    const int side = qCeil(MarkerSize * m_unit * 1.5 * ratio) | 1; // a pixel in the middle
+    m_marker = QImage(side, side, QImage::Format_ARGB32_Premultiplied);
+    m_marker.setDevicePixelRatio(ratio);
+    m_marker.fill(Qt::transparent);
+    QPainter painter(&m_marker);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double middle = side / ratio / 2;
+    paintMarker(painter, {middle, middle}, markerOf(m_look), pen().color(), MarkerSize * m_unit);
+    return m_marker;
+}
+
+void TracePlottable::drawMarkers(QCPPainter &painter, const PixelMap &map)
 {
     const TraceMarker marker = markerOf(m_look);
     if (marker == TraceMarker::None)
         return;
+    const bool onPicture = pictureOf(painter) != nullptr;
+    painter.setAntialiasing(!onPicture);
+    const double ratio = painter.device()->devicePixelRatioF();
     const QCPRange range = keyAxis()->range();
     const double step = range.size() * MarkerEvery;
-    painter.setAntialiasing(true);
     // Anchored to absolute time: the markers travel with the data instead of sliding along it.
     double key = std::ceil(range.lower / step) * step;
     for (int i = 0; i < MostMarkers && key <= range.upper; ++i, key += step) {
         const double value = valueAt(m_points, key);
-        if (std::isfinite(value))
-            paintMarker(painter, QPointF(map.x(key), map.y(value)), marker, pen().color(), m_markerSize);
+        if (!std::isfinite(value))
+            continue;
+        const QPointF at(map.x(key), map.y(value));
+        if (!onPicture) {
+            paintMarker(painter, at, marker, pen().color(), MarkerSize * m_unit);
+            continue;
+        }
+        const QImage &picture = markerPicture(ratio);
+        const double half = (picture.width() - 1) / 2;
+        painter.drawImage(
+            QPointF(std::floor(at.x() * ratio) - half, std::floor((at.y() + 0.5) * ratio) - half) / ratio, picture);
     }
 }
 

@@ -6,9 +6,11 @@
 
 #include "widgets/plots/qcustomplotkeywords.h"
 
+#include <QImage>
+
 namespace mb {
 
-class SpanCanvas;
+class TraceRaster;
 
 /// The pattern of a line says its role: measured, pinned, wished for, predicted.
 enum class TraceDash { Automatic, Solid, Long, Short, Dots };
@@ -26,14 +28,14 @@ struct TraceLook {
     [[nodiscard]] TraceRole colourRole() const { return colour.value_or(role); }
 };
 
-/// Pen of a trace: 1 px cosmetic, because a wider one costs 20 to 150 times as much.
+/// Pen of a trace, 1 px and cosmetic: for legends and lines beside the data.
 QPen tracePen(const TraceLook &look, const Theme &theme);
 TraceMarker markerOf(const TraceLook &look);
 void paintMarker(QPainter &painter, const QPointF &at, TraceMarker marker, const QColor &color, double size);
 /// A piece of the line with its marker, for legends.
 void paintSwatch(QPainter &painter, const QRectF &box, const TraceLook &look, const Theme &theme);
 
-/// Draws the columns of a TraceSource: one vertical span for each dense pixel column, lines elsewhere, markers every
+/// Draws the columns of a TraceSource: pixel by pixel into the picture of a PlotFrame, with a pen into anything else, and markers every
 /// 12 % of the width. A one-sample spike between two pixels stays visible at every zoom.
 class TracePlottable : public QCPAbstractPlottable {
     Q_OBJECT
@@ -42,8 +44,6 @@ public:
 
     void setLook(const TraceLook &look, const Theme &theme);
     const TraceLook &look() const { return m_look; }
-    /// Where dense columns go on a screen; without one, and in vector pictures, they are lines.
-    void setCanvas(SpanCanvas *canvas) { m_canvas = canvas; }
     /// Swaps, so that the buffers are reused.
     void swapPoints(std::vector<PlotPoint> &points) { m_points.swap(points); }
     const std::vector<PlotPoint> &points() const { return m_points; }
@@ -59,15 +59,16 @@ protected:
 
 private:
     PixelMap pixelMap(double columnWidth) const;
-    void drawSpans(QCPPainter &painter, const ColumnPath &path) const;
-    void drawLines(QCPPainter &painter, const ColumnPath &path) const;
-    void drawShifted(QCPPainter &painter, const ColumnPath &path, const QPointF &shift) const;
-    void drawMarkers(QCPPainter &painter, const PixelMap &map) const;
+    double strokeWidth() const;
+    void drawPixels(QImage &image, const PixelMap &map, TraceRaster &raster) const;
+    void drawPath(QCPPainter &painter, const ColumnPath &path) const;
+    void drawMarkers(QCPPainter &painter, const PixelMap &map);
+    const QImage &markerPicture(double ratio);
 
     TraceLook m_look;
-    double m_markerSize = 7.0;
-    SpanCanvas *m_canvas = nullptr;
+    double m_unit = 1.0; ///< pixels for a length of 1 at 10 pt
     std::vector<PlotPoint> m_points;
+    QImage m_marker;
 };
 
 } // namespace mb
