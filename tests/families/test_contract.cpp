@@ -164,6 +164,79 @@ TEST_P(Contract, CalibrationsAreCheckedKeptAndForgotten)
     }
 }
 
+TEST_P(Contract, AChoiceOfACalibrationIsOneOfItsRows)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    for (const Calibration &row : family().calibrations) {
+        for (const Choice &choice : row.choices) {
+            EXPECT_FALSE(choice.label.empty()) << row.key;
+            EXPECT_TRUE(device->calibrate(row.key, static_cast<double>(choice.raw))) << row.key;
+        }
+        if (!row.choices.empty()) {
+            EXPECT_FALSE(device->calibrate(row.key, row.minimum + 0.5)) << row.key;
+        }
+        ASSERT_TRUE(device->calibrate(row.key, std::nullopt)) << row.key;
+    }
+}
+
+TEST_P(Contract, WhatAResetTakesIsLostAndCanBeWrittenAgain)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    std::vector<ParameterChange> changes;
+    for (std::uint16_t i = 0; i < family().parameters.size() && changes.size() < 3; ++i) {
+        const Parameter &parameter = family().parameters[i];
+        if (parameter.access != Access::ReadOnly && parameter.nature == Nature::Setting && device->offers({i}))
+            changes.push_back({{i}, toRaw(parameter, parameter.fallback).value_or(0)});
+    }
+    NoProgress progress;
+    ASSERT_TRUE(run(bench->clock, writeParameters(*device, changes, progress)));
+    EXPECT_TRUE(lostSettings(family(), device->profile()).empty());
+    Simulator *simulator = simulatorOf(*device);
+    ASSERT_NE(simulator, nullptr);
+    simulator->setPowered(false);
+    bench->clock.advance(200ms);
+    simulator->setPowered(true);
+    bench->clock.advance(3s);
+    if (family().capabilities.keepsSettings) {
+        EXPECT_TRUE(lostSettings(family(), device->profile()).empty()) << "the device has them";
+        return;
+    }
+    EXPECT_TRUE(device->liveness().restarted);
+    ASSERT_EQ(lostSettings(family(), device->profile()).size(), changes.size());
+    for (const ParameterChange &change : changes)
+        EXPECT_EQ(device->parameters().entry(change.index).state, ParameterState::Unknown);
+    const auto written = run(bench->clock, rewriteSettings(*device, progress));
+    ASSERT_TRUE(written) << written.error().detail;
+    EXPECT_TRUE(lostSettings(family(), device->profile()).empty());
+}
+
+TEST_P(Contract, AnExperimentSaysWhatItDoesAndLeavesTheMotorStoppedWhenItIsCutAnywhere)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    SetPointStream &stream = bench->session.stream(*device);
+    NoProgress progress;
+    for (const Experiment &experiment : family().experiments) {
+        EXPECT_FALSE(experiment.title.empty() || experiment.explanation.empty()) << experiment.key;
+        EXPECT_EQ(experiment.question.empty(), experiment.answers.empty()) << experiment.key;
+        EXPECT_LE(experiment.power, experiment.mostPower) << experiment.key;
+        ASSERT_NE(experiment.run, nullptr) << experiment.key;
+        for (int cut = 1; cut < 60; cut += 7) {
+            bench->clock.advance(500ms);
+            auto task = experiment.run(*device, stream, {.axis = 1, .power = experiment.power}, progress);
+            task.start();
+            for (int i = 0; i < cut * 10 && !task.isFinished(); ++i)
+                bench->clock.step();
+            task.cancel();
+            bench->clock.advance(100ms);
+            EXPECT_FALSE(simulatorOf(*device)->isOutputOn()) << experiment.key << " cut after " << cut;
+            EXPECT_FALSE(stream.isRunning()) << experiment.key << " cut after " << cut;
+        }
+    }
+}
+
 TEST_P(Contract, ReadOnlyParametersRefuseToBeWritten)
 {
     Device *device = online();

@@ -34,11 +34,11 @@ constexpr double greatest = 1e6;
 constexpr std::array<Calibration, 7> rows{{
     {targetShift, "", QT_TRANSLATE_NOOP("table", "velocity target"), shiftHelp, plainTarget, shiftedTarget, shifts},
     {inputReading, "", QT_TRANSLATE_NOOP("table", "input polarity"), inputHelp, asLibrary, asDataSheet, inputs},
-    {velocityP, "", QT_TRANSLATE_NOOP("table", "scale of velocity P"), scaleHelp, smallest, greatest},
-    {velocityI, "", QT_TRANSLATE_NOOP("table", "scale of velocity I"), scaleHelp, smallest, greatest},
-    {positionP, "", QT_TRANSLATE_NOOP("table", "scale of position P"), scaleHelp, smallest, greatest},
-    {positionI, "", QT_TRANSLATE_NOOP("table", "scale of position I"), scaleHelp, smallest, greatest},
-    {positionD, "", QT_TRANSLATE_NOOP("table", "scale of position D"), scaleHelp, smallest, greatest},
+    {velocityP, "", QT_TRANSLATE_NOOP("table", "velocity P scale"), scaleHelp, smallest, greatest},
+    {velocityI, "", QT_TRANSLATE_NOOP("table", "velocity I scale"), scaleHelp, smallest, greatest},
+    {positionP, "", QT_TRANSLATE_NOOP("table", "position P scale"), scaleHelp, smallest, greatest},
+    {positionI, "", QT_TRANSLATE_NOOP("table", "position I scale"), scaleHelp, smallest, greatest},
+    {positionD, "", QT_TRANSLATE_NOOP("table", "position D scale"), scaleHelp, smallest, greatest},
 }};
 
 } // namespace
