@@ -55,6 +55,8 @@ Snapshot EngineCore::snapshot()
         if (const auto watched = m_watched.find(link); watched != m_watched.end()) {
             view.scanning = watched->second.scanning;
             view.traffic = watched->second.traffic;
+            if (watched->second.recorder)
+                view.recording = watched->second.recorder->state();
             view.unknown = watched->second.unknown->count();
         }
         view.diagnosis = diagnose(symptomsOf(*link, shot.time), shot.time, m_listings);
@@ -125,13 +127,7 @@ void EngineCore::removeLink(Link &link)
     m_scope.clear(); // a scan of this link may be under way
     for (auto &[other, watched] : m_watched)
         watched.scanning = false;
-    for (Device *device : m_session.devices()) {
-        if (&device->link() != &link)
-            continue;
-        const DeviceId id = m_session.idOf(*device);
-        m_streams.erase(id);
-        std::erase_if(m_operations, [id](const Running &running) { return running.device == id; });
-    }
+    forgetWork(link);
     m_watched.erase(&link);
     m_session.closeLink(link);
 }
@@ -186,6 +182,7 @@ void EngineCore::scanned(Link &link, const Result<std::vector<Device *>> &device
     if (!devices)
         notice(Severity::Caution, link.address().shortName(), devices.error().detail);
     probeSilent(link);
+    playWhenKnown(link);
     touch();
 }
 
@@ -194,7 +191,9 @@ bool EngineCore::isQuiet() const
     const bool busy = std::any_of(
         m_operations.begin(), m_operations.end(), [](const Running &r) { return r.operation->isRunning(); });
     const auto all = m_session.devices();
-    return !busy && std::none_of(all.begin(), all.end(), [](const Device *d) { return d->liveness().moving; });
+    return !busy && std::none_of(all.begin(), all.end(), [](const Device *d) {
+        return d->liveness().moving && !d->link().address().isRecording();
+    });
 }
 
 void EngineCore::look()
@@ -215,7 +214,8 @@ void EngineCore::refreshRestarted()
 {
     for (Device *device : m_session.devices()) {
         const DeviceId id = m_session.idOf(*device);
-        if (!device->liveness().restarted || !device->liveness().heard || hasOperation(id))
+        if (!device->liveness().restarted || !device->liveness().heard || hasOperation(id)
+            || device->link().address().isRecording())
             continue;
         notice(Severity::Caution, labelOf(*device),
             "the unit restarted: what is volatile was lost, its parameters are read again");

@@ -5,6 +5,7 @@
 #include "async/scope.h"
 #include "model/parametertransfer.h"
 #include "model/snapshot.h"
+#include "model/trafficrecorder.h"
 #include "model/unknownframes.h"
 #include "transport/linkcatalog.h"
 
@@ -72,6 +73,12 @@ public:
     void cancel(OperationId id);
     void sendFrame(const std::string &link, const CanFrame &frame, const Finished &finished);
 
+    /// Writes what passes a CAN link to a file (TrafficRecorder), until stopRecording() or a full disk: a notice tells.
+    void startRecording(const std::string &link, const std::string &path, const Finished &finished);
+    void stopRecording(const std::string &link);
+    /// Orders for a `replay:` link. A new position ends what its devices were doing.
+    void steerReplay(const std::string &link, const ReplayOrder &order);
+
 private:
     struct Running {
         OperationId id;
@@ -83,7 +90,10 @@ private:
     struct Watched {
         bool scanning = false;
         bool byItself = false; ///< nobody asked for it
+        bool played = false;   ///< a recording, let go for the first time
         std::shared_ptr<TrafficLog> traffic;
+        std::unique_ptr<TrafficRecorder> recorder;
+        Subscription recorderChanged;
         std::unique_ptr<UnknownFrames> unknown;
         Subscription tap;
         Subscription state;
@@ -96,6 +106,10 @@ private:
     void beginSimple(
         DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished);
     void watch(Link &link);
+    [[nodiscard]] Link *linkUnder(const std::string &address) const;
+    void recorderChanged(Link &link);
+    void forgetWork(const Link &link);
+    void playWhenKnown(Link &link);
     void scan(Link &link);
     void scanned(Link &link, const Result<std::vector<Device *>> &devices);
     void look();

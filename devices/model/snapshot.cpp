@@ -71,6 +71,8 @@ LinkView viewOf(const Link &link, Instant now)
         view.load = serial.load(now);
         view.roundTrip = serial.roundTrip();
     }
+    if (const auto *replay = dynamic_cast<const ReplayLink *>(&link))
+        view.replay = replay->replay();
     return view;
 }
 

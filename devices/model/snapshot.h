@@ -4,6 +4,7 @@
 #include "model/operation.h"
 #include "model/session.h"
 #include "model/trafficlog.h"
+#include "model/trafficrecorder.h"
 #include "transport/linkdoctor.h"
 
 #include <memory>
@@ -30,6 +31,8 @@ struct LinkView {
     std::uint64_t unknown = 0; ///< frames received that no family knows
     Diagnosis diagnosis;       ///< one cause and one remedy; healthy when nothing is wrong
     std::shared_ptr<const TrafficLog> traffic;
+    std::optional<RecordingState> recording; ///< since the window records it, and after
+    std::optional<ReplayState> replay;       ///< of a recording
 };
 
 struct MotionView {

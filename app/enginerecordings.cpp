@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is recorded, and what is replayed.
+#include "app/enginecore.h"
+
+namespace mb {
+namespace {
+
+void answer(const EngineCore::Finished &finished, Result<void> result)
+{
+    if (finished)
+        finished(std::move(result));
+}
+
+} // namespace
+
+Link *EngineCore::linkUnder(const std::string &address) const
+{
+    const auto parsed = LinkAddress::parse(address);
+    return parsed ? m_session.findLink(*parsed) : nullptr;
+}
+
+void EngineCore::startRecording(const std::string &link, const std::string &path, const Finished &finished)
+{
+    Link *const open = linkUnder(link);
+    if (!open) {
+        answer(finished, fail(Fault::LinkLost, "the link is not open"));
+        return;
+    }
+    watch(*open);
+    Watched &watched = m_watched[open];
+    if (watched.recorder && !watched.recorder->state().finished) {
+        answer(finished, fail(Fault::Unsafe, open->address().shortName() + " is being recorded already"));
+        return;
+    }
+    watched.recorderChanged.reset();
+    auto recorder = TrafficRecorder::start(*open, m_clock, m_session.clockOf(*open).unixOffset(), path);
+    if (!recorder) {
+        answer(finished, fail(recorder.error()));
+        return;
+    }
+    watched.recorder = std::move(*recorder);
+    watched.recorderChanged = watched.recorder->changed().add([this, open] { recorderChanged(*open); });
+    answer(finished, {});
+    touch();
+}
+
+void EngineCore::recorderChanged(Link &link)
+{
+    const RecordingState state = m_watched[&link].recorder->state();
+    const std::string frames = std::to_string(state.frames) + " frames";
+    if (!state.problem.empty())
+        notice(Severity::Danger, link.address().shortName(), "the recording has ended: " + state.problem);
+    else if (state.lost > 0)
+        notice(Severity::Caution, link.address().shortName(),
+            frames + " recorded, " + std::to_string(state.lost) + " are missing");
+    else
+        notice(Severity::Good, link.address().shortName(), frames + " recorded, none is missing");
+    touch();
+}
+
+void EngineCore::stopRecording(const std::string &link)
+{
+    const auto watched = m_watched.find(linkUnder(link));
+    if (watched != m_watched.end() && watched->second.recorder)
+        watched->second.recorder->stop();
+    touch();
+}
+
+void EngineCore::steerReplay(const std::string &link, const ReplayOrder &order)
+{
+    Link *const open = linkUnder(link);
+    ReplayLink *const replay = open ? Session::replayOf(*open) : nullptr;
+    if (!replay)
+        return;
+    Result<void> done;
+    if (order.pace)
+        done = replay->setPace(*order.pace);
+    if (done && order.position) {
+        forgetWork(*open);
+        done = m_session.seek(*replay, *order.position);
+    }
+    if (done && order.run)
+        *order.run ? replay->play() : replay->pause();
+    if (!done)
+        notice(Severity::Danger, open->address().shortName(), done.error().detail);
+    touch();
+}
+
+/// The devices are about to go, or to begin anew.
+void EngineCore::forgetWork(const Link &link)
+{
+    for (Device *device : m_session.devices()) {
+        if (&device->link() != &link)
+            continue;
+        const DeviceId id = m_session.idOf(*device);
+        m_streams.erase(id);
+        std::erase_if(m_operations, [id](const Running &running) { return running.device == id; });
+    }
+}
+
+/// A recording is let go once its devices are known: the first time that it has been looked through.
+void EngineCore::playWhenKnown(Link &link)
+{
+    Watched &watched = m_watched[&link];
+    ReplayLink *const replay = Session::replayOf(link);
+    if (replay && !std::exchange(watched.played, true))
+        replay->play();
+}
+
+} // namespace mb

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The engine's half of recording and replaying, in virtual time.
+#include "app/enginecore.h"
+#include "async/virtualclock.h"
+#include "model/registry.h"
+#include "support/temporaryfile.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct EngineBench {
+    EngineBench()
+        : core(clock, families(), false)
+        , noticed(core.noticed().add([this](Severity severity, const std::string &, const std::string &text) {
+            notices.emplace_back(severity, text);
+        }))
+    {
+    }
+    Result<void> open(const std::string &address)
+    {
+        Result<void> result;
+        core.openLink(*LinkAddress::parse(address), [&result](Result<void> done) { result = std::move(done); });
+        return result;
+    }
+    LinkView view(const std::string &address)
+    {
+        const Snapshot shot = core.snapshot();
+        const LinkView *found = shot.link(address);
+        return found ? *found : LinkView{};
+    }
+    [[nodiscard]] bool wasTold(const std::string &text) const
+    {
+        return std::any_of(notices.begin(), notices.end(),
+            [&text](const auto &notice) { return notice.second.find(text) != std::string::npos; });
+    }
+
+    test::TemporaryFolder folder;
+    VirtualClock clock;
+    EngineCore core;
+    std::vector<std::pair<Severity, std::string>> notices;
+    Subscription noticed;
+};
+
+/// Records five seconds of the simulated bench.
+std::string recorded(EngineBench &bench)
+{
+    const std::string path = bench.folder.path("run.log");
+    EXPECT_TRUE(bench.open("sim:can"));
+    bench.clock.advance(2s);
+    Result<void> started = fail(Fault::Timeout, "no answer");
+    bench.core.startRecording("sim:can", path, [&started](Result<void> done) { started = std::move(done); });
+    EXPECT_TRUE(started);
+    bench.clock.advance(5s);
+    EXPECT_GT(bench.view("sim:can").recording->frames, 500U);
+    bench.core.stopRecording("sim:can");
+    while (!bench.view("sim:can").recording->finished)
+        std::this_thread::yield();
+    bench.clock.advance(1s);
+    EXPECT_TRUE(bench.wasTold("recorded, none is missing"));
+    return "replay:" + path;
+}
+
+TEST(EngineRecordings, AreMadeAndPlayedOnceTheirDevicesAreKnown)
+{
+    EngineBench bench;
+    const std::string address = recorded(bench);
+    ASSERT_TRUE(bench.open(address));
+    EXPECT_FALSE(bench.view(address).replay->running);
+    bench.clock.advance(1s);
+    const LinkView view = bench.view(address);
+    EXPECT_TRUE(view.replay->running);
+    EXPECT_EQ(view.replay->surveyed, 1.0);
+    EXPECT_GT(view.counters.rx, 100U);
+    const Snapshot shot = bench.core.snapshot();
+    const auto onReplay = [&](const DeviceView &device) { return device.link == address; };
+    EXPECT_EQ(std::count_if(shot.devices.begin(), shot.devices.end(), onReplay), 3);
+    for (const DeviceView &device : shot.devices)
+        EXPECT_EQ(device.mayNotMove.find("is a recording") != std::string::npos, onReplay(device)) << device.selector;
+    bench.clock.advance(10s);
+    EXPECT_TRUE(bench.view(address).replay->ended);
+}
+
+TEST(EngineRecordings, ArePausedSoughtAndPaced)
+{
+    EngineBench bench;
+    const std::string address = recorded(bench);
+    ASSERT_TRUE(bench.open(address));
+    bench.clock.advance(1s);
+    bench.core.steerReplay(address, {std::nullopt, std::nullopt, false});
+    const Duration stood = bench.view(address).replay->position;
+    bench.clock.advance(10s);
+    EXPECT_EQ(bench.view(address).replay->position, stood);
+    const auto devices = bench.core.snapshot().devices.size();
+    bench.core.steerReplay(address, {2.0, 1s, true});
+    EXPECT_EQ(bench.view(address).replay->position, 1s);
+    bench.clock.advance(1s);
+    EXPECT_EQ(bench.view(address).replay->position, 3s);
+    EXPECT_EQ(bench.core.snapshot().devices.size(), devices);
+    bench.core.steerReplay(address, {-1.0, std::nullopt, std::nullopt});
+    EXPECT_TRUE(bench.wasTold("is no speed")) << "a wrong order is told";
+    bench.core.steerReplay("sim:can", {std::nullopt, 1s, true});
+    bench.core.closeLink(address);
+    bench.clock.advance(1s);
+    EXPECT_TRUE(bench.view(address).address.empty());
+}
+
+TEST(EngineRecordings, SayOnceWhyTheyFail)
+{
+    EngineBench bench;
+    ASSERT_TRUE(bench.open("sim:can"));
+    Result<void> started;
+    const auto keep = [&started](Result<void> done) { started = std::move(done); };
+    bench.core.startRecording("socketcan:can7", bench.folder.path("a.log"), keep);
+    EXPECT_EQ(started.error().fault, Fault::LinkLost);
+    bench.core.startRecording("sim:can", bench.folder.path("none/a.log"), keep);
+    EXPECT_NE(started.error().detail.find("there is no such folder; "), std::string::npos);
+    bench.core.startRecording("sim:can", bench.folder.path("a.log"), keep);
+    ASSERT_TRUE(started);
+    bench.core.startRecording("sim:can", bench.folder.path("b.log"), keep);
+    EXPECT_NE(started.error().detail.find("is being recorded already"), std::string::npos);
+    const auto damaged = bench.folder.write("damaged.log", "(1.000000) can0 02061405#0040110000000000\nrubbish\n(2.0");
+    ASSERT_TRUE(bench.open("replay:" + damaged));
+    bench.clock.advance(1min);
+    const auto told = std::count_if(bench.notices.begin(), bench.notices.end(),
+        [](const auto &notice) { return notice.second.find("damaged.log: line 2") != std::string::npos; });
+    EXPECT_EQ(told, 1);
+}
+
+} // namespace
+} // namespace mb
