@@ -150,6 +150,11 @@ struct UpdateReport {
     std::optional<Fault> fault; ///< of Failed
 };
 
+/// Gets the frames of a recording in their order, those that the recorder had sent included, and tells who sent the one that
+/// came last: its address at least; session, state, versions and dialect where they are known by then. Nothing for frames of
+/// other families, and for those that a host sends. `CanFrame::time` is the time of the recording.
+using Recogniser = std::function<std::optional<Identity>(const CanFrame &)>;
+
 /// What an image would do, without a device.
 struct ImageSummary {
     std::string version;
@@ -183,10 +188,9 @@ struct Family {
     /// Asks whether one address answers, where a scan takes long. nullptr: a scan tells.
     Task<void> (*probe)(Link &, Clock &, int address, ScanSink &) = nullptr;
     std::unique_ptr<Device> (*open)(Link &, Clock &, const Identity &) = nullptr;
-    /// What one frame tells of the device that sent it, without asking: its address at least, session, state and versions
-    /// where they are in the frame. Nothing for frames of other families, and for those that a host sends. How devices
-    /// are found in a recording; nullptr: there they are not.
-    std::optional<Identity> (*recognise)(const CanFrame &) = nullptr;
+    /// How devices are found in a recording, where nobody can be asked: makes what listens to one. nullptr: there they are not
+    /// found.
+    Recogniser (*recogniser)() = nullptr;
     /// Nothing when the frame is not of this family.
     std::optional<DecodedFrame> (*decodeCan)(const CanFrame &, std::string_view dialect) = nullptr;
     /// Of a family on serial links.

@@ -6,18 +6,21 @@
 namespace mb {
 
 Overhearing::Overhearing(std::span<const Family *const> families, Found found)
-    : m_families(families)
-    , m_found(std::move(found))
+    : m_found(std::move(found))
 {
+    for (const Family *family : families) {
+        if (family->recogniser)
+            m_recognisers.emplace_back(family, family->recogniser());
+    }
 }
 
-void Overhearing::take(const CanFrame &frame)
+void Overhearing::take(const CanFrame &frame, bool bySelf)
 {
     if (frame.error)
         return;
-    for (const Family *family : m_families) {
-        auto seen = family->recognise ? family->recognise(frame) : std::nullopt;
-        if (!seen)
+    for (auto &[family, recognise] : m_recognisers) {
+        auto seen = recognise(frame);
+        if (!seen || bySelf)
             continue;
         const bool says
             = seen->session || !seen->firmware.empty() || !seen->bootloader.empty() || !seen->dialect.empty();
@@ -66,8 +69,13 @@ Identity Overhearing::merged(Sighting &sighting, Identity seen)
         else
             same->second = text;
     }
-    if (!seen.dialect.empty())
+    if (!seen.dialect.empty()) {
         out.dialect = seen.dialect;
+        if (out.state != DeviceState::Duplicate) {
+            out.state = seen.state;
+            out.detail = seen.detail;
+        }
+    }
     return out;
 }
 

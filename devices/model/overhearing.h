@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <vector>
 
 namespace mb {
 
@@ -16,8 +17,8 @@ public:
     using Found = std::function<void(const Family &, const Identity &)>;
 
     Overhearing(std::span<const Family *const> families, Found found);
-    /// A frame that a device, or another host, may have sent.
-    void take(const CanFrame &frame);
+    /// The next frame. Those that the recorder had sent itself, `bySelf`, are nobody's, but tell what an answer means.
+    void take(const CanFrame &frame, bool bySelf);
 
 private:
     struct Sighting {
@@ -26,7 +27,7 @@ private:
     };
     [[nodiscard]] static Identity merged(Sighting &sighting, Identity seen);
 
-    std::span<const Family *const> m_families;
+    std::vector<std::pair<const Family *, Recogniser>> m_recognisers;
     Found m_found;
     std::map<std::pair<const Family *, int>, Sighting> m_sightings;
 };

@@ -25,8 +25,9 @@ Task<std::vector<Device *>> Session::overhear(ReplayLink &link)
         m_families, [this, &link](const Family &family, const Identity &seen) { overheard(link, family, seen); });
     while (true) {
         const auto complete = link.survey([&](const LoggedFrame &logged) {
-            if (logged.direction != LogDirection::Sent)
-                overhearing.take(logged.frame);
+            CanFrame frame = logged.frame;
+            frame.time = Instant(logged.time);
+            overhearing.take(frame, logged.direction == LogDirection::Sent);
         });
         if (!complete)
             co_return fail(complete.error());

@@ -80,7 +80,14 @@ TEST(EngineRecordings, AreMadeAndPlayedOnceTheirDevicesAreKnown)
     EXPECT_GT(view.counters.rx, 100U);
     const Snapshot shot = bench.core.snapshot();
     const auto onReplay = [&](const DeviceView &device) { return device.link == address; };
-    EXPECT_EQ(std::count_if(shot.devices.begin(), shot.devices.end(), onReplay), 3);
+    std::vector<std::string> found;
+    for (const DeviceView &device : shot.devices) {
+        if (onReplay(device))
+            found.push_back(device.selector.substr(address.size() + 1) + ' ' + device.identity.dialect);
+    }
+    EXPECT_EQ(found,
+        (std::vector<std::string>{
+            "abstractdc:3 F", "abstractdc:4 L", "abstractdc:5 D", "dmc60c:5 ", "dmc60c:7 ", "dmc60c:9 "}));
     for (const DeviceView &device : shot.devices)
         EXPECT_EQ(device.mayNotMove.find("is a recording") != std::string::npos, onReplay(device)) << device.selector;
     bench.clock.advance(10s);
@@ -131,6 +138,30 @@ TEST(EngineRecordings, SayOnceWhyTheyFail)
     const auto told = std::count_if(bench.notices.begin(), bench.notices.end(),
         [](const auto &notice) { return notice.second.find("damaged.log: line 2") != std::string::npos; });
     EXPECT_EQ(told, 1);
+}
+
+TEST(EngineRecordings, EndOnceWhenTheDiskIsFull)
+{
+    EngineBench bench;
+    ASSERT_TRUE(bench.open("sim:can"));
+    bench.clock.advance(2s);
+    Result<void> started;
+    const auto keep = [&started](Result<void> done) { started = std::move(done); };
+    bench.core.startRecording("sim:can", "/dev/full", keep);
+    if (!started)
+        GTEST_SKIP() << "there is no /dev/full here";
+    while (!bench.view("sim:can").recording->finished) {
+        bench.clock.advance(200ms);
+        std::this_thread::yield();
+    }
+    bench.clock.advance(1s);
+    const RecordingState end = *bench.view("sim:can").recording;
+    EXPECT_EQ(end.lost, end.frames);
+    const auto told = std::count_if(bench.notices.begin(), bench.notices.end(),
+        [](const auto &notice) { return notice.second.find("the disk is full") != std::string::npos; });
+    EXPECT_EQ(told, 1);
+    bench.core.startRecording("sim:can", bench.folder.path("b.log"), keep);
+    EXPECT_TRUE(started) << "another recording may begin";
 }
 
 } // namespace

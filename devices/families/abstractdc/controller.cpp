@@ -32,9 +32,14 @@ Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identi
                       telemetry()->lost(channel::position, 1);
               }})
     , m_look(clock)
-    , m_received(link.received().add([this](const CanFrame &frame) { onFrame(frame); }))
+    , m_received(link.received().add([this](const CanFrame &frame) { onFrame(frame, false); }))
     , m_identityChanged(changed().add([this] { speak(); }))
 {
+    if (link.address().isRecording())
+        m_sent = link.traffic().add([this](const Traffic &traffic) {
+            if (traffic.can && traffic.direction == Direction::Sent)
+                onFrame(*traffic.can, true);
+        });
     speak();
     planPolling();
 }

@@ -55,7 +55,7 @@ private:
     [[nodiscard]] std::optional<double> feedback(Loop loop) const;
     [[nodiscard]] bool isDriven() const { return m_loop && *m_loop != Loop::None; }
 
-    void onFrame(const CanFrame &frame);
+    void onFrame(const CanFrame &frame, bool ours);
     void onLog(Log log, std::int32_t value, Instant time);
     void onPosition(std::int32_t value, Instant time);
     void onVoltage(std::int32_t value, Instant time);
@@ -83,6 +83,7 @@ private:
     std::set<Loop> m_unsaved;
     Timer m_look;
     Subscription m_received;
+    Subscription m_sent; ///< of a recording: what its recorder had sent
     Subscription m_identityChanged;
 };
 

@@ -77,14 +77,16 @@ void Controller::enter(std::optional<Loop> loop)
 
 // What the bus tells
 
-/// Other masters: their set-points and what they write.
-void Controller::onFrame(const CanFrame &frame)
+/// Set-points and settings of other masters; `ours`: of a recording, those of its recorder.
+void Controller::onFrame(const CanFrame &frame, bool ours)
 {
     if (!m_dialect || frame.extended)
         return;
     if (const auto loop = decodeSetPoint(*m_dialect, identity().address, frame)) {
-        m_ours = false;
-        m_foreignAt = *loop == Loop::None ? std::nullopt : std::optional<Instant>(frame.time);
+        const bool driven = *loop != Loop::None;
+        m_ours = ours && driven;
+        m_foreignAt = driven && !ours ? std::optional<Instant>(frame.time) : std::nullopt;
+        m_wrapped = m_wrapped && (driven || !ours);
         enter(*loop);
         updateLiveness();
     } else if (const auto settings = decodeSettings(*m_dialect, identity().address, frame)) {

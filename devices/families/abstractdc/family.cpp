@@ -7,6 +7,7 @@
 #include "families/abstractdc/firmware.h"
 #include "families/abstractdc/parameters.h"
 #include "families/abstractdc/protocol.h"
+#include "families/abstractdc/recognition.h"
 #include "families/abstractdc/scan.h"
 #include "families/abstractdc/simulator.h"
 
@@ -100,6 +101,8 @@ const Family family{
     .arrange = arrange,
     .scan = scan,
     .open = open,
+    .recogniser
+    = [] { return Recogniser([heard = Recognition()](const CanFrame &frame) mutable { return heard.take(frame); }); },
     .decodeCan = decodeCan,
     .update = update,
     .inspect = inspect,

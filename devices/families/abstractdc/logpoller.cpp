@@ -23,6 +23,7 @@ LogPoller::LogPoller(CanLink &link, Clock &clock, Events events)
     : m_link(link)
     , m_clock(clock)
     , m_events(std::move(events))
+    , m_isRecording(link.address().isRecording())
     , m_voltage(link, clock)
     , m_timer(clock)
     , m_traffic(link.traffic().add([this](const Traffic &traffic) {
@@ -64,6 +65,24 @@ void LogPoller::count(const CanFrame &frame)
 {
     if (!frame.extended && frame.size == 1 && frame.id >= id::logRequest && frame.id <= id::logRequest + maxOffset)
         m_askedSeen.at(frame.id - id::logRequest) = frame.time;
+    if (m_isRecording)
+        overhear(frame);
+}
+
+void LogPoller::overhear(const CanFrame &frame)
+{
+    if (!m_dialect || frame.extended || frame.size != 1)
+        return;
+    for (std::size_t i = 0; i < logCount; ++i) {
+        const auto log = static_cast<Log>(i);
+        if (!m_dialect->has(log) || !sameContent(frame, encodeLogRequest(*m_dialect, m_offset, log)))
+            continue;
+        if (m_open)
+            timedOut();
+        m_open = log;
+        m_timer.startIn(answerTime(m_link), [this] { timedOut(); });
+        return;
+    }
 }
 
 std::size_t LogPoller::pollers() const
@@ -110,7 +129,7 @@ void LogPoller::schedule()
 {
     if (m_open)
         return;
-    if (m_paused) {
+    if (m_paused || m_isRecording) {
         m_timer.stop();
         return;
     }
@@ -140,7 +159,7 @@ void LogPoller::ask()
     wish.due = std::max(wish.due + wish.period, m_clock.now());
     m_timer.startIn(answerTime(m_link), [this] { timedOut(); });
     if (m_link.send(encodeLogRequest(m_dialect ? *m_dialect : dialectF, m_offset, log)))
-        m_open = log; // else, as on a recording, nobody was asked and no answer is missing
+        m_open = log; // else nobody was asked and no answer is missing
 }
 
 void LogPoller::timedOut()

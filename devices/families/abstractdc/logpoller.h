@@ -12,6 +12,7 @@ namespace mb::abstractdc {
 
 /// Asks one drive for its logs, one question at a time, as often as wished for and as the bit rate carries: questions and answers
 /// of all drives polled on the link, by whomever, take at most half of the wire. A silent drive is asked twice a second.
+/// On a recording nobody is asked: questions in it are taken for this one's, so that losses and silence are those of the live run.
 class LogPoller {
 public:
     struct Events {
@@ -35,6 +36,7 @@ public:
 private:
     void receive(const CanFrame &frame);
     void count(const CanFrame &frame);
+    void overhear(const CanFrame &frame);
     void schedule();
     void ask();
     void timedOut();
@@ -53,6 +55,7 @@ private:
     CanLink &m_link;
     Clock &m_clock;
     Events m_events;
+    bool m_isRecording;
     VoltageWatch m_voltage;
     const Dialect *m_dialect = nullptr;
     int m_offset = 0;

@@ -67,7 +67,7 @@ const Family family{
     .loop = &loop,
     .scan = scan,
     .open = open,
-    .recognise = recognise,
+    .recogniser = [] { return Recogniser(recognise); },
     .decodeCan = decodeCan,
     .update = update,
     .inspect = inspect,

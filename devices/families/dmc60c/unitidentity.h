@@ -11,7 +11,7 @@ namespace mb::dmc60c {
 
 /// A complete answer to the enumeration, without descriptors.
 [[nodiscard]] Identity identityOf(const EnumResponse0 &first, const EnumResponse1 &second);
-/// Family::recognise: who sent this, and what it says of itself.
+/// Family::recogniser: who sent this, and what it says of itself.
 [[nodiscard]] std::optional<Identity> recognise(const CanFrame &frame);
 /// State, versions and detail from an answer to GetFwver; all else stays. A duplicate stays one.
 void setVersions(Identity &identity, const FirmwareVersions &versions);
