@@ -94,6 +94,7 @@ private:
         std::shared_ptr<TrafficLog> traffic;
         std::unique_ptr<TrafficRecorder> recorder;
         Subscription recorderChanged;
+        bool toldOfRecording = false;
         std::unique_ptr<UnknownFrames> unknown;
         Subscription tap;
         Subscription state;
@@ -106,6 +107,7 @@ private:
     void beginSimple(
         DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished);
     void watch(Link &link);
+    void keepTraffic(Link &link);
     [[nodiscard]] Link *linkUnder(const std::string &address) const;
     void recorderChanged(Link &link);
     void forgetWork(const Link &link);
@@ -116,6 +118,7 @@ private:
     void refreshRestarted();
     void openByItself();
     void reopenLost();
+    [[nodiscard]] bool hasOperationOn(const Link &link) const;
     void dropVanished();
     void removeLink(Link &link);
     bool openAwaited(const LinkAddress &address);

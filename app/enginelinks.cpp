@@ -9,11 +9,19 @@ namespace mb {
 void EngineCore::reopenLost()
 {
     for (Link *link : m_session.links()) {
-        if (link->state() == LinkState::Lost && link->open()) {
+        if (link->state() == LinkState::Lost && !link->address().isRecording() && link->open()) {
             notice(Severity::Good, link->address().shortName(), "is back");
-            scan(*link);
+            if (!hasOperationOn(*link)) // an update that waited for it must be alone with its unit
+                scan(*link);
         }
     }
+}
+
+bool EngineCore::hasOperationOn(const Link &link) const
+{
+    const auto devices = m_session.devices();
+    return std::any_of(devices.begin(), devices.end(),
+        [&](const Device *device) { return &device->link() == &link && hasOperation(m_session.idOf(*device)); });
 }
 
 void EngineCore::takeListings(std::vector<LinkListing> listings)

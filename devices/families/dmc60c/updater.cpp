@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/updater.h"
 
-#include "async/sleep.h"
+#include "model/linkreturn.h"
 
 #include <algorithm>
 
@@ -12,6 +12,8 @@ using namespace std::chrono_literals;
 
 constexpr int mostRestarts = 3;
 constexpr Duration findLimit = 5s;
+constexpr auto linkPatience = 30s;
+constexpr int mostLosses = 3;
 
 } // namespace
 
@@ -67,18 +69,10 @@ Task<UpdateReport> Updater::run(UpdateOptions options)
             + " pages would be written, version " + versionText(m_application.version);
         co_return m_report;
     }
-    auto writing = writeAll();
-    const Result<void> written = co_await std::move(writing).attempt();
-    if (!written)
-        co_return failed(written.error());
-    auto leaving = leaveBootloader();
-    const Result<void> left = co_await std::move(leaving).attempt();
-    if (!left)
-        co_return failed(left.error());
-    auto verifying = verify();
-    const Result<void> verified = co_await std::move(verifying).attempt();
-    if (!verified)
-        co_return failed(verified.error());
+    auto installing = install();
+    const Result<void> installed = co_await std::move(installing).attempt();
+    if (!installed)
+        co_return failed(installed.error());
     m_report.outcome = UpdateOutcome::Done;
     m_report.verified = true;
     m_report.evidence = "the device answers with version " + m_report.to;
@@ -198,6 +192,74 @@ Task<void> Updater::enterBootloader()
     if (!isInBootloader(now))
         co_return fail(Fault::BadReply, "the unit said it is in its bootloader, but its application answers");
     m_progress.log(Severity::Good, "in bootloader " + versionText(now.bootloader) + ", session kept");
+    co_return {};
+}
+
+Task<void> Updater::install()
+{
+    for (;;) {
+        auto working = installOnce();
+        const Result<void> done = co_await std::move(working).attempt();
+        if (done || done.error().fault != Fault::LinkLost || m_losses >= mostLosses)
+            co_return done;
+        ++m_losses;
+        auto waiting = awaitLink(done.error());
+        co_await std::move(waiting);
+    }
+}
+
+Task<void> Updater::installOnce()
+{
+    if (m_losses > 0) {
+        auto looking = lookAgain();
+        co_await std::move(looking);
+    }
+    if (!m_isWritten) {
+        auto writing = writeAll();
+        co_await std::move(writing);
+        m_isWritten = true;
+    }
+    if (!m_isLeft) {
+        auto leaving = leaveBootloader();
+        co_await std::move(leaving);
+    }
+    auto verifying = verify();
+    co_await std::move(verifying);
+    co_return {};
+}
+
+Task<void> Updater::awaitLink(Error lost)
+{
+    const std::string name = m_link.address().shortName();
+    const std::string limit = std::to_string(linkPatience.count()) + " s";
+    m_progress.log(
+        Severity::Caution, name + " is lost: " + lost.detail + "; waiting up to " + limit + " for it to come back");
+    m_progress.step("Wait for " + name, m_report.pages, static_cast<int>(m_application.pages.size()));
+    auto waiting = linkReturn(m_link, m_clock, linkPatience);
+    const Result<void> back = co_await std::move(waiting).attempt();
+    if (!back)
+        co_return fail(back.error().fault, name + " did not come back within " + limit + ": " + back.error().detail);
+    m_progress.log(Severity::Info, name + " is back");
+    co_return {};
+}
+
+/// Page 30 erased the version and page 0 brings it, so that a unit that has it has all pages.
+Task<void> Updater::lookAgain()
+{
+    auto finding = findAgain(findLimit);
+    co_await std::move(finding);
+    auto asking = versions();
+    const FirmwareVersions now = co_await std::move(asking);
+    m_isWritten = m_lastSent && now.application == m_application.version;
+    m_isLeft = m_isWritten && !isInBootloader(now);
+    if (m_isWritten) {
+        m_progress.log(Severity::Info, "all pages are in the unit");
+        co_return {};
+    }
+    m_progress.log(
+        Severity::Caution, "the unit may have restarted meanwhile: once more from page " + std::to_string(lastPage));
+    for (const Page &page : m_application.pages)
+        m_progress.part(page.number, PartState::Waiting);
     co_return {};
 }
 

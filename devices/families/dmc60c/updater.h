@@ -9,7 +9,8 @@
 
 namespace mb::dmc60c {
 
-/// One firmware update of one device: the state of section 7.5, and a method per paragraph.
+/// One firmware update of one device: the state of section 7.5, and a method per paragraph. A link that is lost meanwhile is
+/// waited for, `linkPatience` at a time; then the unit may have restarted, so that all pages are sent again (7.6).
 class Updater {
 public:
     Updater(Device &device, const Application &application, Progress &progress);
@@ -40,6 +41,12 @@ private:
         VendorCommand command, std::vector<std::uint8_t> data, Attempts attempts, Duration gap);
     [[nodiscard]] Task<void> preflight(bool force);
     [[nodiscard]] Task<void> enterBootloader();
+    /// All that changes the unit, as often as the link comes back.
+    [[nodiscard]] Task<void> install();
+    [[nodiscard]] Task<void> installOnce();
+    [[nodiscard]] Task<void> awaitLink(Error lost);
+    /// Where the unit stands after the link was away.
+    [[nodiscard]] Task<void> lookAgain();
     [[nodiscard]] Task<void> writeAll();
     [[nodiscard]] Task<PageEnd> writePages();
     [[nodiscard]] Task<PageEnd> writePage(const Page &page);
@@ -69,10 +76,14 @@ private:
     bool m_variantKnown = false;
     bool m_touched = false; ///< page 30 was sent: the old application may be gone
     bool m_upToDate = false;
+    bool m_lastSent = false;  ///< page 0 was sent; it brings the version
+    bool m_isWritten = false; ///< all pages are in
+    bool m_isLeft = false;    ///< and the application runs
     Duration m_gap{};
     int m_tries = 0; ///< of the present page
     int m_failedWrites = 0;
     int m_restarts = 0;
+    int m_losses = 0; ///< of the link
     UpdateReport m_report;
 };
 

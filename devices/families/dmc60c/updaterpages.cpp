@@ -76,6 +76,7 @@ Task<Updater::PageEnd> Updater::writePage(const Page &page)
     m_failedWrites = 0;
     m_gap = {};
     while (m_tries < pageTries) {
+        m_lastSent = m_lastSent || page.number == firstPage;
         auto writing = send(command, transferOf(page), Attempts{1, pageTimeout}, m_gap);
         const Result<VendorReply> reply = co_await std::move(writing).attempt();
         if (!reply && reply.error().fault != Fault::Timeout)

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/linkreturn.h"
+
+#include "async/sleep.h"
+#include "transport/canlink.h"
+
+namespace mb {
+namespace {
+
+constexpr Duration retryPeriod = std::chrono::milliseconds(250);
+
+bool mayReturn(const Link &link)
+{
+    if (link.state() == LinkState::Closed)
+        return false;
+    return link.kind() != LinkKind::Can || static_cast<const CanLink &>(link).health().state != BusState::BusOff;
+}
+
+} // namespace
+
+Task<void> linkReturn(Link &link, Clock &clock, Duration limit)
+{
+    const Instant end = clock.now() + limit;
+    while (link.state() != LinkState::Open) {
+        if (!mayReturn(link))
+            co_return fail(link.notOpen());
+        const Result<void> opened = link.open();
+        if (opened)
+            co_return {};
+        if (clock.now() >= end)
+            co_return fail(opened.error());
+        co_await Sleep(clock, retryPeriod);
+    }
+    co_return {};
+}
+
+} // namespace mb
