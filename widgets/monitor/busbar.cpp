@@ -49,20 +49,25 @@ void BusBar::buildState(QVBoxLayout &column)
     m_pause->setTextVariants({tr("Pause"), tr("Go on")});
     m_pause->setKeyHint(QStringLiteral("P"));
     m_pause->setToolTip(tr("Holds the frames still; everything is counted and kept meanwhile"));
-    auto *clear = new CommandButton(m_theme, Symbol::Delete, tr("Clear"), this);
-    auto *save = new CommandButton(m_theme, Symbol::Export, tr("Export"), this);
+    auto *clear = new IconButton(m_theme, Symbol::Delete, tr("Clear the list"), this);
+    auto *save = new IconButton(m_theme, Symbol::Export, tr("Export frames"), this);
+    save->setPopupMode(QToolButton::InstantPopup);
     auto *menu = new QMenu(save);
     menu->addAction(tr("Frames that are shown…"), this, [this] { Q_EMIT exportRequested(false); });
     menu->addAction(tr("All frames that are kept…"), this, [this] { Q_EMIT exportRequested(true); });
     save->setMenu(menu);
     m_send = new CommandButton(m_theme, Symbol::FrameSend, tr("Send frame…"), this);
     m_send->setCheckable(true);
-    for (QWidget *button : {m_pause, clear, save, m_send})
+    auto *extra = new QWidget(this);
+    m_extra = new QHBoxLayout(extra);
+    m_extra->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(extra);
+    for (QWidget *button : std::initializer_list<QWidget *>{m_pause, clear, save, m_send})
         row->addWidget(button);
     column.addLayout(row);
     connect(m_links, &Segmented::currentChanged, this, &BusBar::linkChanged);
     connect(m_pause, &QPushButton::clicked, this, &BusBar::pauseRequested);
-    connect(clear, &QPushButton::clicked, this, &BusBar::clearRequested);
+    connect(clear, &QToolButton::clicked, this, &BusBar::clearRequested);
     connect(m_send, &QPushButton::toggled, this, &BusBar::sendToggled);
 }
 
@@ -124,6 +129,16 @@ void BusBar::setLinks(const QStringList &names)
 int BusBar::link() const
 {
     return std::max(m_links->current(), 0);
+}
+
+void BusBar::setLink(int place)
+{
+    m_links->setCurrent(place);
+}
+
+void BusBar::addButton(QWidget &button)
+{
+    m_extra->addWidget(&button);
 }
 
 void BusBar::setState(const QString &richText)

@@ -112,6 +112,7 @@ FrameDetail::FrameDetail(const ThemeSource &theme, QWidget *parent)
     column->addWidget(m_id);
     column->addWidget(m_bytes);
     buildFields(*column);
+    setMinimumWidth(column->minimumSize().width()); // before parts of it hide
     clear();
 }
 
@@ -140,6 +141,7 @@ void FrameDetail::buildFields(QVBoxLayout &column)
     row->addWidget(m_copy, 1);
     row->addWidget(m_send, 1);
     column.addLayout(row);
+    column.addStretch(0);
     connect(m_copy, &QPushButton::clicked, this, &FrameDetail::copyRequested);
     connect(m_send, &QPushButton::clicked, this, [this] { Q_EMIT sendRequested(m_frame); });
 }
@@ -151,15 +153,22 @@ void FrameDetail::clear()
     m_id->setText(tr("Select one to see its fields"));
     m_bytes->show({}, {});
     m_fields->setRowCount(0);
-    m_copy->setEnabled(false);
-    m_send->setEnabled(false);
+    setFilled(false);
+}
+
+/// Without a frame it is two lines.
+void FrameDetail::setFilled(bool filled)
+{
+    for (QWidget *part : {static_cast<QWidget *>(m_bytes), static_cast<QWidget *>(m_fields),
+             static_cast<QWidget *>(m_copy), static_cast<QWidget *>(m_send)})
+        part->setVisible(filled);
 }
 
 void FrameDetail::show(const FrameRow &row, const FrameMeaning *meaning, const FrameDecoder &decoder, Instant origin)
 {
     const TrafficRecord &record = row.record;
     m_frame = record.frame;
-    m_copy->setEnabled(true);
+    setFilled(true);
     m_send->setEnabled(record.isFrame() && !m_frame.error);
     m_time->setText(tr("%1 s").arg(std::chrono::duration<double>(m_frame.time - origin).count(), 0, 'f', 6));
     m_message->setText(m_frame.error ? tr("Error frame") : meaning ? qt(meaning->frame.message) : tr("Unknown frame"));

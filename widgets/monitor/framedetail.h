@@ -32,6 +32,7 @@ Q_SIGNALS:
 private:
     void buildFields(QVBoxLayout &column);
     void showFields(const FrameMeaning *meaning, const std::vector<std::uint64_t> &bits);
+    void setFilled(bool filled);
 
     const ThemeSource &m_theme;
     CanFrame m_frame;
