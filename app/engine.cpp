@@ -7,6 +7,7 @@
 #include "widgets/common/devicetext.h"
 
 #include <QDir>
+#include <QFile>
 #include <QSocketNotifier>
 #include <QStandardPaths>
 #include <QThread>
@@ -291,6 +292,22 @@ void Engine::cancel(OperationId operation)
 void Engine::sendFrame(const std::string &link, const CanFrame &frame, Finished finished)
 {
     post([link, frame, back = comeBack(std::move(finished))](EngineCore &core) { core.sendFrame(link, frame, back); });
+}
+
+void Engine::startRecording(const std::string &link, const QString &path, Finished finished)
+{
+    post([link, file = QFile::encodeName(path).toStdString(), back = comeBack(std::move(finished))](
+             EngineCore &core) { core.startRecording(link, file, back); });
+}
+
+void Engine::stopRecording(const std::string &link)
+{
+    post([link](EngineCore &core) { core.stopRecording(link); });
+}
+
+void Engine::steerReplay(const std::string &link, const ReplayOrder &order)
+{
+    post([link, order](EngineCore &core) { core.steerReplay(link, order); });
 }
 
 } // namespace mb

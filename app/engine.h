@@ -53,6 +53,9 @@ public:
     void update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options) override;
     void cancel(OperationId operation) override;
     void sendFrame(const std::string &link, const CanFrame &frame, Finished finished) override;
+    void startRecording(const std::string &link, const QString &path, Finished finished) override;
+    void stopRecording(const std::string &link) override;
+    void steerReplay(const std::string &link, const ReplayOrder &order) override;
     void report(Severity severity, const QString &device, const QString &text) override;
     [[nodiscard]] const std::vector<Notice> &notices() const override { return m_notices; }
 

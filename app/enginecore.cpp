@@ -51,7 +51,7 @@ Snapshot EngineCore::snapshot()
     Snapshot shot;
     shot.time = m_clock.now();
     for (Link *link : m_session.links()) {
-        LinkView view = viewOf(*link, shot.time);
+        LinkView view = viewOf(*link, m_session.clockOf(*link).now());
         if (const auto watched = m_watched.find(link); watched != m_watched.end()) {
             view.scanning = watched->second.scanning;
             view.traffic = watched->second.traffic;
@@ -137,19 +137,7 @@ void EngineCore::watch(Link &link)
     auto [entry, isNew] = m_watched.try_emplace(&link);
     if (!isNew)
         return;
-    entry->second.traffic = std::make_shared<TrafficLog>();
-    entry->second.unknown = std::make_unique<UnknownFrames>(m_session.families());
-    TrafficLog &log = *entry->second.traffic;
-    UnknownFrames &unknown = *entry->second.unknown;
-    entry->second.tap = link.traffic().add([&log, &unknown](const Traffic &traffic) {
-        if (!traffic.can) {
-            log.append(traffic.direction, traffic.time, traffic.bytes);
-            return;
-        }
-        log.append(traffic.direction, *traffic.can);
-        if (traffic.direction == Direction::Received)
-            unknown.take(*traffic.can);
-    });
+    keepTraffic(link);
     entry->second.state = link.stateChanged().add([this, &link](LinkState state) {
         if (state == LinkState::Lost)
             notice(Severity::Danger, link.address().shortName(), link.reason());

@@ -39,6 +39,7 @@ void EngineCore::startRecording(const std::string &link, const std::string &path
         return;
     }
     watched.recorder = std::move(*recorder);
+    watched.toldOfRecording = false;
     watched.recorderChanged = watched.recorder->changed().add([this, open] { recorderChanged(*open); });
     answer(finished, {});
     touch();
@@ -46,16 +47,20 @@ void EngineCore::startRecording(const std::string &link, const std::string &path
 
 void EngineCore::recorderChanged(Link &link)
 {
-    const RecordingState state = m_watched[&link].recorder->state();
+    Watched &watched = m_watched[&link];
+    const RecordingState state = watched.recorder->state();
+    touch();
+    if (std::exchange(watched.toldOfRecording, true))
+        return;
     const std::string frames = std::to_string(state.frames) + " frames";
-    if (!state.problem.empty())
+    if (!state.problem.empty()) {
+        watched.recorder->stop();
         notice(Severity::Danger, link.address().shortName(), "the recording has ended: " + state.problem);
-    else if (state.lost > 0)
+    } else if (state.lost > 0)
         notice(Severity::Caution, link.address().shortName(),
             frames + " recorded, " + std::to_string(state.lost) + " are missing");
     else
         notice(Severity::Good, link.address().shortName(), frames + " recorded, none is missing");
-    touch();
 }
 
 void EngineCore::stopRecording(const std::string &link)
@@ -78,12 +83,31 @@ void EngineCore::steerReplay(const std::string &link, const ReplayOrder &order)
     if (done && order.position) {
         forgetWork(*open);
         done = m_session.seek(*replay, *order.position);
+        keepTraffic(*open);
     }
     if (done && order.run)
         *order.run ? replay->play() : replay->pause();
     if (!done)
         notice(Severity::Danger, open->address().shortName(), done.error().detail);
     touch();
+}
+
+/// From now on: another log, so that whoever shows the old one sees that time has jumped.
+void EngineCore::keepTraffic(Link &link)
+{
+    Watched &watched = m_watched[&link];
+    watched.tap.reset();
+    watched.traffic = std::make_shared<TrafficLog>();
+    watched.unknown = std::make_unique<UnknownFrames>(m_session.families());
+    watched.tap = link.traffic().add([log = watched.traffic, &unknown = *watched.unknown](const Traffic &traffic) {
+        if (!traffic.can) {
+            log->append(traffic.direction, traffic.time, traffic.bytes);
+            return;
+        }
+        log->append(traffic.direction, *traffic.can);
+        if (traffic.direction == Direction::Received)
+            unknown.take(*traffic.can);
+    });
 }
 
 /// The devices are about to go, or to begin anew.

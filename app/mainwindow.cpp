@@ -19,6 +19,7 @@
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/monitor/buspage.h"
 #include "widgets/monitor/logpage.h"
+#include "widgets/monitor/recordstrip.h"
 #include "widgets/parameters/parameterspage.h"
 #include "widgets/plots/plotspage.h"
 
@@ -32,6 +33,9 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <optional>
 
 namespace mb {
 namespace {
@@ -49,6 +53,20 @@ QDockWidget *makeDock(
     dock->setFeatures(QDockWidget::DockWidgetClosable);
     window.addDockWidget(area, dock);
     return dock;
+}
+
+/// Of the recording of frames that runs longest; empty when none does.
+QString recordingTime(const Snapshot &shot)
+{
+    std::optional<Instant> since;
+    for (const LinkView &link : shot.links) {
+        if (link.recording && isRunning(*link.recording))
+            since = std::min(since.value_or(Instant::max()), link.recording->since);
+    }
+    if (!since)
+        return {};
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(shot.time - *since).count();
+    return MainWindow::tr("REC %1").arg(formatClock(std::max<qint64>(seconds, 0)));
 }
 
 } // namespace
@@ -94,6 +112,7 @@ void MainWindow::buildHeader()
     setMenuWidget(top);
     auto *menu = new QMenu(this);
     menu->addAction(tr("Add link…"), this, &MainWindow::addLink);
+    menu->addAction(tr("Open recording…"), this, &MainWindow::openRecording, QKeySequence::Open);
     menu->addAction(tr("Open the simulated bench"), this, &MainWindow::openSimulation);
     menu->addSeparator();
     menu->addAction(
@@ -106,6 +125,7 @@ void MainWindow::buildHeader()
     connect(&m_header->stopButton(), &StopButton::stopPressed, this, [this] { m_arming->stopAll(tr("button")); });
     connect(m_header, &HeaderBar::linkActivated, this, [this] { showPage(PageId::Bus); });
     connect(m_header, &HeaderBar::linksActivated, this, [this] { showPage(PageId::Bus); });
+    connect(m_header, &HeaderBar::recordingActivated, this, [this] { showPage(PageId::Bus); });
     connect(m_header, &HeaderBar::noticesActivated, this, [this] { showPage(PageId::Log); });
 }
 
@@ -159,6 +179,7 @@ void MainWindow::buildPages()
     connect(m_tabs, &QTabBar::currentChanged, this, &MainWindow::followPages);
     connect(overview, &OverviewPage::simulateRequested, this, &MainWindow::openSimulation);
     connect(overview, &OverviewPage::addLinkRequested, this, &MainWindow::addLink);
+    connect(overview, &OverviewPage::openRecordingRequested, this, &MainWindow::openRecording);
     connect(overview, &OverviewPage::updateRequested, this, [this] { showPage(PageId::Firmware); });
     connect(m_banners, &BannerStack::allRequested, this, [this] { showPage(PageId::Log); });
 }
@@ -238,6 +259,15 @@ void MainWindow::addLink()
     askAddLink(m_workbench, *this, [this](const QString &address) { m_settings.addLink(address); });
 }
 
+/// It is not opened again at the next start: it was there to be looked at.
+void MainWindow::openRecording()
+{
+    askOpenRecording(m_workbench, *this, [this](const QString &address) {
+        showPage(PageId::Bus);
+        qobject_cast<BusPage *>(page(PageId::Bus))->showLink(address.toStdString());
+    });
+}
+
 void MainWindow::openSimulation()
 {
     LinkAddress address;
@@ -273,6 +303,7 @@ void MainWindow::followLinks(const Snapshot &shot)
 {
     std::vector<LinkStatus> chips;
     bool simulated = false;
+    QStringList recordings;
     for (const LinkView &link : shot.links) {
         LinkStatus chip;
         chip.name = QString::fromStdString(link.name);
@@ -296,10 +327,13 @@ void MainWindow::followLinks(const Snapshot &shot)
             chip.tooltip = tableText(link.diagnosis.text()) + QLatin1Char('\n') + chip.tooltip;
         chips.push_back(chip);
         simulated = simulated || link.simulated;
+        if (link.replay)
+            recordings += chip.name;
     }
     m_header->setLinks(chips);
-    m_stripe->setText(tr("simulated bench"));
-    m_stripe->setVisible(simulated);
+    m_header->setRecording(recordingTime(shot));
+    m_stripe->setSources(simulated ? tr("simulated bench") : QString(), recordings);
+    m_stripe->setVisible(simulated || !recordings.empty());
 }
 
 void MainWindow::showNotice(const Notice &notice)

@@ -52,6 +52,7 @@ private:
     void buildActions();
     void addPage(QWidget *page, const QString &title);
     void addLink();
+    void openRecording();
     void openSimulation();
     void switchTheme();
     void follow();

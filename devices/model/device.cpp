@@ -245,6 +245,8 @@ Result<void> Device::doReleaseMoves()
 
 void Device::stop()
 {
+    if (m_link.address().isRecording())
+        return; // what moves there moved when it was recorded
     m_stoppedAt = m_clock.now();
     doStop();
 }

@@ -53,6 +53,7 @@ DeviceView viewOf(Session &session, Device &device)
 LinkView viewOf(const Link &link, Instant now)
 {
     LinkView view;
+    view.time = now;
     view.address = link.address().text();
     view.name = link.address().shortName();
     view.kind = link.kind();

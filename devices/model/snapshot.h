@@ -33,6 +33,7 @@ struct LinkView {
     std::shared_ptr<const TrafficLog> traffic;
     std::optional<RecordingState> recording; ///< since the window records it, and after
     std::optional<ReplayState> replay;       ///< of a recording
+    Instant time{};                          ///< the present on its own time line: of a recording, where it stands
 };
 
 struct MotionView {

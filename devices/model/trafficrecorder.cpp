@@ -56,7 +56,13 @@ void TrafficRecorder::take(const Traffic &traffic)
     m_frame.direction = traffic.direction == Direction::Sent ? LogDirection::Sent : LogDirection::Received;
     m_text.clear();
     m_writer.write(m_frame, m_text);
-    m_file->append(m_text);
+    append();
+}
+
+void TrafficRecorder::append()
+{
+    if (m_file->append(m_text))
+        m_bytes += m_text.size();
 }
 
 void TrafficRecorder::tick()
@@ -81,7 +87,7 @@ void TrafficRecorder::stop()
     m_text.clear();
     m_writer.finish(m_text);
     if (!m_text.empty())
-        m_file->append(m_text);
+        append();
     m_file->finish();
 }
 
@@ -92,6 +98,7 @@ RecordingState TrafficRecorder::state() const
     state.path = m_file->path();
     state.since = m_since;
     state.frames = m_frames;
+    state.bytes = m_bytes;
     state.lost = m_linkLost + std::min(status.refused, m_frames);
     if (!status.problem.empty())
         state.lost += status.taken - status.written;

@@ -15,6 +15,7 @@ struct RecordingState {
     std::string path;
     Instant since{};          ///< on the time line of the link
     std::uint64_t frames = 0; ///< that passed the link, both directions, error frames too
+    std::uint64_t bytes = 0;  ///< of the file, once all that was taken is written
     std::uint64_t lost = 0;   ///< of them not in the file, and those that the link itself knows missing
     bool finished = false;    ///< the file is closed
     std::string problem;      ///< why nothing more is written; empty while all is well
@@ -44,6 +45,7 @@ public:
 private:
     TrafficRecorder(Link &link, Clock &clock, Duration unixOffset, std::unique_ptr<BackgroundFile> file);
     void take(const Traffic &traffic);
+    void append();
     void tick();
 
     std::unique_ptr<BackgroundFile> m_file;
@@ -52,6 +54,7 @@ private:
     std::string m_text;
     LoggedFrame m_frame;
     std::uint64_t m_frames = 0;
+    std::uint64_t m_bytes = 0;
     std::uint64_t m_linkLost = 0; ///< since the start, as last seen
     std::uint64_t m_linkLostBefore = 0;
     Instant m_since{};

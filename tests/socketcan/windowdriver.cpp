@@ -3,7 +3,9 @@
 //     windowdriver LINK          prints "driving" once a snapshot shows the motor moving, on a board every motor
 //     windowdriver LINK FAMILY   drives device 5 of this family, where there are several
 //     windowdriver LINK listen   only watches; prints "listening", and at the end of its input "RX LOST"
-// For tests/socketcan/kill-window. The lease is renewed where the program renews it, on the GUI thread.
+//     windowdriver LINK record FILE   records; prints "recording", and at the end of its input, once the file is closed,
+//                                     "FRAMES LOST"
+// For tests/socketcan/kill-window, full-load and recording. The lease is renewed where the program renews it, on the GUI thread.
 #include "app/engine.h"
 #include "app/mainwindow.h"
 #include "model/registry.h"
@@ -118,14 +120,70 @@ private:
     bool m_told = false;
 };
 
+/// Records until standard input ends, and then what was still on its way.
+class RecordingUser {
+public:
+    RecordingUser(mb::Engine &engine, std::string link, const char *file)
+        : m_engine(engine)
+        , m_link(std::move(link))
+        , m_file(QString::fromLocal8Bit(file))
+        , m_input(0, QSocketNotifier::Read)
+    {
+        m_input.setEnabled(false);
+        QObject::connect(&m_input, &QSocketNotifier::activated, &m_input, [this] {
+            m_input.setEnabled(false);
+            m_snapshotsLeft = 10; // a third of a second
+        });
+    }
+    void follow()
+    {
+        const mb::LinkView *link = m_engine.snapshot().link(m_link);
+        if (!link)
+            return;
+        if (!m_begun) {
+            m_begun = true;
+            m_engine.startRecording(m_link, m_file, [this](const mb::Result<void> &begun) { tell(begun); });
+        } else if (m_snapshotsLeft > 0 && --m_snapshotsLeft == 0) {
+            m_engine.stopRecording(m_link);
+        } else if (link->recording && link->recording->finished) {
+            const mb::RecordingState &end = *link->recording;
+            std::fprintf(stderr, "%s", end.problem.c_str());
+            std::printf(
+                "%llu %llu\n", static_cast<unsigned long long>(end.frames), static_cast<unsigned long long>(end.lost));
+            QCoreApplication::exit(end.problem.empty() ? 0 : 1);
+        }
+    }
+
+private:
+    void tell(const mb::Result<void> &begun)
+    {
+        if (!begun) {
+            std::fprintf(stderr, "windowdriver: %s\n", begun.error().detail.c_str());
+            return QCoreApplication::exit(5);
+        }
+        std::puts("recording");
+        std::fflush(stdout);
+        m_input.setEnabled(true);
+    }
+
+    mb::Engine &m_engine;
+    std::string m_link;
+    QString m_file;
+    QSocketNotifier m_input;
+    int m_snapshotsLeft = 0;
+    bool m_begun = false;
+};
+
 } // namespace
 
 int main(int argc, char **argv)
 {
     const bool listens = argc == 3 && std::string_view(argv[2]) == "listen";
-    const auto link = argc == 2 || argc == 3 ? mb::LinkAddress::parse(argv[1]) : mb::fail(mb::Fault::OutOfRange, "");
+    const bool records = argc == 4 && std::string_view(argv[2]) == "record";
+    const auto link
+        = argc == 2 || argc == 3 || records ? mb::LinkAddress::parse(argv[1]) : mb::fail(mb::Fault::OutOfRange, "");
     if (!link) {
-        std::fputs("usage: windowdriver LINK [listen|FAMILY]\n", stderr);
+        std::fputs("usage: windowdriver LINK [listen | FAMILY | record FILE]\n", stderr);
         return 2;
     }
     QApplication::setStyle(QStringLiteral("Fusion"));
@@ -138,8 +196,13 @@ int main(int argc, char **argv)
     std::optional<Listener> listener;
     if (listens)
         listener.emplace(engine);
-    QObject::connect(&engine, &mb::Workbench::changed, &window, [&driver, &listener] {
-        if (listener)
+    std::optional<RecordingUser> recorder;
+    if (records)
+        recorder.emplace(engine, link->text(), argv[3]);
+    QObject::connect(&engine, &mb::Workbench::changed, &window, [&driver, &listener, &recorder] {
+        if (recorder)
+            recorder->follow();
+        else if (listener)
             listener->follow();
         else
             driver.follow();

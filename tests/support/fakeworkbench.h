@@ -21,6 +21,8 @@ public:
         SetPoint setPoint{};
         double number = 0.0; ///< rate, address, lease in ms
         CanFrame frame{};
+        QString path{};
+        ReplayOrder order{};
         Finished finished{}; ///< call it to end the order, later than the order itself
     };
 
@@ -135,6 +137,19 @@ public:
         Call call{"sendFrame", {}, link};
         call.frame = frame;
         note(std::move(call), std::move(finished));
+    }
+    void startRecording(const std::string &link, const QString &path, Finished finished) override
+    {
+        Call call{"startRecording", {}, link};
+        call.path = path;
+        note(std::move(call), std::move(finished));
+    }
+    void stopRecording(const std::string &link) override { note({"stopRecording", {}, link}); }
+    void steerReplay(const std::string &link, const ReplayOrder &order) override
+    {
+        Call call{"steerReplay", {}, link};
+        call.order = order;
+        note(std::move(call));
     }
     void report(Severity severity, const QString &device, const QString &text) override
     {

@@ -250,6 +250,29 @@ TEST(Replay, IsReadInPieces)
     }
 }
 
+TEST(Replay, IsLostWhenItsFileIsCutWhileItIsPlayed)
+{
+    std::string text;
+    for (int i = 0; text.size() < 3 * 256 * 1024; ++i)
+        text += "(" + std::to_string(1000 + i) + ".000000) can0 123#0102030405060708\n";
+    Replay replay(text);
+    ASSERT_TRUE(replay.survey());
+    std::filesystem::resize_file(replay.path, text.size() / 2);
+    replay.link->play();
+    replay.clock.advance(30h);
+    EXPECT_EQ(replay.link->state(), LinkState::Lost);
+    EXPECT_EQ(replay.link->reason(), "run.log was changed while it was played; open it again");
+    EXPECT_EQ(replay.ends, 0);
+    EXPECT_GT(replay.frames.size(), 5000U);
+    Replay deleted(text);
+    ASSERT_TRUE(deleted.survey());
+    std::filesystem::remove(deleted.path);
+    deleted.link->play();
+    deleted.clock.advance(30h);
+    EXPECT_EQ(deleted.ends, 1) << "what is open stays readable";
+    EXPECT_EQ(deleted.link->state(), LinkState::Open);
+}
+
 TEST(Replay, IsMadeByTheCatalogue)
 {
     VirtualClock clock;

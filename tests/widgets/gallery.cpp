@@ -76,8 +76,11 @@ QWidget *chromePage(const ThemeSource &theme)
     column->addWidget(header(theme, {LampState::Safe, {}, {}, false}, 0, false));
     column->addWidget(header(theme, {LampState::Armed, s("#5 velocity"), 272s, true}, 2, false));
     auto *stripe = new DemoStripe(theme);
-    stripe->setText(s("simulated bench, seed 7"));
+    stripe->setSources(s("simulated bench, seed 7"), {});
     column->addWidget(stripe);
+    auto *replayed = new DemoStripe(theme);
+    replayed->setSources({}, {s("run.log")});
+    column->addWidget(replayed);
     column->addWidget(header(theme, {LampState::Moving, s("4 motors"), {}, true}, 1, true));
     auto *stopped = header(theme, {LampState::Stopped, {}, {}, true}, 0, false);
     column->addWidget(stopped);

@@ -10,16 +10,25 @@ DemoStripe::DemoStripe(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    setText(tr("simulated bench"));
+    setSources(tr("simulated bench"), {});
     connect(&theme, &ThemeSource::changed, this, [this] {
         updateGeometry();
         update();
     });
 }
 
-void DemoStripe::setText(const QString &text)
+void DemoStripe::setSources(const QString &simulated, const QStringList &recordings)
 {
-    m_text = tr("Demo  ·  %1  ·  no real motor is connected").arg(text);
+    QStringList parts;
+    if (!simulated.isEmpty())
+        parts += tr("Demo  ·  %1  ·  no real motor is connected").arg(simulated);
+    if (!recordings.isEmpty())
+        parts += tr("Replay  ·  %1  ·  shows what was recorded, moves no motor")
+                     .arg(recordings.join(QStringLiteral(", ")));
+    const QString text = parts.join(QStringLiteral("     "));
+    if (text == m_text)
+        return;
+    m_text = text;
     setAccessibleName(m_text);
     update();
 }

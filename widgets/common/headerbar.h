@@ -62,13 +62,13 @@ private:
     StopButton *m_stop = nullptr;
 };
 
-/// The indigo stripe under the header: simulated data can never pass as real.
+/// The indigo stripe under the header: simulated and replayed data can never pass as real.
 class DemoStripe : public QWidget {
     Q_OBJECT
 public:
     explicit DemoStripe(const ThemeSource &theme, QWidget *parent = nullptr);
-    /// "simulated bench, seed 7"; the stripe adds the rest.
-    void setText(const QString &text);
+    /// "simulated bench, seed 7", empty without one, and the recordings that are open; the stripe adds the rest.
+    void setSources(const QString &simulated, const QStringList &recordings);
     QSize sizeHint() const override;
 
 protected:

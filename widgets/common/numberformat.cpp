@@ -83,13 +83,17 @@ QString formatDuration(double seconds)
         return formatNumber(seconds * 1000, 0) + space + QStringLiteral("ms");
     if (std::abs(seconds) < 59.95)
         return formatNumber(seconds, 1) + space + QStringLiteral("s");
-    const qint64 whole = std::llround(std::abs(seconds));
-    const auto two = [](qint64 n) { return QStringLiteral("%1").arg(n, 2, 10, QLatin1Char('0')); };
     const QString sign = seconds < 0 ? QString(MinusSign) : QString();
-    if (whole < 3600)
-        return sign + QString::number(whole / 60) + QLatin1Char(':') + two(whole % 60);
-    return sign + QString::number(whole / 3600) + QLatin1Char(':') + two(whole / 60 % 60) + QLatin1Char(':')
-        + two(whole % 60);
+    return sign + formatClock(std::llround(std::abs(seconds)));
+}
+
+QString formatClock(qint64 seconds)
+{
+    const auto two = [](qint64 n) { return QStringLiteral("%1").arg(n, 2, 10, QLatin1Char('0')); };
+    if (seconds < 3600)
+        return QString::number(seconds / 60) + QLatin1Char(':') + two(seconds % 60);
+    return QString::number(seconds / 3600) + QLatin1Char(':') + two(seconds / 60 % 60) + QLatin1Char(':')
+        + two(seconds % 60);
 }
 
 QString formatBytes(qint64 bytes)

@@ -23,6 +23,8 @@ QString formatValue(double value, int decimals, const QString &unit);
 QString formatDifference(double value, int decimals);
 /// "420 ms", "12.4 s", "4:32", "1:02:03" for lengths of time; NaN gives "–".
 QString formatDuration(double seconds);
+/// "0:07", "4:32", "1:02:03": a time that runs, never shorter than minutes and seconds.
+QString formatClock(qint64 seconds);
 /// "512 B", "38 kB", "1.2 MB" (powers of 1000).
 QString formatBytes(qint64 bytes);
 

@@ -85,6 +85,19 @@ public:
     /// Sends one frame by hand.
     virtual void sendFrame(const std::string &link, const CanFrame &frame, Finished finished) = 0;
 
+    /// Writes what passes a CAN link to a file, as a candump log, or as Vector ASC where its name ends in `.asc`. How it goes
+    /// is in the snapshot; when it ends, also by itself, a notice tells.
+    virtual void startRecording(const std::string &link, const QString &path, Finished finished) = 0;
+    virtual void stopRecording(const std::string &link) = 0;
+    /// Of a `replay:` link; where it stands is in the snapshot.
+    virtual void steerReplay(const std::string &link, const ReplayOrder &order) = 0;
+    /// The present on the time line of a link: of a recording, where it stands; now() for others.
+    [[nodiscard]] Instant presentOf(const std::string &link) const
+    {
+        const LinkView *view = snapshot().link(link);
+        return view && view->replay ? view->time : now();
+    }
+
     /// A line for the log and, for 8 s, the status bar.
     virtual void report(Severity severity, const QString &device, const QString &text) = 0;
     [[nodiscard]] virtual const std::vector<Notice> &notices() const = 0;

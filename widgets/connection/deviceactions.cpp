@@ -6,6 +6,8 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QCoreApplication>
+#include <QFile>
+#include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
 
@@ -152,6 +154,34 @@ void askAddLink(Workbench &workbench, QWidget &parent, std::function<void(const 
             });
     });
     dialog->open();
+}
+
+void askOpenRecording(Workbench &workbench, QWidget &parent, std::function<void(const QString &)> opened)
+{
+    auto *dialog = new QFileDialog(&parent, DeviceActions::tr("Open a recording"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters(
+        {DeviceActions::tr("candump and Vector ASC logs (*.log *.asc *.txt)"), DeviceActions::tr("All files (*)")});
+    QObject::connect(dialog, &QFileDialog::fileSelected, &workbench,
+        [&workbench, opened = std::move(opened)](const QString &path) { openRecording(workbench, path, opened); });
+    dialog->open();
+}
+
+void openRecording(Workbench &workbench, const QString &path, const std::function<void(const QString &)> &opened)
+{
+    const auto address = LinkAddress::parse("replay:" + QFile::encodeName(path).toStdString());
+    if (!address || !address->options.empty()) {
+        workbench.report(Severity::Danger, {},
+            DeviceActions::tr(
+                "%1 cannot be opened: a link address has no place for the question mark in it. Rename it.")
+                .arg(path));
+        return;
+    }
+    workbench.openLink(*address, [opened, whole = QString::fromStdString(address->text())](const Result<void> &done) {
+        if (done && opened)
+            opened(whole);
+    });
 }
 
 } // namespace mb

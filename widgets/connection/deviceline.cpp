@@ -108,7 +108,7 @@ void DeviceLine::follow()
     const auto known
         = [](const std::string &text) { return text.empty() ? QString(UnknownMark) : QString::fromStdString(text); };
     m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity.serial), known(device->identity.firmware)));
-    const Instant now = m_workbench.now();
+    const Instant now = m_workbench.presentOf(device->link);
     const auto show = [&](ValueLabel *label, std::string_view channel, double factor, int decimals) {
         const auto row = device->telemetry->find(channel);
         if (row && factor == 1.0) // counts, until somebody said what a count is

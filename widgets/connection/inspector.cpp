@@ -155,7 +155,7 @@ void Inspector::showLive(const DeviceView &device)
         const auto channel = device.telemetry->find(row.channel);
         if (channel && row.factor == 1.0)
             row.label->setUnit(tableText(device.telemetry->channels()[channel->value].unit));
-        if (const auto value = liveValue(device, row.channel, m_workbench.now()))
+        if (const auto value = liveValue(device, row.channel, m_workbench.presentOf(device.link)))
             row.label->setValue(formatNumber(*value * row.factor, row.decimals));
         else
             row.label->clear();

@@ -100,7 +100,10 @@ QWidget *OverviewPage::buildTry(QWidget *parent)
     auto *add = new CommandButton(m_theme, Symbol::Add, tr("Add link"), card);
     row->addWidget(simulate);
     row->addWidget(add);
+    auto *recording = new CommandButton(m_theme, Symbol::Open, tr("Open recording…"), card);
+    row->addWidget(recording);
     row->addStretch();
+    connect(recording, &QPushButton::clicked, this, &OverviewPage::openRecordingRequested);
     card->body().addLayout(row);
     connect(simulate, &QPushButton::clicked, this, &OverviewPage::simulateRequested);
     connect(add, &QPushButton::clicked, this, &OverviewPage::addLinkRequested);
@@ -214,7 +217,6 @@ void OverviewPage::followDevices(const Snapshot &shot)
         entry = m_cards.erase(entry);
         m_columns = 0;
     }
-    const Instant now = m_workbench.now();
     for (const DeviceView &device : shot.devices) {
         auto entry = m_cards.find(device.id);
         if (entry == m_cards.end()) {
@@ -228,7 +230,7 @@ void OverviewPage::followDevices(const Snapshot &shot)
             entry = m_cards.emplace(id, card).first;
             m_columns = 0;
         }
-        entry->second->show(device, now, device.id == m_selection.device());
+        entry->second->show(device, m_workbench.presentOf(device.link), device.id == m_selection.device());
     }
     arrange();
 }

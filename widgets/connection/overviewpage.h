@@ -29,6 +29,7 @@ public:
 Q_SIGNALS:
     void simulateRequested();
     void addLinkRequested();
+    void openRecordingRequested();
     /// The card of a device in its bootloader asks for the Firmware page.
     void updateRequested();
 

@@ -48,7 +48,7 @@ std::optional<double> TunePage::present(const DeviceView &view) const
         return std::nullopt;
     for (const Channel &channel : view.family->channels) {
         if (channel.quantity == quantity)
-            return liveValue(view, channel.key, m_workbench.now());
+            return liveValue(view, channel.key, m_workbench.presentOf(view.link));
     }
     return std::nullopt;
 }

@@ -168,7 +168,8 @@ void TunePlot::choose(const DeviceView &device, Mode mode)
     m_device = device.id;
     m_mode = mode;
     m_telemetry = device.telemetry;
-    m_since = sameDevice ? m_workbench.now() : Instant{}; // set-points of another mode have another unit
+    m_since
+        = sameDevice ? m_workbench.presentOf(device.link) : Instant{}; // set-points of another mode have another unit
     rebuild(device);
 }
 
@@ -264,7 +265,7 @@ void TunePlot::follow(const DeviceView &device)
 {
     for (const auto &source : m_sources) {
         const std::size_t place = source->channel().value;
-        source->follow(place < device.rates.size() ? device.rates[place] : 0.0, m_workbench.now());
+        source->follow(place < device.rates.size() ? device.rates[place] : 0.0, m_workbench.presentOf(device.link));
     }
 }
 
@@ -272,9 +273,10 @@ void TunePlot::tick()
 {
     if (!m_telemetry)
         return;
-    const double now = plotKey(m_workbench.now());
+    const DeviceView *device = m_workbench.snapshot().device(m_device);
+    const double now = plotKey(device ? m_workbench.presentOf(device->link) : m_workbench.now());
     const std::uint64_t revision = m_telemetry->revision();
-    if (revision == m_drawn && now - m_drawnAt < idleTime)
+    if (revision == m_drawn && std::abs(now - m_drawnAt) < idleTime)
         return;
     m_drawn = revision;
     m_drawnAt = now;

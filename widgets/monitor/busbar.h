@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <QWidget>
 
+class QHBoxLayout;
 class QLabel;
 class QVBoxLayout;
 
@@ -25,6 +26,9 @@ public:
     /// More than before are added; fewer stay as they were, so that places do not move.
     void setLinks(const QStringList &names);
     [[nodiscard]] int link() const;
+    void setLink(int place);
+    /// Stands before the other buttons. For the page's own.
+    void addButton(QWidget &button);
     void setState(const QString &richText);
     void setPaused(bool paused);
     /// What the filter leaves, "1 204 of 1 391 shown".
@@ -52,6 +56,7 @@ private:
     const ThemeSource &m_theme;
     QStringList m_names;
     Segmented *m_links = nullptr;
+    QHBoxLayout *m_extra = nullptr;
     QLabel *m_state = nullptr;
     CommandButton *m_pause = nullptr;
     CommandButton *m_send = nullptr;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/buspage.h"
 
+#include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/monitor/busbar.h"
 #include "widgets/monitor/busloadview.h"
 #include "widgets/monitor/framedetail.h"
 #include "widgets/monitor/framemodel.h"
 #include "widgets/monitor/idmodel.h"
+#include "widgets/monitor/recordstrip.h"
+#include "widgets/monitor/replaybar.h"
 #include "widgets/monitor/sendpanel.h"
 #include "widgets/monitor/trafficview.h"
 
@@ -34,6 +37,8 @@ BusPage::BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme,
     , m_ids(new IdModel(theme, this))
     , m_bar(new BusBar(theme, this))
     , m_send(new SendPanel(workbench, arming, theme, this))
+    , m_record(new RecordStrip(workbench, theme, this))
+    , m_replay(new ReplayBar(workbench, theme, this))
 {
     setObjectName(QStringLiteral("busPage"));
     setAccessibleName(tr("Bus"));
@@ -48,7 +53,9 @@ BusPage::BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme,
     panel->setContentsMargins(theme.theme().u(12), 0, theme.theme().u(12), 0);
     panel->setSpacing(0);
     panel->addWidget(m_send);
-    column->addWidget(m_bar);
+    m_bar->addButton(m_record->button());
+    for (QWidget *part : std::initializer_list<QWidget *>{m_bar, m_record, m_replay})
+        column->addWidget(part);
     column->addLayout(panel);
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_outer, 1);

@@ -22,6 +22,8 @@ class BusLoadView;
 class FrameDetail;
 class FrameModel;
 class IdModel;
+class RecordStrip;
+class ReplayBar;
 class SendPanel;
 class TrafficView;
 
@@ -34,6 +36,9 @@ public:
     [[nodiscard]] FrameModel &model() { return *m_model; }
     [[nodiscard]] IdModel &ids() { return *m_ids; }
     [[nodiscard]] BusBar &bar() { return *m_bar; }
+    [[nodiscard]] RecordStrip &recordStrip() { return *m_record; }
+    /// Address of a link, which may be about to be opened.
+    void showLink(const std::string &address);
     void setPaused(bool paused);
     /// Takes what came since the last time; the page does this by itself twenty times a second while it is shown.
     void tick();
@@ -53,6 +58,7 @@ private:
     void buildSideContent(QWidget &content);
     void buildKeys();
     void followLinks();
+    void followWanted();
     void followLoad();
     void showState(const LinkView &link);
     [[nodiscard]] QString factsOf(const LinkView &link) const;
@@ -72,6 +78,9 @@ private:
     IdModel *m_ids = nullptr;
     BusBar *m_bar = nullptr;
     SendPanel *m_send = nullptr;
+    RecordStrip *m_record = nullptr;
+    ReplayBar *m_replay = nullptr;
+    std::string m_wanted; ///< to be shown once it is there
     QSplitter *m_outer = nullptr;
     QSplitter *m_lower = nullptr;
     TrafficView *m_table = nullptr;

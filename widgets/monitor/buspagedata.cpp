@@ -9,6 +9,8 @@
 #include "widgets/monitor/framemodel.h"
 #include "widgets/monitor/frametext.h"
 #include "widgets/monitor/idmodel.h"
+#include "widgets/monitor/recordstrip.h"
+#include "widgets/monitor/replaybar.h"
 #include "widgets/monitor/sendpanel.h"
 #include "widgets/monitor/trafficview.h"
 
@@ -42,6 +44,7 @@ void BusPage::followLinks()
     for (const LinkView &link : m_workbench.snapshot().links)
         names += QString::fromStdString(link.name);
     m_bar->setLinks(names);
+    followWanted();
     const LinkView *shown = link();
     if (!shown)
         return;
@@ -51,6 +54,25 @@ void BusPage::followLinks()
     m_model->setSource(shown->traffic);
     m_ids->setSource(shown->traffic);
     m_send->setLink(shown->address);
+    m_record->setLink(shown->address);
+    m_replay->setLink(shown->address);
+}
+
+void BusPage::showLink(const std::string &address)
+{
+    m_wanted = address;
+    followLinks();
+}
+
+void BusPage::followWanted()
+{
+    const std::vector<LinkView> &links = m_workbench.snapshot().links;
+    const auto found
+        = std::find_if(links.begin(), links.end(), [this](const LinkView &l) { return l.address == m_wanted; });
+    if (m_wanted.empty() || found == links.end())
+        return;
+    m_wanted.clear(); // first: this comes here again
+    m_bar->setLink(static_cast<int>(found - links.begin()));
 }
 
 void BusPage::followLoad()
@@ -99,7 +121,7 @@ void BusPage::tick()
     if (!shown || now - m_idsAt < idsTime)
         return;
     m_idsAt = now;
-    m_ids->refresh(now);
+    m_ids->refresh(m_workbench.presentOf(shown->address));
     showState(*shown);
 }
 

@@ -182,25 +182,45 @@ void PlotBoard::rebuild()
     m_panes.clear();
     m_used.clear();
     bool simulated = false;
+    bool replayed = false;
     for (Trace &trace : m_traces) {
         dress(trace);
         const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
         const LinkView *link = device ? m_workbench.snapshot().link(device->link) : nullptr;
         simulated = simulated || (link && link->simulated);
+        replayed = replayed || (link && link->replay);
     }
     for (Reference &reference : m_references) {
         reference.style.strip = stripOf(reference.pane, reference.style.unit);
         reference.id = m_stack.addTrace(reference.style, reference.trace);
     }
-    m_stack.setWatermark(simulated ? tr("DEMO") : QString());
+    m_stack.setWatermark(simulated ? tr("DEMO") : replayed ? tr("REPLAY") : QString());
     m_stack.setClock(std::chrono::duration<double>(m_workbench.unixOffset()).count());
     followRates();
     Q_EMIT changed();
 }
 
+std::string PlotBoard::link() const
+{
+    for (const Trace &trace : m_traces) {
+        if (const DeviceView *device = m_workbench.snapshot().device(trace.signal.device))
+            return device->link;
+    }
+    return {};
+}
+
+/// A device begins anew where a recording is taken to another place.
+bool PlotBoard::hasOtherTelemetry() const
+{
+    return std::any_of(m_traces.begin(), m_traces.end(), [this](const Trace &trace) {
+        const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
+        return device && trace.source && &trace.source->telemetry() != device->telemetry.get();
+    });
+}
+
 void PlotBoard::follow()
 {
-    bool other = false;
+    bool other = hasOtherTelemetry();
     for (Derived &derived : m_derived) {
         if (!derived.signal) {
             compile(derived);
@@ -225,7 +245,8 @@ void PlotBoard::followRates()
         const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
         const std::size_t place = trace.signal.channel.value;
         if (device)
-            trace.source->follow(place < device->rates.size() ? device->rates[place] : 0.0, m_workbench.now());
+            trace.source->follow(
+                place < device->rates.size() ? device->rates[place] : 0.0, m_workbench.presentOf(device->link));
         else if (trace.signal.device == derivedDevice)
             trace.source->follow(m_derived[place].signal->telemetry()->rate({0}), m_workbench.now());
         rate += trace.source->rate();

@@ -88,6 +88,10 @@ public:
     void followRates();
     /// Goes on computing derived signals, for a few milliseconds at most.
     void advance();
+    /// The time that the plots follow: of the link of the first trace, which may be a recording.
+    [[nodiscard]] Instant present() const { return m_workbench.presentOf(link()); }
+    /// Address of the link of the first trace; empty without one.
+    [[nodiscard]] std::string link() const;
     /// Moves when a trace has something new.
     [[nodiscard]] std::uint64_t revision() const;
     [[nodiscard]] std::vector<ExportChannel> exportChannels(bool everything) const;
@@ -100,6 +104,7 @@ Q_SIGNALS:
 private:
     void rebuild();
     void dress(Trace &trace);
+    [[nodiscard]] bool hasOtherTelemetry() const;
     [[nodiscard]] int stripOf(const QString &pane, const QString &unit);
     void compile(Derived &derived);
     [[nodiscard]] QString nameOf(const Signal &signal) const;

@@ -5,6 +5,7 @@
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/monitor/replaybar.h"
 #include "widgets/plots/curveplot.h"
 #include "widgets/plots/exportjob.h"
 #include "widgets/plots/plotscrubber.h"
@@ -55,6 +56,9 @@ PlotsPage::PlotsPage(Workbench &workbench, Selection &selection, const ThemeSour
     m_pages->addWidget(content);
     auto *all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
+    m_replay = new ReplayBar(workbench, theme, this);
+    all->setSpacing(0);
+    all->addWidget(m_replay);
     all->addWidget(m_pages);
     connectStack();
     addKeys();

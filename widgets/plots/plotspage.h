@@ -27,6 +27,7 @@ class ExportJob;
 class IconButton;
 class PlotScrubber;
 class Recorder;
+class ReplayBar;
 class Segmented;
 class TraceList;
 class TriggerBar;
@@ -151,6 +152,7 @@ private:
     ExportJob *m_job = nullptr;
     QWidget *m_jobBar = nullptr;
     QProgressBar *m_progress = nullptr;
+    ReplayBar *m_replay = nullptr;
     Recorder *m_recorder = nullptr;
     QString m_recordFolder;
     double m_recordedFrom = 0.0;

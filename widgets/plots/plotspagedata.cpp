@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/monitor/replaybar.h"
 #include "widgets/plots/plotscrubber.h"
 #include "widgets/plots/plotspage.h"
 #include "widgets/plots/tracelist.h"
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mb {
 namespace {
@@ -31,6 +33,7 @@ void PlotsPage::follow()
     m_pages->setCurrentIndex(devices.empty() && m_board->traces().empty() ? 0 : 1);
     m_signals->setDevices(devices);
     m_board->follow();
+    m_replay->setLink(m_board->link());
     if (m_waiting)
         applyWaiting(false);
     else if (!m_board->isTouched())
@@ -164,9 +167,9 @@ void PlotsPage::tick()
     if (!isVisible())
         return;
     m_board->advance();
-    const double now = plotKey(m_workbench.now());
+    const double now = plotKey(m_board->present());
     const std::uint64_t present = m_board->revision();
-    if (m_board->traces().empty() || (present == m_drawn && now - m_drawnAt < idleTime))
+    if (m_board->traces().empty() || (present == m_drawn && std::abs(now - m_drawnAt) < idleTime))
         return;
     m_drawn = present;
     m_drawnAt = now;

@@ -68,7 +68,7 @@ void PlotsPage::showView(View view)
     const int timePage = m_board->traces().empty() ? 0 : 1;
     m_plots->setCurrentIndex(view == View::Time ? timePage : view == View::Against ? 2 : 3);
     m_analysedAt = -1.0;
-    refreshView(plotKey(m_workbench.now()));
+    refreshView(plotKey(m_board->present()));
     if (view != View::Time)
         curves(view).fit();
 }
@@ -168,7 +168,7 @@ void PlotsPage::arm()
     m_triggerButton->setChecked(true);
     m_triggerBar->show();
     m_stack->setLive(true);
-    m_trigger.arm(m_triggerBar->setup(), trace->source, plotKey(m_workbench.now()));
+    m_trigger.arm(m_triggerBar->setup(), trace->source, plotKey(m_board->present()));
     showTrigger();
 }
 

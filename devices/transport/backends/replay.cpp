@@ -169,7 +169,9 @@ void ReplayLink::deliverNext()
     else
         deliver(frame);
     endBatch();
-    if (m_atEnd)
+    if (m_atEnd && m_file && m_file->isCutShort())
+        lose(address().shortName() + " was changed while it was played; open it again");
+    else if (m_atEnd)
         m_ended.notify();
 }
 

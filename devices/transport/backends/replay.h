@@ -46,7 +46,8 @@ struct ReplayTime {
 ///
 /// Frames carry the recording's time stamps, on the line of timeLine(): whoever follows the link must live on that
 /// clock, where time stands while the replay stands. Nothing can be sent: send() fails with Unsupported. Frames
-/// that the recorder had sent itself are seen by traffic(), not by received(), as in the original.
+/// that the recorder had sent itself are seen by traffic(), not by received(), as in the original. A file that is cut
+/// while it is played loses the link.
 class ReplayLink final : private detail::ReplayTime, public CanLink {
 public:
     static constexpr double slowest = 0.01;
