@@ -21,17 +21,18 @@ bool mayReturn(const Link &link)
 Task<void> linkReturn(Link &link, Clock &clock, Duration limit)
 {
     const Instant end = clock.now() + limit;
-    while (link.state() != LinkState::Open) {
+    Error cause = link.notOpen();
+    while (true) {
+        co_await Sleep(clock, retryPeriod); // before it is opened, and before it is trusted: it may be going only now
+        if (link.state() == LinkState::Open)
+            co_return {};
         if (!mayReturn(link))
             co_return fail(link.notOpen());
-        const Result<void> opened = link.open();
-        if (opened)
-            co_return {};
         if (clock.now() >= end)
-            co_return fail(opened.error());
-        co_await Sleep(clock, retryPeriod);
+            co_return fail(cause);
+        if (const Result<void> opened = link.open(); !opened)
+            cause = opened.error();
     }
-    co_return {};
 }
 
 } // namespace mb
