@@ -118,6 +118,7 @@ Application::Application(QApplication &qt, const Options &options)
         m_engine->post([](EngineCore &core) {
             core.session().keepProfiles(profileFolder());
             core.keepTranscripts(transcriptFolder());
+            core.session().keepScans(scanFolder());
         });
     m_window = std::make_unique<MainWindow>(*m_engine, *m_theme, m_settings);
     if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)

@@ -180,6 +180,16 @@ void Engine::scan()
     post([](EngineCore &core) { core.scanAll(); });
 }
 
+void Engine::scanEverything(const std::string &link)
+{
+    post([link](EngineCore &core) { core.scanEverything(link); });
+}
+
+void Engine::cancelScan(const std::string &link)
+{
+    post([link](EngineCore &core) { core.cancelScan(link); });
+}
+
 void Engine::readParameters(DeviceId device)
 {
     post([device](EngineCore &core) { core.readParameters(device); });
@@ -271,6 +281,11 @@ void Engine::stopMotion(DeviceId device)
 void Engine::releaseMoves(DeviceId device, Finished finished)
 {
     post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.releaseMoves(device, back); });
+}
+
+void Engine::zeroPosition(DeviceId device, Finished finished)
+{
+    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.zeroPosition(device, back); });
 }
 
 void Engine::stopAll()

@@ -30,6 +30,8 @@ public:
     void openLink(const LinkAddress &address, Finished finished) override;
     void closeLink(const std::string &address) override;
     void scan() override;
+    void scanEverything(const std::string &link) override;
+    void cancelScan(const std::string &link) override;
     void readParameters(DeviceId device) override;
     void writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) override;
     void storeParameters(DeviceId device, Finished finished) override;
@@ -49,6 +51,7 @@ public:
     void renewMotion(DeviceId device) override;
     void stopMotion(DeviceId device) override;
     void releaseMoves(DeviceId device, Finished finished) override;
+    void zeroPosition(DeviceId device, Finished finished) override;
     void stopAll() override;
     void update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options) override;
     void cancel(OperationId operation) override;

@@ -9,6 +9,7 @@ namespace {
 constexpr Duration lookPeriod = std::chrono::seconds(1);
 constexpr Duration rescanPeriod = std::chrono::seconds(5);
 constexpr std::size_t keptOperations = 32;
+constexpr Duration ratesAgain = std::chrono::milliseconds(100);
 
 void answer(const EngineCore::Finished &finished, Result<void> result)
 {
@@ -28,8 +29,10 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
     }))
     , m_profileTrouble(
           m_session.profileTrouble().add([this](const std::string &text) { notice(Severity::Danger, {}, text); }))
+    , m_memoryTrouble(
+          m_session.memoryTrouble().add([this](const std::string &text) { notice(Severity::Caution, {}, text); }))
+    , m_ratesAgain(clock)
     , m_look(clock)
-    , m_scope(clock)
 {
     m_look.startIn(Duration::zero(), [this] { look(); });
 }
@@ -37,7 +40,8 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
 EngineCore::~EngineCore()
 {
     m_session.stopAll();
-    m_scope.clear();
+    for (auto &[link, watched] : m_watched)
+        watched.scan.reset();
     m_operations.clear();
 }
 
@@ -54,6 +58,9 @@ Snapshot EngineCore::snapshot()
         LinkView view = viewOf(*link, m_session.clockOf(*link).now());
         if (const auto watched = m_watched.find(link); watched != m_watched.end()) {
             view.scanning = watched->second.scanning;
+            view.scanStep = watched->second.step;
+            view.scanDone = watched->second.done;
+            view.scanTotal = watched->second.total;
             view.traffic = watched->second.traffic;
             if (watched->second.recorder)
                 view.recording = watched->second.recorder->state();
@@ -124,9 +131,8 @@ void EngineCore::closeLink(const std::string &address)
 
 void EngineCore::removeLink(Link &link)
 {
-    m_scope.clear(); // a scan of this link may be under way
-    for (auto &[other, watched] : m_watched)
-        watched.scanning = false;
+    if (const auto watched = m_watched.find(&link); watched != m_watched.end())
+        endScan(watched->second);
     forgetWork(link);
     m_watched.erase(&link);
     m_session.closeLink(link);
@@ -143,35 +149,6 @@ void EngineCore::watch(Link &link)
             notice(Severity::Danger, link.address().shortName(), link.reason());
         touch();
     });
-}
-
-void EngineCore::scanAll()
-{
-    for (Link *link : m_session.links())
-        scan(*link);
-}
-
-void EngineCore::scan(Link &link)
-{
-    Watched &watched = m_watched[&link];
-    if (watched.scanning || link.state() != LinkState::Open)
-        return;
-    watched.scanning = true;
-    m_lastScan = m_clock.now();
-    touch();
-    m_scope.spawn<std::vector<Device *>>(
-        m_session.scan(link), [this, &link](Result<std::vector<Device *>> devices) { scanned(link, devices); });
-}
-
-void EngineCore::scanned(Link &link, const Result<std::vector<Device *>> &devices)
-{
-    m_watched[&link].scanning = false;
-    m_lastScan = m_clock.now();
-    if (!devices)
-        notice(Severity::Caution, link.address().shortName(), devices.error().detail);
-    probeSilent(link);
-    playWhenKnown(link);
-    touch();
 }
 
 bool EngineCore::isQuiet() const
@@ -370,8 +347,23 @@ void EngineCore::setDialect(DeviceId id, const std::string &key, const Finished 
 
 void EngineCore::setRate(DeviceId id, ChannelIndex channel, double hertz)
 {
-    beginSimple(id, "Set telemetry rate",
-        [channel, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); }, {});
+    if (hasOperation(id)) { // it began after the window had seen that the device is free
+        m_rates[{id, channel}] = hertz;
+        m_ratesAgain.startIn(ratesAgain, [this] {
+            for (const auto &[place, wished] : std::exchange(m_rates, {}))
+                setRate(place.first, place.second, wished);
+        });
+        return;
+    }
+    begin<void>(
+        id, "Set telemetry rate",
+        [channel, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); },
+        [this, id](Running &, const Result<void> &result) {
+            const Device *device = m_session.find(id);
+            if (device && !result && result.error().fault != Fault::Unsupported) // then it stays as it is
+                notice(Severity::Caution, labelOf(*device), "Set telemetry rate: " + result.error().detail);
+        },
+        {});
 }
 
 void EngineCore::startMotion(DeviceId id, const SetPoint &setPoint, Duration lease, const Finished &finished)
@@ -423,6 +415,15 @@ void EngineCore::releaseMoves(DeviceId id, const Finished &finished)
 {
     Device *device = m_session.find(id);
     answer(finished, device ? device->releaseMoves() : Result<void>(fail(Fault::Timeout, "the device is gone")));
+}
+
+/// A set-point that goes on would start it again.
+void EngineCore::zeroPosition(DeviceId id, Finished finished)
+{
+    if (Device *device = m_session.find(id))
+        m_session.stream(*device).stop();
+    beginSimple(
+        id, "Count from 0", [](Device &device, Progress &) { return device.zeroPosition(); }, std::move(finished));
 }
 
 void EngineCore::stopAll()

@@ -42,6 +42,9 @@ public:
     void openLink(const LinkAddress &address, const Finished &finished);
     void closeLink(const std::string &address);
     void scanAll();
+    void scanEverything(const std::string &address);
+    /// What it has found stays.
+    void cancelScan(const std::string &address);
     /// What is there to be opened, whenever it may have changed: interfaces that are up are opened if that is wanted, lost
     /// links whose interface is back too; one that opened by itself, and found nobody, goes with its interface.
     void takeListings(std::vector<LinkListing> listings);
@@ -65,6 +68,7 @@ public:
     void renewMotion(DeviceId id);
     void stopMotion(DeviceId id);
     void releaseMoves(DeviceId id, const Finished &finished);
+    void zeroPosition(DeviceId id, Finished finished);
     void stopAll();
 
     void update(DeviceId id, std::shared_ptr<const FirmwareImage> image, const UpdateOptions &options);
@@ -89,6 +93,9 @@ private:
     };
     struct Watched {
         bool scanning = false;
+        std::string step; ///< of the scan
+        int done = 0;
+        int total = 0;
         bool byItself = false; ///< nobody asked for it
         bool played = false;   ///< a recording, let go for the first time
         std::shared_ptr<TrafficLog> traffic;
@@ -98,6 +105,7 @@ private:
         std::unique_ptr<UnknownFrames> unknown;
         Subscription tap;
         Subscription state;
+        std::unique_ptr<Scope> scan; ///< last: its task uses everything above
     };
 
     /// Starts a job that has the device for itself; refuses when another one has it. The maker runs at once.
@@ -112,7 +120,8 @@ private:
     void recorderChanged(Link &link);
     void forgetWork(const Link &link);
     void playWhenKnown(Link &link);
-    void scan(Link &link);
+    void scan(Link &link, ScanExtent extent = ScanExtent::Quick);
+    void endScan(Watched &watched);
     void scanned(Link &link, const Result<std::vector<Device *>> &devices);
     void look();
     void refreshRestarted();
@@ -153,9 +162,11 @@ private:
     Subscription m_sessionChanged;
     Subscription m_remarked;
     Subscription m_profileTrouble;
+    Subscription m_memoryTrouble;
+    std::map<std::pair<DeviceId, ChannelIndex>, double> m_rates; ///< asked for while the device was busy
+    Timer m_ratesAgain;
     Timer m_look;
     Instant m_lastScan{};
-    Scope m_scope; ///< last: its tasks use everything above
 };
 
 } // namespace mb

@@ -65,7 +65,8 @@ void EngineCore::probeSilent(Link &link)
         if (!family->probe
             || std::find(family->links.begin(), family->links.end(), LinkKind::Spi) == family->links.end())
             continue;
-        m_scope.spawn<Device *>(m_session.connect({link.address(), std::string(family->key), 0, std::nullopt}),
+        m_watched[&link].scan->spawn<Device *>(
+            m_session.connect({link.address(), std::string(family->key), 0, std::nullopt}),
             [this](const Result<Device *> &) { touch(); });
     }
 }

@@ -14,6 +14,13 @@ namespace mb {
     return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString() + "/motorbench/devices";
 }
 
+/// Where they keep who answered on which link (model/scanbook.h): below the user's cache directory, XDG_CACHE_HOME, because it
+/// can be lost.
+[[nodiscard]] inline std::string scanFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation).toStdString() + "/motorbench/scans";
+}
+
 /// Where the logs of firmware updates go.
 [[nodiscard]] inline std::string transcriptFolder()
 {

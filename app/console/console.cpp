@@ -10,9 +10,11 @@ Console::Console(Clock &clock, std::span<const Family *const> families, Options 
     , m_output(clock)
     , m_session(clock, families, &m_guardian)
     , m_remarked(m_session.remarked().add([this](const Link &, const std::string &text) { note(text); }))
+    , m_memoryTrouble(m_session.memoryTrouble().add([this](const std::string &text) { note(text); }))
     , m_profileTrouble(m_session.profileTrouble().add([](const std::string &text) { complain(text); }))
 {
     m_session.keepProfiles(profileFolder());
+    m_session.keepScans(scanFolder());
 }
 
 void Console::note(std::string_view text) const

@@ -40,6 +40,7 @@ private:
     GuardianClient m_guardian;
     Session m_session;
     Subscription m_remarked;
+    Subscription m_memoryTrouble;
     Subscription m_profileTrouble;
     Listeners<> m_interruptions;
     bool m_isInterrupted = false;

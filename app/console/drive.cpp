@@ -35,12 +35,19 @@ struct Arguments {
     bool coast = false;
     bool reverseMotor = false;
     bool reverseSensor = false;
+    bool zero = false;
+
+    [[nodiscard]] bool hasOutputOptions() const
+    {
+        return !ramp.empty() || brake || coast || reverseMotor || reverseSensor;
+    }
 };
 
 struct Plan {
     Target target;
     SetPoint setPoint;
     Duration time{};
+    bool zero = false;
 };
 
 Result<Mode> parseMode(const Family &family, const std::string &text)
@@ -127,6 +134,17 @@ Result<void> checkSetPoint(Console &console, const Plan &plan)
     return plan.setPoint.mode == Mode::Off ? Result<void>() : device->check(plan.setPoint);
 }
 
+Result<void> checkOffered(const Family &family, const Arguments &arguments)
+{
+    if (arguments.zero && !family.capabilities.zeroPosition)
+        return fail(
+            Fault::OutOfRange, "--zero: " + std::string(family.key) + " has no command that zeroes its position");
+    if (arguments.hasOutputOptions() && !family.capabilities.outputOptions)
+        return fail(Fault::OutOfRange,
+            std::string(family.key) + " has no ramp, brake or direction of its output; leave these options out");
+    return {};
+}
+
 Result<Plan> check(Console &console, const Arguments &arguments)
 {
     auto target = parseTarget(console, arguments.device);
@@ -138,7 +156,9 @@ Result<Plan> check(Console &console, const Arguments &arguments)
     const auto time = parseSpan(arguments.seconds);
     if (!time)
         return fail(time.error());
-    Plan plan{std::move(*target), *setPoint, time->value_or(Duration::zero())};
+    if (auto offered = checkOffered(*target->family, arguments); !offered)
+        return fail(offered.error());
+    Plan plan{std::move(*target), *setPoint, time->value_or(Duration::zero()), arguments.zero};
     if (auto legal = checkSetPoint(console, plan); !legal)
         return fail(legal.error());
     return plan;
@@ -248,6 +268,10 @@ Task<int> drive(Console &console, Arguments arguments)
     co_await listening;
     if (auto allowed = device->mayMove(); !allowed)
         co_return fail(allowed.error());
+    if (plan->zero) {
+        auto zeroing = device->zeroPosition();
+        co_await std::move(zeroing);
+    }
     Outcome outcome;
     {
         SampleStream samples(console, *device, {});
@@ -279,6 +303,7 @@ Job declareDrive(CLI::App &arguments)
     arguments.add_flag("--coast", a->coast, "Coast at zero output");
     arguments.add_flag("--reverse-motor", a->reverseMotor, "Exchange the directions of the output");
     arguments.add_flag("--reverse-sensor", a->reverseSensor, "Exchange the directions of the encoder");
+    arguments.add_flag("--zero", a->zero, "Stop first, and let the position count from 0, where the device can");
     return [a](Console &console) { return drive(console, *a); };
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/linkrows.h"
+#include "app/console/progressline.h"
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
@@ -15,8 +16,10 @@ namespace {
 /// Scans several links at the same time.
 class Round {
 public:
-    explicit Round(Console &console)
+    Round(Console &console, ScanExtent extent)
         : m_console(console)
+        , m_extent(extent)
+        , m_progress(console)
         , m_scope(console.clock())
     {
     }
@@ -25,7 +28,11 @@ public:
         m_found.resize(links.size());
         m_running = links.size();
         for (std::size_t i = 0; i < links.size(); ++i) {
-            m_scope.spawn<std::vector<Device *>>(m_console.session().scan(*links[i]),
+            ScanOptions options;
+            options.extent = m_extent;
+            options.progress
+                = [this](const std::string &what, int place, int total) { m_progress.step(what, place, total); };
+            m_scope.spawn<std::vector<Device *>>(m_console.session().scan(*links[i], std::move(options)),
                 [this, i](Result<std::vector<Device *>> found) { ended(i, std::move(found)); });
         }
         if (links.empty())
@@ -55,6 +62,8 @@ private:
     }
 
     Console &m_console;
+    ScanExtent m_extent;
+    ProgressLine m_progress;
     std::vector<std::vector<Device *>> m_found;
     std::size_t m_running = 0;
     Scope m_scope;
@@ -114,7 +123,7 @@ void print(Console &console, const std::vector<Device *> &devices)
         table.print(console.out());
 }
 
-Task<int> scan(Console &console, std::vector<std::string> names)
+Task<int> scan(Console &console, std::vector<std::string> names, bool everything)
 {
     Opened opened;
     if (names.empty()) {
@@ -128,13 +137,16 @@ Task<int> scan(Console &console, std::vector<std::string> names)
             co_return fail(named.error());
         opened = std::move(*named);
     }
-    Round round(console);
-    round.start(opened.links);
-    co_await round.done.wait();
-    if (round.error && !names.empty())
-        co_return fail(*round.error);
-    if (round.error)
-        console.note(lineOf(*round.error));
+    auto round = std::make_unique<Round>(console, everything ? ScanExtent::Everything : ScanExtent::Quick);
+    round->start(opened.links);
+    co_await round->done.wait();
+    const std::vector<Device *> devices = round->devices();
+    const std::optional<Error> error = round->error;
+    round.reset(); // nothing is drawn any more
+    if (error && !names.empty())
+        co_return fail(*error);
+    if (error)
+        console.note(lineOf(*error));
     for (const Link *link : opened.links) {
         const auto same = [link](const LinkListing &listing) { return listing.link == link->address(); };
         const auto known = std::find_if(opened.listings.begin(), opened.listings.end(), same);
@@ -148,11 +160,11 @@ Task<int> scan(Console &console, std::vector<std::string> names)
     }
     if (console.json()) {
         QJsonArray rows;
-        for (const Device *device : round.devices())
+        for (const Device *device : devices)
             rows.append(scanRow(*device));
         console.out().json({{QStringLiteral("devices"), rows}, {QStringLiteral("links"), toJson(opened.listings)}});
     } else {
-        print(console, round.devices());
+        print(console, devices);
     }
     co_return exitDone;
 }
@@ -163,7 +175,10 @@ Job declareScan(CLI::App &arguments)
 {
     const auto links = std::make_shared<std::vector<std::string>>();
     arguments.add_option("link", *links, "Where to look, such as sim: or socketcan:can0");
-    return [links](Console &console) { return scan(console, *links); };
+    const auto everything = std::make_shared<bool>(false);
+    arguments.add_flag(
+        "--everything", *everything, "Every rate and every address of serial lines; takes minutes, Ctrl+C ends it");
+    return [links, everything](Console &console) { return scan(console, *links, *everything); };
 }
 
 } // namespace mb::console

@@ -243,6 +243,11 @@ Result<void> Device::doReleaseMoves()
     return fail(Fault::Unsupported, std::string(m_family.title) + " has no buffered moves");
 }
 
+Task<void> Device::doZeroPosition()
+{
+    co_return fail(Fault::Unsupported, std::string(m_family.title) + " has no command that zeroes its position");
+}
+
 void Device::stop()
 {
     if (m_link.address().isRecording())

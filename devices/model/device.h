@@ -113,6 +113,10 @@ public:
     /// Seen by telemetry that is younger than the call to stop(): output off.
     [[nodiscard]] bool isSeenStopped() const { return doIsSeenStopped(); }
 
+    /// Stops the motor, waits until the device has acknowledged that, and makes the present position 0 (Capabilities::
+    /// zeroPosition). The motor stays off. Unsafe when the stop is not acknowledged: nothing was zeroed then.
+    [[nodiscard]] Task<void> zeroPosition() { return doZeroPosition(); }
+
     /// While an update runs nothing else may talk to the device.
     void setBusy(std::string why) { m_busy = std::move(why); }
     [[nodiscard]] const std::string &busy() const { return m_busy; }
@@ -153,6 +157,7 @@ private:
     virtual Result<void> doCommand(const SetPoint &setPoint) = 0;
     [[nodiscard]] virtual bool doOffers(ParameterIndex) const { return true; }
     virtual Result<void> doReleaseMoves();
+    virtual Task<void> doZeroPosition();
     virtual void doStop() = 0;
     [[nodiscard]] virtual StopScript doStopScript() const { return {}; }
     [[nodiscard]] virtual bool doIsSeenStopped() const = 0;

@@ -107,19 +107,24 @@ std::optional<DeviceProfile> parse(const QByteArray &bytes)
 
 } // namespace
 
-std::string ProfileBook::pathOf(std::string_view selector) const
+std::string fileNameOf(std::string_view text)
 {
     std::string name;
-    for (const char c : selector) {
+    for (const char c : text) {
         const bool plain
             = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_';
         name += plain ? c : '.';
     }
-    // Two selectors may become one name: which of them it is stands in a hash of the whole.
+    // Two texts may become one name: which of them it is stands in a hash of the whole.
     std::uint32_t hash = 2166136261U;
-    for (const char c : selector)
+    for (const char c : text)
         hash = (hash ^ static_cast<unsigned char>(c)) * 16777619U;
-    return m_directory + '/' + name + '-' + QString::number(hash, 16).toStdString() + ".json";
+    return name + '-' + QString::number(hash, 16).toStdString() + ".json";
+}
+
+std::string ProfileBook::pathOf(std::string_view selector) const
+{
+    return m_directory + '/' + fileNameOf(selector);
 }
 
 Result<DeviceProfile> ProfileBook::load(std::string_view selector) const

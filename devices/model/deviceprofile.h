@@ -29,6 +29,9 @@ struct DeviceProfile {
     friend bool operator==(const DeviceProfile &, const DeviceProfile &) = default;
 };
 
+/// The name of a file about what this text names: readable, and different for different texts.
+[[nodiscard]] std::string fileNameOf(std::string_view text);
+
 /// The profiles of all devices as JSON files of one directory, one a device, named after its selector. The directory is made
 /// when the first one is saved.
 class ProfileBook {

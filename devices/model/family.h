@@ -26,6 +26,11 @@ struct Capabilities {
     bool storesAtOnce = false;  ///< an acknowledged write survives a power cycle
     /// False: a reset takes every setting, so this program keeps what was written and offers to write it again.
     bool keepsSettings = true;
+    bool zeroPosition = false;  ///< Device::zeroPosition()
+    bool outputOptions = true;  ///< ramp, brake, direction and limits of a SetPoint mean something
+    /// Device::setRate() changes nothing that anybody else relies on: the device is asked more often, or sends to us alone.
+    bool freeRates = true;
+    int lastAddress = 63; ///< renumber: 1 … this
     int axes = 1;
     int gainSlots = 1;
     /// A scan of a bus of up to eight units is complete by then.
@@ -92,6 +97,13 @@ struct Experiment {
     Task<ExperimentReport> (*run)(Device &, SetPointStream &, ExperimentOptions, Progress &) = nullptr;
 };
 
+/// How far a scan goes where looking everywhere takes long.
+enum class ScanExtent {
+    Quick,     ///< once all that were remembered have answered, only usual places are looked at besides
+    Usual,     ///< everywhere where newcomers may be expected
+    Everything ///< every rate and every address, however long it takes
+};
+
 /// Gets what a scan finds, each as soon as it answers. A device may be reported again with more detail: same address and
 /// session. A row that must go (it was half an answer) is simply not in the final list.
 class ScanSink {
@@ -99,6 +111,9 @@ public:
     virtual ~ScanSink() = default;
     virtual void found(const Identity &identity) = 0;
     virtual void progress(const std::string &what, int done, int total) = 0;
+    /// Who answered on this link in an earlier scan, perhaps of an earlier run: asked first, where a scan takes long.
+    [[nodiscard]] virtual std::vector<Identity> remembered() const { return {}; }
+    [[nodiscard]] virtual ScanExtent extent() const { return ScanExtent::Quick; }
 };
 
 struct UpdateOptions {
@@ -126,6 +141,14 @@ struct UpdateSetting {
     std::span<const std::string_view> choices{}; ///< empty: any text
 };
 
+/// What the external program of a route can use, as that program calls it.
+struct Programmer {
+    enum class Port { None, Usb, Serial };
+    std::string_view name;  ///< usbasp
+    std::string_view title; ///< what people call it; a name, or English that widgets translate
+    Port port = Port::None; ///< where it is plugged in, after another colon: nowhere to be told, `usb`, a serial port
+};
+
 /// A way in for an update besides the device's own link: what `--via` is to name.
 struct UpdateRoute {
     std::string_view scheme;                     ///< before the first colon: openocd
@@ -134,6 +157,7 @@ struct UpdateRoute {
     bool erasesSettings = false;                 ///< UpdateOptions::eraseSettings
     std::span<const GuidedStep> steps{};         ///< empty: it needs no hands
     std::span<const UpdateSetting> settings{};
+    std::span<const Programmer> programmers{};   ///< the usual ones; others may be named, too
 };
 
 enum class UpdateOutcome { Done, UpToDate, Refused, Failed, Cancelled };

@@ -39,17 +39,33 @@ public:
         {
             round.m_session.adopt(round.m_link, family, identity, round.seen);
         }
-        void progress(const std::string &, int, int) override { }
+        void progress(const std::string &what, int done, int total) override
+        {
+            if (round.m_options.progress)
+                round.m_options.progress(what, done, total);
+        }
+        [[nodiscard]] std::vector<Identity> remembered() const override
+        {
+            return round.m_session.rememberedOn(round.m_link, family);
+        }
+        [[nodiscard]] ScanExtent extent() const override { return round.m_options.extent; }
         ScanRound &round;
         const Family &family;
     };
 
-    ScanRound(Session &session, Link &link)
+    ScanRound(Session &session, Link &link, ScanOptions options)
         : m_session(session)
         , m_link(link)
+        , m_options(std::move(options))
         , m_scope(session.m_clock)
     {
     }
+    ScanRound(const ScanRound &) = delete;
+    ScanRound &operator=(const ScanRound &) = delete;
+    /// What was found is remembered, although the round was cut.
+    ~ScanRound() { m_session.remember(m_link, seen, m_complete); }
+    /// Nobody else answers.
+    void setComplete() { m_complete = true; }
     void start()
     {
         for (const Family *family : m_session.m_families) {
@@ -97,8 +113,10 @@ private:
 
     Session &m_session;
     Link &m_link;
+    ScanOptions m_options;
     std::vector<std::unique_ptr<Sink>> m_sinks;
     int m_running = 0;
+    bool m_complete = false;
     Scope m_scope;
 };
 
@@ -201,17 +219,18 @@ Bench *Session::bench(const Link &link) const
     return open == m_links.end() ? nullptr : open->bench.get();
 }
 
-Task<std::vector<Device *>> Session::scan(Link &link)
+Task<std::vector<Device *>> Session::scan(Link &link, ScanOptions options)
 {
     if (ReplayLink *const recording = replayOf(link)) {
         auto overhearing = overhear(*recording);
         co_return co_await std::move(overhearing);
     }
-    ScanRound round(*this, link);
+    ScanRound round(*this, link, std::move(options));
     round.start();
     co_await round.done.wait();
     if (round.error)
         co_return fail(*round.error);
+    round.setComplete();
     const auto rank = [this](const Device *device) {
         const auto family = std::find(m_families.begin(), m_families.end(), &device->family());
         return std::pair(family - m_families.begin(), device->identity().address);
@@ -268,7 +287,7 @@ Device &Session::adopt(Link &link, const Family &family, const Identity &identit
 
 Task<std::vector<Device *>> Session::ask(Link &link, DeviceSelector selector)
 {
-    ScanRound round(*this, link);
+    ScanRound round(*this, link, {});
     round.startFor(selector);
     co_await round.done.wait();
     if (round.error)
@@ -341,31 +360,6 @@ void Session::stopAll()
         else if (entry.device->liveness().moving && entry.device->link().state() == LinkState::Open)
             entry.device->stop();
     }
-}
-
-void Session::keepProfiles(std::string directory)
-{
-    m_profiles.emplace(std::move(directory));
-}
-
-void Session::recall(Device &device)
-{
-    if (!m_profiles || device.link().address().isSimulated() || device.link().address().isRecording())
-        return;
-    auto profile = m_profiles->load(device.selector());
-    if (!profile)
-        m_profileTrouble.notify(profile.error().detail);
-    else if (!profile->isEmpty())
-        device.setProfile(std::move(*profile));
-}
-
-void Session::keep(const Device &device)
-{
-    m_changed.notify();
-    if (!m_profiles || device.link().address().isSimulated() || device.link().address().isRecording())
-        return;
-    if (auto kept = m_profiles->save(device.selector(), device.profile()); !kept)
-        m_profileTrouble.notify(kept.error().detail);
 }
 
 void Session::scheduleCommit()

@@ -3,11 +3,14 @@
 
 #include "model/bench.h"
 #include "model/family.h"
+#include "model/scanbook.h"
 #include "model/setpointstream.h"
 #include "transport/backends/replay.h"
 
+#include <functional>
 #include <list>
 #include <memory>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -17,6 +20,12 @@ namespace mb {
 struct DeviceId {
     std::uint32_t value = 0;
     friend auto operator<=>(const DeviceId &, const DeviceId &) = default;
+};
+
+struct ScanOptions {
+    ScanExtent extent = ScanExtent::Quick;
+    /// What is looked for, of families that take long; in the thread of the session.
+    std::function<void(const std::string &what, int done, int total)> progress;
 };
 
 /// Everything that one process works on: links, the devices found on them, their set-point streams. One thread: the engine's
@@ -37,6 +46,11 @@ public:
     void keepHistoriesIn(std::shared_ptr<ChunkStore> store) { m_store = std::move(store); }
     /// From now on what is known of devices on real links is kept in this directory. Simulated ones are factory-fresh.
     void keepProfiles(std::string directory);
+    /// From now on who answered in scans of real links is kept in this directory, for families whose scans take long: the
+    /// next scan, of another run too, asks them first.
+    void keepScans(std::string directory);
+    /// What was kept of scans is lost, or cannot be kept: scans are slower, nothing else. Once a link and cause.
+    [[nodiscard]] Listeners<const std::string &> &memoryTrouble() { return m_memoryTrouble; }
     /// A profile could not be read or kept: one line for people.
     [[nodiscard]] Listeners<const std::string &> &profileTrouble() { return m_profileTrouble; }
 
@@ -60,7 +74,8 @@ public:
     /// Scans with every family that speaks this kind of link, all at once; devices() grows as answers come. A recording
     /// cannot be asked: the whole file is looked through, in pieces, for what devices sent. Yields what
     /// answered this time, family by family, in order of address. A device that did not answer stays in devices() and is not heard.
-    [[nodiscard]] Task<std::vector<Device *>> scan(Link &link);
+    [[nodiscard]] Task<std::vector<Device *>> scan(Link &link) { return scan(link, ScanOptions()); }
+    [[nodiscard]] Task<std::vector<Device *>> scan(Link &link, ScanOptions options);
     /// Opens the link, asks whether exactly this device is there. Timeout when not; Refused when the number is taken twice
     /// and the selector does not say which.
     [[nodiscard]] Task<Device *> connect(DeviceSelector selector);
@@ -105,6 +120,9 @@ private:
     void scheduleCommit();
     void recall(Device &device);
     void keep(const Device &device);
+    [[nodiscard]] std::vector<Identity> rememberedOn(const Link &link, const Family &family);
+    void remember(const Link &link, const std::vector<Device *> &seen, bool complete);
+    void tellMemoryTrouble(const Link &link, const Error &error);
 
     Clock &m_clock;
     std::span<const Family *const> m_families;
@@ -112,8 +130,11 @@ private:
     Listeners<> m_changed;
     Listeners<const Link &, const std::string &> m_remarked;
     Listeners<const std::string &> m_profileTrouble;
+    Listeners<const std::string &> m_memoryTrouble;
     std::optional<ProfileBook> m_profiles;
-    std::list<OpenLink> m_links; // lists: an element is destroyed whole, in the reverse order of its members
+    std::optional<ScanBook> m_scans;
+    std::set<std::string> m_toldOfMemory; ///< links and causes
+    std::list<OpenLink> m_links;          // lists: an element is destroyed whole, in the reverse order of its members
     std::list<Entry> m_devices;
     std::uint32_t m_lastId = 0;
     std::shared_ptr<ChunkStore> m_store;

@@ -23,6 +23,9 @@ struct LinkView {
     std::string reason; ///< why it is lost
     bool simulated = false;
     bool scanning = false;
+    std::string scanStep; ///< what the scan looks for now, in English, where it takes long
+    int scanDone = 0;
+    int scanTotal = 0;
     int bitrate = 0;
     double load = 0.0;                 ///< 0…1
     std::optional<Duration> roundTrip; ///< of serial links, smoothed; nothing before the first answer

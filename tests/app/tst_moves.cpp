@@ -2,6 +2,7 @@
 // Buffered moves of four nodes in the window: the real page and engine against four simulated motors on one serial line.
 #include "app/engine.h"
 #include "model/registry.h"
+#include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/selection.h"
 #include "widgets/control/arming.h"
@@ -54,6 +55,7 @@ private Q_SLOTS:
     void nothingIsPreparedUnarmed();
     void stopEndsAllOfThem();
     void oneThatStallsTakesTheOthersWithIt();
+    void thePositionIsZeroedWithTheMotorOffAndRunStartsItAgain();
     void everyControlHasAName();
     void nothingIsWiderThanTheColumn();
 
@@ -198,6 +200,33 @@ void MovesTest::oneThatStallsTakesTheOthersWithIt()
         return core.session().bench(*core.session().links().front())->simulators().back()->disturb("stall", 1);
     }));
     QTest::mouseClick(&button("startMoves"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
+}
+
+void MovesTest::thePositionIsZeroedWithTheMotorOffAndRunStartsItAgain()
+{
+    const DeviceId first = m_engine->snapshot().devices.front().id;
+    const auto shown = [this] { return liveValue(m_engine->snapshot().devices.front(), "position", m_engine->now()); };
+    m_arming->arm(first);
+    SetPoint setPoint;
+    setPoint.mode = Mode::Position;
+    setPoint.target = 1500.0;
+    m_arming->run(setPoint);
+    QTRY_VERIFY_WITH_TIMEOUT(shown() && std::abs(*shown() - 1500.0) < 40.0, patience);
+    auto *zero = m_page->findChild<QPushButton *>(QStringLiteral("zeroPosition"));
+    QVERIFY(zero->isVisibleTo(m_page.get()));
+    QVERIFY(!zero->toolTip().isEmpty());
+    QTest::mouseClick(zero, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(shown() && std::abs(*shown()) < 40.0, patience);
+    QCOMPARE(energized(), 0);
+    QVERIFY2(std::abs(positions().front() - 1500.0) < 60.0, "the shaft stays where it was");
+    QVERIFY2(m_arming->isArmed(first), "it may be started again");
+    setPoint.target = 0.0;
+    m_arming->run(setPoint);
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 1, patience);
+    QTest::qWait(500);
+    QVERIFY2(std::abs(positions().front() - 1500.0) < 60.0, "and does not jump");
+    m_arming->disarm();
     QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
 }
 

@@ -50,6 +50,15 @@ class Nodes:
 
 
 class SupermodifiedTest(ContractTest):
+    def setUp(self):
+        """Each test has a memory of its own."""
+        cache = tempfile.TemporaryDirectory()
+        self.addCleanup(cache.cleanup)
+        self.cache = cache.name
+        before = os.environ.get("XDG_CACHE_HOME")
+        os.environ["XDG_CACHE_HOME"] = cache.name
+        self.addCleanup(lambda: os.environ.pop("XDG_CACHE_HOME") if before is None else os.environ.update(XDG_CACHE_HOME=before))
+
     def spawn(self, *arguments):
         process = subprocess.Popen([contract.PROGRAM, "--json", *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.addCleanup(process.communicate)
@@ -101,6 +110,59 @@ class SupermodifiedTest(ContractTest):
             self.assertAlmostEqual(positions[-1], 2000, delta=60, msg=mode)
         self.assert_error(2, "drive", node, "--mode", "duty", "--target", "0.1", "--for", "1", says="has no mode")
         self.assert_error(2, "drive", node, "--mode", "velocity", "--target", "1e11", "--for", "1")
+
+    def timed_scan(self, *arguments):
+        begin = time.monotonic()
+        run = contract.Run(["--json", "scan", *arguments])
+        self.assertEqual(run.status, 0, run.err)
+        return run.objects()[0]["devices"], time.monotonic() - begin, run.err
+
+    def test_a_second_run_remembers_who_was_there(self):
+        nodes = Nodes(self, "supermodified:4", "supermodified:77,dialect=D3", baud=38400)
+        link = f"serial:{nodes.path}"
+        first, long, _ = self.timed_scan(link)
+        second, short, _ = self.timed_scan(link)
+        self.assertEqual([row["address"] for row in first], [4, 77])
+        self.assertEqual(second, first)
+        print(f"pty, 38400 baud, unknown rate: first scan {long:.1f} s, another run of the program {short:.1f} s", flush=True)
+        self.assertLess(short, 0.7 * long)
+        begin = time.monotonic()
+        self.run_one("get", f"{link}/supermodified:77", "gain.p")
+        self.assertLess(time.monotonic() - begin, 1.5)
+        [file] = os.listdir(os.path.join(self.cache, "motorbench", "scans"))
+        with open(os.path.join(self.cache, "motorbench", "scans", file), "w", encoding="utf-8") as spoilt:
+            spoilt.write("{")
+        third, _, err = self.timed_scan(link)
+        self.assertEqual(third, first)
+        self.assertEqual(err.count("is no list of devices and is ignored"), 1, err)
+        nodes.end()
+        gone = Nodes(self, "supermodified:77,dialect=D3", baud=38400)
+        os.replace(gone.path, nodes.path)  # the same port, with one node less
+        self.assertEqual([row["address"] for row in self.timed_scan(link)[0]], [77])
+
+    def test_everything_can_be_searched_and_cut(self):
+        nodes = Nodes(self, "supermodified:4", "supermodified:120", baud=57600)
+        link = f"serial:{nodes.path}?baud=57600"
+        rows, _, _ = self.timed_scan("--everything", link)
+        self.assertEqual([row["address"] for row in rows], [4, 120])
+        search = subprocess.Popen([contract.PROGRAM, "scan", "--everything", f"serial:{nodes.path}"], stdout=subprocess.PIPE,
+                                  stderr=subprocess.PIPE, text=True)
+        self.addCleanup(search.communicate)
+        self.addCleanup(search.kill)
+        self.assertIn("Looking for Supermodified nodes", search.stderr.readline())
+        search.send_signal(signal.SIGINT)
+        search.communicate(timeout=10)
+
+    def test_the_position_is_zeroed_before_a_drive(self):
+        nodes = Nodes(self, "supermodified:4")
+        node = f"serial:{nodes.path}?baud=115200/supermodified:4"
+        self.run_json("drive", node, "--mode", "position", "--target", "1500", "--for", "2")
+        lines = self.run_json("drive", node, "--mode", "position", "--target", "0", "--zero", "--for", "1")
+        positions = [line["value"] for line in lines if line.get("channel") == "position"]
+        self.assertEqual((lines[-1]["stopped"], lines[-1]["reason"]), (True, "done"))
+        self.assertTrue(positions and max(abs(p) for p in positions) < 60, positions)
+        self.assert_error(2, "drive", contract.CIM, "--mode", "duty", "--target", "0", "--zero", "--for", "1", says="zeroes its position")
+        self.assert_error(2, "drive", node, "--mode", "velocity", "--target", "1", "--ramp", "1", "--for", "1", says="has no ramp")
 
     def test_a_terminal_that_is_pulled_away_during_a_drive_is_reported(self):
         nodes = Nodes(self, "supermodified:4")

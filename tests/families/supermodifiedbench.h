@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <list>
 #include <memory>
 
@@ -49,12 +50,18 @@ public:
     struct Found final : ScanSink {
         void found(const Identity &identity) override { rows.push_back(identity); }
         void progress(const std::string &, int, int) override { ++steps; }
+        std::vector<Identity> remembered() const override { return known; }
+        ScanExtent extent() const override { return wanted; }
         std::vector<Identity> rows;
+        std::vector<Identity> known; ///< from an earlier run
+        ScanExtent wanted = ScanExtent::Quick;
         int steps = 0;
     };
-    std::vector<Identity> scanAll()
+    std::vector<Identity> scanAll(std::vector<Identity> known = {}, ScanExtent extent = ScanExtent::Quick)
     {
         Found sink;
+        sink.known = std::move(known);
+        sink.wanted = extent;
         const auto scanned = mb::test::run(clock, scan(host, clock, sink));
         EXPECT_TRUE(scanned) << (scanned ? "" : scanned.error().detail);
         return sink.rows;
@@ -116,5 +123,26 @@ inline SetPoint setPoint(Mode mode, double target)
     made.target = target;
     return made;
 }
+
+/// One simulated node of dialect D1, found and open.
+class OneNode : public testing::Test {
+protected:
+    /// Commands a set-point and lets time pass.
+    void order(const SetPoint &wanted, Duration time)
+    {
+        ASSERT_TRUE(device->command(wanted));
+        bench.clock.advance(time);
+    }
+    [[nodiscard]] double position() const { return latest("position"); }
+    [[nodiscard]] double latest(std::string_view channel) const
+    {
+        const auto sample = device->telemetry()->latest(*device->telemetry()->find(channel));
+        return sample ? sample->value : NAN;
+    }
+
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4");
+    std::unique_ptr<Device> device = bench.connect(4);
+};
 
 } // namespace mb::supermodified::test

@@ -11,12 +11,10 @@ using namespace std::chrono_literals;
 using mb::test::run;
 using test::Bench;
 using test::setPoint;
+using SupermodifiedNode = test::OneNode;
 
-TEST(SupermodifiedControl, StartsOnceAndSendsAnEqualSetPointOnce)
+TEST_F(SupermodifiedNode, StartsOnceAndSendsAnEqualSetPointOnce)
 {
-    Bench bench;
-    Simulator &node = bench.add("supermodified:4");
-    const auto device = bench.connect(4);
     bench.clock.advance(200ms);
     bench.sent.clear();
     for (int i = 0; i < 20; ++i) {
@@ -35,13 +33,9 @@ TEST(SupermodifiedControl, StartsOnceAndSendsAnEqualSetPointOnce)
     EXPECT_EQ(bench.count(Command::Stop), 1);
 }
 
-TEST(SupermodifiedControl, AStopThatIsRefusedIsRepeatedUntilItIsAcknowledged)
+TEST_F(SupermodifiedNode, AStopThatIsRefusedIsRepeatedUntilItIsAcknowledged)
 {
-    Bench bench;
-    Simulator &node = bench.add("supermodified:4");
-    const auto device = bench.connect(4);
-    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 2000.0)));
-    bench.clock.advance(300ms);
+    order(setPoint(Mode::Velocity, 2000.0), 300ms);
     ASSERT_TRUE(node.isOutputOn());
     bench.sent.clear();
     node.disturb("error", 0x43);
@@ -52,13 +46,9 @@ TEST(SupermodifiedControl, AStopThatIsRefusedIsRepeatedUntilItIsAcknowledged)
     EXPECT_GE(bench.count(Command::Stop), 1);
 }
 
-TEST(SupermodifiedControl, AStopGoesOnThroughSilenceAndThroughALostCable)
+TEST_F(SupermodifiedNode, AStopGoesOnThroughSilenceAndThroughALostCable)
 {
-    Bench bench;
-    Simulator &node = bench.add("supermodified:4");
-    const auto device = bench.connect(4);
-    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 2000.0)));
-    bench.clock.advance(300ms);
+    order(setPoint(Mode::Velocity, 2000.0), 300ms);
     bench.line.setLoss(1.0);
     device->stop();
     bench.clock.advance(5s);
@@ -69,8 +59,7 @@ TEST(SupermodifiedControl, AStopGoesOnThroughSilenceAndThroughALostCable)
     EXPECT_FALSE(node.isOutputOn());
     EXPECT_TRUE(device->isSeenStopped());
 
-    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 2000.0)));
-    bench.clock.advance(300ms);
+    order(setPoint(Mode::Velocity, 2000.0), 300ms);
     ASSERT_TRUE(node.isOutputOn());
     bench.line.pull(bench.host);
     device->stop();
@@ -82,13 +71,9 @@ TEST(SupermodifiedControl, AStopGoesOnThroughSilenceAndThroughALostCable)
     EXPECT_TRUE(device->isSeenStopped());
 }
 
-TEST(SupermodifiedControl, DestroyingADeviceThatIsDrivenSendsAStop)
+TEST_F(SupermodifiedNode, DestroyingADeviceThatIsDrivenSendsAStop)
 {
-    Bench bench;
-    Simulator &node = bench.add("supermodified:4");
-    auto device = bench.connect(4);
-    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 2000.0)));
-    bench.clock.advance(300ms);
+    order(setPoint(Mode::Velocity, 2000.0), 300ms);
     ASSERT_TRUE(node.isOutputOn());
     device.reset();
     bench.clock.advance(50ms);
@@ -117,13 +102,9 @@ TEST(SupermodifiedControl, ARelativeMoveIsNeverSentTwiceWhenItsAnswerIsLost)
     EXPECT_LT(node.position(), 700.0);
 }
 
-TEST(SupermodifiedControl, ARelativeMoveThatWasRefusedIsSentAgainAndDoneOnce)
+TEST_F(SupermodifiedNode, ARelativeMoveThatWasRefusedIsSentAgainAndDoneOnce)
 {
-    Bench bench;
-    Simulator &node = bench.add("supermodified:4");
-    const auto device = bench.connect(4);
-    ASSERT_TRUE(device->command(setPoint(Mode::Position, 0.0)));
-    bench.clock.advance(300ms);
+    order(setPoint(Mode::Position, 0.0), 300ms);
     for (std::uint32_t order = 1; order <= 3; ++order) {
         node.disturb("error", 0x44); // is reported instead of the first answer
         SetPoint step = setPoint(Mode::Position, 500.0);
@@ -135,28 +116,19 @@ TEST(SupermodifiedControl, ARelativeMoveThatWasRefusedIsSentAgainAndDoneOnce)
     EXPECT_NEAR(node.position(), 1500.0, 20.0);
 }
 
-TEST(SupermodifiedControl, PositionsStayContinuousAlthoughStartZeroesThem)
+TEST_F(SupermodifiedNode, PositionsStayContinuousAlthoughStartZeroesThem)
 {
-    Bench bench;
-    Simulator &node = bench.add("supermodified:4");
-    const auto device = bench.connect(4);
-    const auto positionOf = [&] {
-        const auto latest = device->telemetry()->latest(*device->telemetry()->find("position"));
-        return latest ? latest->value : NAN;
-    };
-    ASSERT_TRUE(device->command(setPoint(Mode::Position, 3000.0)));
-    bench.clock.advance(2s);
-    EXPECT_NEAR(positionOf(), 3000.0, 20.0);
+    order(setPoint(Mode::Position, 3000.0), 2s);
+    EXPECT_NEAR(position(), 3000.0, 20.0);
     device->stop();
     bench.clock.advance(200ms);
-    const double rest = positionOf();
+    const double rest = position();
     ASSERT_TRUE(device->command(setPoint(Mode::Position, rest))); // the present position: nothing moves
     bench.clock.advance(1s);
-    EXPECT_NEAR(positionOf(), rest, 20.0);
+    EXPECT_NEAR(position(), rest, 20.0);
     EXPECT_NEAR(node.position(), rest, 20.0);
-    ASSERT_TRUE(device->command(setPoint(Mode::Position, rest + 1000.0)));
-    bench.clock.advance(2s);
-    EXPECT_NEAR(positionOf(), rest + 1000.0, 20.0);
+    order(setPoint(Mode::Position, rest + 1000.0), 2s);
+    EXPECT_NEAR(position(), rest + 1000.0, 20.0);
 }
 
 TEST(SupermodifiedControl, EveryKindOfMoveInEveryDialect)
@@ -245,11 +217,8 @@ TEST(SupermodifiedControl, FourNodesWithBufferedMovesStartTogether)
         EXPECT_FALSE(node->isOutputOn());
 }
 
-TEST(SupermodifiedControl, AStalledMotorEndsTheStreamAndIsNotStartedAgainByItself)
+TEST_F(SupermodifiedNode, AStalledMotorEndsTheStreamAndIsNotStartedAgainByItself)
 {
-    Bench bench;
-    Simulator &node = bench.add("supermodified:4");
-    const auto device = bench.connect(4);
     bench.clock.advance(200ms);
     SetPointStream stream(*device, bench.clock);
     ASSERT_TRUE(stream.start(setPoint(Mode::Position, 2000.0), 60s));
@@ -265,11 +234,8 @@ TEST(SupermodifiedControl, AStalledMotorEndsTheStreamAndIsNotStartedAgainByItsel
     EXPECT_FALSE(node.isOutputOn());
 }
 
-TEST(SupermodifiedControl, ANodeThatLostItsSupplyWhileDrivenEndsTheStream)
+TEST_F(SupermodifiedNode, ANodeThatLostItsSupplyWhileDrivenEndsTheStream)
 {
-    Bench bench;
-    Simulator &node = bench.add("supermodified:4");
-    const auto device = bench.connect(4);
     bench.clock.advance(200ms);
     SetPointStream stream(*device, bench.clock);
     ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 2000.0), 60s));
@@ -282,11 +248,8 @@ TEST(SupermodifiedControl, ANodeThatLostItsSupplyWhileDrivenEndsTheStream)
     EXPECT_FALSE(node.isOutputOn());
 }
 
-TEST(SupermodifiedControl, RefusesWhatTheNodeCannotDoWithoutSendingAnything)
+TEST_F(SupermodifiedNode, RefusesWhatTheNodeCannotDoWithoutSendingAnything)
 {
-    Bench bench;
-    bench.add("supermodified:4");
-    const auto device = bench.connect(4);
     bench.clock.advance(100ms);
     (void)run(bench.clock, device->read(Bench::index("gain.p")));
     bench.sent.clear();
@@ -302,11 +265,8 @@ TEST(SupermodifiedControl, RefusesWhatTheNodeCannotDoWithoutSendingAnything)
         EXPECT_TRUE(isGet(frame.command));
 }
 
-TEST(SupermodifiedControl, AnotherMasterIsHeardAndLocksControl)
+TEST_F(SupermodifiedNode, AnotherMasterIsHeardAndLocksControl)
 {
-    Bench bench;
-    bench.add("supermodified:4");
-    const auto device = bench.connect(4);
     VirtualSerialLink other(*LinkAddress::parse("sim:serial"), bench.line);
     ASSERT_TRUE(other.open());
     ASSERT_TRUE(other.setBaudrate(57600));
@@ -343,13 +303,9 @@ TEST(SupermodifiedControl, CurrentIsACountUntilTheUserSaysWhatItIsWorth)
     EXPECT_NEAR(raw->telemetry()->latest(current)->value, counts * 0.01, 0.5 * counts * 0.01);
 }
 
-TEST(SupermodifiedControl, ItsStopScriptStopsARunningNode)
+TEST_F(SupermodifiedNode, ItsStopScriptStopsARunningNode)
 {
-    Bench bench;
-    Simulator &node = bench.add("supermodified:4");
-    const auto device = bench.connect(4);
-    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 2000.0)));
-    bench.clock.advance(300ms);
+    order(setPoint(Mode::Velocity, 2000.0), 300ms);
     node.disturb("error", 0x43);
     const StopScript script = device->stopScript();
     ASSERT_EQ(script.steps.size(), 2U);

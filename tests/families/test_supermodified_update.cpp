@@ -291,6 +291,12 @@ TEST(SupermodifiedUpdate, TheRealAvrdudeIsUnderstood)
     const auto unknown = bench.update("avrdude:nosuchprogrammer:usb");
     ASSERT_FALSE(unknown);
     EXPECT_EQ(unknown.error().fault, Fault::OutOfRange) << unknown.error().detail;
+    for (const Programmer &listed : bench.device->family().routes.front().programmers) {
+        const auto result = bench.update("avrdude:" + std::string(listed.name)
+            + (listed.port == Programmer::Port::Usb ? ":usb" : ":/dev/ttyNOSUCH9"));
+        ASSERT_FALSE(result);
+        EXPECT_NE(result.error().fault, Fault::OutOfRange) << listed.name << ": " << result.error().detail;
+    }
     const auto absent = bench.update("avrdude:arduino:/dev/ttyNOSUCH9");
     ASSERT_FALSE(absent);
     EXPECT_EQ(absent.error().fault, Fault::LinkLost) << absent.error().detail;

@@ -20,6 +20,7 @@ public:
         std::vector<ParameterChange> changes{};
         SetPoint setPoint{};
         double number = 0.0; ///< rate, address, lease in ms
+        ChannelIndex channel{};
         CanFrame frame{};
         QString path{};
         ReplayOrder order{};
@@ -59,6 +60,8 @@ public:
     }
     void closeLink(const std::string &address) override { note({"closeLink", {}, address}); }
     void scan() override { note({"scan"}); }
+    void scanEverything(const std::string &link) override { note({"scanEverything", {}, link}); }
+    void cancelScan(const std::string &link) override { note({"cancelScan", {}, link}); }
     void readParameters(DeviceId device) override { note({"readParameters", device}); }
     void writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) override
     {
@@ -105,7 +108,13 @@ public:
     {
         note({"setDialect", device, key}, std::move(finished));
     }
-    void setRate(DeviceId device, ChannelIndex, double hertz) override { noteNumber("setRate", device, hertz, {}); }
+    void setRate(DeviceId device, ChannelIndex channel, double hertz) override
+    {
+        Call call{"setRate", device};
+        call.number = hertz;
+        call.channel = channel;
+        note(std::move(call));
+    }
     void startMotion(
         DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished) override
     {
@@ -125,6 +134,10 @@ public:
     void releaseMoves(DeviceId device, Finished finished) override
     {
         note({"releaseMoves", device}, std::move(finished));
+    }
+    void zeroPosition(DeviceId device, Finished finished) override
+    {
+        note({"zeroPosition", device}, std::move(finished));
     }
     void stopAll() override { note({"stopAll"}); }
     void update(DeviceId device, std::shared_ptr<const FirmwareImage>, UpdateOptions) override

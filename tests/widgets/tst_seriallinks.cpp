@@ -3,12 +3,18 @@
 #include "widgets/common/selection.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/deviceactions.h"
+#include "widgets/connection/devicetree.h"
 #include "widgets/connection/overviewpage.h"
+#include "widgets/connection/scanstrip.h"
 
 #include <QComboBox>
 #include <QInputDialog>
 #include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QPushButton>
 #include <QTest>
+#include <QTreeView>
 
 using namespace mb;
 using namespace mb::test;
@@ -42,7 +48,59 @@ private Q_SLOTS:
     void theCardShowsRateAndRoundTrip();
     void theDialogOffersPortsWithWhatTheyAreAndSaysWhyOneCannotBeUsed();
     void anAddedPortIsRememberedOnlyOnceItIsOpen();
+    void aLongScanShowsHowFarItIsAndCanBeCancelled();
+    void everyRateAndAddressCanBeSearched();
 };
+
+void TestSerialLinks::aLongScanShowsHowFarItIsAndCanBeCancelled()
+{
+    FakeWorkbench workbench;
+    const ThemeSource theme{darkTheme()};
+    QWidget parent;
+    ScanStrip strip(workbench, theme, &parent);
+    parent.show();
+    workbench.shot.links.push_back(serialLink());
+    workbench.publish();
+    QVERIFY(!strip.isVisible());
+    LinkView &link = workbench.shot.links[0];
+    link.scanning = true;
+    link.scanStep = "Looking for Supermodified nodes at 9600 bit/s";
+    link.scanDone = 40;
+    link.scanTotal = 127;
+    workbench.publish();
+    QVERIFY(strip.isVisible());
+    const auto *progress = strip.findChild<QProgressBar *>();
+    QCOMPARE(progress->value(), 40);
+    QCOMPARE(progress->maximum(), 127);
+    QVERIFY(!progress->accessibleName().isEmpty());
+    auto *cancel = strip.findChild<QPushButton *>(s("cancelScan"));
+    QVERIFY(!cancel->accessibleName().isEmpty());
+    QTest::mouseClick(cancel, Qt::LeftButton);
+    QCOMPARE(workbench.callsOf("cancelScan").at(0).text, std::string("serial:/dev/ttyUSB0"));
+    link.scanning = false;
+    workbench.publish();
+    QVERIFY(!strip.isVisible());
+}
+
+void TestSerialLinks::everyRateAndAddressCanBeSearched()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    const ThemeSource theme{darkTheme()};
+    workbench.shot.links.push_back(serialLink());
+    DeviceTree tree(workbench, selection, theme);
+    tree.show();
+    workbench.publish();
+    auto *view = tree.findChild<QTreeView *>();
+    Q_EMIT view->customContextMenuRequested(view->visualRect(view->model()->index(0, 0)).center());
+    auto *menu = tree.findChild<QMenu *>();
+    QVERIFY(menu);
+    for (QAction *action : menu->actions()) {
+        if (action->objectName() == s("searchEverything"))
+            action->trigger();
+    }
+    QCOMPARE(workbench.callsOf("scanEverything").at(0).text, std::string("serial:/dev/ttyUSB0"));
+}
 
 void TestSerialLinks::theCardShowsRateAndRoundTrip()
 {

@@ -321,6 +321,11 @@ constexpr auto phrases = std::to_array<const char *>({
     // Supermodified
     QT_TRANSLATE_NOOP("table", "Looking for Supermodified nodes at %1 bit/s"),
     QT_TRANSLATE_NOOP("table", "Supermodified found: %1"),
+    QT_TRANSLATE_NOOP("table", "The adapter has no %1 bit/s"),
+    QT_TRANSLATE_NOOP("table", "the search was cancelled; what it found stays"),
+    QT_TRANSLATE_NOOP("table", "the stop was not acknowledged, so the position was not reset: a motor that runs would jump"),
+    QT_TRANSLATE_NOOP("table", "%1 has no command that zeroes its position"),
+    QT_TRANSLATE_NOOP("table", "%1 is no list of devices and is ignored: the next scan takes its full time and writes it anew"),
     QT_TRANSLATE_NOOP("table", "Its error level is 1, so every reading fails. Set error.level to 0."),
     QT_TRANSLATE_NOOP("table", "Its answers fit no known dialect."),
     QT_TRANSLATE_NOOP("table", "What is sent to it is also done by node %1, because of an acceptance mask. Set node.mask to 255 and restart them."),

@@ -40,6 +40,10 @@ public:
     virtual void closeLink(const std::string &address) = 0;
     /// Scans every open link.
     virtual void scan() = 0;
+    /// Every rate and every address of this link, however long it takes; a scan that runs is ended for it.
+    virtual void scanEverything(const std::string &link) = 0;
+    /// Ends a scan; what it has found stays.
+    virtual void cancelScan(const std::string &link) = 0;
 
     /// All readable parameters. An operation of the device.
     virtual void readParameters(DeviceId device) = 0;
@@ -75,6 +79,8 @@ public:
     virtual void stopMotion(DeviceId device) = 0;
     /// Starts the buffered moves of every device on the link of `device` at the same moment.
     virtual void releaseMoves(DeviceId device, Finished finished) = 0;
+    /// Stops the motor, and lets its position count from 0 (Device::zeroPosition). An operation of the device.
+    virtual void zeroPosition(DeviceId device, Finished finished) = 0;
     /// STOP: every motor on every link, before anything else that waits.
     virtual void stopAll() = 0;
 

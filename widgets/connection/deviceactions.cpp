@@ -38,18 +38,16 @@ QInputDialog *ask(QWidget &parent, const QString &title, const QString &question
     return dialog;
 }
 
-constexpr int lastNumber = 63;
-
 bool isTaken(const Snapshot &shot, const std::string &link, int number)
 {
     return std::any_of(shot.devices.begin(), shot.devices.end(),
         [&](const DeviceView &d) { return d.link == link && d.identity.address == number; });
 }
 
-int firstFree(const Snapshot &shot, const std::string &link)
+int firstFree(const Snapshot &shot, const std::string &link, int last)
 {
     int free = 1;
-    while (free < lastNumber && isTaken(shot, link, free))
+    while (free < last && isTaken(shot, link, free))
         ++free;
     return free;
 }
@@ -78,6 +76,12 @@ void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId id, QWidget &p
         workbench.clearFaults(id, reportTo(workbench, label, DeviceActions::tr("faults read and cleared")));
     });
     clear->setEnabled(running);
+    if (can.zeroPosition) {
+        menu.addAction(DeviceActions::tr("Stop and count from 0"), &parent, [&workbench, id, label] {
+            workbench.zeroPosition(
+                id, reportTo(workbench, label, DeviceActions::tr("position 0 is here; the motor is off")));
+        });
+    }
     menu.addSeparator();
     const QString selector = QString::fromStdString(device->selector);
     menu.addAction(DeviceActions::tr("Copy %1").arg(selector), &parent,
@@ -108,11 +112,12 @@ void askRenumber(Workbench &workbench, DeviceId id, QWidget &parent)
     if (!device)
         return;
     const QString label = titleOf(*device);
-    const int free = firstFree(workbench.snapshot(), device->link);
+    const int last = device->family->capabilities.lastAddress;
+    const int free = firstFree(workbench.snapshot(), device->link, last);
     QInputDialog *dialog = ask(parent, DeviceActions::tr("Number of %1").arg(label),
-        DeviceActions::tr("New number, 1 … %1. %2 is the next free one on this link:").arg(lastNumber).arg(free));
+        DeviceActions::tr("New number, 1 … %1. %2 is the next free one on this link:").arg(last).arg(free));
     dialog->setInputMode(QInputDialog::IntInput);
-    dialog->setIntRange(1, lastNumber);
+    dialog->setIntRange(1, last);
     dialog->setIntValue(free);
     QObject::connect(
         dialog, &QInputDialog::intValueSelected, &workbench, [&workbench, id, label, link = device->link](int number) {

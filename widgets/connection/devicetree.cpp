@@ -7,6 +7,7 @@
 #include "widgets/common/searchfield.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/connection/devicedelegate.h"
+#include "widgets/connection/scanstrip.h"
 
 #include <QHBoxLayout>
 #include <QMenu>
@@ -107,6 +108,7 @@ void DeviceTree::buildFoot(QVBoxLayout &column)
 {
     const Theme &theme = m_theme.theme();
     column.addWidget(separatorLine(Qt::Horizontal, this));
+    column.addWidget(new ScanStrip(m_workbench, m_theme, this));
     auto *row = new QHBoxLayout;
     row->setContentsMargins(theme.u(8), theme.u(8), theme.u(8), theme.u(8));
     row->setSpacing(theme.u(8));
@@ -140,6 +142,17 @@ void DeviceTree::showSelection()
         m_view->setCurrentIndex(index);
 }
 
+/// On a serial line a usual scan leaves out what would take long.
+void DeviceTree::addSearch(QMenu &menu, const LinkView &link)
+{
+    const std::string address = link.address;
+    QAction *search = menu.addAction(tr("Search every rate and address (takes minutes)"), this,
+        [this, address] { m_workbench.scanEverything(address); });
+    search->setObjectName(QStringLiteral("searchEverything"));
+    QAction *cancel = menu.addAction(tr("Cancel the scan"), this, [this, address] { m_workbench.cancelScan(address); });
+    cancel->setEnabled(link.scanning);
+}
+
 void DeviceTree::showMenu(const QPoint &position)
 {
     const QModelIndex index = m_view->indexAt(position);
@@ -151,8 +164,10 @@ void DeviceTree::showMenu(const QPoint &position)
     } else {
         menu->addAction(tr("Scan again"), this, [this] { m_workbench.scan(); });
         if (index.isValid()) {
-            const QString address
-                = QString::fromStdString(m_workbench.snapshot().links[static_cast<std::size_t>(index.row())].address);
+            const LinkView &link = m_workbench.snapshot().links[static_cast<std::size_t>(index.row())];
+            const QString address = QString::fromStdString(link.address);
+            if (link.kind == LinkKind::Serial)
+                addSearch(*menu, link);
             menu->addAction(tr("Close this link"), this, [this, address] { Q_EMIT closeLinkRequested(address); });
         }
     }

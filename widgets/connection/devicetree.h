@@ -8,6 +8,7 @@
 #include <QWidget>
 
 class QHBoxLayout;
+class QMenu;
 class QTreeView;
 class QVBoxLayout;
 
@@ -37,6 +38,7 @@ private:
     void buildFoot(QVBoxLayout &column);
     void follow();
     void showSelection();
+    void addSearch(QMenu &menu, const LinkView &link);
     void showMenu(const QPoint &position);
 
     Workbench &m_workbench;

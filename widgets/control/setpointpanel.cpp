@@ -45,6 +45,7 @@ SetPointPanel::SetPointPanel(const ThemeSource &theme, QWidget *parent)
     buildOptions();
     column->addWidget(m_more, 0, Qt::AlignLeft);
     column->addWidget(m_options);
+    column->addWidget(m_zero, 0, Qt::AlignLeft);
     setMode(Mode::Velocity);
 }
 
@@ -133,6 +134,13 @@ void SetPointPanel::buildOptions()
     connect(m_options, &DriveOptions::changed, this, retitle);
     connect(m_options, &DriveOptions::changed, this, &SetPointPanel::changed);
     connect(m_options, &DriveOptions::polarityChanged, this, &SetPointPanel::polarityChanged);
+    m_zero = linkButton(tr("Stop and count from 0"), this);
+    m_zero->setObjectName(QStringLiteral("zeroPosition"));
+    m_zero->setToolTip(
+        tr("Stops the motor, and makes where it stands position 0. It starts again with Run only: a motor "
+           "that runs would jump."));
+    m_zero->hide();
+    connect(m_zero, &QPushButton::clicked, this, &SetPointPanel::zeroRequested);
 }
 
 } // namespace mb

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/setpoint.h"
+#include "model/family.h"
 #include "widgets/plots/displayunits.h"
 
 #include <QWidget>
@@ -27,8 +27,8 @@ public:
     void setMode(Mode mode);
     [[nodiscard]] Mode mode() const { return m_mode; }
     void setUnits(const DisplayUnits &units);
-    /// Forgets everything that was entered: another device.
-    void reset();
+    /// Forgets everything that was entered: another device, which can do this.
+    void reset(const Capabilities &can);
 
     /// The target in units of product.md; nothing while the field is not legal, and then fault() says why.
     [[nodiscard]] std::optional<double> target() const;
@@ -44,6 +44,8 @@ public:
     void apply(SetPoint &setPoint) const;
     /// The target is in use: it does not follow the motor any more.
     void keepTarget() { range().touched = true; }
+    /// Positions mean another place now.
+    void forgetTargets();
     [[nodiscard]] DriveOptions &options() { return *m_options; }
     void focusField();
 
@@ -53,6 +55,8 @@ Q_SIGNALS:
     /// Something that decides whether and how a run may begin.
     void changed();
     void polarityChanged();
+    /// The motor is to stop, and its position to count from 0.
+    void zeroRequested();
 
 private:
     struct Range {
@@ -89,6 +93,7 @@ private:
     QLabel *m_fault = nullptr;
     QPushButton *m_more = nullptr;
     DriveOptions *m_options = nullptr;
+    QPushButton *m_zero = nullptr;
 };
 
 } // namespace mb

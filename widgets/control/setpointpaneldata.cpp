@@ -7,6 +7,7 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSlider>
 
 #include <algorithm>
@@ -65,14 +66,27 @@ void SetPointPanel::setUnits(const DisplayUnits &units)
     showPresent(m_present);
 }
 
-void SetPointPanel::reset()
+void SetPointPanel::reset(const Capabilities &can)
 {
+    m_more->setVisible(can.outputOptions);
+    if (!can.outputOptions && !m_options->isHidden())
+        m_more->click();
+    m_zero->setVisible(can.zeroPosition);
     m_ranges.clear();
     m_present.reset();
     m_options->reset();
     const Mode mode = m_mode;
     m_mode = Mode::Off;
     setMode(mode);
+}
+
+void SetPointPanel::forgetTargets()
+{
+    for (auto &[mode, range] : m_ranges) {
+        if (mode == Mode::Position || mode == Mode::RampPosition)
+            range = {0.0, range.limit, false};
+    }
+    showTarget(range().target);
 }
 
 QString SetPointPanel::shown(double target) const

@@ -9,7 +9,6 @@
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/movespanel.h"
-#include "widgets/control/ratekeeper.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/steptable.h"
 #include "widgets/control/tuneplot.h"
@@ -23,8 +22,6 @@
 namespace mb {
 namespace {
 
-constexpr double fastEncoder = 100.0;
-constexpr double fastCurrent = 50.0;
 constexpr std::chrono::milliseconds slewTime{20};
 constexpr int columnWidth = 336;
 
@@ -39,8 +36,6 @@ TunePage::TunePage(
     , m_theme(theme)
 {
     setObjectName(QStringLiteral("tunePage"));
-    m_rates = new RateKeeper(
-        workbench, {{"velocity", fastEncoder}, {"position", fastEncoder}, {"current", fastCurrent}}, this);
     m_stack = new QStackedWidget(this);
     m_empty = new EmptyState(theme, Symbol::Wave, {}, {}, m_stack);
     auto *content = new QWidget(m_stack);
@@ -191,6 +186,7 @@ void TunePage::connectPanels()
     connect(m_setPoint, &SetPointPanel::targetChosen, this, &TunePage::applyTarget);
     connect(m_setPoint, &SetPointPanel::changed, this, &TunePage::showCommands);
     connect(m_setPoint, &SetPointPanel::polarityChanged, this, [this] { disarmBecause(tr("a direction or a limit")); });
+    connect(m_setPoint, &SetPointPanel::zeroRequested, this, &TunePage::zero);
     connect(m_moves, &MovesPanel::taken, this, [this] { // no set-point of this page comes between
         m_slewTimer.stop();
         m_ours = false;

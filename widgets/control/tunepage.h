@@ -27,7 +27,6 @@ class EmptyState;
 class GainsPanel;
 class ModePanel;
 class MovesPanel;
-class RateKeeper;
 class SetPointPanel;
 class StateGlyph;
 class StepTable;
@@ -56,6 +55,8 @@ public:
     /// Writes the gains that are staged; does not start anything.
     void write();
     void halt();
+    /// Stops the motor and lets its position count from 0; Run starts it again.
+    void zero();
 
     [[nodiscard]] ModePanel &modePanel() { return *m_modes; }
     [[nodiscard]] SetPointPanel &setPointPanel() { return *m_setPoint; }
@@ -90,6 +91,7 @@ private:
     [[nodiscard]] Choice *choice();
     void selectionChanged();
     void follow();
+    void wishRates(const DeviceView *view);
     void followDevice(const DeviceView &view);
     void followSteps(const DeviceView &view, bool anyway);
     void useGains(const StepRecord &record);
@@ -128,7 +130,6 @@ private:
     SetPoint m_base; ///< what was sent last
     SetPointSlew m_slew;
     QTimer m_slewTimer;
-    RateKeeper *m_rates = nullptr;
     QStackedWidget *m_stack = nullptr;
     EmptyState *m_empty = nullptr;
     StateGlyph *m_glyph = nullptr;

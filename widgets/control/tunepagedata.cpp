@@ -6,11 +6,11 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/ratekeeper.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/movespanel.h"
-#include "widgets/control/ratekeeper.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/steptable.h"
 #include "widgets/control/tuneplot.h"
@@ -18,11 +18,16 @@
 #include <QStackedWidget>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 namespace mb {
 namespace {
+
+/// Samples per second that a step needs.
+constexpr std::array<std::pair<std::string_view, double>, 3> fast{
+    {{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}}};
 
 bool isRunning(const OperationView *operation)
 {
@@ -60,12 +65,24 @@ void TunePage::follow()
     }
     const DeviceView *view = device();
     const bool usable = view && view->identity.state != DeviceState::Bootloader;
-    m_rates->follow(usable && isVisible() && m_arming.isArmed(view->id) ? view->id : DeviceId{});
+    wishRates(usable ? view : nullptr);
     if (usable)
         followDevice(*view);
     else
         showEmpty(view);
     m_stack->setCurrentIndex(usable ? 1 : 0);
+}
+
+void TunePage::wishRates(const DeviceView *view)
+{
+    std::vector<RateKeeper::Wish> wishes;
+    if (view && isVisible() && (m_arming.isArmed(view->id) || RateKeeper::isFree(*view))) {
+        for (const auto &[key, hertz] : fast) {
+            if (const auto channel = findChannel(view->family->channels, key))
+                wishes.push_back({view->id, *channel, hertz});
+        }
+    }
+    RateKeeper::of(m_workbench).wish(this, wishes);
 }
 
 void TunePage::followDevice(const DeviceView &view)
@@ -84,7 +101,7 @@ void TunePage::followDevice(const DeviceView &view)
         m_modes->chainAfter(m_run);
         m_modes->show(chosen.mode, chosen.editedSlot, chosen.runningSlot);
         chosen.mode = m_modes->mode();
-        m_setPoint->reset();
+        m_setPoint->reset(view.family->capabilities);
         m_setPoint->setMode(chosen.mode);
         m_setPoint->setUnits(chosen.units);
         m_plot->setUnits(chosen.units);

@@ -5,7 +5,6 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
-#include "widgets/control/ratekeeper.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/steptable.h"
 #include "widgets/control/tuneplot.h"
@@ -23,7 +22,7 @@ void TunePage::showEvent(QShowEvent *event)
 void TunePage::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
-    m_rates->follow({});
+    wishRates(nullptr);
 }
 
 void TunePage::resizeEvent(QResizeEvent *event)
@@ -138,6 +137,22 @@ void TunePage::halt()
     m_slewTimer.stop();
     if (m_arming.isArmed(m_shown))
         m_arming.halt();
+}
+
+void TunePage::zero()
+{
+    const DeviceView *view = device();
+    if (!view || view->id != m_shown)
+        return;
+    halt();
+    m_workbench.zeroPosition(m_shown,
+        [self = QPointer<TunePage>(this), target = m_shown, name = titleOf(*view)](const Result<void> &result) {
+            if (!self || !result) // the engine says what went wrong
+                return;
+            self->m_workbench.report(Severity::Good, name, tr("position 0 is here; the motor is off until Run"));
+            if (self->m_shown == target)
+                self->m_setPoint->forgetTargets();
+        });
 }
 
 /// tuning.md 5.6: the first set-point is where the motor is, then no faster than the hand's limit. A step of another

@@ -36,6 +36,7 @@ FirmwarePage::FirmwarePage(Workbench &workbench, Selection &selection, const The
     buildChecks(*column);
     buildProgress(*column);
     buildBody(*column);
+    connect(m_route, &RoutePanel::changed, this, &FirmwarePage::follow);
     connect(&workbench, &Workbench::changed, this, &FirmwarePage::follow);
     connect(&selection, &Selection::changed, this, &FirmwarePage::follow);
     inspectImage();

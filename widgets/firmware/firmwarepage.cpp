@@ -92,7 +92,7 @@ bool FirmwarePage::isGuided(const DeviceView *device)
 
 void FirmwarePage::followRoute(const DeviceView *device, const OperationView *operation)
 {
-    m_route->show(device ? device->family : nullptr, m_workbench.listings());
+    m_route->show(device ? device->family : nullptr, m_workbench.listings(), device ? device->link : std::string());
     const bool guided = isGuided(device);
     m_pagesOfFlash->setVisible(!guided);
     m_steps->setSteps(guided ? device->family->routes.front().steps : std::span<const GuidedStep>());
@@ -116,7 +116,8 @@ bool FirmwarePage::canStart() const
 {
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
     return device && device->family->update && m_image && m_summary && device->busy.empty() && !device->liveness.moving
-        && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate;
+        && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate
+        && m_route->missing().isEmpty();
 }
 
 void FirmwarePage::startUpdate()
@@ -185,6 +186,8 @@ void FirmwarePage::followChecks(const DeviceView *device, const OperationView *o
     m_checks[3].text->setText(supply ? tr("bus %1 V").arg(formatNumber(*supply, 1)) : tr("bus voltage not known"));
     const bool running = operation && operation->status.state == OperationStatus::State::Running;
     m_start->setEnabled(canStart() && !running);
+    m_start->setToolTip(m_route->missing());
+    m_start->setAccessibleDescription(m_start->toolTip());
     const bool boot = device && device->identity.state == DeviceState::Bootloader;
     m_start->setText(boot ? tr("Run the update again") : tr("Update"));
     m_cancel->setEnabled(running && operation->status.mayInterrupt);

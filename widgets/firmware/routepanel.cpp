@@ -3,6 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/firmware/programmerbox.h"
 #include "widgets/parameters/wraplayout.h"
 
 #include <QCheckBox>
@@ -39,7 +40,9 @@ RoutePanel::RoutePanel(const ThemeSource &theme, QWidget *parent)
     m_more = linkButton(tr("What is not known of it…"), this);
     m_more->setToolTip(tr("What the maker does not tell of the bootloader, with the likely values"));
     m_more->setCheckable(true);
+    m_programmer = new ProgrammerBox(theme, this);
     row->addWidget(m_via);
+    row->addWidget(m_programmer, 1);
     row->addWidget(m_target);
     row->addWidget(m_erase);
     row->addWidget(m_more);
@@ -50,13 +53,25 @@ RoutePanel::RoutePanel(const ThemeSource &theme, QWidget *parent)
             m_settings->setVisible(on);
     });
     setVisible(false);
+    connect(m_programmer, &ProgrammerBox::changed, this, &RoutePanel::changed);
 }
 
-void RoutePanel::show(const Family *family, const std::vector<LinkListing> &listings)
+bool RoutePanel::hasProgrammers() const
+{
+    return m_family && !m_family->routes.empty() && !m_family->routes.front().programmers.empty();
+}
+
+QString RoutePanel::missing() const
+{
+    return hasProgrammers() ? m_programmer->missing() : QString();
+}
+
+void RoutePanel::show(const Family *family, const std::vector<LinkListing> &listings, const std::string &own)
 {
     setVisible(family && !family->routes.empty());
     if (family && !family->routes.empty())
         listPorts(family->routes.front(), listings);
+    m_programmer->listPorts(listings, own);
     if (family == m_family)
         return;
     m_family = family;
@@ -65,6 +80,9 @@ void RoutePanel::show(const Family *family, const std::vector<LinkListing> &list
     const UpdateRoute &route = family->routes.front();
     if (m_ports.isEmpty())
         m_via->setEditText(qt(route.example));
+    m_via->setVisible(route.programmers.empty());
+    m_programmer->setVisible(!route.programmers.empty());
+    m_programmer->show(route);
     m_target->clear();
     for (const std::string_view target : route.targets)
         m_target->addItem(qt(target).toUpper(), qt(target));
@@ -137,7 +155,7 @@ void RoutePanel::setVia(const QString &via)
 
 QString RoutePanel::viaWithSettings() const
 {
-    QString via = m_via->currentText().trimmed();
+    QString via = hasProgrammers() ? m_programmer->via() : m_via->currentText().trimmed();
     for (const Field &field : m_fields) {
         const QString value = field.value->currentText().trimmed();
         if (value != qt(field.setting->fallback) && !value.isEmpty())

@@ -17,17 +17,24 @@ class QPushButton;
 
 namespace mb {
 
+class ProgrammerBox;
+
 /// The way in for an update of a family that is not updated over its own link: programmer or serial port, kind of
 /// microcontroller, whether what the unit has stored is erased, and what is not known of the way. Hidden for the others.
 class RoutePanel : public QWidget {
     Q_OBJECT
 public:
     explicit RoutePanel(const ThemeSource &theme, QWidget *parent = nullptr);
-    /// nullptr: no device. The listings name the serial ports that there are.
-    void show(const Family *family, const std::vector<LinkListing> &listings);
+    /// nullptr: no device. The listings name the serial ports that there are; `own` is the address of the device's link.
+    void show(const Family *family, const std::vector<LinkListing> &listings, const std::string &own);
     [[nodiscard]] UpdateOptions options() const;
     /// As typed into the field.
     void setVia(const QString &via);
+    /// What is missing before an update can begin; empty when nothing is.
+    [[nodiscard]] QString missing() const;
+
+Q_SIGNALS:
+    void changed();
 
 private:
     struct Field {
@@ -36,12 +43,14 @@ private:
     };
     void buildFields(const UpdateRoute &route);
     void listPorts(const UpdateRoute &route, const std::vector<LinkListing> &listings);
+    [[nodiscard]] bool hasProgrammers() const;
     [[nodiscard]] QString viaWithSettings() const;
 
     const ThemeSource &m_theme;
     const Family *m_family = nullptr;
     QStringList m_ports;
-    QComboBox *m_via = nullptr;
+    QComboBox *m_via = nullptr;            ///< of a route that names no programmers
+    ProgrammerBox *m_programmer = nullptr; ///< of the others
     QComboBox *m_target = nullptr;
     QCheckBox *m_erase = nullptr;
     QPushButton *m_more = nullptr;

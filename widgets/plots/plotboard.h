@@ -41,7 +41,8 @@ public:
         QString name;
         QString unit;
         QString formula;
-        std::shared_ptr<DerivedSignal> signal; ///< nothing while a device of its formula is not there
+        std::vector<Signal> inputs{};
+        std::shared_ptr<DerivedSignal> signal{}; ///< nothing while a device of its formula is not there
     };
     /// A signal as formulas call it: d5_velocity.
     struct Variable {
@@ -68,6 +69,8 @@ public:
     void reset();
 
     [[nodiscard]] std::vector<Variable> variables() const;
+    /// What the formulas of derived signals are made of.
+    [[nodiscard]] std::vector<Signal> ingredients() const;
     /// Yields what is wrong with the formula, or adds the signal and plots it.
     [[nodiscard]] Result<void> addDerived(const QString &name, const QString &unit, const QString &formula);
     /// Nothing, or what is wrong with the name or the formula.

@@ -49,10 +49,25 @@ void PlotBoard::compile(Derived &derived)
     if (!expression)
         return;
     std::vector<DerivedSignal::Input> inputs;
-    for (const std::size_t used : expression->used())
+    derived.inputs.clear();
+    for (const std::size_t used : expression->used()) {
         inputs.push_back({telemetryOf(all[used].signal), all[used].signal.channel});
+        derived.inputs.push_back(all[used].signal);
+    }
     derived.signal = std::make_shared<DerivedSignal>(
         derived.name.toStdString(), derived.unit.toStdString(), std::move(*expression), inputs);
+}
+
+std::vector<Signal> PlotBoard::ingredients() const
+{
+    std::vector<Signal> all;
+    for (const Trace &trace : m_traces) {
+        if (trace.signal.device != derivedDevice || trace.signal.channel.value >= m_derived.size())
+            continue;
+        const auto &inputs = m_derived[trace.signal.channel.value].inputs;
+        all.insert(all.end(), inputs.begin(), inputs.end());
+    }
+    return all;
 }
 
 QString PlotBoard::whatIsWrong(const QString &name, const QString &formula) const
@@ -77,7 +92,7 @@ void PlotBoard::ensureDerived(const QString &name, const QString &unit, const QS
         = std::any_of(m_derived.begin(), m_derived.end(), [&](const Derived &derived) { return derived.name == name; });
     if (known || name.isEmpty())
         return;
-    m_derived.push_back({name, unit, formula, nullptr});
+    m_derived.push_back({name, unit, formula});
     compile(m_derived.back());
 }
 
@@ -85,7 +100,7 @@ Result<void> PlotBoard::addDerived(const QString &name, const QString &unit, con
 {
     if (const QString wrong = whatIsWrong(name, formula); !wrong.isEmpty())
         return fail(Fault::OutOfRange, wrong.toStdString());
-    m_derived.push_back({name.trimmed(), unit.trimmed(), formula.trimmed(), nullptr});
+    m_derived.push_back({name.trimmed(), unit.trimmed(), formula.trimmed()});
     compile(m_derived.back());
     choose({derivedDevice, {static_cast<std::uint16_t>(m_derived.size() - 1)}}, true);
     return {};

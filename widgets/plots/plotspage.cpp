@@ -5,6 +5,7 @@
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/ratekeeper.h"
 #include "widgets/monitor/replaybar.h"
 #include "widgets/plots/curveplot.h"
 #include "widgets/plots/exportjob.h"
@@ -225,6 +226,7 @@ void PlotsPage::hideEvent(QHideEvent *event)
 {
     m_tick.stop();
     QWidget::hideEvent(event);
+    RateKeeper::of(m_workbench).wish(this, {});
 }
 
 } // namespace mb

@@ -92,6 +92,7 @@ private:
     void takeDefaults();
     void boardChanged();
     void showRows();
+    void wishRates();
     [[nodiscard]] QString statisticsOf(const PlotBoard::Trace &trace, int decimals) const;
     void tick();
     void followSession(double now);

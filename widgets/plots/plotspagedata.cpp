@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/ratekeeper.h"
 #include "widgets/monitor/replaybar.h"
 #include "widgets/plots/plotscrubber.h"
 #include "widgets/plots/plotspage.h"
@@ -17,6 +18,9 @@ namespace mb {
 namespace {
 
 constexpr double idleTime = 0.25; ///< silent devices scroll away this often
+/// Samples per second to wish for, so that zooming does not change them all the time.
+constexpr std::array<double, 5> rateSteps{20.0, 50.0, 100.0, 200.0, 500.0};
+constexpr double shortestWindow = 0.01;
 constexpr std::array<std::string_view, 4> usual{"velocity", "position", "current", "duty"};
 constexpr std::array<std::string_view, 4> usualOfAxes{"ch1.position", "ch2.position", "ch3.position", "ch4.position"};
 
@@ -41,8 +45,31 @@ void PlotsPage::follow()
     if (!isVisible())
         return;
     m_board->followRates();
+    wishRates();
     showRows();
     showRecording();
+}
+
+/// What is plotted comes as often as the screen can show it, and not more often.
+void PlotsPage::wishRates()
+{
+    std::vector<RateKeeper::Wish> wishes;
+    const auto add = [&](const Signal &signal, double hertz) {
+        const DeviceView *device = m_workbench.snapshot().device(signal.device);
+        if (device && device->telemetry && RateKeeper::isFree(*device))
+            wishes.push_back({signal.device, signal.channel, hertz});
+    };
+    if (isVisible()) {
+        const double columns = std::max(m_stack->width(), 1) / std::max(m_stack->window(), shortestWindow);
+        const auto step
+            = std::find_if(rateSteps.begin(), rateSteps.end(), [&](double rate) { return rate >= columns; });
+        const double hertz = step == rateSteps.end() ? rateSteps.back() : *step;
+        for (const PlotBoard::Trace &trace : m_board->traces())
+            add(trace.signal, hertz);
+        for (const Signal &signal : m_board->ingredients())
+            add(signal, hertz);
+    }
+    RateKeeper::of(m_workbench).wish(this, wishes);
 }
 
 /// The recordings go on whether or not they are shown, so a change of selection loses nothing.

@@ -55,7 +55,17 @@ constexpr std::array<Calibration, 3> calibrations{{
 }};
 
 constexpr std::array<std::string_view, 2> targets{"f1", "f4"};
-constexpr std::array routes{UpdateRoute{"openocd", "openocd:stlink", targets, true}};
+/// Interface files of OpenOCD for probes that speak SWD.
+constexpr std::array programmers{
+    Programmer{"stlink", "ST-Link"},
+    Programmer{"cmsis-dap", "CMSIS-DAP"},
+    Programmer{"jlink", "J-Link"},
+};
+constexpr std::array routes{UpdateRoute{.scheme = "openocd",
+    .example = "openocd:stlink",
+    .targets = targets,
+    .erasesSettings = true,
+    .programmers = programmers}};
 
 /// Section 4: time in milliseconds, the change taken the wrong way round.
 constexpr LoopScale loop{

@@ -2,6 +2,7 @@
 #include "families/abstractdc/openocd.h"
 
 #include "families/abstractdc/protocol.h"
+#include "transport/programoutput.h"
 
 #include <QtGlobal>
 
@@ -38,14 +39,6 @@ bool isName(std::string_view text)
         == std::string_view::npos;
 }
 
-std::string lowered(std::string_view text)
-{
-    std::string low(text);
-    std::transform(low.begin(), low.end(), low.begin(),
-        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return low;
-}
-
 std::string eraseCommand()
 {
     std::array<char, 64> text{};
@@ -63,54 +56,49 @@ std::string_view transportOf(std::string_view interface)
     return highLevel ? "hla_swd" : "swd";
 }
 
-/// What a piece of output means for the user; the first that is found counts.
-struct Meaning {
-    std::string_view words;
-    Fault fault;
-    std::string_view line;
-};
+/// The first that is found counts.
 constexpr std::string_view noProbe = QT_TRANSLATE_NOOP(
     "table", "OpenOCD finds no debug probe; plug it in, and check that its kind is the one named after openocd:");
 constexpr std::array meanings{
-    Meaning{"can't find interface/", Fault::OutOfRange,
+    ProgramMeaning{"can't find interface/", Fault::OutOfRange,
         QT_TRANSLATE_NOOP(
             "table", "OpenOCD has no interface of this name; name one of its interface files, such as openocd:stlink")},
-    Meaning{"can't change session's transport", Fault::OutOfRange,
+    ProgramMeaning{"can't change session's transport", Fault::OutOfRange,
         QT_TRANSLATE_NOOP(
             "table", "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink")},
-    Meaning{"doesn't support '", Fault::OutOfRange,
+    ProgramMeaning{"doesn't support '", Fault::OutOfRange,
         QT_TRANSLATE_NOOP(
             "table", "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink")},
-    Meaning{"** verify failed **", Fault::BadCheck,
+    ProgramMeaning{"** verify failed **", Fault::BadCheck,
         QT_TRANSLATE_NOOP("table",
             "the microcontroller does not hold what was written; run it again with shorter wires or a lower speed")},
-    Meaning{"** programming failed **", Fault::Refused,
+    ProgramMeaning{"** programming failed **", Fault::Refused,
         QT_TRANSLATE_NOOP("table",
             "the microcontroller refused to be written; it may be protected, or be another kind than --target says")},
-    Meaning{"unexpected idcode", Fault::Refused,
+    ProgramMeaning{"unexpected idcode", Fault::Refused,
         QT_TRANSLATE_NOOP(
             "table", "the microcontroller is another kind than --target says; choose the other one of f1 and f4")},
-    Meaning{"unable to connect to the target", Fault::Timeout,
+    ProgramMeaning{"unable to connect to the target", Fault::Timeout,
         QT_TRANSLATE_NOOP("table",
             "the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the "
             "drive")},
-    Meaning{"cannot read idr", Fault::Timeout,
+    ProgramMeaning{"cannot read idr", Fault::Timeout,
         QT_TRANSLATE_NOOP("table",
             "the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the "
             "drive")},
-    Meaning{"unable to reset target", Fault::Timeout,
+    ProgramMeaning{"unable to reset target", Fault::Timeout,
         QT_TRANSLATE_NOOP(
             "table", "the microcontroller could not be halted; check the reset wire and the power of the drive")},
-    Meaning{"libusb_error_access", Fault::LinkLost,
+    ProgramMeaning{"libusb_error_access", Fault::LinkLost,
         QT_TRANSLATE_NOOP("table",
             "the debug probe is there but may not be opened; install OpenOCD's udev rules or ask your administrator")},
-    Meaning{"open failed", Fault::LinkLost, noProbe},
-    Meaning{"unable to find", Fault::LinkLost, noProbe},
-    Meaning{"unable to open", Fault::LinkLost, noProbe},
-    Meaning{"no j-link device found", Fault::LinkLost, noProbe},
-    Meaning{"failed to open or find", Fault::LinkLost, noProbe},
-    Meaning{"xds110: failed to connect", Fault::LinkLost, noProbe},
-    Meaning{"no device found", Fault::LinkLost, noProbe},
+    ProgramMeaning{"open failed", Fault::LinkLost, noProbe},
+    ProgramMeaning{"unable to find", Fault::LinkLost, noProbe},
+    ProgramMeaning{"unable to open", Fault::LinkLost, noProbe},
+    ProgramMeaning{"no j-link device found", Fault::LinkLost, noProbe},
+    ProgramMeaning{"failed to open or find", Fault::LinkLost, noProbe},
+    ProgramMeaning{"xds110: failed to connect", Fault::LinkLost, noProbe},
+    ProgramMeaning{"no device found", Fault::LinkLost, noProbe},
 };
 
 } // namespace
@@ -192,10 +180,8 @@ void Reading::take(std::string_view line)
 
 Error Reading::failure(const Job &job) const
 {
-    for (const Meaning &meaning : meanings) {
-        if (m_all.find(meaning.words) != std::string::npos)
-            return {meaning.fault, std::string(meaning.line)};
-    }
+    if (const auto meaning = meaningOf(meanings, m_all))
+        return *meaning;
     if (m_firstError.empty())
         return {Fault::BadReply, "OpenOCD ended without saying why; run it by hand with interface " + job.interface};
     return {Fault::BadReply, "OpenOCD: " + m_firstError + "; run it by hand to see all it says"};

@@ -6,6 +6,7 @@
 #include "families/dmc60c/statusstream.h"
 #include "families/dmc60c/vendor.h"
 #include "model/device.h"
+#include "model/ratewishes.h"
 
 #include <map>
 #include <optional>
@@ -92,6 +93,7 @@ private:
     StatusStream m_general;
     StatusStream m_encoder;
     StatusStream m_analog;
+    std::map<std::uint8_t, RateWishes> m_rateWishes;       ///< by status frame
     std::map<std::uint8_t, std::uint32_t> m_usualPeriods;  ///< what setRate() goes back to, ms
     std::map<std::uint8_t, std::uint32_t> m_wantedPeriods; ///< what it asked for; the device forgets it in a restart
     Instant m_periodAskedAt{};

@@ -204,6 +204,9 @@ Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
     if (!std::isfinite(hertz) || hertz < 0.0)
         co_return fail(Fault::OutOfRange, "a rate is a positive number, or 0 for the usual one");
     const Parameter &row = parameterTable()[parameterWithId(*number)->value];
+    RateWishes &wishes = m_rateWishes[*number];
+    wishes.set(channel, hertz);
+    hertz = wishes.highest(); // of what comes in one frame
     const auto usual = m_usualPeriods.find(*number);
     if (hertz == 0.0 && usual == m_usualPeriods.end())
         co_return {};

@@ -5,6 +5,7 @@
 #include "families/quadquad2drv/packetport.h"
 #include "families/quadquad2drv/parameters.h"
 #include "model/device.h"
+#include "model/ratewishes.h"
 
 #include <array>
 #include <optional>
@@ -101,6 +102,8 @@ private:
     std::array<Tracked, axes> m_tracked;
     std::array<Drive, axes> m_drives;
     std::uint16_t m_streamPeriod = 0;
+    RateWishes m_wishes;
+    bool m_told = false;           ///< a stream of ours runs, unless the board was reset
     bool m_changed = false;        ///< we told the board something that a reset undoes
     bool m_libraryPolarity = true; ///< as inputs were written last
     bool m_judged = false;         ///< whether the board was reset before we came is known

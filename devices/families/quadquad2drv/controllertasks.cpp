@@ -256,12 +256,18 @@ Task<void> Controller::doRenumber(int)
 }
 
 /// One rate for the whole board; the period is a multiple of 40.96 µs, at least one pass of the loop (section 5).
-Task<void> Controller::doSetRate(ChannelIndex, double hertz)
+Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
 {
+    m_wishes.set(channel, hertz);
+    const double wished = m_wishes.highest();
     std::uint16_t period = 0;
-    if (hertz > 0.0) {
-        const double units = 1e9 / hertz / static_cast<double>(streamUnit.count());
+    if (wished > 0.0) {
+        const double units = 1e9 / wished / static_cast<double>(streamUnit.count());
         period = static_cast<std::uint16_t>(std::clamp(std::round(units), 1.0 * fastestStream, 65535.0));
+    }
+    if (period == m_streamPeriod && (period == 0 || m_told)) // another channel wishes the same, or more
+        co_return {};
+    if (period > 0) {
         auto telling = tellEverything();
         co_await std::move(telling);
         auto config = m_port.request(setStreamConfig(streamconfig::elapsed));
@@ -274,6 +280,7 @@ Task<void> Controller::doSetRate(ChannelIndex, double hertz)
     co_await std::move(setting);
     auto layout = takeLayout();
     co_await std::move(layout);
+    m_told = period > 0;
     m_spi.watchReady(streamUnit * period / 4);
     for (std::uint16_t i = 0; i < axes * channelsPerAxis; ++i)
         telemetry()->breakLine({i});

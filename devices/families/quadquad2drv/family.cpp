@@ -28,6 +28,7 @@ constexpr Capabilities capabilities{
     .rename = false,
     .renumber = false,
     .keepsSettings = false,
+    .outputOptions = false,
     .axes = axes,
     .gainSlots = 1,
     .commandPeriod = std::chrono::milliseconds(50),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/avrdude.h"
 
+#include "transport/programoutput.h"
+
 #include <algorithm>
 #include <array>
 
@@ -17,48 +19,34 @@ bool isName(std::string_view text)
         == std::string_view::npos;
 }
 
-std::string lowered(std::string_view text)
-{
-    std::string low(text);
-    std::transform(low.begin(), low.end(), low.begin(),
-        [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-    return low;
-}
-
-/// What a piece of output means for the user; the first that is found counts.
-struct Meaning {
-    std::string_view words;
-    Fault fault;
-    std::string_view line;
-};
+constexpr std::string_view noPort = "the port cannot be opened; check its name and that it is plugged in";
+constexpr std::string_view noProgrammer
+    = "avrdude finds no such programmer on USB; plug it in, and check that its kind is the one named after avrdude:";
+constexpr std::string_view unequal
+    = "the microcontroller does not hold what was written; run it again, with a shorter cable";
+constexpr std::string_view noController
+    = "the programmer is there, but no microcontroller answers it; check the six pins and the supply";
+/// The first that is found counts.
 constexpr std::array meanings{
-    Meaning{"cannot find programmer", Fault::OutOfRange,
+    ProgramMeaning{"cannot find programmer", Fault::OutOfRange,
         "avrdude knows no programmer of this name; 'avrdude -c ?' lists them"},
-    Meaning{"permission denied", Fault::LinkLost,
+    ProgramMeaning{"permission denied", Fault::LinkLost,
         "the port may not be opened; add yourself to the group dialout and log in again"},
-    Meaning{"cannot open port", Fault::LinkLost, "the port cannot be opened; check its name and that it is plugged in"},
-    Meaning{
-        "unable to open port", Fault::LinkLost, "the port cannot be opened; check its name and that it is plugged in"},
-    Meaning{"did not find any usb device", Fault::LinkLost,
-        "avrdude finds no such programmer on USB; plug it in, and check that its kind is the one named after avrdude:"},
-    Meaning{"cannot find usb device", Fault::LinkLost,
-        "avrdude finds no such programmer on USB; plug it in, and check that its kind is the one named after avrdude:"},
-    Meaning{"verification mismatch", Fault::BadCheck,
-        "the microcontroller does not hold what was written; run it again, with a shorter cable"},
-    Meaning{"content mismatch", Fault::BadCheck,
-        "the microcontroller does not hold what was written; run it again, with a shorter cable"},
-    Meaning{"verification error", Fault::BadCheck,
-        "the microcontroller does not hold what was written; run it again, with a shorter cable"},
-    Meaning{"expected signature", Fault::Refused,
+    ProgramMeaning{"cannot open port", Fault::LinkLost, noPort},
+    ProgramMeaning{"unable to open port", Fault::LinkLost, noPort},
+    ProgramMeaning{"did not find any usb device", Fault::LinkLost, noProgrammer},
+    ProgramMeaning{"cannot find usb device", Fault::LinkLost, noProgrammer},
+    ProgramMeaning{"verification mismatch", Fault::BadCheck, unequal},
+    ProgramMeaning{"content mismatch", Fault::BadCheck, unequal},
+    ProgramMeaning{"verification error", Fault::BadCheck, unequal},
+    ProgramMeaning{"expected signature", Fault::Refused,
         "what answers is no ATmega328P; check that the programmer sits on the controller"},
-    Meaning{"not in sync", Fault::Timeout,
+    ProgramMeaning{"not in sync", Fault::Timeout,
         "no bootloader answers; restart the controller just before the start, or use a programmer on its pins"},
-    Meaning{"not responding", Fault::Timeout,
+    ProgramMeaning{"not responding", Fault::Timeout,
         "nothing answers the programmer; check its cable and the supply of the controller"},
-    Meaning{"initialization failed", Fault::Timeout,
-        "the programmer is there, but no microcontroller answers it; check the six pins and the supply"},
-    Meaning{"target doesn't answer", Fault::Timeout,
-        "the programmer is there, but no microcontroller answers it; check the six pins and the supply"},
+    ProgramMeaning{"initialization failed", Fault::Timeout, noController},
+    ProgramMeaning{"target doesn't answer", Fault::Timeout, noController},
 };
 
 /// How far a line with a bar is: `Writing | ####…` of 50.
@@ -139,10 +127,8 @@ void Reading::take(std::string_view line, bool complete)
 
 Error Reading::failure(const Job &job) const
 {
-    for (const Meaning &meaning : meanings) {
-        if (m_all.find(meaning.words) != std::string::npos)
-            return {meaning.fault, std::string(meaning.line)};
-    }
+    if (const auto meaning = meaningOf(meanings, m_all))
+        return *meaning;
     if (m_lastError.empty())
         return {Fault::BadReply, "avrdude ended without saying why; run it by hand with -c " + job.programmer};
     return {Fault::BadReply, m_lastError + "; run avrdude by hand to see all it says"};

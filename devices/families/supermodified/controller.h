@@ -36,6 +36,7 @@ private:
     Task<void> doRename(std::string name) override;
     Task<void> doRenumber(int address) override;
     Task<void> doSetRate(ChannelIndex channel, double hertz) override;
+    Task<void> doZeroPosition() override;
 
     [[nodiscard]] Task<Frame> talk(Line::Request request);
     [[nodiscard]] Task<std::int64_t> readNumber(Command command);

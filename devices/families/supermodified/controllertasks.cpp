@@ -2,6 +2,7 @@
 // Controller: what asks and waits.
 #include "families/supermodified/controller.h"
 
+#include "async/sleep.h"
 #include "families/supermodified/channels.h"
 #include "families/supermodified/parameters.h"
 
@@ -9,6 +10,12 @@
 #include <cmath>
 
 namespace mb::supermodified {
+namespace {
+
+constexpr Duration stopLimit = std::chrono::seconds(2);
+constexpr Duration lookAgain = std::chrono::milliseconds(5);
+
+} // namespace
 
 Task<Frame> Controller::talk(Line::Request request)
 {
@@ -159,6 +166,29 @@ Task<std::vector<FaultRecord>> Controller::doClearFaults()
     m_codes.clear();
     updateLiveness();
     co_return were;
+}
+
+// Position
+
+/// Trap 1: a motor that runs would jump to where its old set-point is now. One that stands does not, and Start takes 0 for its
+/// set-point afterwards.
+Task<void> Controller::doZeroPosition()
+{
+    stop();
+    const Instant limit = clock().now() + stopLimit;
+    while (!doIsSeenStopped()) {
+        if (clock().now() >= limit || m_serial.state() != LinkState::Open)
+            co_return fail(Fault::Unsafe,
+                "the stop was not acknowledged, so the position was not reset: a motor that runs would jump");
+        Sleep nap(clock(), lookAgain);
+        co_await nap;
+    }
+    auto resetting = talk(asking(m_node, Command::ResetPosition));
+    (void)co_await std::move(resetting);
+    m_position = 0;
+    m_motion.zeroed();
+    m_polls.zeroed();
+    co_return {};
 }
 
 // Identity and rates

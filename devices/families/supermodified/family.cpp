@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/family.h"
 
+#include "families/supermodified/avrdude.h"
 #include "families/supermodified/channels.h"
 #include "families/supermodified/controller.h"
 #include "families/supermodified/decode.h"
@@ -31,8 +32,20 @@ constexpr std::array calibrations{
         1e-6, 1e3},
 };
 
-/// Through the serial bootloader; a programmer on the pins is `avrdude:usbasp:usb` and the like.
-constexpr std::array routes{UpdateRoute{"avrdude", "avrdude:arduino:/dev/ttyUSB0"}};
+/// As avrdude calls them. The first two speak to the serial bootloader, the others to the programming pins.
+constexpr std::array programmers{
+    Programmer{"arduino", QT_TRANSLATE_NOOP("table", "serial bootloader"), Programmer::Port::Serial},
+    Programmer{"stk500v1", QT_TRANSLATE_NOOP("table", "serial bootloader, without reset"), Programmer::Port::Serial},
+    Programmer{"usbasp", "USBasp", Programmer::Port::Usb},
+    Programmer{"usbtiny", "USBtiny", Programmer::Port::Usb},
+    Programmer{"avrispmkii", "AVRISP mkII", Programmer::Port::Usb},
+    Programmer{"atmelice_isp", "Atmel-ICE", Programmer::Port::Usb},
+    Programmer{"stk500v2", "STK500", Programmer::Port::Serial},
+    Programmer{"avrisp", "AVR ISP", Programmer::Port::Serial},
+};
+constexpr std::array routes{
+    UpdateRoute{.scheme = avrdude::scheme, .example = "avrdude:arduino:/dev/ttyUSB0", .programmers = programmers},
+};
 
 constexpr Capabilities capabilities{
     .readback = true,
@@ -44,6 +57,9 @@ constexpr Capabilities capabilities{
     .relativeMoves = true,
     .bufferedMoves = true,
     .storesAtOnce = true,
+    .zeroPosition = true,
+    .outputOptions = false,
+    .lastAddress = highestNode,
     .axes = 1,
     .gainSlots = 1,
     .scanLimit = std::chrono::seconds(30),

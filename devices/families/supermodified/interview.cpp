@@ -78,16 +78,33 @@ Identity identityOf(const Line &line, const Node &node, const Interview &intervi
     return identity;
 }
 
+namespace {
+
+/// Leaves `number` as it is when the identity has no such descriptor.
+void takeNumber(const Identity &identity, std::string_view key, int &number)
+{
+    const auto found = std::find_if(identity.descriptors.begin(), identity.descriptors.end(),
+        [key](const auto &descriptor) { return descriptor.first == key; });
+    if (found != identity.descriptors.end())
+        std::from_chars(found->second.data(), found->second.data() + found->second.size(), number);
+}
+
+} // namespace
+
+std::uint8_t maskOf(const Identity &identity)
+{
+    int mask = exactMask;
+    takeNumber(identity, maskKey, mask);
+    return static_cast<std::uint8_t>(mask);
+}
+
 Node nodeOf(const Identity &identity, const SerialLink &link)
 {
     Node node;
     node.id = identity.address;
     node.baudrate = link.fixedBaudrate().value_or(link.baudrate());
     node.dialect = dialectFrom(identity.dialect);
-    const auto baud = std::find_if(identity.descriptors.begin(), identity.descriptors.end(),
-        [](const auto &descriptor) { return descriptor.first == baudKey; });
-    if (baud != identity.descriptors.end())
-        std::from_chars(baud->second.data(), baud->second.data() + baud->second.size(), node.baudrate);
+    takeNumber(identity, baudKey, node.baudrate);
     return node;
 }
 

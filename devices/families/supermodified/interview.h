@@ -19,6 +19,8 @@ struct Interview {
 /// The row of a scan.
 [[nodiscard]] Identity identityOf(const Line &line, const Node &node, const Interview &interview);
 /// The other way round: what a row says about how to reach the node.
+/// Mask of a node as identityOf() told it.
+[[nodiscard]] std::uint8_t maskOf(const Identity &identity);
 [[nodiscard]] Node nodeOf(const Identity &identity, const SerialLink &link);
 
 } // namespace mb::supermodified

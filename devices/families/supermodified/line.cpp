@@ -272,6 +272,12 @@ void Line::note(int node, const Known &known)
     chooseHost();
 }
 
+void Line::forgetNode(int node)
+{
+    m_nodes.erase(node);
+    chooseHost();
+}
+
 void Line::chooseHost()
 {
     const auto isFree = [this](int host) {

@@ -95,6 +95,8 @@ public:
     [[nodiscard]] const std::map<int, Known> &nodes() const { return m_nodes; }
     /// Changes the host's id when it would belong to the group of a node.
     void note(int node, const Known &known);
+    /// It was noted from memory, and is not there.
+    void forgetNode(int node);
     [[nodiscard]] int hostId() const { return m_hostId; }
     /// Ids of known nodes, other than itself, that act on what is sent to `node`.
     [[nodiscard]] std::vector<int> groupOf(int node) const;

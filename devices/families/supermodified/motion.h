@@ -54,6 +54,8 @@ public:
     [[nodiscard]] std::int64_t origin() const { return m_origin; }
     /// The last position that the node told, without origin.
     void setPosition(std::int64_t raw) { m_position = raw; }
+    /// The node was stopped and counts from 0.
+    void zeroed() { m_origin = m_position = 0; }
     /// P of the node, for the bound of un-profiled moves (section 4); 0 when unknown.
     void setGain(std::int64_t p) { m_gain = p; }
 

@@ -140,6 +140,8 @@ constexpr std::uint8_t mostReaction = 2;
 
 /// The rates to look for nodes with, in this order (6).
 constexpr std::array<int, 5> searchRates{57600, 115200, 9600, 19200, 38400};
+/// Those that a node can be set to besides; a thorough search asks at them last.
+constexpr std::array<int, 4> rareRates{4800, 2400, 1200, 600};
 constexpr int slowestRate = 600;
 constexpr int fastestRate = 115200;
 constexpr std::chrono::milliseconds answerTime{25};       ///< after the wire time of request and reply

@@ -4,6 +4,7 @@
 #include "families/supermodified/interview.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace mb::supermodified {
 namespace {
@@ -31,10 +32,15 @@ private:
     using Place = std::pair<int, int>; ///< rate and id
 
     [[nodiscard]] std::vector<int> rates() const;
+    void recall();
+    [[nodiscard]] std::vector<Place> knownAt(const std::vector<int> &rates) const;
     void plan(int rate, int first, int last, std::vector<Place> &out) const;
     [[nodiscard]] bool isDone(const Place &place) const;
-    [[nodiscard]] Task<bool> look(Place place);
-    [[nodiscard]] Task<void> lookAll(std::vector<Place> places);
+    [[nodiscard]] Task<bool> look(Place place, bool patiently);
+    [[nodiscard]] Task<void> lookAll(std::vector<Place> places, bool patiently = false);
+    [[nodiscard]] Task<void> lookAtRest(std::vector<int> rates);
+    [[nodiscard]] Task<void> lookEverywhere();
+    void forgetSilent();
     void keepFoundRates(std::vector<int> &rates) const;
     [[nodiscard]] Duration silence() const;
     void report(const std::string &what, int done, int total) const;
@@ -42,8 +48,8 @@ private:
     std::shared_ptr<Line> m_line;
     ScanSink &m_sink;
     std::vector<Place> m_asked;
-    std::vector<int> m_found; ///< ids
-    bool m_quick = false;     ///< the nodes of an earlier scan answered, so the answer time of the line is known
+    std::vector<int> m_found;    ///< ids
+    std::vector<int> m_recalled; ///< ids that only the memory of an earlier run knew
 };
 
 std::vector<int> Search::rates() const
@@ -60,6 +66,40 @@ bool Search::isDone(const Place &place) const
 {
     return std::find(m_asked.begin(), m_asked.end(), place) != m_asked.end()
         || std::find(m_found.begin(), m_found.end(), place.second) != m_found.end();
+}
+
+/// Nodes of an earlier run: where to ask first, and which ids the host must not have (trap 6).
+void Search::recall()
+{
+    for (const Identity &identity : m_sink.remembered()) {
+        const Node node = nodeOf(identity, m_line->link());
+        const bool legal = node.id >= lowestNode && node.id <= highestNode && node.baudrate >= slowestRate
+            && node.baudrate <= realRate(fastestRate);
+        if (!legal || m_line->nodes().contains(node.id))
+            continue;
+        m_line->note(node.id, {node.baudrate, maskOf(identity)});
+        m_recalled.push_back(node.id);
+    }
+}
+
+void Search::forgetSilent()
+{
+    for (const int id : m_recalled) {
+        if (std::find(m_found.begin(), m_found.end(), id) == m_found.end())
+            m_line->forgetNode(id);
+    }
+    m_recalled.clear();
+}
+
+std::vector<Search::Place> Search::knownAt(const std::vector<int> &rates) const
+{
+    std::vector<Place> known;
+    const bool anyRate = !m_line->link().fixedBaudrate() && !m_line->isDriving();
+    for (const auto &[id, node] : m_line->nodes()) {
+        if (anyRate || std::find(rates.begin(), rates.end(), node.baudrate) != rates.end())
+            known.emplace_back(node.baudrate, id);
+    }
+    return known;
 }
 
 void Search::plan(int rate, int first, int last, std::vector<Place> &out) const
@@ -80,12 +120,12 @@ Duration Search::silence() const
 }
 
 /// Any frame from the node counts, an error frame too: it is there and has something to tell.
-Task<bool> Search::look(Place place)
+Task<bool> Search::look(Place place, bool patiently)
 {
     m_asked.push_back(place);
     const Node node{place.second, place.first, std::nullopt};
     Line::Request request = asking(node, Command::GetPosition);
-    request.patience = silence();
+    request.patience = patiently ? answerTime : silence();
     if (node.id == m_line->hostId()) // a node with the host's own id can be asked under another one only
         request.frame.from = static_cast<std::uint8_t>(node.id == highestNode ? lowestNode : node.id + 1);
     auto question = ask(*m_line, std::move(request));
@@ -94,7 +134,8 @@ Task<bool> Search::look(Place place)
         co_return fail(reply.error());
     if (!reply)
         co_return false;
-    m_line->note(node.id, {node.baudrate, exactMask});
+    const auto noted = m_line->nodes().find(node.id);
+    m_line->note(node.id, {node.baudrate, noted == m_line->nodes().end() ? exactMask : noted->second.mask});
     auto talk = interview(*m_line, node);
     const Result<Interview> said = co_await std::move(talk).attempt();
     if (!said && said.error().fault == Fault::LinkLost)
@@ -109,7 +150,7 @@ void Search::report(const std::string &what, int done, int total) const
     m_sink.progress(what, done, total);
 }
 
-Task<void> Search::lookAll(std::vector<Place> places)
+Task<void> Search::lookAll(std::vector<Place> places, bool patiently)
 {
     const int total = static_cast<int>(places.size());
     int done = 0;
@@ -117,7 +158,7 @@ Task<void> Search::lookAll(std::vector<Place> places)
         report("Looking for Supermodified nodes at " + std::to_string(place.first) + " bit/s", done++, total);
         if (isDone(place))
             continue;
-        auto looking = look(place);
+        auto looking = look(place, patiently);
         co_await std::move(looking);
     }
     co_return {};
@@ -125,15 +166,14 @@ Task<void> Search::lookAll(std::vector<Place> places)
 
 Task<void> Search::run()
 {
-    std::vector<Place> known;
+    recall();
     std::vector<int> searched = rates();
-    for (const auto &[id, node] : m_line->nodes()) {
-        if (std::find(searched.begin(), searched.end(), node.baudrate) != searched.end())
-            known.emplace_back(node.baudrate, id);
-    }
-    auto again = lookAll(known);
+    const std::vector<Place> known = knownAt(searched);
+    auto again = lookAll(known, true);
     co_await std::move(again);
-    if (!known.empty() && m_found.size() == known.size())
+    forgetSilent();
+    const bool allThere = !known.empty() && m_found.size() == known.size();
+    if (allThere)
         keepFoundRates(searched);
     std::vector<Place> usual;
     for (const int rate : searched) {
@@ -145,27 +185,64 @@ Task<void> Search::run()
     co_await std::move(looking);
     if (!m_found.empty())
         keepFoundRates(searched);
-    std::vector<Place> rest;
-    for (const int rate : searched)
-        plan(rate, lowestNode, highestNode, rest);
-    auto lookingOn = lookAll(std::move(rest));
-    co_await std::move(lookingOn);
+    if (!allThere || m_sink.extent() != ScanExtent::Quick) {
+        auto rest = lookAtRest(searched);
+        co_await std::move(rest);
+    }
+    if (m_sink.extent() == ScanExtent::Everything) {
+        auto everywhere = lookEverywhere();
+        co_await std::move(everywhere);
+    }
     report("Supermodified found: " + std::to_string(m_found.size()), 1, 1);
+    co_return {};
+}
+
+/// All ids at these rates.
+Task<void> Search::lookAtRest(std::vector<int> rates)
+{
+    std::vector<Place> rest;
+    for (const int rate : rates)
+        plan(rate, lowestNode, highestNode, rest);
+    auto looking = lookAll(std::move(rest));
+    co_await std::move(looking);
+    co_return {};
+}
+
+/// What was left out: other rates than those where somebody answered, and those that are never usual.
+Task<void> Search::lookEverywhere()
+{
+    std::vector<int> all = rates();
+    if (!m_line->link().fixedBaudrate() && !m_line->isDriving())
+        all.insert(all.end(), rareRates.begin(), rareRates.end());
+    for (const int rate : all) {
+        auto looking = lookAtRest({rate});
+        const Result<void> looked = co_await std::move(looking).attempt();
+        const Fault fault = looked ? Fault::Timeout : looked.error().fault;
+        if (fault == Fault::LinkLost || fault == Fault::Unsafe)
+            co_return fail(looked.error());
+        if (!looked) // an adapter need not have every rate
+            report("The adapter has no " + std::to_string(rate) + " bit/s", 1, 1);
+    }
     co_return {};
 }
 
 /// Nodes of one line have one rate as a rule: two would take each other's bytes for errors.
 void Search::keepFoundRates(std::vector<int> &rates) const
 {
-    std::erase_if(rates, [this](int rate) {
-        return std::none_of(m_found.begin(), m_found.end(),
-            [&](int id) { return m_line->nodes().contains(id) && m_line->nodes().at(id).baudrate == rate; });
-    });
+    std::vector<int> found;
+    for (const int id : m_found) {
+        const auto node = m_line->nodes().find(id);
+        if (node != m_line->nodes().end()
+            && std::find(found.begin(), found.end(), node->second.baudrate) == found.end())
+            found.push_back(node->second.baudrate);
+    }
+    rates = found;
 }
 
 Task<void> Search::runFor(int address)
 {
     std::vector<Place> places;
+    recall();
     if (const auto known = m_line->nodes().find(address); known != m_line->nodes().end())
         places.emplace_back(known->second.baudrate, address);
     for (const int rate : rates()) {
@@ -173,11 +250,17 @@ Task<void> Search::runFor(int address)
             plan(rate, usualHostId, usualHostId, places);
         plan(rate, address, address, places);
     }
+    std::vector<Place> again; // 1.4: silence is asked again before it counts
+    std::copy_if(places.begin(), places.end(), std::back_inserter(again),
+        [address](const Place &place) { return place.second == address; });
+    places.insert(places.end(), again.begin(), again.end());
     for (const Place &place : places) {
-        auto looking = look(place);
+        auto looking = look(place, true);
         if (co_await std::move(looking) && place.second == address)
             break;
     }
+    std::erase_if(m_recalled, [address](int id) { return id != address; }); // of the others nothing is known
+    forgetSilent();
     co_return {};
 }
 

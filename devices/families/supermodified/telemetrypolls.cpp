@@ -45,8 +45,8 @@ Duration TelemetryPolls::periodOf(const Poll &poll) const
 {
     const bool essential = poll.command == Command::GetPosition;
     double rate = m_driven ? poll.driven : poll.idle;
-    if (poll.wished > 0.0)
-        rate = essential ? std::max(poll.wished, silentRate) : poll.wished; // liveness comes from positions
+    if (const double wished = poll.wishes.highest(); wished > 0.0)
+        rate = essential ? std::max(wished, silentRate) : wished; // liveness comes from positions
     if (!m_heard || !m_node.dialect)
         rate = essential ? silentRate : 0.0;
     if (m_paused || rate <= 0.0)
@@ -66,11 +66,19 @@ bool TelemetryPolls::setRate(ChannelIndex channel, double hertz)
         const int offset = channel.value - poll.first.value;
         if (offset < 0 || offset >= poll.channels)
             continue;
-        poll.wished = hertz;
+        poll.wishes.set(channel, hertz);
         apply();
         return true;
     }
     return false;
+}
+
+void TelemetryPolls::zeroed()
+{
+    m_origin = 0;
+    m_velocity.interrupt();
+    m_telemetry.breakLine(channel::position);
+    m_telemetry.breakLine(channel::velocity);
 }
 
 void TelemetryPolls::setDriven(bool driven)

@@ -3,6 +3,7 @@
 
 #include "families/supermodified/node.h"
 #include "families/supermodified/velocityestimate.h"
+#include "model/ratewishes.h"
 #include "model/telemetry.h"
 
 #include <vector>
@@ -33,6 +34,8 @@ public:
     void setPaused(bool paused);
     /// What to add to the node's position.
     void setOrigin(std::int64_t origin) { m_origin = origin; }
+    /// The node counts from 0: positions begin a new line there.
+    void zeroed();
     /// Ampere per count of D1 and D2; 0: raw counts.
     void setCurrentScale(double scale) { m_currentScale = scale; }
     /// The dialect, the rate or the id of the node is another one.
@@ -48,7 +51,7 @@ private:
         int channels = 1;
         double idle = 0.0;   ///< Hz
         double driven = 0.0; ///< Hz, while the motor is driven
-        double wished = 0.0; ///< Hz; 0: nobody
+        RateWishes wishes{};
         Line::PollKey key = 0;
         bool refused = false; ///< the last answer was an error
     };

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/scanbook.h"
+
+#include "model/deviceprofile.h"
+#include "model/parameterfile.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <optional>
+
+namespace mb {
+namespace {
+
+constexpr std::int64_t greatestFile = 1 << 20;
+constexpr int greatestAddress = 1 << 16;
+
+QString qt(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
+}
+
+QJsonObject toJson(const Identity &identity)
+{
+    QJsonObject descriptors;
+    for (const auto &[key, text] : identity.descriptors)
+        descriptors.insert(qt(key), qt(text));
+    return {
+        {QStringLiteral("family"), qt(identity.family)},
+        {QStringLiteral("address"), identity.address},
+        {QStringLiteral("dialect"), qt(identity.dialect)},
+        {QStringLiteral("descriptors"), descriptors},
+    };
+}
+
+std::optional<Identity> identityIn(const QJsonValue &value)
+{
+    const QJsonObject object = value.toObject();
+    Identity identity;
+    identity.family = object.value(QStringLiteral("family")).toString().toStdString();
+    identity.address = object.value(QStringLiteral("address")).toInt(-1);
+    identity.dialect = object.value(QStringLiteral("dialect")).toString().toStdString();
+    const QJsonObject descriptors = object.value(QStringLiteral("descriptors")).toObject();
+    for (auto entry = descriptors.begin(); entry != descriptors.end(); ++entry)
+        identity.descriptors.emplace_back(entry.key().toStdString(), entry->toString().toStdString());
+    if (identity.family.empty() || identity.address < 0 || identity.address > greatestAddress)
+        return std::nullopt;
+    return identity;
+}
+
+std::optional<std::vector<Identity>> parse(const QByteArray &bytes, std::string_view link)
+{
+    const QJsonObject object = QJsonDocument::fromJson(bytes).object();
+    const QJsonValue rows = object.value(QStringLiteral("devices"));
+    if (object.value(QStringLiteral("link")).toString() != qt(link) || !rows.isArray())
+        return std::nullopt;
+    std::vector<Identity> all;
+    for (const QJsonValue &row : rows.toArray()) {
+        auto identity = identityIn(row);
+        if (!identity)
+            return std::nullopt;
+        all.push_back(std::move(*identity));
+    }
+    return all;
+}
+
+} // namespace
+
+std::string ScanBook::pathOf(std::string_view link) const
+{
+    return m_directory + '/' + fileNameOf(link);
+}
+
+Result<std::vector<Identity>> ScanBook::load(std::string_view link) const
+{
+    const std::string path = pathOf(link);
+    if (!QFile::exists(qt(path)))
+        return std::vector<Identity>();
+    const auto bytes = loadFile(path, greatestFile);
+    if (!bytes)
+        return fail(bytes.error());
+    if (auto all = parse(*bytes, link))
+        return std::move(*all);
+    return fail(Fault::OutOfRange,
+        path + " is no list of devices and is ignored: the next scan takes its full time and writes it anew");
+}
+
+Result<void> ScanBook::save(std::string_view link, const std::vector<Identity> &seen) const
+{
+    if (!QDir().mkpath(qt(m_directory)))
+        return fail(Fault::OutOfRange, m_directory + " cannot be made; check the rights of the folder above it");
+    QJsonArray rows;
+    for (const Identity &identity : seen)
+        rows.append(toJson(identity));
+    const QJsonObject object{{QStringLiteral("link"), qt(link)}, {QStringLiteral("devices"), rows}};
+    return saveFile(pathOf(link), QJsonDocument(object).toJson());
+}
+
+} // namespace mb

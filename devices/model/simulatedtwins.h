@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/simulator.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace mb {
+
+/// A simulated controller as one, or, with the fault `duplicate`, two units that answer to one number and cannot be told apart
+/// from outside. `Unit` has the functions of Simulator, and is made of link, clock, options and a sink for its events.
+template <class Unit> class SimulatedTwins final : public Simulator {
+public:
+    explicit SimulatedTwins(std::string name)
+        : m_name(std::move(name))
+    {
+    }
+    template <class LinkShape, class Options> void add(LinkShape &link, Clock &clock, const Options &options)
+    {
+        auto notify
+            = [this](Instant time, std::string_view what, double value) { emitEvent(time, std::string(what), value); };
+        m_units.push_back(std::make_unique<Unit>(link, clock, options, std::move(notify)));
+    }
+
+    [[nodiscard]] std::string name() const override { return m_name; }
+    [[nodiscard]] bool isOutputOn() const override
+    {
+        return std::any_of(m_units.begin(), m_units.end(), [](const auto &unit) { return unit->isOutputOn(); });
+    }
+    [[nodiscard]] double speed() const override { return m_units.front()->speed(); }
+    [[nodiscard]] double position() const override { return m_units.front()->position(); }
+    void setPowered(bool powered) override
+    {
+        for (const auto &unit : m_units)
+            unit->setPowered(powered);
+    }
+    bool disturb(std::string_view what, double value) override
+    {
+        bool known = true;
+        for (const auto &unit : m_units)
+            known = unit->disturb(what, value) && known;
+        return known;
+    }
+
+private:
+    std::string m_name;
+    std::vector<std::unique_ptr<Unit>> m_units;
+};
+
+} // namespace mb

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What scans leave for the next run of the program.
+#include "model/registry.h"
+#include "support/pseudoterminal.h"
+#include "support/simulatedsession.h"
+
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+namespace mb {
+namespace {
+
+Identity node(int address, const char *baud)
+{
+    Identity identity;
+    identity.family = "supermodified";
+    identity.address = address;
+    identity.dialect = "D1";
+    identity.descriptors = {{"baud", baud}};
+    return identity;
+}
+
+class Scans : public testing::Test {
+protected:
+    /// Puts a text in place of what was kept.
+    void spoil(const std::string &which, const char *text)
+    {
+        ASSERT_TRUE(book.save(which, {node(4, "57600")}));
+        QFile file(QString::fromStdString(book.pathOf(which)));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        file.write(text);
+    }
+    QTemporaryDir folder;
+    ScanBook book{folder.path().toStdString() + "/below"};
+    const std::string link = "serial:/dev/ttyUSB0";
+};
+
+TEST_F(Scans, WhatIsKeptComesBackAndNobodyWithoutAFile)
+{
+    EXPECT_TRUE(book.load(link).value().empty());
+    const std::vector<Identity> seen{node(4, "57600"), node(90, "9600")};
+    ASSERT_TRUE(book.save(link, seen));
+    EXPECT_EQ(book.load(link).value(), seen);
+    EXPECT_TRUE(book.load("serial:/dev/ttyUSB1").value().empty());
+}
+
+TEST_F(Scans, ADamagedFileIsToldAndReplacedByTheNextScan)
+{
+    for (const char *text : {"", "{", "[]", "{\"devices\": 3}", "{\"link\": \"serial:/dev/ttyUSB0\"}",
+             "{\"link\": \"serial:/dev/ttyUSB0\", \"devices\": [7]}",
+             "{\"link\": \"serial:/dev/ttyUSB0\", \"devices\": [{\"family\": \"x\", \"address\": -1}]}",
+             "{\"link\": \"another\", \"devices\": []}"}) {
+        spoil(link, text);
+        const auto loaded = book.load(link);
+        ASSERT_FALSE(loaded) << text;
+        EXPECT_EQ(loaded.error().fault, Fault::OutOfRange);
+        ASSERT_TRUE(book.save(link, {node(4, "57600")}));
+        EXPECT_EQ(book.load(link).value().size(), 1U);
+    }
+}
+
+std::vector<Identity> answering;  ///< to the scans of `family`
+std::vector<Identity> remembered; ///< what its last scan was told
+
+Task<void> scanOf(Link &, Clock &, ScanSink &sink)
+{
+    remembered = sink.remembered();
+    for (const Identity &identity : answering)
+        sink.found(identity);
+    co_return {};
+}
+
+Task<void> probeOf(Link &link, Clock &clock, int, ScanSink &sink)
+{
+    auto scan = scanOf(link, clock, sink);
+    co_await std::move(scan);
+    co_return {};
+}
+
+/// The serial family with scans that need no wire.
+const Family &quickFamily()
+{
+    static const Family family = [] {
+        Family made;
+        for (const Family *candidate : families()) {
+            if (candidate->key == "supermodified")
+                made = *candidate;
+        }
+        made.scan = scanOf;
+        made.probe = probeOf;
+        return made;
+    }();
+    return family;
+}
+
+/// One run of the program.
+struct Program {
+    explicit Program(const std::string &directory)
+    {
+        session.keepScans(directory);
+        told = session.memoryTrouble().add([this](const std::string &text) { troubles.push_back(text); });
+    }
+    void scan(const std::string &link)
+    {
+        const auto opened = session.openLink(*LinkAddress::parse(link));
+        ASSERT_TRUE(opened) << opened.error().detail;
+        EXPECT_TRUE(test::run(clock, session.scan(**opened)));
+    }
+    const std::array<const Family *, 1> only{&quickFamily()};
+    VirtualClock clock;
+    Session session{clock, only};
+    Subscription told;
+    std::vector<std::string> troubles;
+};
+
+TEST_F(Scans, ASessionTellsTheNextOneWhoWasThere)
+{
+    const test::PseudoTerminal port;
+    const std::string address = "serial:" + port.path();
+    answering = {node(4, "57600"), node(90, "9600")};
+    Program(folder.path().toStdString()).scan(address);
+    EXPECT_TRUE(remembered.empty());
+    answering = {node(90, "9600")};
+    Program(folder.path().toStdString()).scan(address);
+    EXPECT_EQ(remembered, (std::vector<Identity>{node(4, "57600"), node(90, "9600")}));
+    answering = {};
+    Program(folder.path().toStdString()).scan(address);
+    EXPECT_EQ(remembered, (std::vector<Identity>{node(90, "9600")})) << "who did not answer is forgotten";
+    Program(folder.path().toStdString()).scan(address);
+    EXPECT_EQ(remembered.size(), 1U) << "but a dead line makes nobody forgotten";
+}
+
+TEST_F(Scans, AskingForOneDeviceForgetsNobody)
+{
+    const test::PseudoTerminal port;
+    const std::string address = "serial:" + port.path();
+    answering = {node(4, "57600"), node(5, "57600")};
+    Program(folder.path().toStdString()).scan(address);
+    answering = {node(5, "9600")};
+    Program program(folder.path().toStdString());
+    ASSERT_TRUE(
+        test::run(program.clock, program.session.connect(*DeviceSelector::parse(address + "/supermodified:5"))));
+    program.scan(address);
+    EXPECT_EQ(remembered, (std::vector<Identity>{node(4, "57600"), node(5, "9600")}));
+}
+
+TEST_F(Scans, ASessionWarnsOnceOfADamagedFileAndGoesOn)
+{
+    const test::PseudoTerminal port;
+    const std::string address = "serial:" + port.path();
+    answering = {};
+    book = ScanBook(folder.path().toStdString());
+    spoil(address, "no JSON at all");
+    Program program(folder.path().toStdString());
+    program.scan(address);
+    program.scan(address);
+    EXPECT_EQ(program.troubles.size(), 1U);
+    EXPECT_TRUE(remembered.empty());
+    answering = {node(4, "57600")};
+    program.scan(address);
+    EXPECT_EQ(program.troubles.size(), 1U);
+    EXPECT_EQ(book.load(address).value().size(), 1U);
+}
+
+TEST_F(Scans, SimulatedLinksAndThoseWithoutAMemoryKeepNothing)
+{
+    answering = {node(4, "57600")};
+    Program simulated(folder.path().toStdString());
+    simulated.scan("sim:serial");
+    simulated.scan("sim:serial");
+    EXPECT_TRUE(remembered.empty());
+    EXPECT_TRUE(QDir(folder.path()).isEmpty());
+}
+
+} // namespace
+} // namespace mb

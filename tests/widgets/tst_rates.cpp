@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is on screen is asked for faster, and nothing else; one mechanism for the pages.
+#include "tunebench.h"
+#include "widgets/common/ratekeeper.h"
+#include "widgets/plots/plotspage.h"
+
+#include <QTest>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+using Asked = std::map<std::pair<std::uint32_t, std::string>, double>;
+
+/// A family whose telemetry is polled.
+const Family &polled()
+{
+    static const Family family = [] {
+        Family made = dmc60c();
+        made.capabilities.freeRates = true;
+        return made;
+    }();
+    return family;
+}
+
+struct RatesBench {
+    FakeWorkbench workbench;
+    Selection selection;
+    ThemeSource theme{darkTheme()};
+    Arming arming{workbench};
+    std::unique_ptr<PlotsPage> plots;
+    std::unique_ptr<TunePage> tune;
+
+    explicit RatesBench(const Family &family = polled())
+    {
+        for (const std::uint32_t id : {1U, 2U}) {
+            workbench.shot.devices.push_back(
+                tunableDrive(std::make_shared<Telemetry>(dmc60c().channels), id, 4 + static_cast<int>(id)));
+            workbench.device(id - 1).family = &family;
+        }
+        selection.select({1});
+        plots = std::make_unique<PlotsPage>(workbench, selection, theme, nullptr);
+        plots->resize(1208, 760);
+        tune = std::make_unique<TunePage>(workbench, selection, arming, theme, nullptr);
+        tune->resize(1208, 760);
+        workbench.publish();
+    }
+    /// Rates that the devices were left with.
+    [[nodiscard]] Asked asked() const
+    {
+        Asked last;
+        for (const auto &call : workbench.callsOf("setRate")) {
+            const auto key = std::string(dmc60c().channels[call.channel.value].key);
+            if (call.number > 0.0)
+                last[{call.device.value, key}] = call.number;
+            else
+                last.erase({call.device.value, key});
+        }
+        return last;
+    }
+};
+
+} // namespace
+
+class TestRates : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void whatIsPlottedIsFastWhileItIsSeen();
+    void aShorterWindowAsksForMore();
+    void aDerivedSignalNeedsItsIngredients();
+    void nothingIsAskedForOfADeviceWhoseRatesAreASetting();
+    void theFasterOfTwoPagesCountsAndTheOtherRemains();
+    void aBusyDeviceIsAskedOnceItIsFree();
+};
+
+void TestRates::whatIsPlottedIsFastWhileItIsSeen()
+{
+    RatesBench bench;
+    QTest::qWait(150);
+    QVERIFY(bench.asked().empty()); // nothing is visible yet
+    bench.plots->show();
+    const Asked four{{{1, "velocity"}, 100.0}, {{1, "position"}, 100.0}, {{1, "current"}, 100.0}, {{1, "duty"}, 100.0}};
+    QTRY_COMPARE(bench.asked(), four);
+    bench.plots->addSignal({{2}, *findChannel(dmc60c().channels, "velocity")});
+    bench.plots->removeSignal({{1}, *findChannel(dmc60c().channels, "duty")});
+    bench.workbench.publish();
+    const Asked others{
+        {{1, "velocity"}, 100.0}, {{1, "position"}, 100.0}, {{1, "current"}, 100.0}, {{2, "velocity"}, 100.0}};
+    QTRY_COMPARE(bench.asked(), others);
+    bench.plots->hide();
+    QTRY_VERIFY(bench.asked().empty());
+    const auto calls = bench.workbench.callsOf("setRate").size();
+    bench.workbench.publish();
+    QTest::qWait(250);
+    QCOMPARE(bench.workbench.callsOf("setRate").size(), calls);
+}
+
+void TestRates::aShorterWindowAsksForMore()
+{
+    RatesBench bench;
+    bench.plots->show();
+    QTRY_COMPARE(bench.asked().size(), 4U);
+    for (const auto &[window, hertz] : std::map<double, double>{{60.0, 20.0}, {10.0, 100.0}, {1.0, 500.0}}) {
+        bench.plots->stack().setWindow(window);
+        bench.workbench.publish();
+        QTRY_COMPARE(bench.asked()[std::pair(1U, std::string("velocity"))], hertz);
+    }
+}
+
+void TestRates::aDerivedSignalNeedsItsIngredients()
+{
+    RatesBench bench;
+    bench.plots->show();
+    bench.plots->board().setTraces({}, true);
+    bench.workbench.publish();
+    QTRY_VERIFY(bench.asked().empty());
+    QVERIFY(bench.plots->board().addDerived(
+        QStringLiteral("power"), QStringLiteral("W"), QStringLiteral("d6_current * d6_bus_voltage")));
+    bench.workbench.publish();
+    const Asked both{{{2, "current"}, 100.0}, {{2, "bus_voltage"}, 100.0}};
+    QTRY_COMPARE(bench.asked(), both);
+}
+
+void TestRates::nothingIsAskedForOfADeviceWhoseRatesAreASetting()
+{
+    RatesBench bench(dmc60c());
+    bench.plots->show();
+    bench.workbench.publish();
+    QTest::qWait(250);
+    QVERIFY(bench.asked().empty());
+    bench.workbench.device(0).motion.running = true; // who drives it may
+    bench.workbench.publish();
+    QTRY_COMPARE(bench.asked().size(), 4U);
+    bench.workbench.device(0).motion.running = false;
+    bench.workbench.publish();
+    QTRY_VERIFY(bench.asked().empty());
+}
+
+void TestRates::theFasterOfTwoPagesCountsAndTheOtherRemains()
+{
+    RatesBench bench;
+    bench.plots->stack().setWindow(60.0);
+    bench.plots->show();
+    bench.tune->show();
+    QTRY_COMPARE(bench.asked()[std::pair(1U, std::string("velocity"))], 100.0);
+    QTRY_COMPARE(bench.asked()[std::pair(1U, std::string("duty"))], 20.0);
+    bench.tune->hide();
+    QTRY_COMPARE(bench.asked()[std::pair(1U, std::string("velocity"))], 20.0);
+    bench.plots.reset();
+    QTRY_VERIFY(bench.asked().empty());
+}
+
+void TestRates::aBusyDeviceIsAskedOnceItIsFree()
+{
+    RatesBench bench;
+    bench.workbench.device(0).busy = "firmware update";
+    bench.plots->show();
+    QTest::qWait(250);
+    QVERIFY(bench.asked().empty());
+    bench.workbench.device(0).busy.clear();
+    bench.workbench.publish();
+    QTRY_COMPARE(bench.asked().size(), 4U);
+}
+
+QTEST_MAIN(TestRates)
+#include "tst_rates.moc"
