@@ -75,6 +75,7 @@ private Q_SLOTS:
     void aLineIsAsThickAsItsStroke();
     void aSteepLineHasNoHoles();
     void dashesTravelWithTheData();
+    void anEdgeOfADashedTraceIsDashedToo();
     void aTraceThatMovesByAColumnLooksTheSame();
     void whatLiesOutsideOfThePaneIsNotTouched();
 };
@@ -212,6 +213,15 @@ void TraceRasterTest::dashesTravelWithTheData()
     const QImage after = drawn(points, moved, dashed);
     for (int column = 0; column < Width - 13; ++column)
         QCOMPARE(columnSum(after, column), columnSum(before, column + 13));
+}
+
+void TraceRasterTest::anEdgeOfADashedTraceIsDashedToo()
+{
+    for (const double edge : {40.5, 47.5}) { // where the pattern is drawn along time, and where it pauses
+        const QImage image = drawn({{0, 5}, {edge, 5}, {edge, 55}, {119, 55}}, plainMap(), {White, 1.0, 6, 4});
+        const double sum = columnSum(image, static_cast<int>(edge));
+        QVERIFY2(sum > 25.0 && sum < 37.0, qPrintable(QString::number(sum)));
+    }
 }
 
 void TraceRasterTest::aTraceThatMovesByAColumnLooksTheSame()

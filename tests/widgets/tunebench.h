@@ -49,6 +49,8 @@ public:
         }
         m_telemetry->commit();
     }
+    /// Nothing comes for so long.
+    void skip(double seconds) { m_now += std::chrono::milliseconds(static_cast<int>(seconds * 1000.0)); }
     void setCommanded(bool commanded)
     {
         m_commanded = commanded;

@@ -245,11 +245,14 @@ void TraceRaster::paint(QImage &image, const QRect &clip, const TraceStroke &str
         if (i + Ahead <= m_last)
             prefetch(corner + i + Ahead, stride, m_columns[static_cast<std::size_t>(i + Ahead)], clip.height());
         const PixelColumn pixels{corner + i, stride, clip.height()};
-        if (period == 0 || (i + phase) % period < stroke.dash) {
+        const bool steep = column.bottom - column.top - static_cast<float>(stroke.width) > 1.0F;
+        if (period > 0 && steep) { // its dashes lie below each other
+            const auto step = static_cast<float>(period);
+            for (float top = std::floor(column.top / step) * step; top < column.bottom; top += step)
+                pixels.fill(std::max(column.top, top), std::min(column.bottom, top + static_cast<float>(stroke.dash)),
+                    stroke.color);
+        } else if (period == 0 || (i + phase) % period < stroke.dash) {
             pixels.fill(column.top, column.bottom, stroke.color);
-        } else if (column.bottom - column.top > static_cast<float>(period)) { // an edge has dashes of its own
-            for (float top = column.top; top < column.bottom; top += static_cast<float>(period))
-                pixels.fill(top, std::min(column.bottom, top + static_cast<float>(stroke.dash)), stroke.color);
         }
     }
 }
