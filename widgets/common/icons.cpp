@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/icons.h"
 
+#include "widgets/common/paintedicon.h"
+
 #include <QFile>
-#include <QIconEngine>
 #include <QPainter>
 #include <QSvgRenderer>
 
@@ -35,7 +36,7 @@ QRectF squareIn(const QRectF &box)
     return {box.center().x() - side / 2, box.center().y() - side / 2, side, side};
 }
 
-class SymbolEngine : public QIconEngine {
+class SymbolEngine : public PaintedIcon {
 public:
     SymbolEngine(Symbol symbol, const QColor &color, const QColor &disabled)
         : m_symbol(symbol)
@@ -46,14 +47,6 @@ public:
     void paint(QPainter *painter, const QRect &rect, QIcon::Mode mode, QIcon::State) override
     {
         paintSymbol(*painter, rect, m_symbol, mode == QIcon::Disabled ? m_disabled : m_color);
-    }
-    QPixmap pixmap(const QSize &size, QIcon::Mode mode, QIcon::State state) override
-    {
-        QPixmap pixmap(size);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        paint(&painter, QRect(QPoint(), size), mode, state);
-        return pixmap;
     }
     QIconEngine *clone() const override { return new SymbolEngine(*this); }
 

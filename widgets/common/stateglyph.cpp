@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/stateglyph.h"
 
+#include "widgets/common/paintedicon.h"
+
 #include <QCoreApplication>
-#include <QIconEngine>
 #include <QPainter>
 
 namespace mb {
 namespace {
 
-class GlyphEngine : public QIconEngine {
+class GlyphEngine : public PaintedIcon {
 public:
     GlyphEngine(GlyphState state, const QColor &color)
         : m_state(state)
@@ -18,14 +19,6 @@ public:
     void paint(QPainter *painter, const QRect &rect, QIcon::Mode, QIcon::State) override
     {
         paintGlyph(*painter, rect, m_state, m_color);
-    }
-    QPixmap pixmap(const QSize &size, QIcon::Mode mode, QIcon::State state) override
-    {
-        QPixmap pixmap(size);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        paint(&painter, QRect(QPoint(), size), mode, state);
-        return pixmap;
     }
     QIconEngine *clone() const override { return new GlyphEngine(*this); }
 

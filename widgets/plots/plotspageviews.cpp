@@ -215,6 +215,9 @@ void PlotsPage::addMenuEntries(QMenu &menu, double key)
     clear->setEnabled(!m_board->references().empty());
     menu.addAction(tr("Derived signal…"), this, &PlotsPage::newDerived);
     menu.addAction(tr("Spectrum of what is seen"), this, [this] { showView(View::Spectrum); });
+    menu.addAction(tr("X-Y"), this, [this] { showView(View::Against); });
+    menu.addAction(tr("Trigger: stands still at an edge or a level") + QStringLiteral("\tT"), m_triggerButton,
+        &QAbstractButton::toggle);
     menu.addAction(tr("Export samples…"), this, [this] {
         askExport(*this, m_stack->cursorsShown(), [this](const ExportChoice &choice) { exportSamples(choice); });
     });
