@@ -136,6 +136,10 @@ void MainWindow::buildDevices()
     connect(tree, &DeviceTree::collapseRequested, m_devices, &QWidget::hide);
     connect(tree, &DeviceTree::addLinkRequested, this, &MainWindow::addLink);
     connect(tree, &DeviceTree::simulateRequested, this, &MainWindow::openSimulation);
+    connect(tree, &DeviceTree::plotRequested, this, [this](const std::vector<Signal> &wanted) {
+        showPage(PageId::Plots);
+        qobject_cast<PlotsPage *>(page(PageId::Plots))->addSignals(wanted);
+    });
     connect(tree, &DeviceTree::closeLinkRequested, this, [this](const QString &address) {
         m_settings.removeLink(address);
         if (address.startsWith(QLatin1String("sim:")))

@@ -121,6 +121,7 @@ void Tour::plan()
     planOverview();
     planParameters();
     planMotion();
+    planAxes();
     planFirmware();
     planEnd();
 }

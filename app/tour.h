@@ -32,6 +32,8 @@ private:
     void planParameters();
     void planMotion();
     void planPlots();
+    void planAxes();
+    void stepAxes(double target);
     void planFirmware();
     void planEnd();
     /// Waits until `done`.
@@ -48,6 +50,7 @@ private:
     void drive();
     [[nodiscard]] bool isAtSpeed() const;
     [[nodiscard]] const DeviceView *device(int address) const;
+    [[nodiscard]] const DeviceView *board() const;
 
     Workbench &m_workbench;
     MainWindow &m_window;

@@ -26,12 +26,16 @@ struct Capabilities {
     bool storesAtOnce = false;  ///< an acknowledged write survives a power cycle
     /// False: a reset takes every setting, so this program keeps what was written and offers to write it again.
     bool keepsSettings = true;
-    bool zeroPosition = false;  ///< Device::zeroPosition()
-    bool outputOptions = true;  ///< ramp, brake, direction and limits of a SetPoint mean something
+    bool zeroPosition = false; ///< Device::zeroPosition()
+    bool outputOptions = true; ///< ramp, brake, direction and limits of a SetPoint mean something
     /// Device::setRate() changes nothing that anybody else relies on: the device is asked more often, or sends to us alone.
     bool freeRates = true;
     int lastAddress = 63; ///< renumber: 1 … this
-    int axes = 1;
+    bool commandsProfile
+        = false; ///< SetPoint::velocity and acceleration are the profile of RampPosition and RampVelocity
+    /// Greatest duty of a motor's first motion while nobody has set its power limit; 0: no such care is needed.
+    double firstPower = 0.0;
+    int axes = 1; ///< more than one: keys of channels and parameters of an axis begin as in model/axis.h
     int gainSlots = 1;
     /// A scan of a bus of up to eight units is complete by then.
     std::chrono::milliseconds scanLimit{500};
@@ -157,7 +161,7 @@ struct UpdateRoute {
     bool erasesSettings = false;                 ///< UpdateOptions::eraseSettings
     std::span<const GuidedStep> steps{};         ///< empty: it needs no hands
     std::span<const UpdateSetting> settings{};
-    std::span<const Programmer> programmers{};   ///< the usual ones; others may be named, too
+    std::span<const Programmer> programmers{}; ///< the usual ones; others may be named, too
 };
 
 enum class UpdateOutcome { Done, UpToDate, Refused, Failed, Cancelled };

@@ -27,6 +27,13 @@ const OperationView *Snapshot::operation(DeviceId device) const
     return found == operations.rend() ? nullptr : &*found;
 }
 
+const SetPoint *MotionView::on(int axis) const
+{
+    const auto found
+        = std::find_if(setPoints.begin(), setPoints.end(), [axis](const SetPoint &one) { return one.axis == axis; });
+    return !running || found == setPoints.end() ? nullptr : &*found;
+}
+
 DeviceView viewOf(Session &session, Device &device)
 {
     DeviceView view;
@@ -38,7 +45,7 @@ DeviceView viewOf(Session &session, Device &device)
     view.liveness = device.liveness();
     view.busy = device.busy();
     const SetPointStream &stream = session.stream(device);
-    view.motion = {stream.isRunning(), stream.setPoint(), stream.end(), stream.reason()};
+    view.motion = {stream.isRunning(), stream.setPoint(), stream.setPoints(), stream.end(), stream.reason()};
     view.telemetry = device.telemetry();
     for (std::size_t i = 0; i < view.family->channels.size(); ++i)
         view.rates.push_back(device.telemetry()->rate({static_cast<std::uint16_t>(i)}));

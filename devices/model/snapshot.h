@@ -41,9 +41,13 @@ struct LinkView {
 
 struct MotionView {
     bool running = false;
-    SetPoint setPoint;
+    SetPoint setPoint;               ///< the latest
+    std::vector<SetPoint> setPoints; ///< of every axis that is kept alive
     SetPointStream::End end = SetPointStream::End::None;
     std::string reason;
+
+    /// What an axis is told now; nullptr while nothing runs on it.
+    [[nodiscard]] const SetPoint *on(int axis) const;
 };
 
 struct DeviceView {

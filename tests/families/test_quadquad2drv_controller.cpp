@@ -5,6 +5,7 @@
 #include "families/quadquad2drv/parameters.h"
 #include "families/quadquad2drv/protocol.h"
 #include "model/parametertransfer.h"
+#include "model/snapshot.h"
 #include "support/simulatedsession.h"
 #include "transport/backends/virtualspi.h"
 
@@ -158,6 +159,46 @@ TEST_F(QuadQuad2Drv, OneAxisCanBeTakenOutWhileAnotherRuns)
     bench.clock.advance(3s);
     EXPECT_NEAR(last(1, AxisChannel::Velocity), 0.0, 4.0);
     EXPECT_GT(last(0, AxisChannel::Velocity), 300.0);
+}
+
+TEST_F(QuadQuad2Drv, EachAxisTellsWhatItIsToldAndWhetherItMoves)
+{
+    SetPointStream &stream = bench.session.stream(*device);
+    bench.clock.advance(200ms);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Duty, 0.5, 1), 20s));
+    ASSERT_TRUE(stream.update(setPoint(Mode::Velocity, 300.0, 3)));
+    bench.clock.advance(500ms);
+    const std::vector<AxisLiveness> &all = device->liveness().axes;
+    ASSERT_EQ(all.size(), 4U);
+    EXPECT_EQ(all[0], (AxisLiveness{Mode::Duty, true}));
+    EXPECT_EQ(all[1], (AxisLiveness{Mode::Off, false}));
+    EXPECT_EQ(all[2], (AxisLiveness{Mode::Velocity, true}));
+    const DeviceView view = viewOf(bench.session, *device);
+    ASSERT_NE(view.motion.on(3), nullptr);
+    EXPECT_EQ(view.motion.on(3)->target, 300.0);
+    EXPECT_EQ(view.motion.on(2), nullptr);
+    stream.stop();
+    EXPECT_EQ(viewOf(bench.session, *device).motion.on(3), nullptr);
+}
+
+TEST_F(QuadQuad2Drv, SetPointsAreRecordedForEachAxisAndEndWithTheMotion)
+{
+    SetPointStream &stream = bench.session.stream(*device);
+    bench.clock.advance(200ms);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 200.0, 1), 20s));
+    ASSERT_TRUE(stream.update(setPoint(Mode::Velocity, 400.0, 2)));
+    bench.clock.advance(500ms);
+    EXPECT_EQ(last(0, AxisChannel::SetPoint), 200.0);
+    EXPECT_EQ(last(1, AxisChannel::SetPoint), 400.0);
+    EXPECT_GE(device->telemetry()->size(channelOf(1, AxisChannel::SetPoint)), 9U) << "one a command period of 50 ms";
+    EXPECT_EQ(device->telemetry()->size(channelOf(3, AxisChannel::SetPoint)), 0U);
+    stream.stop();
+    bench.clock.advance(500ms);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 100.0, 2), 20s));
+    bench.clock.advance(200ms);
+    const auto gaps = device->telemetry()->gaps(channelOf(1, AxisChannel::SetPoint), Instant{}, bench.clock.now());
+    EXPECT_EQ(gaps.size(), 1U) << "in between nothing was wished for";
+    EXPECT_EQ(device->telemetry()->lost(channelOf(1, AxisChannel::SetPoint)), 0U);
 }
 
 TEST_F(QuadQuad2Drv, AStopLosesNoneOfTheStreamAroundIt)

@@ -81,7 +81,7 @@ struct PlotBench {
     void drop(const Signal &signal, const QPoint &at) const
     {
         QMimeData data;
-        data.setData(QLatin1String(signalMimeType), toMime(signal));
+        data.setData(QLatin1String(signalMimeType), toMime({signal}));
         QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
         QApplication::sendEvent(&stack(), &enter);
         QDropEvent event(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);

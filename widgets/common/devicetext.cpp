@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/devicetext.h"
 
+#include "model/axis.h"
+#include "widgets/common/axistext.h"
 #include "widgets/common/devicephrases.h"
 #include "widgets/common/numberformat.h"
 
@@ -39,6 +41,12 @@ QString errorText(const Error &error)
 
 QString faultText(std::string_view key)
 {
+    if (const int axis = axisOf(key); axis > 0)
+        return DeviceText::tr("axis %1: %2").arg(axis).arg(faultText(key.substr(key.find('.') + 1)));
+    if (key == "glitch")
+        return DeviceText::tr("encoder glitch");
+    if (key == "overspeed")
+        return DeviceText::tr("overspeed");
     if (key == "over_current")
         return DeviceText::tr("over-current");
     if (key == "over_temperature")
@@ -101,6 +109,10 @@ QString lineOf(const DeviceView &device)
     case GlyphState::Gone: word = DeviceText::tr("no answer"); break;
     case GlyphState::Fault: word = faultText(device.liveness.faults.front()); break;
     default: {
+        if (hasAxes(*device.family)) {
+            word = axesLine(device);
+            break;
+        }
         const auto velocity = liveValue(device, "velocity", device.telemetry->last({}).value_or(Point{}).time);
         word = velocity ? formatValue(*velocity, 0, DeviceText::tr("counts/s")) : DeviceText::tr("online");
         break;
@@ -124,6 +136,8 @@ QString tooltipOf(const DeviceView &device)
     QStringList lines{QString::fromStdString(device.selector)};
     if (!device.identity.serial.empty())
         lines += DeviceText::tr("Serial number %1").arg(QString::fromStdString(device.identity.serial));
+    if (!device.identity.dialect.empty())
+        lines += DeviceText::tr("Dialect %1").arg(QString::fromStdString(device.identity.dialect));
     if (!device.identity.detail.empty())
         lines += tableText(device.identity.detail);
     if (!device.mayNotMove.empty())

@@ -7,18 +7,21 @@
 
 namespace mb {
 
-/// The one device that tree and pages agree on.
+/// The one device that tree and pages agree on, and which of its axes.
 class Selection : public QObject {
     Q_OBJECT
 public:
     using QObject::QObject;
 
     [[nodiscard]] DeviceId device() const { return m_device; }
-    void select(DeviceId device)
+    /// 1…, or 0: the device as a whole.
+    [[nodiscard]] int axis() const { return m_axis; }
+    void select(DeviceId device, int axis = 0)
     {
-        if (device == m_device)
+        if (device == m_device && axis == m_axis)
             return;
         m_device = device;
+        m_axis = axis;
         Q_EMIT changed();
     }
 
@@ -27,6 +30,7 @@ Q_SIGNALS:
 
 private:
     DeviceId m_device;
+    int m_axis = 0;
 };
 
 } // namespace mb

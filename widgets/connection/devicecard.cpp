@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/connection/devicecard.h"
 
+#include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
@@ -8,6 +9,7 @@
 #include "widgets/common/sparkline.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/common/valuelabel.h"
+#include "widgets/connection/axisrows.h"
 
 #include <QHBoxLayout>
 
@@ -94,7 +96,8 @@ void DeviceCard::buildNote()
 void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
 {
     const GlyphState state = glyphOf(device);
-    setTitle(titleOf(device), QString::fromStdString(device.identity.name));
+    setTitle(
+        titleOf(device), hasAxes(*device.family) ? axesLine(device) : QString::fromStdString(device.identity.name));
     setGlyph(state);
     setAccessibleName(titleOf(device) + QStringLiteral(", ") + lineOf(device));
     const bool ordinary = device.identity.state == DeviceState::Online;
@@ -103,12 +106,16 @@ void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
     m_badge->setVisible(!m_badge->text().isEmpty());
     setStyleProperty(
         *m_badge, "badge", ordinary && !device.liveness.moving ? QStringLiteral("neutral") : QStringLiteral("caution"));
-    m_live->setVisible(!boot);
+    m_live->setVisible(!boot && !hasAxes(*device.family));
+    if (m_axes)
+        m_axes->setVisible(!boot);
     m_note->setVisible(boot);
     m_update->setVisible(boot && device.family->update != nullptr);
     if (boot) {
         m_noteCause->setText(tr("No application runs. Settings, number and name are kept."));
         m_noteRemedy->setText(tr("An update makes it whole again. It is safe to power off."));
+    } else if (hasAxes(*device.family)) {
+        showAxes(device, now);
     } else {
         showValues(device, now);
         showSparkline(device, now);
@@ -119,6 +126,16 @@ void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
             : fault    ? std::optional(Tone::Danger)
             : ordinary ? std::nullopt
                        : std::optional(Tone::Caution));
+}
+
+void DeviceCard::showAxes(const DeviceView &device, Instant now)
+{
+    if (!m_axes) {
+        m_axes = new AxisRows(m_theme, this);
+        body().insertWidget(0, m_axes, 0, Qt::AlignTop);
+        connect(m_axes, &AxisRows::axisActivated, this, &DeviceCard::axisActivated);
+    }
+    m_axes->show(device, now);
 }
 
 void DeviceCard::showValues(const DeviceView &device, Instant now)

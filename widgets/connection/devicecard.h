@@ -10,6 +10,7 @@ class QLabel;
 
 namespace mb {
 
+class AxisRows;
 class CommandButton;
 class Sparkline;
 class ValueLabel;
@@ -24,16 +25,19 @@ public:
 
 Q_SIGNALS:
     void updateRequested();
+    void axisActivated(int axis);
 
 private:
     void buildLive();
     void buildNote();
+    void showAxes(const DeviceView &device, Instant now);
     void showValues(const DeviceView &device, Instant now);
     void showSparkline(const DeviceView &device, Instant now);
     void showFoot(const DeviceView &device);
 
     const ThemeSource &m_theme;
     QWidget *m_live = nullptr;
+    AxisRows *m_axes = nullptr; ///< instead of the values of one motor; made for the first board that is shown
     std::array<ValueLabel *, 3> m_values{};
     QLabel *m_range = nullptr;
     Sparkline *m_sparkline = nullptr;

@@ -17,17 +17,63 @@ DeviceDelegate::DeviceDelegate(const ThemeSource &theme, QObject *parent)
 QSize DeviceDelegate::sizeHint(const QStyleOptionViewItem &, const QModelIndex &index) const
 {
     const Theme &theme = m_theme.theme();
-    return {theme.u(160), theme.u(index.parent().isValid() ? 42 : 28)};
+    switch (DeviceModel::kindOf(index)) {
+    case DeviceModel::Kind::Link: return {theme.u(160), theme.u(28)};
+    case DeviceModel::Kind::Device: return {theme.u(160), theme.u(42)};
+    case DeviceModel::Kind::Axis: return {theme.u(120), theme.u(26)};
+    case DeviceModel::Kind::Channel: break;
+    }
+    return {theme.u(120), theme.u(24)};
 }
 
 void DeviceDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
     painter->save();
-    if (index.parent().isValid())
-        paintDevice(*painter, option, index);
-    else
-        paintLink(*painter, option, index);
+    switch (DeviceModel::kindOf(index)) {
+    case DeviceModel::Kind::Link: paintLink(*painter, option, index); break;
+    case DeviceModel::Kind::Device: paintDevice(*painter, option, index); break;
+    case DeviceModel::Kind::Axis:
+    case DeviceModel::Kind::Channel: paintPart(*painter, option, index); break;
+    }
     painter->restore();
+}
+
+int DeviceDelegate::paintState(QPainter &painter, const QRect &row, const QModelIndex &index) const
+{
+    const Theme &theme = m_theme.theme();
+    const auto state = static_cast<GlyphState>(index.data(DeviceModel::GlyphRole).toInt());
+    const int glyph = theme.u(12);
+    paintGlyph(
+        painter, QRectF(row.left(), row.center().y() - glyph / 2.0, glyph, glyph), state, glyphColor(state, theme));
+    return glyph;
+}
+
+/// One line: an axis with its state, what it is told and its value; or a channel with its value.
+void DeviceDelegate::paintPart(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
+{
+    const Theme &theme = m_theme.theme();
+    QRect row = option.rect.adjusted(theme.u(4), 0, -theme.u(10), 0);
+    const bool axis = DeviceModel::kindOf(index) == DeviceModel::Kind::Axis;
+    if (axis)
+        row.setLeft(row.left() + paintState(painter, row, index) + theme.u(8));
+    const QFont caption = theme.font(TextRole::Caption, option.font);
+    painter.setFont(axis ? theme.font(TextRole::Body, option.font) : caption);
+    painter.setPen(axis ? theme.text : theme.dim);
+    const QString name = painter.fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, row.width());
+    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter, name);
+    row.setLeft(row.left() + painter.fontMetrics().horizontalAdvance(name) + theme.u(8));
+    painter.setFont(caption);
+    painter.setPen(theme.text);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const QString value
+        = metrics.elidedText(index.data(DeviceModel::DetailRole).toString(), Qt::ElideRight, row.width());
+    painter.drawText(row, Qt::AlignRight | Qt::AlignVCenter, value);
+    row.setRight(row.right() - metrics.horizontalAdvance(value) - theme.u(8));
+    if (!axis || row.width() < metrics.averageCharWidth() * 3)
+        return;
+    painter.setPen(theme.dim);
+    painter.drawText(row, Qt::AlignLeft | Qt::AlignVCenter,
+        metrics.elidedText(index.data(DeviceModel::LineRole).toString(), Qt::ElideRight, row.width()));
 }
 
 void DeviceDelegate::paintLink(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
@@ -47,6 +93,17 @@ void DeviceDelegate::paintLink(QPainter &painter, const QStyleOptionViewItem &op
     const QString line = index.data(DeviceModel::LineRole).toString();
     painter.drawText(
         row, Qt::AlignLeft | Qt::AlignVCenter, painter.fontMetrics().elidedText(line, Qt::ElideRight, row.width()));
+}
+
+/// A dialect gives way to the name, which tells more; what is unusual does not.
+QString DeviceDelegate::badgeFor(const QStyleOptionViewItem &option, const QModelIndex &index, int room) const
+{
+    const Theme &theme = m_theme.theme();
+    const QString text = index.data(DeviceModel::BadgeRole).toString();
+    const QFontMetrics caption(theme.font(TextRole::Caption, option.font));
+    const QFontMetrics body(theme.font(TextRole::Body, option.font));
+    const int wanted = body.horizontalAdvance(index.data().toString()) + caption.horizontalAdvance(text) + theme.u(18);
+    return index.data(DeviceModel::UsualRole).toBool() && wanted > room ? QString() : text;
 }
 
 int DeviceDelegate::paintBadge(QPainter &painter, const QRect &row, const QString &text, const QFont &font) const
@@ -69,17 +126,9 @@ int DeviceDelegate::paintBadge(QPainter &painter, const QRect &row, const QStrin
 void DeviceDelegate::paintDevice(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) const
 {
     const Theme &theme = m_theme.theme();
-    if ((option.state & QStyle::State_Selected) != 0) {
-        painter.fillRect(QRect(0, option.rect.top(), option.rect.right() + 1, option.rect.height()), theme.sel);
-        painter.fillRect(QRect(0, option.rect.top(), theme.u(3), option.rect.height()), theme.accent);
-    }
     QRect row = option.rect.adjusted(theme.u(4), 0, -theme.u(10), 0);
-    const auto state = static_cast<GlyphState>(index.data(DeviceModel::GlyphRole).toInt());
-    const int glyph = theme.u(12);
-    paintGlyph(
-        painter, QRectF(row.left(), row.center().y() - glyph / 2.0, glyph, glyph), state, glyphColor(state, theme));
-    row.setLeft(row.left() + glyph + theme.u(10));
-    row.setRight(row.right() - paintBadge(painter, row, index.data(DeviceModel::BadgeRole).toString(), option.font));
+    row.setLeft(row.left() + paintState(painter, row, index) + theme.u(10));
+    row.setRight(row.right() - paintBadge(painter, row, badgeFor(option, index, row.width()), option.font));
     const auto draw = [&](TextRole role, const QColor &color, const QString &text, const QRect &box, int vertical) {
         painter.setFont(theme.font(role, option.font));
         painter.setPen(color);

@@ -7,7 +7,8 @@
 
 namespace mb {
 
-/// Rows of the device tree: a link is one line with its load, a device is two lines with glyph and badge.
+/// Rows of the device tree: a link is one line with its load, a device two lines with glyph and badge, an axis or a
+/// channel one line with its value. What is selected is the view's to draw, under the branches too.
 class DeviceDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 public:
@@ -19,6 +20,10 @@ public:
 private:
     void paintLink(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) const;
     void paintDevice(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) const;
+    void paintPart(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) const;
+    /// Yields the width of the glyph.
+    int paintState(QPainter &painter, const QRect &row, const QModelIndex &index) const;
+    [[nodiscard]] QString badgeFor(const QStyleOptionViewItem &option, const QModelIndex &index, int room) const;
     /// Yields the width it took at the right edge.
     int paintBadge(QPainter &painter, const QRect &row, const QString &text, const QFont &font) const;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/connection/deviceline.h"
 
+#include "model/axis.h"
+#include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
@@ -63,6 +65,8 @@ void DeviceLine::buildValues(QHBoxLayout &row)
         values->addWidget(label);
         return label;
     };
+    m_position = add(tr("position"), tr("counts"), QStringLiteral("−8 888 888"));
+    m_position->hide();
     m_velocity = add(tr("velocity"), tr("counts/s"), QStringLiteral("−888 888"));
     m_current = add(tr("current"), QStringLiteral("A"), QStringLiteral("−88.8"));
     m_duty = add(tr("duty"), QStringLiteral("%"), QStringLiteral("−100"));
@@ -90,11 +94,40 @@ void DeviceLine::showEvent(QShowEvent *event)
 void DeviceLine::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    m_identity->setVisible(width() > m_theme.theme().u(640));
+    follow();
+}
+
+QString DeviceLine::aboutOf(const DeviceView &device) const
+{
+    if (!hasAxes(*device.family))
+        return QString::fromStdString(device.identity.name);
+    return m_selection.axis() > 0 ? commandOfAxis(device, m_selection.axis()) : axesLine(device);
+}
+
+void DeviceLine::showValues(const DeviceView &device)
+{
+    const Instant now = m_workbench.presentOf(device.link);
+    const int axis = m_selection.axis();
+    const bool several = hasAxes(*device.family);
     // Where it is narrow the last values go first; the inspector and the plots still have them.
-    const Theme &theme = m_theme.theme();
-    m_temperature->setVisible(width() > theme.u(980));
-    m_bus->setVisible(width() > theme.u(860));
-    m_identity->setVisible(width() > theme.u(640));
+    const auto show = [&](ValueLabel *label, std::string_view name, double factor, int decimals, int from) {
+        const std::string key = axisKey(axis, name);
+        const auto row = device.telemetry->find(key);
+        label->setVisible((several ? row.has_value() : label != m_position) && width() > m_theme.theme().u(from));
+        if (row && factor == 1.0) // counts, until somebody said what a count is
+            label->setUnit(tableText(device.telemetry->channels()[row->value].unit));
+        if (const auto value = liveValue(device, key, now))
+            label->setValue(formatNumber(*value * factor, decimals));
+        else
+            label->clear();
+    };
+    show(m_position, "position", 1.0, 0, 0);
+    show(m_velocity, "velocity", 1.0, 0, 0);
+    show(m_current, "current", 1.0, 1, 0);
+    show(m_duty, "duty", 100.0, 0, 0);
+    show(m_bus, "bus_voltage", 1.0, 2, 860);
+    show(m_temperature, "temperature", 1.0, 1, 980);
 }
 
 void DeviceLine::follow()
@@ -103,26 +136,13 @@ void DeviceLine::follow()
     if (!device || !isVisible())
         return;
     m_glyph->setState(glyphOf(*device));
-    showWhole(*m_title, titleOf(*device));
-    m_name->setText(QString::fromStdString(device->identity.name));
+    const int axis = m_selection.axis();
+    showWhole(*m_title, axis > 0 ? tr("%1 · %2").arg(titleOf(*device), axisTitle(axis)) : titleOf(*device));
+    m_name->setText(aboutOf(*device));
     const auto known
         = [](const std::string &text) { return text.empty() ? QString(UnknownMark) : QString::fromStdString(text); };
     m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity.serial), known(device->identity.firmware)));
-    const Instant now = m_workbench.presentOf(device->link);
-    const auto show = [&](ValueLabel *label, std::string_view channel, double factor, int decimals) {
-        const auto row = device->telemetry->find(channel);
-        if (row && factor == 1.0) // counts, until somebody said what a count is
-            label->setUnit(tableText(device->telemetry->channels()[row->value].unit));
-        if (const auto value = liveValue(*device, channel, now))
-            label->setValue(formatNumber(*value * factor, decimals));
-        else
-            label->clear();
-    };
-    show(m_velocity, "velocity", 1.0, 0);
-    show(m_current, "current", 1.0, 1);
-    show(m_duty, "duty", 100.0, 0);
-    show(m_bus, "bus_voltage", 1.0, 2);
-    show(m_temperature, "temperature", 1.0, 1);
+    showValues(*device);
     const auto &faults = device->liveness.faults;
     m_faultGlyph->setState(faults.empty() ? GlyphState::Done : GlyphState::Fault);
     showWhole(*m_faults, faults.empty() ? tr("no faults") : faultText(faults.front()));

@@ -31,6 +31,8 @@ private:
     void buildIdentity(QHBoxLayout &row);
     void buildValues(QHBoxLayout &row);
     void follow();
+    void showValues(const DeviceView &device);
+    [[nodiscard]] QString aboutOf(const DeviceView &device) const;
 
     Workbench &m_workbench;
     Selection &m_selection;
@@ -40,6 +42,7 @@ private:
     QLabel *m_name = nullptr;
     QLabel *m_identity = nullptr;
     QWidget *m_values = nullptr;
+    ValueLabel *m_position = nullptr; ///< of an axis: the devices with one motor have more to say
     ValueLabel *m_velocity = nullptr;
     ValueLabel *m_current = nullptr;
     ValueLabel *m_duty = nullptr;

@@ -1,14 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/connection/devicemodel.h"
 
+#include "model/axis.h"
+#include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
+
+#include <QMimeData>
 
 #include <algorithm>
 
 namespace mb {
 namespace {
 
-constexpr quintptr linkMark = ~quintptr{0};
+/// What an index carries: 26 bits of link mark or device, 4 bits of axis, 2 bits of kind.
+struct Place {
+    DeviceModel::Kind kind = DeviceModel::Kind::Link;
+    int axis = 0;
+    quint32 value = 0;
+};
+constexpr int axisShift = 26;
+constexpr int kindShift = 30;
+constexpr quint32 valueMask = (1U << axisShift) - 1U;
+constexpr quint32 axisMask = 0xFU;
+
+quintptr pack(const Place &place)
+{
+    return static_cast<quint32>(place.kind) << kindShift | static_cast<quint32>(place.axis) << axisShift
+        | (place.value & valueMask);
+}
+
+Place unpack(const QModelIndex &index)
+{
+    const auto bits = static_cast<quint32>(index.internalId());
+    return {static_cast<DeviceModel::Kind>(bits >> kindShift), static_cast<int>(bits >> axisShift & axisMask),
+        bits & valueMask};
+}
+
+/// The channels of an axis, or of the device as a whole, in table order.
+std::vector<ChannelIndex> channelsOf(const Family &family, int axis)
+{
+    std::vector<ChannelIndex> all;
+    for (std::uint16_t i = 0; i < family.channels.size(); ++i) {
+        if (axisOf(family.channels[i].key) == axis)
+            all.push_back({i});
+    }
+    return all;
+}
+
+int axesOf(const Family &family)
+{
+    return hasAxes(family) ? family.capabilities.axes : 0;
+}
 
 } // namespace
 
@@ -39,14 +81,17 @@ void DeviceModel::follow()
     followLinks(shot);
     for (int row = 0; row < static_cast<int>(m_rows.size()); ++row)
         followDevices(row, shot);
-    if (m_rows.empty())
+    tellChanged({});
+}
+
+void DeviceModel::tellChanged(const QModelIndex &parent)
+{
+    const int count = rowCount(parent);
+    if (count == 0)
         return;
-    Q_EMIT dataChanged(index(0, 0), index(static_cast<int>(m_rows.size()) - 1, 0));
-    for (int row = 0; row < static_cast<int>(m_rows.size()); ++row) {
-        const QModelIndex link = index(row, 0);
-        if (const int count = rowCount(link); count > 0)
-            Q_EMIT dataChanged(index(0, 0, link), index(count - 1, 0, link));
-    }
+    Q_EMIT dataChanged(index(0, 0, parent), index(count - 1, 0, parent));
+    for (int row = 0; row < count; ++row)
+        tellChanged(index(row, 0, parent));
 }
 
 void DeviceModel::followLinks(const Snapshot &shot)
@@ -65,7 +110,7 @@ void DeviceModel::followLinks(const Snapshot &shot)
             continue;
         const int row = static_cast<int>(m_rows.size());
         beginInsertRows({}, row, row);
-        m_rows.push_back({link.address, {}});
+        m_rows.push_back({link.address, ++m_lastMark, {}});
         endInsertRows();
     }
 }
@@ -74,73 +119,160 @@ void DeviceModel::followDevices(int row, const Snapshot &shot)
 {
     LinkRow &link = m_rows[static_cast<std::size_t>(row)];
     const QModelIndex parent = index(row, 0);
-    std::vector<DeviceId> wanted;
+    std::vector<DeviceRow> wanted;
     for (const DeviceView &device : shot.devices) {
         if (device.link == link.address && passes(device))
-            wanted.push_back(device.id);
+            wanted.push_back({device.id, device.family});
     }
-    for (int i = static_cast<int>(link.devices.size()) - 1; i >= 0; --i) {
-        if (std::find(wanted.begin(), wanted.end(), link.devices[static_cast<std::size_t>(i)]) != wanted.end())
-            continue;
-        beginRemoveRows(parent, i, i);
-        link.devices.erase(link.devices.begin() + i);
+    const auto isIn = [](const std::vector<DeviceRow> &rows, DeviceId id) {
+        return std::find_if(rows.begin(), rows.end(), [id](const DeviceRow &other) { return other.id == id; });
+    };
+    const auto remove = [&](int at) {
+        beginRemoveRows(parent, at, at);
+        link.devices.erase(link.devices.begin() + at);
         endRemoveRows();
+    };
+    for (int i = static_cast<int>(link.devices.size()) - 1; i >= 0; --i) {
+        if (isIn(wanted, link.devices[static_cast<std::size_t>(i)].id) == wanted.end())
+            remove(i);
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {
-        if (i < link.devices.size() && link.devices[i] == wanted[i])
+        if (i < link.devices.size() && link.devices[i].id == wanted[i].id)
             continue;
-        if (const auto old = std::find(link.devices.begin(), link.devices.end(), wanted[i]);
-            old != link.devices.end()) {
-            const int from = static_cast<int>(old - link.devices.begin());
-            beginRemoveRows(parent, from, from);
-            link.devices.erase(old);
-            endRemoveRows();
-        }
+        if (const auto old = isIn(link.devices, wanted[i].id); old != link.devices.end())
+            remove(static_cast<int>(old - link.devices.begin()));
         beginInsertRows(parent, static_cast<int>(i), static_cast<int>(i));
         link.devices.insert(link.devices.begin() + static_cast<std::ptrdiff_t>(i), wanted[i]);
         endInsertRows();
     }
 }
 
-QModelIndex DeviceModel::indexOf(DeviceId device) const
+DeviceModel::Kind DeviceModel::kindOf(const QModelIndex &index)
 {
-    for (int row = 0; row < static_cast<int>(m_rows.size()); ++row) {
-        const auto &devices = m_rows[static_cast<std::size_t>(row)].devices;
-        const auto found = std::find(devices.begin(), devices.end(), device);
-        if (found != devices.end())
-            return index(static_cast<int>(found - devices.begin()), 0, index(row, 0));
+    return unpack(index).kind;
+}
+
+const DeviceModel::DeviceRow *DeviceModel::rowOf(DeviceId device) const
+{
+    for (const LinkRow &link : m_rows) {
+        for (const DeviceRow &row : link.devices) {
+            if (row.id == device)
+                return &row;
+        }
+    }
+    return nullptr;
+}
+
+const DeviceModel::LinkRow *DeviceModel::linkOf(const QModelIndex &index) const
+{
+    const Place place = unpack(index);
+    if (place.kind == Kind::Link)
+        return &m_rows[static_cast<std::size_t>(index.row())];
+    const auto found
+        = std::find_if(m_rows.begin(), m_rows.end(), [&](const LinkRow &row) { return row.mark == place.value; });
+    return found == m_rows.end() ? nullptr : &*found;
+}
+
+QModelIndex DeviceModel::indexOf(DeviceId device, int axis) const
+{
+    const auto isIt = [device](const DeviceRow &row) { return row.id == device; };
+    for (const LinkRow &link : m_rows) {
+        const auto found = std::find_if(link.devices.begin(), link.devices.end(), isIt);
+        if (found == link.devices.end())
+            continue;
+        if (axis > 0 && axis <= axesOf(*found->family))
+            return createIndex(axis - 1, 0, pack({Kind::Axis, axis, device.value}));
+        return createIndex(static_cast<int>(found - link.devices.begin()), 0, pack({Kind::Device, 0, link.mark}));
     }
     return {};
 }
 
 DeviceId DeviceModel::deviceAt(const QModelIndex &index) const
 {
-    if (!index.isValid() || index.internalId() == linkMark)
+    if (!index.isValid())
         return {};
-    return m_rows[index.internalId()].devices[static_cast<std::size_t>(index.row())];
+    const Place place = unpack(index);
+    if (place.kind == Kind::Link)
+        return {};
+    if (place.kind != Kind::Device)
+        return {place.value};
+    const LinkRow *link = linkOf(index);
+    return link ? link->devices[static_cast<std::size_t>(index.row())].id : DeviceId{};
+}
+
+int DeviceModel::axisAt(const QModelIndex &index) const
+{
+    return index.isValid() ? unpack(index).axis : 0;
+}
+
+ChannelIndex DeviceModel::channelAt(const QModelIndex &index) const
+{
+    const Place place = unpack(index);
+    const Family &family = *rowOf({place.value})->family;
+    const int before = place.axis == 0 ? axesOf(family) : 0;
+    return channelsOf(family, place.axis)[static_cast<std::size_t>(index.row() - before)];
+}
+
+std::vector<Signal> DeviceModel::signalsAt(const QModelIndex &index) const
+{
+    const DeviceView *device = m_workbench.snapshot().device(deviceAt(index));
+    if (!device || !device->telemetry || device->identity.state == DeviceState::Bootloader)
+        return {};
+    if (kindOf(index) == Kind::Channel)
+        return {{device->id, channelAt(index)}};
+    return usualSignals(*device, axisAt(index));
 }
 
 QModelIndex DeviceModel::index(int row, int column, const QModelIndex &parent) const
 {
     if (row < 0 || column != 0 || row >= rowCount(parent))
         return {};
-    return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) : linkMark);
+    if (!parent.isValid())
+        return createIndex(row, column, pack({}));
+    const Place place = unpack(parent);
+    switch (place.kind) {
+    case Kind::Link: return createIndex(row, column, pack({Kind::Device, 0, linkOf(parent)->mark}));
+    case Kind::Device: {
+        const DeviceId device = deviceAt(parent);
+        const bool axis = row < axesOf(*rowOf(device)->family);
+        return createIndex(
+            row, column, pack(axis ? Place{Kind::Axis, row + 1, device.value} : Place{Kind::Channel, 0, device.value}));
+    }
+    case Kind::Axis: return createIndex(row, column, pack({Kind::Channel, place.axis, place.value}));
+    case Kind::Channel: break;
+    }
+    return {};
 }
 
 QModelIndex DeviceModel::parent(const QModelIndex &index) const
 {
-    if (!index.isValid() || index.internalId() == linkMark)
+    if (!index.isValid())
         return {};
-    return createIndex(static_cast<int>(index.internalId()), 0, linkMark);
+    const Place place = unpack(index);
+    switch (place.kind) {
+    case Kind::Link: break;
+    case Kind::Device: {
+        const LinkRow *link = linkOf(index);
+        return link ? createIndex(static_cast<int>(link - m_rows.data()), 0, pack({})) : QModelIndex();
+    }
+    case Kind::Axis: return indexOf({place.value});
+    case Kind::Channel: return indexOf({place.value}, place.axis);
+    }
+    return {};
 }
 
 int DeviceModel::rowCount(const QModelIndex &parent) const
 {
     if (!parent.isValid())
         return static_cast<int>(m_rows.size());
-    if (parent.internalId() != linkMark)
+    const Place place = unpack(parent);
+    if (place.kind == Kind::Link)
+        return static_cast<int>(linkOf(parent)->devices.size());
+    const DeviceRow *device = rowOf(deviceAt(parent));
+    if (place.kind == Kind::Channel || !device)
         return 0;
-    return static_cast<int>(m_rows[static_cast<std::size_t>(parent.row())].devices.size());
+    const auto channels = static_cast<int>(channelsOf(*device->family, place.axis).size());
+    return place.kind == Kind::Device ? axesOf(*device->family) + channels : channels;
 }
 
 int DeviceModel::columnCount(const QModelIndex &) const
@@ -148,50 +280,20 @@ int DeviceModel::columnCount(const QModelIndex &) const
     return 1;
 }
 
-QVariant DeviceModel::data(const QModelIndex &index, int role) const
+Qt::ItemFlags DeviceModel::flags(const QModelIndex &index) const
 {
-    if (!index.isValid())
-        return {};
-    const Snapshot &shot = m_workbench.snapshot();
-    if (index.internalId() == linkMark) {
-        const LinkView *link = shot.link(m_rows[static_cast<std::size_t>(index.row())].address);
-        return link ? linkData(*link, role) : QVariant();
-    }
-    const DeviceView *device = shot.device(deviceAt(index));
-    return device ? deviceData(*device, role) : QVariant();
+    const Qt::ItemFlags usual = QAbstractItemModel::flags(index);
+    return index.isValid() && kindOf(index) != Kind::Link ? usual | Qt::ItemIsDragEnabled : usual;
 }
 
-QVariant DeviceModel::linkData(const LinkView &link, int role) const
+QStringList DeviceModel::mimeTypes() const
 {
-    switch (role) {
-    case Qt::DisplayRole:
-    case Qt::AccessibleTextRole: return QString::fromStdString(link.name);
-    case Qt::ToolTipRole:
-        return QString::fromStdString(link.reason.empty() ? link.address : link.address + '\n' + link.reason);
-    case LineRole:
-        if (link.state == LinkState::Lost)
-            return tr("lost");
-        return link.bitrate >= 1'000'000 ? tr("%1 Mbit/s").arg(link.bitrate / 1e6)
-            : link.bitrate > 0           ? tr("%1 kbit/s").arg(link.bitrate / 1e3)
-                                         : QString();
-    case DetailRole: return link.scanning ? tr("scanning") : tr("%1 %").arg(qRound(link.load * 100));
-    case DeviceRole: return 0U;
-    default: return {};
-    }
+    return {QLatin1String(signalMimeType)};
 }
 
-QVariant DeviceModel::deviceData(const DeviceView &device, int role) const
+QMimeData *DeviceModel::mimeData(const QModelIndexList &indexes) const
 {
-    switch (role) {
-    case Qt::DisplayRole: return titleOf(device);
-    case Qt::AccessibleTextRole: return titleOf(device) + QStringLiteral(", ") + lineOf(device);
-    case Qt::ToolTipRole: return tooltipOf(device);
-    case GlyphRole: return static_cast<int>(glyphOf(device));
-    case LineRole: return lineOf(device);
-    case BadgeRole: return badgeOf(device);
-    case DeviceRole: return device.id.value;
-    default: return {};
-    }
+    return indexes.isEmpty() ? nullptr : carry(signalsAt(indexes.front()));
 }
 
 } // namespace mb

@@ -1,29 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/signal.h"
 #include "widgets/common/workbench.h"
 
 #include <QAbstractItemModel>
 
 namespace mb {
 
-/// Links and the devices on them, from the workbench's snapshots. Rows keep their place and identity from snapshot to
-/// snapshot, so that selection and expansion survive a scan.
+/// Links, the devices on them, the axes of devices that have several, and the channels of each, from the workbench's
+/// snapshots. Rows keep their place and identity from snapshot to snapshot, so that selection and expansion survive a
+/// scan. Channels, axes and devices can be dragged to a plot.
 class DeviceModel final : public QAbstractItemModel {
     Q_OBJECT
 public:
+    enum class Kind { Link, Device, Axis, Channel };
     enum Role {
         GlyphRole = Qt::UserRole, ///< int of GlyphState
-        LineRole,                 ///< second line
+        LineRole,                 ///< second line; of an axis, what it is told
         BadgeRole,
         DeviceRole, ///< quint32, 0 on a link row
-        DetailRole, ///< right-hand text of a link row: load
+        DetailRole, ///< right-hand text: load of a link, value of an axis or a channel
+        KindRole,   ///< int of Kind
+        UsualRole,  ///< bool: the badge says nothing that needs attention
     };
 
     explicit DeviceModel(Workbench &workbench, QObject *parent = nullptr);
 
-    [[nodiscard]] QModelIndex indexOf(DeviceId device) const;
+    /// The row of an axis; of the device itself for 0.
+    [[nodiscard]] QModelIndex indexOf(DeviceId device, int axis = 0) const;
     [[nodiscard]] DeviceId deviceAt(const QModelIndex &index) const;
+    /// 0 for links, for devices, and for what belongs to a device as a whole.
+    [[nodiscard]] int axisAt(const QModelIndex &index) const;
+    /// What a row puts into a plot: a channel itself, of an axis or a device what one looks at first.
+    [[nodiscard]] std::vector<Signal> signalsAt(const QModelIndex &index) const;
+    [[nodiscard]] static Kind kindOf(const QModelIndex &index);
     /// Only devices whose title, name, serial or badge contains the text.
     void setFilter(const QString &text);
 
@@ -32,23 +43,38 @@ public:
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
+    [[nodiscard]] QStringList mimeTypes() const override;
+    [[nodiscard]] QMimeData *mimeData(const QModelIndexList &indexes) const override;
 
 private:
+    struct DeviceRow {
+        DeviceId id;
+        const Family *family = nullptr;
+    };
     struct LinkRow {
         std::string address;
-        std::vector<DeviceId> devices;
+        quint32 mark = 0; ///< never used twice
+        std::vector<DeviceRow> devices;
     };
 
     void follow();
     void followLinks(const Snapshot &shot);
     void followDevices(int row, const Snapshot &shot);
+    void tellChanged(const QModelIndex &parent);
     [[nodiscard]] bool passes(const DeviceView &device) const;
+    [[nodiscard]] const LinkRow *linkOf(const QModelIndex &index) const;
+    [[nodiscard]] const DeviceRow *rowOf(DeviceId device) const;
     [[nodiscard]] QVariant linkData(const LinkView &link, int role) const;
     [[nodiscard]] QVariant deviceData(const DeviceView &device, int role) const;
+    [[nodiscard]] QVariant axisData(const DeviceView &device, int axis, int role) const;
+    [[nodiscard]] QVariant channelData(const DeviceView &device, ChannelIndex channel, int role) const;
+    [[nodiscard]] ChannelIndex channelAt(const QModelIndex &index) const;
 
     Workbench &m_workbench;
     QString m_filter;
     std::vector<LinkRow> m_rows;
+    quint32 m_lastMark = 0;
 };
 
 } // namespace mb

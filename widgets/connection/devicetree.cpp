@@ -11,10 +11,39 @@
 
 #include <QHBoxLayout>
 #include <QMenu>
+#include <QPainter>
 #include <QTreeView>
 #include <QVBoxLayout>
 
 namespace mb {
+namespace {
+
+/// What is selected is one band from edge to edge, with the branches on it.
+class LinkTreeView : public QTreeView {
+public:
+    LinkTreeView(const ThemeSource &theme, QWidget *parent)
+        : QTreeView(parent)
+        , m_theme(theme)
+    {
+    }
+
+protected:
+    void drawRow(QPainter *painter, const QStyleOptionViewItem &option, const QModelIndex &index) const override
+    {
+        const bool selected = selectionModel()->isSelected(index) && index.parent().isValid();
+        const Theme &theme = m_theme.theme();
+        if (selected)
+            painter->fillRect(option.rect, theme.sel);
+        QTreeView::drawRow(painter, option, index);
+        if (selected)
+            painter->fillRect(QRect(0, option.rect.top(), theme.u(3), option.rect.height()), theme.accent);
+    }
+
+private:
+    const ThemeSource &m_theme;
+};
+
+} // namespace
 
 DeviceTree::DeviceTree(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
@@ -80,27 +109,30 @@ void DeviceTree::buildTree(QVBoxLayout &column)
     m_empty = new EmptyState(m_theme, Symbol::Plug, tr("No device yet"),
         tr("Devices appear here by themselves as soon as a link answers."), this);
     column.addWidget(m_empty);
-    m_view = new QTreeView(this);
+    m_view = new LinkTreeView(m_theme, this);
     m_view->setObjectName(QStringLiteral("deviceTree"));
     m_view->setAccessibleName(tr("Links and devices"));
     m_view->setModel(m_model);
     m_view->setItemDelegate(new DeviceDelegate(m_theme, m_view));
     m_view->setHeaderHidden(true);
     m_view->setFrameShape(QFrame::NoFrame);
-    m_view->setIndentation(m_theme.theme().u(18));
+    m_view->setIndentation(m_theme.theme().u(14));
     m_view->setUniformRowHeights(false);
     m_view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_view->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_view->setDragEnabled(true);
+    m_view->setDragDropMode(QAbstractItemView::DragOnly);
     column.addWidget(m_view, 1);
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
         if (const DeviceId id = m_model->deviceAt(current); id.value != 0)
-            m_selection.select(id);
+            m_selection.select(id, m_model->axisAt(current));
     });
-    connect(m_model, &QAbstractItemModel::rowsInserted, m_view, [this](const QModelIndex &parent) {
-        if (parent.isValid())
-            m_view->expand(parent);
+    connect(m_view, &QAbstractItemView::activated, this, [this](const QModelIndex &index) {
+        if (DeviceModel::kindOf(index) == DeviceModel::Kind::Channel)
+            Q_EMIT plotRequested(m_model->signalsAt(index));
     });
+    connect(m_model, &QAbstractItemModel::rowsInserted, this, &DeviceTree::expandInserted);
     connect(m_view, &QWidget::customContextMenuRequested, this, &DeviceTree::showMenu);
 }
 
@@ -135,10 +167,25 @@ void DeviceTree::follow()
         showSelection();
 }
 
+/// Links and axes are open to begin with, channels are not.
+void DeviceTree::expandInserted(const QModelIndex &parent, int first, int last)
+{
+    if (!parent.isValid())
+        return;
+    m_view->expand(parent);
+    for (int row = first; row <= last; ++row) {
+        const QModelIndex inserted = m_model->index(row, 0, parent);
+        if (DeviceModel::kindOf(m_model->index(0, 0, inserted)) == DeviceModel::Kind::Axis)
+            m_view->expand(inserted);
+    }
+}
+
 void DeviceTree::showSelection()
 {
-    const QModelIndex index = m_model->indexOf(m_selection.device());
-    if (index.isValid() && index != m_view->currentIndex())
+    const QModelIndex current = m_view->currentIndex();
+    if (m_model->deviceAt(current) == m_selection.device() && m_model->axisAt(current) == m_selection.axis())
+        return; // one of its channels, perhaps
+    if (const QModelIndex index = m_model->indexOf(m_selection.device(), m_selection.axis()); index.isValid())
         m_view->setCurrentIndex(index);
 }
 
@@ -160,6 +207,11 @@ void DeviceTree::showMenu(const QPoint &position)
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     if (id.value != 0) {
+        if (const std::vector<Signal> wanted = m_model->signalsAt(index); !wanted.empty()) {
+            const QString what = index.data(Qt::DisplayRole).toString();
+            menu->addAction(tr("Plot %1").arg(what), this, [this, wanted] { Q_EMIT plotRequested(wanted); });
+            menu->addSeparator();
+        }
         addDeviceActions(*menu, m_workbench, id, *this);
     } else {
         menu->addAction(tr("Scan again"), this, [this] { m_workbench.scan(); });

@@ -18,7 +18,8 @@ class EmptyState;
 class IconButton;
 class SearchField;
 
-/// The left dock: links, their devices with state, name and live word; rescan, filter; add a link or open the simulated bench.
+/// The left dock: links, their devices with state, name and live word, the axes of those that have several, and under them
+/// channels that a double click, Enter or a drag brings into a plot; rescan, filter; add a link or open the simulated bench.
 class DeviceTree : public QWidget {
     Q_OBJECT
 public:
@@ -31,6 +32,8 @@ Q_SIGNALS:
     void simulateRequested();
     void closeLinkRequested(const QString &address);
     void collapseRequested();
+    /// These are to be plotted.
+    void plotRequested(const std::vector<mb::Signal> &wanted);
 
 private:
     void buildHead(QVBoxLayout &column);
@@ -39,6 +42,7 @@ private:
     void follow();
     void showSelection();
     void addSearch(QMenu &menu, const LinkView &link);
+    void expandInserted(const QModelIndex &parent, int first, int last);
     void showMenu(const QPoint &position);
 
     Workbench &m_workbench;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/connection/inspector.h"
 
+#include "model/axis.h"
+#include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
+#include "widgets/connection/axisrows.h"
 #include "widgets/connection/profilepanel.h"
 #include "wire/fixedpoint.h"
 
@@ -73,6 +76,11 @@ void Inspector::buildLive(QVBoxLayout &column)
 {
     column.addWidget(separatorLine(Qt::Horizontal, this));
     column.addWidget(new SectionLabel(tr("Live"), this));
+    m_axes = new AxisRows(m_theme, this);
+    m_axes->hide();
+    column.addWidget(m_axes);
+    connect(
+        m_axes, &AxisRows::axisActivated, this, [this](int axis) { m_selection.select(m_selection.device(), axis); });
     const auto add
         = [&](const QString &caption, const QString &unit, std::string_view channel, double factor, int decimals) {
               ValueLabel *label = addRow(column, caption);
@@ -125,7 +133,8 @@ void Inspector::follow()
         m_subtitle->clear();
         return;
     }
-    m_title->setText(titleOf(*device));
+    const int axis = m_selection.axis();
+    m_title->setText(axis > 0 ? tr("%1 · %2").arg(titleOf(*device), axisTitle(axis)) : titleOf(*device));
     const LinkView *link = m_workbench.snapshot().link(device->link);
     const QString linkName = link ? QString::fromStdString(link->name) : QString();
     m_subtitle->setText(device->identity.name.empty()
@@ -151,11 +160,17 @@ void Inspector::follow()
 /// Units are the device's: a current is counts until somebody said what a count is.
 void Inspector::showLive(const DeviceView &device)
 {
+    const bool several = hasAxes(*device.family);
+    m_axes->setVisible(several && m_selection.axis() == 0);
+    if (several)
+        m_axes->show(device, m_workbench.presentOf(device.link));
     for (const LiveRow &row : m_live) {
-        const auto channel = device.telemetry->find(row.channel);
+        const std::string key = axisKey(m_selection.axis(), row.channel);
+        const auto channel = device.telemetry->find(key);
+        row.label->setVisible(!several || channel); // a board has these of its axes only
         if (channel && row.factor == 1.0)
             row.label->setUnit(tableText(device.telemetry->channels()[channel->value].unit));
-        if (const auto value = liveValue(device, row.channel, m_workbench.presentOf(device.link)))
+        if (const auto value = liveValue(device, key, m_workbench.presentOf(device.link)))
             row.label->setValue(formatNumber(*value * row.factor, row.decimals));
         else
             row.label->clear();

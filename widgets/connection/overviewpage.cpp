@@ -223,6 +223,7 @@ void OverviewPage::followDevices(const Snapshot &shot)
             auto *card = new DeviceCard(m_theme, m_canvas);
             const DeviceId id = device.id;
             connect(card, &Card::activated, this, [this, id] { m_selection.select(id); });
+            connect(card, &DeviceCard::axisActivated, this, [this, id](int axis) { m_selection.select(id, axis); });
             connect(card, &DeviceCard::updateRequested, this, [this, id] {
                 m_selection.select(id);
                 Q_EMIT updateRequested();

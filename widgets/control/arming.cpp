@@ -30,6 +30,19 @@ QString Arming::nameOf(DeviceId device) const
     return view ? QStringLiteral("#%1").arg(view->identity.address) : QString();
 }
 
+/// The mode; of boards the number of axes.
+QString Arming::whatMoves() const
+{
+    const DeviceView *view = m_workbench.snapshot().device(m_device);
+    const auto axes = view ? view->motion.setPoints.size() : 0;
+    if (!view || view->family->capabilities.axes == 1 || axes == 0)
+        return modeText(m_setPoint.mode);
+    if (axes > 1)
+        return tr("%1 axes").arg(axes);
+    const SetPoint &only = view->motion.setPoints.front();
+    return tr("axis %1 %2").arg(only.axis).arg(modeText(only.mode));
+}
+
 LampStatus Arming::status(DeviceId candidate) const
 {
     LampStatus status;
@@ -50,7 +63,7 @@ LampStatus Arming::status(DeviceId candidate) const
             std::max(m_armedUntil - m_workbench.now(), Duration::zero()));
         status.detail = nameOf(m_device);
         break;
-    case LampState::Moving: status.detail = nameOf(m_device) + QLatin1Char(' ') + modeText(m_setPoint.mode); break;
+    case LampState::Moving: status.detail = nameOf(m_device) + QLatin1Char(' ') + whatMoves(); break;
     case LampState::Stopped: status.detail = status.armable ? QString() : tr("nothing to arm"); break;
     }
     return status;
@@ -120,6 +133,21 @@ void Arming::halt()
         return;
     m_workbench.stopMotion(m_device);
     enter(LampState::Armed);
+}
+
+void Arming::haltAxis(int axis)
+{
+    const DeviceView *view = m_workbench.snapshot().device(m_device);
+    if (m_state != LampState::Moving || !view)
+        return;
+    const auto &all = view->motion.setPoints;
+    const bool others
+        = std::any_of(all.begin(), all.end(), [axis](const SetPoint &setPoint) { return setPoint.axis != axis; });
+    if (!others)
+        return halt();
+    SetPoint off;
+    off.axis = axis;
+    m_workbench.updateMotion(m_device, off, {});
 }
 
 void Arming::stopAll(const QString &reason)

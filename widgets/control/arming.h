@@ -36,6 +36,8 @@ public:
     void run(const SetPoint &setPoint);
     /// Ends the motion and stays armed.
     void halt();
+    /// Takes one axis out while others go on; the last one ends the motion.
+    void haltAxis(int axis);
     /// STOP: everything, everywhere, latched until armed again.
     void stopAll(const QString &reason);
 
@@ -50,6 +52,7 @@ private:
     void renew();
     void enter(LampState state, const QString &reason = {});
     [[nodiscard]] QString nameOf(DeviceId device) const;
+    [[nodiscard]] QString whatMoves() const;
 
     Workbench &m_workbench;
     LampState m_state = LampState::Safe;

@@ -69,7 +69,7 @@ void GainRow::buildFirstLine(QGridLayout &grid)
 {
     const Theme &theme = m_theme.theme();
     const bool gain = m_kind == Kind::Gain;
-    auto *name = new QLabel(tableText(m_parameter.label), this);
+    auto *name = new QLabel(shortName(m_parameter), this);
     setTextRole(*name, gain ? TextRole::Emphasis : TextRole::Body);
     name->setToolTip(tableText(m_parameter.help));
     name->setWordWrap(!gain);
@@ -227,7 +227,8 @@ void GainRow::showNumbers(std::optional<std::int64_t> raw, bool edited)
     }
     m_meter->setSteps(raw ? std::abs(*raw) : 0);
     m_raw->setText(raw ? tr("raw %1   %2").arg(QString::number(*raw).replace(QLatin1Char('-'), MinusSign), m_physical)
-                       : QString());
+            : m_parameter.access == Access::WriteOnly ? tr("unknown until written")
+                                                      : QString());
     m_raw->setToolTip(raw ? rawText(m_parameter, *raw) : QString());
 }
 

@@ -37,9 +37,9 @@ GainsPanel::GainsPanel(const ThemeSource &theme, QWidget *parent)
     m_column->addWidget(m_more, 0, Qt::AlignLeft);
 }
 
-void GainsPanel::choose(const Family &family, StagedEdits &edits, Mode mode, int slot)
+void GainsPanel::choose(const Family &family, StagedEdits &edits, Mode mode, int slot, int axis)
 {
-    if (&family == m_family && &edits == m_edits && mode == m_mode && slot == m_slot)
+    if (&family == m_family && &edits == m_edits && mode == m_mode && slot == m_slot && axis == m_axis)
         return;
     if (m_edits)
         m_edits->endTyping(true);
@@ -47,6 +47,7 @@ void GainsPanel::choose(const Family &family, StagedEdits &edits, Mode mode, int
     m_edits = &edits;
     m_mode = mode;
     m_slot = slot;
+    m_axis = axis;
     rebuild();
 }
 
@@ -73,7 +74,7 @@ void GainsPanel::rebuild()
     auto *bounds = new QVBoxLayout(m_bounds);
     bounds->setContentsMargins(0, 0, 0, 0);
     bounds->setSpacing(0);
-    const GainSet set = gainSet(*m_family, m_mode, m_slot);
+    const GainSet set = gainSet(*m_family, m_mode, m_slot, m_axis);
     for (const ParameterIndex index : set.gains) {
         m_rows.push_back(new GainRow(m_theme, GainRow::Kind::Gain, *m_edits, index, m_content));
         rows->addWidget(m_rows.back());
@@ -87,7 +88,9 @@ void GainsPanel::rebuild()
     m_column->insertWidget(m_column->count() - 1, m_content);
     for (GainRow *row : m_rows)
         row->setUnit(gainUnit(*m_family, m_edits->parameter(row->index()), m_mode));
-    m_title->setText(m_family->capabilities.gainSlots > 1 ? tr("Gains, slot %1").arg(m_slot) : tr("Gains"));
+    m_title->setText(m_family->capabilities.gainSlots > 1 ? tr("Gains, slot %1").arg(m_slot)
+            : m_axis > 0                                  ? tr("Gains, axis %1").arg(m_axis)
+                                                          : tr("Gains"));
     showBounds(m_boundsShown);
     explain();
 }
@@ -98,14 +101,18 @@ void GainsPanel::showBounds(bool shown)
     if (m_bounds)
         m_bounds->setVisible(shown);
     const bool divided = m_family && m_family->loop && m_family->loop->divided;
-    m_more->setText(shown ? tr("Hide limits of the loop") : divided ? tr("Divisor") : tr("Limits of the loop"));
-    m_more->setVisible(m_family && !gainSet(*m_family, m_mode, m_slot).bounds.empty());
+    m_more->setText(shown ? tr("Hide limits of the loop")
+            : divided     ? tr("Divisor")
+            : m_axis > 0  ? tr("Limits of the axis")
+                          : tr("Limits of the loop"));
+    m_more->setVisible(m_family && !gainSet(*m_family, m_mode, m_slot, m_axis).bounds.empty());
 }
 
 void GainsPanel::explain()
 {
-    m_note->setText(isClosedLoop(m_mode)
-            ? QString()
+    m_note->setText(isClosedLoop(m_mode) ? QString()
+            : m_axis > 0
+            ? tr("No loop runs in %1 mode: only the limits of the axis act.").arg(modeText(m_mode))
             : tr("No loop runs in %1 mode: these gains act in velocity, position and current.").arg(modeText(m_mode)));
     m_note->setVisible(!m_note->text().isEmpty());
 }
@@ -136,7 +143,7 @@ QStringList GainsPanel::stagedNames() const
     for (const GainRow *row : m_rows) {
         const StagedEdit *edit = m_edits ? m_edits->find(row->index()) : nullptr;
         if (edit && edit->value.raw)
-            names << tableText(m_edits->parameter(row->index()).label);
+            names << shortName(m_edits->parameter(row->index()));
     }
     return names;
 }

@@ -21,7 +21,7 @@ public:
     explicit GainsPanel(const ThemeSource &theme, QWidget *parent = nullptr);
 
     /// Which rows: made anew when anything but the units differs from before. `edits` outlives the panel's use of it.
-    void choose(const Family &family, StagedEdits &edits, Mode mode, int slot);
+    void choose(const Family &family, StagedEdits &edits, Mode mode, int slot, int axis = 0);
     void clear();
     void setUnits(const DisplayUnits &units) { m_units = units; }
     void refresh(const DeviceView &device, bool reading);
@@ -45,6 +45,7 @@ private:
     QPointer<StagedEdits> m_edits;
     Mode m_mode = Mode::Off;
     int m_slot = -1;
+    int m_axis = 0;
     DisplayUnits m_units;
     std::vector<GainRow *> m_rows;
     SectionLabel *m_title = nullptr;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/gainunits.h"
 
+#include "model/axis.h"
 #include "widgets/common/devicetext.h"
 
 #include <QCoreApplication>
@@ -20,6 +21,7 @@ struct GainText {
 constexpr std::array<std::string_view, 4> gainNames{"p", "i", "d", "f"};
 constexpr std::array<std::string_view, 9> boundNames{"i_zone", "allowable_error", "ramp", "max_forward", "max_reverse",
     "nominal_forward", "nominal_reverse", "divisor", "windup"};
+constexpr std::array<std::string_view, 3> limitNames{"power", "velocity", "acceleration"};
 
 /// Device units per SI unit of the error.
 std::optional<double> errorScale(const LoopScale &scale, Mode mode, double countsPerRevolution)
@@ -70,18 +72,29 @@ bool isClosedLoop(Mode mode)
         || mode == Mode::RampVelocity;
 }
 
-GainSet gainSet(const Family &family, Mode mode, int slot)
+GainSet gainSet(const Family &family, Mode mode, int slot, int axis)
 {
+    const Mode loop = mode == Mode::RampPosition ? Mode::Position : mode == Mode::RampVelocity ? Mode::Velocity : mode;
     const std::array prefixes{
-        "slot" + std::to_string(slot) + ".", std::string(toString(mode)) + ".", std::string("gain.")};
+        "slot" + std::to_string(slot) + ".", std::string(toString(loop)) + ".", std::string("gain.")};
+    GainSet set;
     for (const std::string &prefix : prefixes) {
-        GainSet set;
-        collect(family, prefix, gainNames, set.gains);
-        collect(family, prefix, boundNames, set.bounds);
-        if (!set.gains.empty())
-            return set;
+        const std::string whole = axisKey(axis, prefix);
+        collect(family, whole, gainNames, set.gains);
+        if (set.gains.empty())
+            continue;
+        collect(family, whole, boundNames, set.bounds);
+        break;
     }
-    return {};
+    if (axis > 0) // they act whatever the loop does
+        collect(family, axisKey(axis, "limit."), limitNames, set.bounds);
+    return set;
+}
+
+QString shortName(const Parameter &parameter)
+{
+    const std::string_view name = gainName(parameter);
+    return isGain(parameter) ? qt(name).toUpper() : tableText(parameter.label);
 }
 
 std::string_view gainName(const Parameter &parameter)

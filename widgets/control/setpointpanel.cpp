@@ -3,6 +3,7 @@
 
 #include "widgets/common/numberformat.h"
 #include "widgets/control/driveoptions.h"
+#include "widgets/control/setpointentry.h"
 #include "widgets/control/wrappedlabel.h"
 
 #include <QComboBox>
@@ -11,16 +12,10 @@
 #include <QPushButton>
 #include <QSlider>
 
-#include <array>
-
 namespace mb {
 namespace {
 
 constexpr int sliderSteps = 1000; ///< one side
-
-/// Seconds for the whole range from one end to the other.
-constexpr std::array slewTimes{0.0, 0.2, 1.0, 5.0};
-constexpr int usualSlew = 2;
 
 } // namespace
 
@@ -42,6 +37,8 @@ SetPointPanel::SetPointPanel(const ThemeSource &theme, QWidget *parent)
     m_fault->hide();
     column->addWidget(m_fault);
     column->addWidget(buildRange());
+    buildProfile();
+    column->addWidget(m_profileBox);
     buildOptions();
     column->addWidget(m_more, 0, Qt::AlignLeft);
     column->addWidget(m_options);
@@ -105,13 +102,43 @@ QWidget *SetPointPanel::buildRange()
     grid->addWidget(textLabel(tr("Range ±"), TextRole::Body, Tone::Dim, m_rangeBox), 0, 0);
     grid->addWidget(m_limit, 0, 1);
     grid->addWidget(m_limitUnit, 0, 2);
-    grid->addWidget(textLabel(tr("Moves"), TextRole::Body, Tone::Dim, m_rangeBox), 1, 0);
+    m_moves = textLabel(tr("Moves"), TextRole::Body, Tone::Dim, m_rangeBox);
+    grid->addWidget(m_moves, 1, 0);
     grid->addWidget(m_slew, 1, 1, 1, 2);
     grid->setColumnStretch(2, 1);
     connect(m_limit, &QLineEdit::textEdited, this, &SetPointPanel::limitTyped);
     connect(m_limit, &QLineEdit::editingFinished, this, &SetPointPanel::showRange);
     connect(m_slew, qOverload<int>(&QComboBox::activated), this, &SetPointPanel::changed);
     return m_rangeBox;
+}
+
+/// Of modes whose profile the device makes from what the command says.
+void SetPointPanel::buildProfile()
+{
+    const Theme &theme = m_theme.theme();
+    m_profileBox = new QWidget(this);
+    auto *grid = new QGridLayout(m_profileBox);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(theme.u(8));
+    grid->setVerticalSpacing(theme.u(4));
+    const auto add = [&](int row, const QString &name, const QString &unit, const QString &help) {
+        auto *field = new QLineEdit(m_profileBox);
+        field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        field->setFixedWidth(theme.u(104));
+        field->setAccessibleName(help);
+        field->setToolTip(help);
+        grid->addWidget(textLabel(name, TextRole::Body, Tone::Dim, m_profileBox), row, 0);
+        grid->addWidget(field, row, 1);
+        grid->addWidget(textLabel(unit, TextRole::Caption, Tone::Dim, m_profileBox), row, 2);
+        connect(field, &QLineEdit::textEdited, this, &SetPointPanel::textTyped);
+        return field;
+    };
+    m_velocity = add(0, tr("Velocity"), tr("counts/s"), tr("Velocity of the profile"));
+    m_acceleration = add(1, tr("Acceleration"), tr("counts/s²"), tr("Acceleration of the profile"));
+    m_velocity->setText(editText(Entered().velocity));
+    m_acceleration->setText(editText(Entered().acceleration));
+    grid->setColumnStretch(2, 1);
+    m_profileBox->hide();
 }
 
 void SetPointPanel::buildOptions()

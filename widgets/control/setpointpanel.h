@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/family.h"
+#include "model/setpoint.h"
 #include "widgets/plots/displayunits.h"
 
 #include <QWidget>
@@ -24,6 +25,29 @@ class SetPointPanel : public QWidget {
 public:
     explicit SetPointPanel(const ThemeSource &theme, QWidget *parent = nullptr);
 
+    struct Range {
+        double target = 0.0;
+        double limit = 0.0;
+        bool touched = false; ///< by a person
+    };
+    /// What a person has entered, for each mode.
+    struct Entered {
+        std::map<Mode, Range> ranges;
+        int slew = -1;                ///< place in the list; -1: the usual
+        double velocity = 2000.0;     ///< of a profile, counts/s
+        double acceleration = 4000.0; ///< counts/s²
+    };
+    /// One of several axes is shown instead of another: see restore().
+    [[nodiscard]] Entered entered() const;
+    void restore(const Entered &entered);
+    /// Where a mode starts: a hand cannot do much harm within it, and it can be raised.
+    [[nodiscard]] static double usualLimit(Mode mode);
+    [[nodiscard]] static bool startsAtPresent(Mode mode);
+    /// How fast a set-point of `mode` moves with these entries; 0 jumps.
+    [[nodiscard]] static double slewRate(const Entered &entered, Mode mode);
+
+    /// What the family's set-points have besides a target.
+    void setCapabilities(const Capabilities &capabilities);
     void setMode(Mode mode);
     [[nodiscard]] Mode mode() const { return m_mode; }
     void setUnits(const DisplayUnits &units);
@@ -59,11 +83,10 @@ Q_SIGNALS:
     void zeroRequested();
 
 private:
-    struct Range {
-        double target = 0.0;
-        double limit = 0.0;
-        bool touched = false; ///< by a person
-    };
+    void buildProfile();
+    void showExtras();
+    [[nodiscard]] bool isProfiled() const;
+    [[nodiscard]] QString profileFault() const;
     QWidget *buildTarget();
     QWidget *buildRange();
     void buildOptions();
@@ -94,6 +117,12 @@ private:
     QPushButton *m_more = nullptr;
     DriveOptions *m_options = nullptr;
     QPushButton *m_zero = nullptr;
+    QWidget *m_profileBox = nullptr;
+    QLineEdit *m_velocity = nullptr;
+    QLineEdit *m_acceleration = nullptr;
+    QLabel *m_moves = nullptr;
+    bool m_withOptions = true;
+    bool m_withProfile = false;
 };
 
 } // namespace mb

@@ -3,6 +3,7 @@
 
 #include "widgets/common/numberformat.h"
 #include "widgets/control/driveoptions.h"
+#include "widgets/control/setpointentry.h"
 #include "widgets/control/wrappedlabel.h"
 
 #include <QComboBox>
@@ -17,9 +18,12 @@ namespace mb {
 namespace {
 
 constexpr double greatestFollowed = 255.0;
+constexpr double fastestProfile = 1e5;  ///< counts/s
+constexpr double steepestProfile = 1e6; ///< counts/s²
 
-/// Where a mode starts: a hand cannot do much harm within it, and it can be raised.
-double usualLimit(Mode mode)
+} // namespace
+
+double SetPointPanel::usualLimit(Mode mode)
 {
     switch (mode) {
     case Mode::Duty: return 1.0;
@@ -33,12 +37,77 @@ double usualLimit(Mode mode)
     }
 }
 
-bool startsAtPresent(Mode mode)
+bool SetPointPanel::startsAtPresent(Mode mode)
 {
     return mode == Mode::Position || mode == Mode::RampPosition;
 }
 
-} // namespace
+SetPointPanel::Entered SetPointPanel::entered() const
+{
+    Entered all{m_ranges, m_slew->currentIndex(), {}, {}};
+    all.velocity = parseNumber(m_velocity->text()).value_or(0.0);
+    all.acceleration = parseNumber(m_acceleration->text()).value_or(0.0);
+    return all;
+}
+
+void SetPointPanel::restore(const Entered &entered)
+{
+    m_present.reset();
+    m_ranges = entered.ranges;
+    if (range().limit == 0.0)
+        range().limit = usualLimit(m_mode);
+    m_slew->setCurrentIndex(entered.slew < 0 ? usualSlew : entered.slew);
+    m_velocity->setText(editText(entered.velocity));
+    m_acceleration->setText(editText(entered.acceleration));
+    setUnits(m_units);
+}
+
+double SetPointPanel::slewRate(const Entered &entered, Mode mode)
+{
+    const auto found = entered.ranges.find(mode);
+    const double limit
+        = found == entered.ranges.end() || found->second.limit <= 0.0 ? usualLimit(mode) : found->second.limit;
+    const int place = entered.slew < 0 ? usualSlew : entered.slew;
+    const double time = slewTimes.at(static_cast<std::size_t>(place));
+    return time > 0.0 && mode != Mode::Follow ? 2.0 * limit / time : 0.0;
+}
+
+void SetPointPanel::setCapabilities(const Capabilities &capabilities)
+{
+    m_withOptions = capabilities.outputOptions;
+    m_withProfile = capabilities.commandsProfile;
+    showExtras();
+}
+
+bool SetPointPanel::isProfiled() const
+{
+    return m_withProfile && (m_mode == Mode::RampPosition || m_mode == Mode::RampVelocity);
+}
+
+void SetPointPanel::showExtras()
+{
+    m_more->setVisible(m_withOptions);
+    if (!m_withOptions)
+        m_options->hide();
+    m_profileBox->setVisible(isProfiled());
+    m_velocity->setEnabled(m_mode == Mode::RampPosition); // the other goes to its target velocity
+    m_moves->setVisible(!isProfiled());
+    m_slew->setVisible(!isProfiled()); // the device makes the way there
+}
+
+QString SetPointPanel::profileFault() const
+{
+    if (!isProfiled())
+        return {};
+    const auto velocity = parseNumber(m_velocity->text());
+    const auto acceleration = parseNumber(m_acceleration->text());
+    if (!velocity || *velocity <= 0.0 || *velocity > fastestProfile)
+        return tr("The profile needs a velocity up to %1 counts/s.").arg(formatNumber(fastestProfile));
+    if (!acceleration || *acceleration < 0.0 || *acceleration > steepestProfile)
+        return tr("The profile needs an acceleration up to %1 counts/s²; 0 is none.")
+            .arg(formatNumber(steepestProfile));
+    return {};
+}
 
 void SetPointPanel::setMode(Mode mode)
 {
@@ -61,6 +130,7 @@ void SetPointPanel::setUnits(const DisplayUnits &units)
     m_limitUnit->setText(m_unit.text);
     m_slider->setVisible(m_mode != Mode::Follow);
     m_rangeBox->setVisible(m_mode != Mode::Follow);
+    showExtras();
     showRange();
     showTarget(range().target);
     showPresent(m_present);
@@ -121,7 +191,8 @@ QString SetPointPanel::fault() const
     constexpr double rounding = 0.0005; // the limit is shown with three decimals
     if (std::abs(*number) > limit() * m_unit.scale + rounding)
         return tr("%1 is beyond the range of ± %2. Enter less, or widen the range.").arg(text, most);
-    return m_options->fault();
+    const QString profile = profileFault();
+    return profile.isEmpty() ? m_options->fault() : profile;
 }
 
 void SetPointPanel::textTyped()
@@ -217,15 +288,19 @@ double SetPointPanel::limit() const
 
 double SetPointPanel::slewRate() const
 {
-    const double time = m_slew->currentData().toDouble();
-    return time > 0.0 && m_mode != Mode::Follow ? 2.0 * limit() / time : 0.0;
+    return isProfiled() ? 0.0 : slewRate(entered(), m_mode);
 }
 
 void SetPointPanel::apply(SetPoint &setPoint) const
 {
     setPoint.mode = m_mode;
     setPoint.target = target().value_or(0.0);
-    m_options->apply(setPoint);
+    if (m_withOptions)
+        m_options->apply(setPoint);
+    if (isProfiled()) {
+        setPoint.velocity = parseNumber(m_velocity->text()).value_or(0.0);
+        setPoint.acceleration = parseNumber(m_acceleration->text()).value_or(0.0);
+    }
 }
 
 void SetPointPanel::focusField()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/steplog.h"
 
+#include "model/axis.h"
 #include "widgets/control/gainunits.h"
 
 #include <algorithm>
@@ -43,17 +44,25 @@ StepRecord *StepLog::running()
     return m_records.empty() || m_records.back().finished ? nullptr : &m_records.back();
 }
 
+/// Nothing while it is not kept alive.
+const SetPoint *StepLog::told(const DeviceView &device) const
+{
+    if (m_axis > 0)
+        return device.motion.on(m_axis);
+    return device.motion.running ? &device.motion.setPoint : nullptr;
+}
+
 bool StepLog::follow(const DeviceView &device, Instant now)
 {
     m_news = false;
-    const auto channel = device.telemetry->find("setpoint");
+    const auto channel = device.telemetry->find(axisKey(m_axis, "setpoint"));
     if (!channel)
         return false;
     if (m_seen == Instant{})
         m_seen = now - 1us; // what happened before somebody looked is history
     std::vector<Point> fresh;
     device.telemetry->forEach(*channel, m_seen + 1us, now, [&fresh](const Point &point) { fresh.push_back(point); });
-    const bool early = !fresh.empty() && !device.motion.running && !m_target && now - fresh.back().time < snapshotTime;
+    const bool early = !fresh.empty() && !told(device) && !m_target && now - fresh.back().time < snapshotTime;
     if (early)
         return false; // the recording is ahead of the snapshot, which does not know the mode yet
     for (const Point &point : fresh)
@@ -61,11 +70,11 @@ bool StepLog::follow(const DeviceView &device, Instant now)
     if (!fresh.empty())
         m_seen = std::max(m_seen, fresh.back().time);
     StepRecord *record = running();
-    if (record && !device.motion.running && now - m_seen > rampPause)
+    if (record && !told(device) && now - m_seen > rampPause)
         finish(device, m_seen, true);
     else if (record && now >= m_changedAt + watchTime)
         finish(device, m_changedAt + watchTime, false);
-    if (!device.motion.running && now - m_seen > rampPause)
+    if (!told(device) && now - m_seen > rampPause)
         m_target.reset();
     return m_news;
 }
@@ -100,20 +109,22 @@ void StepLog::take(const DeviceView &device, const Point &setPoint)
 
 void StepLog::begin(const DeviceView &device, Instant time, double target)
 {
-    const Mode mode = device.motion.setPoint.mode;
+    const SetPoint &command
+        = m_axis > 0 && device.motion.on(m_axis) ? *device.motion.on(m_axis) : device.motion.setPoint;
+    const Mode mode = command.mode;
     const std::string_view channel = measuredChannel(mode);
     if (channel.empty())
         return;
-    const auto before = samplesOf(device, channel, time - lookBack, time);
+    const auto before = samplesOf(device, axisKey(m_axis, channel), time - lookBack, time);
     StepRecord record;
     record.number = m_records.empty() ? 1 : m_records.back().number + 1;
     record.begin = time;
     record.mode = mode;
-    record.slot = device.motion.setPoint.slot;
+    record.slot = command.slot;
     record.to = target;
     const bool known = !before.empty() && !before.back().isGap();
     record.from = m_target ? *m_target : known ? before.back().value : 0.0;
-    const GainSet set = gainSet(*device.family, mode, record.slot);
+    const GainSet set = gainSet(*device.family, mode, record.slot, m_axis);
     for (std::size_t i = 0; i < std::min(set.gains.size(), record.gains.size()); ++i)
         record.gains[i] = device.parameters.at(set.gains[i].value).raw;
     if (m_records.size() >= mostRecords)
@@ -134,13 +145,13 @@ void StepLog::finish(const DeviceView &device, Instant end, bool cut)
         m_records.pop_back();
         return;
     }
-    const auto samples = samplesOf(device, measuredChannel(record.mode), record.begin - lookBack, end);
+    const auto samples = samplesOf(device, axisKey(m_axis, measuredChannel(record.mode)), record.begin - lookBack, end);
     record.metrics = measureStep(samples, record.begin, std::nullopt, record.to);
-    if (const auto channel = device.telemetry->find(measuredChannel(record.mode))) {
+    if (const auto channel = device.telemetry->find(axisKey(m_axis, measuredChannel(record.mode)))) {
         for (const History::Gap &gap : device.telemetry->gaps(*channel, record.begin, end))
             record.lost += gap.lost;
     }
-    for (const Point &point : samplesOf(device, "current", record.begin, end)) {
+    for (const Point &point : samplesOf(device, axisKey(m_axis, "current"), record.begin, end)) {
         if (!point.isGap())
             record.peakCurrent = std::max(record.peakCurrent, std::abs(point.value));
     }

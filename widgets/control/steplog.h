@@ -27,9 +27,14 @@ struct StepRecord {
     double peakCurrent = 0.0;
 };
 
-/// Every step of one device since it was found, taken from its recording: nothing that was run is lost. GUI thread.
+/// Every step of one device, or of one of its axes, since it was found, taken from its recording: nothing that was run is lost. GUI thread.
 class StepLog {
 public:
+    /// 0: the device has one motor.
+    explicit StepLog(int axis = 0)
+        : m_axis(axis)
+    {
+    }
     /// Looks at what was recorded since the last call. True when a record began or ended.
     bool follow(const DeviceView &device, Instant now);
     /// Oldest first; the last one may be running.
@@ -40,7 +45,9 @@ private:
     void begin(const DeviceView &device, Instant time, double target);
     void finish(const DeviceView &device, Instant end, bool cut);
     [[nodiscard]] StepRecord *running();
+    [[nodiscard]] const SetPoint *told(const DeviceView &device) const;
 
+    int m_axis;
     std::vector<StepRecord> m_records;
     Instant m_seen{};
     Instant m_changedAt{};

@@ -4,6 +4,7 @@
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/control/axespanel.h"
 #include "widgets/control/calmwheel.h"
 #include "widgets/control/driveoptions.h"
 #include "widgets/control/gainspanel.h"
@@ -12,6 +13,7 @@
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/steptable.h"
 #include "widgets/control/tuneplot.h"
+#include "widgets/control/wrappedlabel.h"
 
 #include <QHBoxLayout>
 #include <QScrollArea>
@@ -92,11 +94,12 @@ QWidget *TunePage::buildCommands()
     m_remedy = new ElidedLabel({}, bar);
     setTone(*m_remedy, Tone::Dim);
     m_halt = new CommandButton(m_theme, Symbol::Stop, tr("Stop motion"), bar);
+    m_halt->setTextVariants({tr("Stop motion"), tr("Stop axis %1").arg(8)});
     m_halt->setToolTip(tr("Ends the motion and stays armed. STOP, Esc and Pause stop everything."));
     m_run = new CommandButton(m_theme, Symbol::Play, tr("Run"), bar);
     m_run->setPrimary(true);
     m_run->setKeyHint(QStringLiteral("F5"));
-    m_run->setTextVariants({tr("Run"), tr("Write and run"), tr("Apply")});
+    m_run->setTextVariants({tr("Run"), tr("Write and run"), tr("Apply"), tr("Run %1 axes").arg(8)});
     m_run->setObjectName(QStringLiteral("run"));
     row->addWidget(m_glyph);
     row->addWidget(m_cause);
@@ -124,12 +127,20 @@ QWidget *TunePage::buildColumn()
     auto *inner = new QVBoxLayout(panels);
     inner->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
     inner->setSpacing(theme.u(8));
+    m_axes = new AxesPanel(m_theme, panels);
+    m_axesLine = separatorLine(Qt::Horizontal, panels);
+    m_axesLine->hide();
+    inner->addWidget(m_axes);
+    inner->addWidget(m_axesLine);
     m_modes = new ModePanel(panels);
     m_setPoint = new SetPointPanel(m_theme, panels);
     m_gains = new GainsPanel(m_theme, panels);
     inner->addWidget(m_modes);
     inner->addWidget(separatorLine(Qt::Horizontal, panels));
     inner->addWidget(m_setPoint);
+    m_firstPower = wrappedLabel({}, TextRole::Caption, Tone::Dim, panels);
+    m_firstPower->hide();
+    inner->addWidget(m_firstPower);
     inner->addWidget(separatorLine(Qt::Horizontal, panels));
     inner->addWidget(m_gains);
     m_moves = new MovesPanel(m_workbench, m_arming, m_theme, panels);
@@ -183,13 +194,16 @@ void TunePage::connectPanels()
         disarmBecause(tr("the running slot"));
         slotsChosen();
     });
+    connect(m_axes, &AxesPanel::axisChosen, this, [this](int axis) { m_selection.select(m_shown, axis); });
+    connect(m_axes, &AxesPanel::togetherChanged, this, &TunePage::follow);
+    connect(m_axes, &AxesPanel::spreadRequested, this, &TunePage::spread);
+    connect(m_axes, &AxesPanel::copyGainsRequested, this, &TunePage::copyGains);
     connect(m_setPoint, &SetPointPanel::targetChosen, this, &TunePage::applyTarget);
     connect(m_setPoint, &SetPointPanel::changed, this, &TunePage::showCommands);
     connect(m_setPoint, &SetPointPanel::polarityChanged, this, [this] { disarmBecause(tr("a direction or a limit")); });
     connect(m_setPoint, &SetPointPanel::zeroRequested, this, &TunePage::zero);
     connect(m_moves, &MovesPanel::taken, this, [this] { // no set-point of this page comes between
-        m_slewTimer.stop();
-        m_ours = false;
+        forgetMotion();
     });
     connect(m_plot, &TunePlot::unitsChanged, this, &TunePage::unitsChosen);
     connect(&m_workbench, &Workbench::changed, this, &TunePage::follow);

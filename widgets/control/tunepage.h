@@ -4,6 +4,7 @@
 #include "widgets/common/selection.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/control/arming.h"
+#include "widgets/control/setpointpanel.h"
 #include "widgets/control/setpointslew.h"
 #include "widgets/control/steplog.h"
 #include "widgets/parameters/stagededits.h"
@@ -21,18 +22,19 @@ class QStackedWidget;
 
 namespace mb {
 
+class AxesPanel;
 class CommandButton;
 class ElidedLabel;
 class EmptyState;
 class GainsPanel;
 class ModePanel;
 class MovesPanel;
-class SetPointPanel;
 class StateGlyph;
 class StepTable;
 class TunePlot;
 
-/// Moves one motor and tunes its loop: mode, set-point and gains at the left, what happens at the right. Every motion goes
+/// Moves one motor and tunes its loop: mode, set-point and gains at the left, what happens at the right. Of a board with
+/// several axes it is about the selected one, and Run can start several at the same moment. Every motion goes
 /// through Arming; a change of device, mode, running slot or direction disarms (tuning.md 5.1). Gains are staged and
 /// written as a set, in an order that is never livelier than before and after.
 class TunePage : public QWidget {
@@ -50,6 +52,8 @@ public:
     };
     [[nodiscard]] Status status() const;
 
+    /// As if the mode was chosen and the target typed, in units of product.md.
+    void choose(Mode mode, double target);
     /// Writes what is staged for the running slot, then starts, or applies what is chosen to a motor that moves.
     void run();
     /// Writes the gains that are staged; does not start anything.
@@ -57,7 +61,10 @@ public:
     void halt();
     /// Stops the motor and lets its position count from 0; Run starts it again.
     void zero();
+    /// Mode and set-point of the axis that is shown, for all that are to run together; a position as the same distance.
+    void spread();
 
+    [[nodiscard]] AxesPanel &axesPanel() { return *m_axes; }
     [[nodiscard]] ModePanel &modePanel() { return *m_modes; }
     [[nodiscard]] SetPointPanel &setPointPanel() { return *m_setPoint; }
     [[nodiscard]] GainsPanel &gainsPanel() { return *m_gains; }
@@ -70,7 +77,13 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    /// What a person has chosen for one device.
+    /// One motor: a device, or one of its axes (0 where it has one only).
+    struct Place {
+        DeviceId device;
+        int axis = 0;
+        friend auto operator<=>(const Place &, const Place &) = default;
+    };
+    /// What a person has chosen for one motor, and what was sent to it from here.
     struct Choice {
         Mode mode = Mode::Velocity;
         int editedSlot = 0;
@@ -79,6 +92,11 @@ private:
         double profiled = 0.0; ///< counts per revolution that the device's profile had last
         std::unique_ptr<StagedEdits> edits;
         StepLog steps;
+        SetPointPanel::Entered entered; ///< of an axis that is not shown
+        SetPoint base;                  ///< what was sent last
+        SetPointSlew slew;
+        bool slewing = false;
+        bool ours = false; ///< the motion was started here
     };
     QWidget *buildLive();
     QWidget *buildCommands();
@@ -107,28 +125,41 @@ private:
     void unitsChosen(const DisplayUnits &units);
 
     [[nodiscard]] SetPoint wanted() const;
-    [[nodiscard]] std::optional<double> present(const DeviceView &view) const;
+    [[nodiscard]] std::optional<double> present(const DeviceView &view, Mode mode, int axis) const;
     [[nodiscard]] QString describe(const SetPoint &setPoint) const;
     void start();
-    [[nodiscard]] double whereItIs(const DeviceView &view) const;
+    void startAxis(const DeviceView &view, int axis, bool several);
+    [[nodiscard]] double whereItIs(const DeviceView &view, int axis, Mode mode) const;
+    [[nodiscard]] bool isAxisMoving(const DeviceView &view, int axis) const;
+    void forgetMotion();
     void applyTarget();
     void slewTick();
-    void send(double target);
+    void send(Choice &chosen, double target);
+    // tunepageaxes.cpp
+    [[nodiscard]] Choice &choiceOf(const DeviceView &view, int axis);
+    [[nodiscard]] int axisFor(const DeviceView &view);
+    [[nodiscard]] std::vector<int> motorsOf(const DeviceView &view) const;
+    void showMotor(const DeviceView &view, int axis);
+    void followAxes(const DeviceView &view);
+    void followFirstPower(const DeviceView &view);
+    [[nodiscard]] SetPoint wantedOf(const DeviceView &view, int axis) const;
+    [[nodiscard]] std::vector<int> beside() const;
+    void copyGains(int from);
+    [[nodiscard]] QString othersText(const DeviceView &view) const;
     void writeThen(std::function<void()> next);
 
     Workbench &m_workbench;
     Selection &m_selection;
     Arming &m_arming;
     const ThemeSource &m_theme;
-    std::map<DeviceId, Choice> m_choices;
+    std::map<Place, Choice> m_choices;
+    std::map<DeviceId, int> m_lastAxis;
     std::set<DeviceId> m_asked;
     DeviceId m_shown;
-    bool m_ours = false; ///< the motion was started here
+    int m_axis = 0;
     bool m_writing = false;
     std::uint64_t m_editRevision = 0;
     QString m_rowsShown;
-    SetPoint m_base; ///< what was sent last
-    SetPointSlew m_slew;
     QTimer m_slewTimer;
     QStackedWidget *m_stack = nullptr;
     EmptyState *m_empty = nullptr;
@@ -137,8 +168,11 @@ private:
     ElidedLabel *m_remedy = nullptr;
     CommandButton *m_halt = nullptr;
     CommandButton *m_run = nullptr;
+    AxesPanel *m_axes = nullptr;
+    QWidget *m_axesLine = nullptr;
     ModePanel *m_modes = nullptr;
     SetPointPanel *m_setPoint = nullptr;
+    QLabel *m_firstPower = nullptr;
     MovesPanel *m_moves = nullptr;
     GainsPanel *m_gains = nullptr;
     CommandButton *m_write = nullptr;

@@ -7,6 +7,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/ratekeeper.h"
+#include "widgets/control/axespanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/modepanel.h"
@@ -26,8 +27,8 @@ namespace mb {
 namespace {
 
 /// Samples per second that a step needs.
-constexpr std::array<std::pair<std::string_view, double>, 3> fast{
-    {{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}}};
+constexpr std::array<std::pair<std::string_view, double>, 4> fast{
+    {{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}, {"ch1.position", 500.0}}};
 
 bool isRunning(const OperationView *operation)
 {
@@ -43,7 +44,7 @@ const DeviceView *TunePage::device() const
 
 TunePage::Choice *TunePage::choice()
 {
-    const auto found = m_choices.find(m_shown);
+    const auto found = m_choices.find({m_shown, m_axis});
     return found == m_choices.end() ? nullptr : &found->second;
 }
 
@@ -59,10 +60,8 @@ void TunePage::selectionChanged()
 
 void TunePage::follow()
 {
-    if (!m_arming.isMoving()) {
-        m_slewTimer.stop();
-        m_ours = false;
-    }
+    if (!m_arming.isMoving())
+        forgetMotion();
     const DeviceView *view = device();
     const bool usable = view && view->identity.state != DeviceState::Bootloader;
     wishRates(usable ? view : nullptr);
@@ -87,29 +86,12 @@ void TunePage::wishRates(const DeviceView *view)
 
 void TunePage::followDevice(const DeviceView &view)
 {
-    Choice &chosen = m_choices[view.id];
-    if (!chosen.edits) {
-        chosen.edits = std::make_unique<StagedEdits>(*view.family, this);
-        connect(chosen.edits.get(), &StagedEdits::changed, this, [this] {
-            ++m_editRevision;
-            follow();
-        });
-    }
-    if (m_shown != view.id) {
-        m_shown = view.id;
-        m_modes->setFamily(*view.family);
-        m_modes->chainAfter(m_run);
-        m_modes->show(chosen.mode, chosen.editedSlot, chosen.runningSlot);
-        chosen.mode = m_modes->mode();
-        m_setPoint->reset(view.family->capabilities);
-        m_setPoint->setMode(chosen.mode);
-        m_setPoint->setUnits(chosen.units);
-        m_plot->setUnits(chosen.units);
-        m_gains->setUnits(chosen.units);
-        m_steps->setUnits(chosen.units);
-        m_plot->choose(view, chosen.mode);
-        followSteps(view, true);
-    }
+    const int axis = axisFor(view);
+    for (const int motor : motorsOf(view))
+        (void)choiceOf(view, motor);
+    if (m_shown != view.id || m_axis != axis)
+        showMotor(view, axis);
+    Choice &chosen = choiceOf(view, axis);
     const double counts = view.profile.calibrated(countsPerRevolutionKey);
     if (counts > 0.0 && counts != std::exchange(chosen.profiled, counts)) {
         chosen.units.countsPerRevolution = counts;
@@ -118,11 +100,12 @@ void TunePage::followDevice(const DeviceView &view)
         m_gains->setUnits(chosen.units);
         m_steps->setUnits(chosen.units);
     }
-    m_plot->choose(view, chosen.mode);
+    m_plot->choose(view, chosen.mode, axis, beside());
     followSteps(view, false);
     m_plot->follow(view);
-    m_setPoint->showPresent(present(view));
+    m_setPoint->showPresent(present(view, chosen.mode, axis));
     followForeignRun(view);
+    followAxes(view);
     if (isVisible())
         readOnce(view);
     followGains(view);
@@ -132,29 +115,35 @@ void TunePage::followDevice(const DeviceView &view)
 
 void TunePage::followGains(const DeviceView &view)
 {
-    const Choice &chosen = m_choices.at(view.id);
+    const Choice &chosen = *choice();
     const bool reading = isRunning(m_workbench.snapshot().operation(view.id));
-    const QString rows = QStringLiteral("%1 %2 %3 %4 %5 %6 %7")
+    const QString rows = QStringLiteral("%1 %2 %3 %4 %5 %6 %7 %8")
                              .arg(view.id.value)
                              .arg(view.parameterRevision)
                              .arg(reading)
                              .arg(m_editRevision)
                              .arg(static_cast<int>(chosen.mode))
                              .arg(chosen.editedSlot)
-                             .arg(chosen.units.countsPerRevolution);
+                             .arg(chosen.units.countsPerRevolution)
+                             .arg(m_axis);
     if (rows == m_rowsShown)
         return;
     m_rowsShown = rows;
     chosen.edits->setEntries(view.parameters);
-    m_gains->choose(*view.family, *chosen.edits, chosen.mode, chosen.editedSlot);
+    m_gains->choose(*view.family, *chosen.edits, chosen.mode, chosen.editedSlot, m_axis);
     m_gains->refresh(view, reading);
 }
 
 void TunePage::followSteps(const DeviceView &view, bool anyway)
 {
-    StepLog &log = m_choices.at(view.id).steps;
-    if (!log.follow(view, m_workbench.now()) && !anyway)
+    bool news = anyway;
+    for (const int motor : motorsOf(view)) {
+        const bool other = choiceOf(view, motor).steps.follow(view, m_workbench.now());
+        news = news || (other && motor == m_axis);
+    }
+    if (!news)
         return;
+    const StepLog &log = choice()->steps;
     m_steps->setRecords(view.family, log.records());
     const auto &records = log.records();
     const auto last
@@ -169,7 +158,7 @@ void TunePage::useGains(const StepRecord &record)
     Choice *chosen = choice();
     if (!view || !chosen)
         return;
-    const GainSet set = gainSet(*view->family, record.mode, chosen->editedSlot);
+    const GainSet set = gainSet(*view->family, record.mode, chosen->editedSlot, m_axis);
     std::vector<ParameterChange> changes;
     for (std::size_t i = 0; i < std::min(set.gains.size(), record.gains.size()); ++i) {
         if (record.gains[i])
@@ -233,17 +222,18 @@ TunePage::Status TunePage::liveStatus(const DeviceView &view, const QString &nam
     if (isRunning(operation) && !known)
         return {GlyphState::Busy, tr("Reading gains"),
             tr("%1 of %2").arg(operation->status.done).arg(operation->status.total), false};
-    if (m_arming.isArmed(view.id) && m_arming.isMoving())
-        return {
-            GlyphState::Moving, tr("Moving"), describe(view.motion.running ? view.motion.setPoint : wanted()), true};
+    const SetPoint *told = m_axis > 0 ? view.motion.on(m_axis) : view.motion.running ? &view.motion.setPoint : nullptr;
+    const QString others = othersText(view);
+    if (isAxisMoving(view, m_axis))
+        return {GlyphState::Moving, tr("Moving"), describe(told ? *told : wanted()) + others, true};
     if (m_arming.isArmed(view.id))
-        return {GlyphState::Online, tr("Armed"), tr("F5 runs %1").arg(describe(wanted())), true};
+        return {GlyphState::Online, tr("Armed"), tr("F5 runs %1").arg(describe(wanted())) + others, true};
     return {GlyphState::Gone, tr("Not armed"), tr("Hold the lamp for 1 s to arm %1.").arg(name), false};
 }
 
 QString TunePage::describe(const SetPoint &setPoint) const
 {
-    const auto chosen = m_choices.find(m_shown);
+    const auto chosen = m_choices.find({m_shown, m_axis});
     const ShownUnit unit = shownUnit(setPoint.mode, chosen == m_choices.end() ? DisplayUnits{} : chosen->second.units);
     const double number = setPoint.target * unit.scale;
     const int decimals = number == std::round(number) ? 0 : unit.scale == 1.0 && unit.decimals == 0 ? 0 : 1;
@@ -251,6 +241,8 @@ QString TunePage::describe(const SetPoint &setPoint) const
         = setPoint.mode == Mode::Follow ? QStringLiteral("#%1").arg(number) : formatValue(number, decimals, unit.text);
     const QString what = modeText(setPoint.mode) + QLatin1Char(' ') + target;
     const DeviceView *view = device();
+    if (m_axis > 0)
+        return tr("axis %1: %2").arg(setPoint.axis).arg(what);
     const bool several = view && view->family->capabilities.gainSlots > 1 && isClosedLoop(setPoint.mode);
     return several ? tr("%1, slot %2").arg(what).arg(setPoint.slot) : what;
 }
@@ -264,15 +256,21 @@ void TunePage::showCommands()
     m_glyph->setState(now.glyph);
     m_cause->setText(now.cause);
     m_remedy->setText(now.remedy);
-    const Choice &chosen = m_choices.at(m_shown);
+    const Choice &chosen = *choice();
     const QStringList staged = m_gains->stagedNames();
     const bool withGains = !staged.isEmpty() && chosen.editedSlot == chosen.runningSlot;
-    const bool moving = m_arming.isMoving() && m_arming.isArmed(view->id);
-    m_run->setText(withGains ? tr("Write and run") : moving ? tr("Apply") : tr("Run"));
+    const bool moving = isAxisMoving(*view, m_axis);
+    const auto together = m_axes->together().size();
+    m_run->setText(withGains ? tr("Write and run")
+            : together > 1   ? tr("Run %1 axes").arg(together)
+            : moving         ? tr("Apply")
+                             : tr("Run"));
     m_run->setEnabled(now.mayRun);
     m_run->setToolTip(now.mayRun ? QString() : now.cause + QStringLiteral(": ") + now.remedy);
     m_run->setAccessibleDescription(m_run->toolTip());
     m_halt->setEnabled(moving);
+    const bool others = view->motion.setPoints.size() > 1 && together < 2;
+    m_halt->setText(moving && m_axis > 0 && others ? tr("Stop axis %1").arg(m_axis) : tr("Stop motion"));
     const bool several = view->family->capabilities.gainSlots > 1;
     const QString names
         = staged.size() > 3 ? tr("%n value(s)", nullptr, staged.size()) : staged.join(QStringLiteral(", "));

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/tunepage.h"
 
+#include "model/axis.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/control/axespanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/setpointpanel.h"
@@ -10,6 +12,8 @@
 #include "widgets/control/tuneplot.h"
 
 #include <QPointer>
+
+#include <algorithm>
 
 namespace mb {
 
@@ -37,16 +41,17 @@ SetPoint TunePage::wanted() const
     SetPoint setPoint;
     m_setPoint->apply(setPoint);
     setPoint.slot = m_modes->runningSlot();
+    setPoint.axis = std::max(m_axis, 1);
     return setPoint;
 }
 
-std::optional<double> TunePage::present(const DeviceView &view) const
+std::optional<double> TunePage::present(const DeviceView &view, Mode mode, int axis) const
 {
-    const Quantity quantity = quantityOf(m_setPoint->mode());
+    const Quantity quantity = quantityOf(mode);
     if (quantity == Quantity::Voltage) // of the supply, not of the motor
         return std::nullopt;
     for (const Channel &channel : view.family->channels) {
-        if (channel.quantity == quantity)
+        if (channel.quantity == quantity && axisOf(channel.key) == axis)
             return liveValue(view, channel.key, m_workbench.presentOf(view.link));
     }
     return std::nullopt;
@@ -63,11 +68,27 @@ void TunePage::disarmBecause(const QString &what)
 
 void TunePage::modeChosen(Mode mode)
 {
-    disarmBecause(tr("the mode"));
+    const DeviceView *view = device();
+    const bool rests = view && m_axis > 0 && m_arming.isMoving() && !isAxisMoving(*view, m_axis);
+    if (!rests) // what other axes do is not changed by it
+        disarmBecause(tr("the mode"));
     if (Choice *chosen = choice())
         chosen->mode = mode;
     m_setPoint->setMode(mode);
     follow();
+}
+
+void TunePage::choose(Mode mode, double target)
+{
+    const Choice *chosen = choice();
+    if (!chosen)
+        return;
+    m_modes->show(mode, chosen->editedSlot, chosen->runningSlot);
+    if (chosen->mode != m_modes->mode())
+        modeChosen(m_modes->mode());
+    m_setPoint->showTarget(target);
+    m_setPoint->keepTarget();
+    showCommands();
 }
 
 void TunePage::slotsChosen()
@@ -112,31 +133,63 @@ void TunePage::write()
 void TunePage::writeThen(std::function<void()> next)
 {
     const DeviceId target = m_shown;
+    const Place place{m_shown, m_axis};
     const std::vector<ParameterChange> changes = m_gains->toWrite();
     m_writing = true;
     m_workbench.writeParameters(
-        target, changes, [self = QPointer<TunePage>(this), target, changes, next](const Result<void> &result) {
+        target, changes, [self = QPointer<TunePage>(this), place, target, changes, next](const Result<void> &result) {
             if (!self)
                 return;
             self->m_writing = false;
-            const auto found = self->m_choices.find(target);
+            const auto found = self->m_choices.find(place);
             if (result && found != self->m_choices.end())
                 found->second.edits->settle(changes);
             self->follow();
             if (!result)
                 self->m_workbench.report(
                     Severity::Danger, {}, tr("gains not written: %1").arg(errorText(result.error())));
-            else if (next && self->m_shown == target && self->m_arming.isArmed(target))
+            else if (next && Place{self->m_shown, self->m_axis} == place && self->m_arming.isArmed(target))
                 next();
         });
     showCommands();
 }
 
+/// Of a board: what Run has started, the axis that is shown or all that are ticked.
 void TunePage::halt()
 {
-    m_slewTimer.stop();
-    if (m_arming.isArmed(m_shown))
+    const DeviceView *view = device();
+    if (!view || !m_arming.isArmed(m_shown))
+        return;
+    const std::vector<int> stopped = m_axes->together();
+    const auto &all = view->motion.setPoints;
+    const bool goesOn = m_axis > 0 && std::any_of(all.begin(), all.end(), [&](const SetPoint &setPoint) {
+        return std::find(stopped.begin(), stopped.end(), setPoint.axis) == stopped.end();
+    });
+    if (!goesOn) {
+        forgetMotion();
         m_arming.halt();
+        return;
+    }
+    for (const int axis : stopped) {
+        Choice &chosen = choiceOf(*view, axis);
+        chosen.slewing = chosen.ours = false;
+        m_arming.haltAxis(axis);
+    }
+}
+
+void TunePage::forgetMotion()
+{
+    m_slewTimer.stop();
+    for (auto &[place, chosen] : m_choices)
+        chosen.slewing = chosen.ours = false;
+}
+
+bool TunePage::isAxisMoving(const DeviceView &view, int axis) const
+{
+    if (!m_arming.isMoving() || !m_arming.isArmed(view.id))
+        return false;
+    const auto chosen = m_choices.find({view.id, axis});
+    return axis == 0 || view.motion.on(axis) || (chosen != m_choices.end() && chosen->second.ours);
 }
 
 void TunePage::zero()
@@ -156,37 +209,50 @@ void TunePage::zero()
 }
 
 /// tuning.md 5.6: the first set-point is where the motor is, then no faster than the hand's limit. A step of another
-/// quantity than position goes out at once.
+/// quantity than position goes out at once; of several axes, once each holds where it is.
 void TunePage::start()
 {
     const DeviceView *view = device();
-    const auto target = m_setPoint->target();
-    if (!view || !target || !m_arming.isArmed(view->id))
+    if (!view || !m_setPoint->target() || !m_arming.isArmed(view->id))
         return;
-    const bool moving = m_arming.isMoving();
-    m_base = wanted();
-    m_slew.setRate(m_setPoint->slewRate());
-    if (!moving || !m_slewTimer.isActive())
-        m_slew.start(whereItIs(*view), m_workbench.now());
-    m_slew.setTarget(*target);
+    choice()->entered = m_setPoint->entered();
+    const std::vector<int> axes = m_axis > 0 ? m_axes->together() : std::vector{0};
+    for (const int axis : axes)
+        startAxis(*view, axis, axes.size() > 1);
     m_setPoint->keepTarget();
-    if (moving && m_slewTimer.isActive())
+}
+
+void TunePage::startAxis(const DeviceView &view, int axis, bool several)
+{
+    Choice &chosen = choiceOf(view, axis);
+    const SetPoint wished = axis == m_axis ? wanted() : wantedOf(view, axis);
+    const double rate = axis == m_axis ? m_setPoint->slewRate() : SetPointPanel::slewRate(chosen.entered, wished.mode);
+    const bool moving = isAxisMoving(view, axis);
+    chosen.slew.setRate(rate);
+    if (!moving || !chosen.slewing)
+        chosen.slew.start(whereItIs(view, axis, wished.mode), m_workbench.now());
+    chosen.base = wished;
+    chosen.slew.setTarget(wished.target);
+    if (moving && chosen.slewing)
         return; // it takes the new target along
-    m_ours = true;
-    const bool careful = m_base.mode == Mode::Position || m_setPoint->slewRate() > 0.0;
-    send(!moving && careful && m_base.mode != Mode::Follow ? m_slew.value() : m_slew.advance(m_workbench.now()));
-    if (moving || !m_slew.isThere())
+    chosen.ours = true;
+    const bool careful = several || (!moving && (wished.mode == Mode::Position || rate > 0.0));
+    send(chosen, careful && wished.mode != Mode::Follow ? chosen.slew.value() : chosen.slew.advance(m_workbench.now()));
+    chosen.slewing = moving || !chosen.slew.isThere();
+    if (chosen.slewing)
         m_slewTimer.start();
 }
 
 /// Where a new set-point starts from.
-double TunePage::whereItIs(const DeviceView &view) const
+double TunePage::whereItIs(const DeviceView &view, int axis, Mode mode) const
 {
-    if (m_arming.isMoving() && m_ours)
-        return m_slew.value();
-    if (m_arming.isMoving() && view.motion.setPoint.mode == m_setPoint->mode())
-        return view.motion.setPoint.target;
-    return present(view).value_or(0.0);
+    const Choice &chosen = m_choices.at({view.id, axis});
+    if (isAxisMoving(view, axis) && chosen.ours)
+        return chosen.slew.value();
+    const SetPoint *told = axis > 0 ? view.motion.on(axis) : &view.motion.setPoint;
+    if (m_arming.isMoving() && told && told->mode == mode)
+        return told->target;
+    return present(view, mode, axis).value_or(0.0);
 }
 
 void TunePage::applyTarget()
@@ -197,26 +263,34 @@ void TunePage::applyTarget()
 
 void TunePage::slewTick()
 {
-    const bool news = !m_slew.isThere() || m_base.target != m_slew.value();
-    if (m_arming.isMoving() && news)
-        send(m_slew.advance(m_workbench.now()));
-    if (!m_arming.isMoving() || m_slew.isThere())
+    bool more = false;
+    for (auto &[place, chosen] : m_choices) {
+        if (!chosen.slewing)
+            continue;
+        const bool news = !chosen.slew.isThere() || chosen.base.target != chosen.slew.value();
+        if (m_arming.isMoving() && news)
+            send(chosen, chosen.slew.advance(m_workbench.now()));
+        chosen.slewing = m_arming.isMoving() && !chosen.slew.isThere();
+        more = more || chosen.slewing;
+    }
+    if (!more)
         m_slewTimer.stop();
 }
 
-void TunePage::send(double target)
+void TunePage::send(Choice &chosen, double target)
 {
-    m_base.target = target;
-    m_arming.run(m_base);
+    chosen.base.target = target;
+    m_arming.run(chosen.base);
 }
 
 void TunePage::followForeignRun(const DeviceView &view)
 {
     const bool moving = m_arming.isMoving() && m_arming.device() == view.id && view.motion.running;
-    if (!moving || m_ours || view.motion.setPoint.mode != m_setPoint->mode())
+    const SetPoint *told = m_axis > 0 ? view.motion.on(m_axis) : &view.motion.setPoint;
+    if (!moving || !told || choice()->ours || told->mode != m_setPoint->mode())
         return;
-    if (m_setPoint->target() != view.motion.setPoint.target)
-        m_setPoint->showTarget(view.motion.setPoint.target);
+    if (m_setPoint->target() != told->target)
+        m_setPoint->showTarget(told->target);
 }
 
 } // namespace mb

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/tuneplot.h"
 
+#include "model/axis.h"
+#include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
+#include "widgets/common/signal.h"
 #include "widgets/common/workbench.h"
 
 #include <QComboBox>
@@ -27,9 +30,13 @@ constexpr std::array windows{5.0, 10.0, 30.0, 60.0};
 constexpr int usualWindow = 1;
 constexpr double mostCounts = 1e7;
 
-/// Channels from the top: what is commanded, then what explains it.
-std::array<std::string_view, 3> channelsFor(Mode mode)
+/// Channels from the top: what is commanded, then what explains it. Boards measure what turns, not what drives it.
+std::array<std::string_view, 3> channelsFor(Mode mode, bool ofAxis)
 {
+    if (ofAxis && (mode == Mode::Position || mode == Mode::RampPosition))
+        return {"position", "velocity", "current"};
+    if (ofAxis)
+        return {"velocity", "position", "current"};
     switch (mode) {
     case Mode::Position:
     case Mode::RampPosition: return {"position", "duty", "current"};
@@ -158,26 +165,35 @@ void TunePlot::setUnits(const DisplayUnits &units)
         rebuild(*device);
 }
 
-void TunePlot::choose(const DeviceView &device, Mode mode)
+void TunePlot::choose(const DeviceView &device, Mode mode, int axis, const std::vector<int> &beside)
 {
-    if (device.id == m_device && mode == m_mode && device.telemetry == m_telemetry)
+    const bool sameAxis = device.id == m_device && axis == m_axis;
+    if (sameAxis && mode == m_mode && beside == m_beside && device.telemetry == m_telemetry)
         return;
-    const bool sameDevice = device.id == m_device;
-    if (!sameDevice)
+    if (!sameAxis)
         m_marked.reset();
+    if (sameAxis && mode != m_mode)
+        m_since = m_workbench.presentOf(device.link); // set-points of another mode have another unit
+    else if (!sameAxis)
+        m_since = {};
     m_device = device.id;
+    m_axis = axis;
+    m_beside = beside;
     m_mode = mode;
     m_telemetry = device.telemetry;
-    m_since
-        = sameDevice ? m_workbench.presentOf(device.link) : Instant{}; // set-points of another mode have another unit
     rebuild(device);
 }
 
-void TunePlot::addTrace(const DeviceView &device, std::string_view channel, int strip, bool main)
+QString TunePlot::nameOf(const Channel &row, int axis) const
 {
-    const auto index = device.telemetry->find(channel);
+    return m_beside.empty() ? tableText(row.label) : QStringLiteral("ch%1 %2").arg(axis).arg(channelName(row));
+}
+
+bool TunePlot::addTrace(const DeviceView &device, std::string_view channel, int strip, bool main, int axis)
+{
+    const auto index = device.telemetry->find(axisKey(axis, channel));
     if (!index)
-        return;
+        return false;
     const Channel &row = device.telemetry->channels()[index->value]; // whose units may depend on the device
     const ShownUnit unit = shownUnit(row.quantity, row.unit, m_units);
     auto source = std::make_shared<TelemetrySource>(
@@ -185,19 +201,31 @@ void TunePlot::addTrace(const DeviceView &device, std::string_view channel, int 
     source->setScale(unit.scale);
     m_sources.push_back(source);
     TraceStyle style;
-    style.name = tableText(row.label);
+    style.name = nameOf(row, axis);
     style.unit = unit.text;
     style.role = roleOf(row.quantity);
+    if (!m_beside.empty())
+        style.colour = axisColour(axis);
     style.strip = strip;
     m_stack->addTrace(style, source);
-    const auto setPoint = device.telemetry->find("setpoint");
-    if (!main || !setPoint || !hasSetPoint(m_mode))
+    if (row.quantity == quantityOf(m_mode))
+        addSetPoint(device, strip, unit, axis);
+    return true;
+}
+
+void TunePlot::addSetPoint(const DeviceView &device, int strip, const ShownUnit &unit, int axis)
+{
+    const auto setPoint = device.telemetry->find(axisKey(axis, "setpoint"));
+    if (!setPoint || !hasSetPoint(m_mode))
         return;
     auto wished = std::make_shared<TelemetrySource>(device.telemetry, *setPoint, TelemetrySource::Foot::Never);
     wished->setScale(unit.scale);
     wished->setSince(m_since);
     m_sources.push_back(wished);
-    style.name = tr("Set-point");
+    TraceStyle style;
+    style.unit = unit.text;
+    style.strip = strip;
+    style.name = m_beside.empty() ? tr("Set-point") : tr("ch%1 set-point").arg(axis);
     style.role = TraceRole::Setpoint;
     m_stack->addTrace(style, wished);
 }
@@ -207,10 +235,14 @@ void TunePlot::rebuild(const DeviceView &device)
     m_stack->clear();
     m_sources.clear();
     int strip = 0;
-    for (const std::string_view channel : channelsFor(m_mode)) {
-        addTrace(device, channel, strip, strip == 0);
-        ++strip;
+    for (const std::string_view channel : channelsFor(m_mode, m_axis > 0)) {
+        const bool there = addTrace(device, channel, strip, strip == 0, m_axis);
+        for (const int axis : there ? m_beside : std::vector<int>())
+            addTrace(device, channel, strip, false, axis);
+        strip += there || m_axis == 0 ? 1 : 0;
     }
+    if (m_axis > 0 && m_mode == Mode::Duty) // which is not measured
+        addSetPoint(device, strip++, shownUnit(Mode::Duty, m_units), m_axis);
     for (int i = 0; i < strip; ++i) {
         StripStyle style;
         style.stretch = i == 0 ? 2.4 : 1.0;

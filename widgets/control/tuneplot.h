@@ -24,8 +24,9 @@ class TunePlot : public QWidget {
 public:
     TunePlot(Workbench &workbench, const ThemeSource &theme, QWidget *parent = nullptr);
 
-    /// The traces of a device in a mode. Nothing changes while both stay the same.
-    void choose(const DeviceView &device, Mode mode);
+    /// The traces of a device in a mode. Nothing changes while both stay the same. Of a board, of one of its axes; what the
+    /// mode commands is shown of the axes `beside` it, too, each in its colour.
+    void choose(const DeviceView &device, Mode mode, int axis = 0, const std::vector<int> &beside = {});
     /// Rates and the present; every snapshot.
     void follow(const DeviceView &device);
     void setUnits(const DisplayUnits &units);
@@ -47,7 +48,9 @@ private:
     QWidget *buildBar();
     void buildUnits(class QHBoxLayout &row);
     void buildView(class QHBoxLayout &row);
-    void addTrace(const DeviceView &device, std::string_view channel, int strip, bool main);
+    bool addTrace(const DeviceView &device, std::string_view channel, int strip, bool main, int axis);
+    void addSetPoint(const DeviceView &device, int strip, const ShownUnit &unit, int axis);
+    [[nodiscard]] QString nameOf(const Channel &row, int axis) const;
     void rebuild(const DeviceView &device);
     void countsTyped();
     void tick();
@@ -56,6 +59,8 @@ private:
     const ThemeSource &m_theme;
     DeviceId m_device;
     Mode m_mode = Mode::Off;
+    int m_axis = 0;
+    std::vector<int> m_beside;
     DisplayUnits m_units;
     Instant m_since{};
     std::shared_ptr<const Telemetry> m_telemetry;

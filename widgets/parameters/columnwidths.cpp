@@ -36,6 +36,8 @@ ColumnWidths naturalWidths(
         for (const int column :
             {ParameterModel::Label, ParameterModel::Key, ParameterModel::Unit, ParameterModel::Reference})
             widen(column, model.indexOf({i}, column).data().toString());
+        if (model.family()->parameters[i].access == Access::WriteOnly)
+            widen(ParameterModel::State, ParameterModel::tr("unknown until written"));
         widen(ParameterModel::State, glyphWord(GlyphState::InRam));
     }
     widths[at(ParameterModel::Label)] += delegate.labelIndent() - delegate.padding();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameterfilter.h"
 
+#include "model/axis.h"
 #include "widgets/common/devicetext.h"
 
 #include <algorithm>
@@ -28,6 +29,8 @@ bool ParameterFilter::accepts(const ParameterModel &model, ParameterIndex index)
     if (!isIn(segment, model.standing(index)))
         return false;
     const Parameter &row = model.parameter(index);
+    if (axis && axisOf(row.key) != *axis)
+        return false;
     const QStringList texts{tableText(row.label), qt(row.key), tableText(row.group), qt(row.unit), tableText(row.help)};
     const QString all = texts.join(QLatin1Char('\n'));
     const QStringList wanted = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
@@ -35,13 +38,15 @@ bool ParameterFilter::accepts(const ParameterModel &model, ParameterIndex index)
         wanted.begin(), wanted.end(), [&all](const QString &word) { return all.contains(word, Qt::CaseInsensitive); });
 }
 
-ParameterCounts countParameters(const ParameterModel &model)
+ParameterCounts countParameters(const ParameterModel &model, std::optional<int> axis)
 {
     ParameterCounts counts;
     if (!model.family())
         return counts;
-    counts.all = static_cast<int>(model.family()->parameters.size());
-    for (std::uint16_t i = 0; i < counts.all; ++i) {
+    for (std::uint16_t i = 0; i < model.family()->parameters.size(); ++i) {
+        if (axis && axisOf(model.parameter({i}).key) != *axis)
+            continue;
+        ++counts.all;
         const ParameterStanding standing = model.standing({i});
         counts.changed += standing.changed ? 1 : 0;
         counts.edited += standing.edited && !standing.illegal ? 1 : 0;

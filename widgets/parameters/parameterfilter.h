@@ -5,6 +5,8 @@
 
 #include <QStringList>
 
+#include <optional>
+
 namespace mb {
 
 /// Which rows are shown: a segment, and words that all must occur in label, key, group, unit or help.
@@ -12,6 +14,7 @@ struct ParameterFilter {
     enum Segment { All, Changed, Edited, Errors };
     Segment segment = All;
     QString words;
+    std::optional<int> axis; ///< only rows of this axis, 0: those of the board as a whole; nothing: all
 
     /// The row that is being edited is always accepted: it must not vanish under the cursor.
     [[nodiscard]] bool accepts(const ParameterModel &model, ParameterIndex index) const;
@@ -29,6 +32,7 @@ struct ParameterCounts {
     int notKept = 0; ///< in force, but not over a power cycle
     int assumed = 0;
 };
-[[nodiscard]] ParameterCounts countParameters(const ParameterModel &model);
+/// Of one axis (0: of what the board has once), or of all.
+[[nodiscard]] ParameterCounts countParameters(const ParameterModel &model, std::optional<int> axis = {});
 
 } // namespace mb

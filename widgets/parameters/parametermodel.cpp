@@ -207,7 +207,7 @@ ParameterStanding ParameterModel::standing(ParameterIndex index) const
     else if (standing.unread)
         standing.text = tr("no answer, retry");
     else if (entry.state == ParameterState::Unknown)
-        standing.text = tr("not read");
+        standing.text = parameter(index).access == Access::WriteOnly ? tr("unknown until written") : tr("not read");
     else
         standing.text = m_writable ? glyphWord(standing.glyph) : tr("from a file");
     return standing;

@@ -128,6 +128,9 @@ QWidget *ParametersPage::buildTools()
     with->setBuddy(m_compare);
     row->addWidget(m_search);
     row->addWidget(m_segments);
+    buildAxes(*tools);
+    row->addWidget(m_axes);
+    row->addWidget(m_copy);
     row->addSpring();
     pair->addWidget(with);
     pair->addWidget(m_compare);
@@ -197,6 +200,7 @@ void ParametersPage::setFilter()
     ParameterFilter filter;
     filter.segment = static_cast<ParameterFilter::Segment>(m_segments->current());
     filter.words = m_search->text();
+    filter.axis = filterAxis();
     m_view->setFilter(filter);
     refreshTexts();
 }

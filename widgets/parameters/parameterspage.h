@@ -71,6 +71,13 @@ private:
     void readOnce(const DeviceView &device);
     void rememberAsFound(const DeviceView &device);
     void fillComparisons();
+    // parameterspageaxes.cpp
+    void buildAxes(QWidget &tools);
+    void followAxes(const Family &family);
+    void axisChosen(int place);
+    void copyFrom(int axis);
+    void fillCopyMenu();
+    [[nodiscard]] std::optional<int> filterAxis() const;
     void comparisonChosen(int row);
     void setFilter();
     void undo(bool redo);
@@ -93,6 +100,7 @@ private:
         OperationStatus::State operationState = OperationStatus::State::Done;
         int done = 0;
         std::string step;
+        int axis = 0;
         friend bool operator==(const Shown &, const Shown &) = default;
     };
     Shown m_shown;
@@ -115,6 +123,10 @@ private:
     CommandButton *m_export = nullptr;
     SearchField *m_search = nullptr;
     Segmented *m_segments = nullptr;
+    Segmented *m_axes = nullptr;     ///< of boards with several axes
+    CommandButton *m_copy = nullptr; ///< from another axis
+    bool m_boardOnly = false;        ///< the rows that no axis has
+    int m_comparedAxis = 0;
     QComboBox *m_compare = nullptr;
     QSplitter *m_splitter = nullptr;
     ParameterView *m_view = nullptr;

@@ -5,6 +5,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
+#include "widgets/parameters/axisparameters.h"
 #include "widgets/parameters/changespanel.h"
 #include "widgets/parameters/parameterfiles.h"
 #include "widgets/parameters/parameterfoot.h"
@@ -20,7 +21,7 @@
 namespace mb {
 namespace {
 
-enum Comparison { WithDefaults, AsFound, WithFile, ChooseFile };
+enum Comparison { WithDefaults, AsFound, WithFile, ChooseFile, WithAxis }; // and the axis on top of it
 
 bool isRunning(const OperationView *operation)
 {
@@ -95,9 +96,11 @@ void ParametersPage::choose()
 void ParametersPage::showDevice(const DeviceView &device)
 {
     StagedEdits &edits = editsOf(device);
+    m_boardOnly = m_boardOnly && m_selection.axis() == 0;
     m_stack->setCurrentIndex(1);
     const OperationView *operation = m_workbench.snapshot().operation(device.id);
-    Shown now{device.id, device.parameterRevision, device.liveness.heard, device.identity.state, {}, {}, 0, {}};
+    Shown now{device.id, device.parameterRevision, device.liveness.heard, device.identity.state, {}, {}, 0, {},
+        m_boardOnly ? -1 : m_selection.axis()};
     if (operation) {
         now.operation = operation->id;
         now.operationState = operation->status.state;
@@ -105,6 +108,7 @@ void ParametersPage::showDevice(const DeviceView &device)
         now.step = operation->status.step;
     }
     const bool same = now == m_shown && m_model->edits() == &edits;
+    const bool sameRows = m_model->edits() == &edits && now.axis == m_shown.axis && now.device == m_shown.device;
     m_shown = now;
     readOnce(device);
     if (same)
@@ -115,10 +119,14 @@ void ParametersPage::showDevice(const DeviceView &device)
         m_fileEdits.reset();
         m_fileReference.reset();
         m_panel->show();
-        fillComparisons();
-        setFilter();
+        m_comparedAxis = 0;
     } else {
         m_model->refresh();
+    }
+    if (!sameRows) {
+        followAxes(*device.family);
+        fillComparisons();
+        setFilter();
     }
     refresh();
 }
@@ -169,7 +177,7 @@ void ParametersPage::refreshTexts()
     StagedEdits *edits = m_model->edits();
     if (!edits)
         return;
-    const ParameterCounts counts = countParameters(*m_model);
+    const ParameterCounts counts = countParameters(*m_model, m_fileEdits ? std::nullopt : filterAxis());
     m_segments->setText(ParameterFilter::All, tr("All %1").arg(counts.all));
     m_segments->setText(ParameterFilter::Changed, tr("Changed %1").arg(counts.changed));
     m_segments->setText(ParameterFilter::Edited, tr("Edited %1").arg(counts.edited + counts.illegal));
@@ -182,7 +190,7 @@ void ParametersPage::refreshTexts()
     const DeviceView *shown = m_fileEdits ? nullptr : device();
     const OperationView *operation = shown ? m_workbench.snapshot().operation(shown->id) : nullptr;
     if (shown)
-        m_status->showDevice(*shown, operation, counts);
+        m_status->showDevice(*shown, operation, countParameters(*m_model));
     else
         m_status->showFile(m_fileName, qt(m_model->family()->title));
     m_undo->setEnabled(edits->undoStack().canUndo());
@@ -203,6 +211,11 @@ void ParametersPage::fillComparisons()
         m_compare->addItem(found->second.title, AsFound);
     if (m_fileReference)
         m_compare->addItem(m_fileReference->title, WithFile);
+    const Family *family = m_model->family();
+    for (int axis = 1; family && m_selection.axis() > 0 && axis <= family->capabilities.axes; ++axis) {
+        if (axis != m_selection.axis())
+            m_compare->addItem(tr("axis %1").arg(axis), WithAxis + axis);
+    }
     m_compare->addItem(tr("a file…"), ChooseFile);
     const int shown = m_compare->findText(m_model->reference().title);
     m_compare->setCurrentIndex(std::max(0, shown));
@@ -212,13 +225,16 @@ void ParametersPage::comparisonChosen(int row)
 {
     if (!m_model->family())
         return;
-    switch (m_compare->itemData(row).toInt()) {
+    const int chosen = m_compare->itemData(row).toInt();
+    m_comparedAxis = std::max(0, chosen - WithAxis);
+    switch (chosen) {
     case WithDefaults: m_model->setReference(defaultsOf(*m_model->family())); break;
     case AsFound: m_model->setReference(m_asFound.at(m_selection.device())); break;
     case WithFile: m_model->setReference(*m_fileReference); break;
-    default:
+    case ChooseFile:
         askForFile(*this, tr("Compare with a parameter file"), [this](const QString &path) { compareWith(path); });
         break;
+    default: m_model->setReference(axisReference(*m_model->family(), *m_model->edits(), m_comparedAxis)); break;
     }
     fillComparisons();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotboard.h"
 
+#include "model/axis.h"
+#include "widgets/common/axistext.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 
@@ -157,6 +159,21 @@ int PlotBoard::stripOf(const QString &pane, const QString &unit)
     return m_panes.indexOf(key);
 }
 
+/// Everything of an axis has its colour, also in several panes; where that is taken in a pane, as any other trace.
+void PlotBoard::dressAxis(Trace &trace, int axis) const
+{
+    if (axis == 0 || trace.style.role == TraceRole::Setpoint)
+        return;
+    const TraceRole wished = axisColour(axis);
+    for (const Trace &other : m_traces) {
+        if (&other == &trace)
+            break; // what follows is not dressed yet
+        if (other.style.strip == trace.style.strip && other.style.look().colourRole() == wished)
+            return;
+    }
+    trace.style.colour = wished;
+}
+
 void PlotBoard::dress(Trace &trace)
 {
     const Channel &row = *rowOf(trace.signal);
@@ -171,7 +188,9 @@ void PlotBoard::dress(Trace &trace)
     trace.style.role = roleOf(row.quantity);
     trace.style.secondAxis = trace.second;
     trace.style.strip = stripOf(trace.pane, unit.text);
-    chooseColour(trace.style, m_used);
+    dressAxis(trace, axisOf(row.key));
+    if (!trace.style.colour)
+        chooseColour(trace.style, m_used);
     m_used.push_back(trace.style.look());
     trace.id = m_stack.addTrace(trace.style, trace.source);
 }

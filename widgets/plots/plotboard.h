@@ -108,6 +108,7 @@ private:
     void rebuild();
     void dress(Trace &trace);
     [[nodiscard]] bool hasOtherTelemetry() const;
+    void dressAxis(Trace &trace, int axis) const;
     [[nodiscard]] int stripOf(const QString &pane, const QString &unit);
     void compile(Derived &derived);
     [[nodiscard]] QString nameOf(const Signal &signal) const;

@@ -14,7 +14,9 @@
 #include "widgets/plots/triggerbar.h"
 
 #include <QComboBox>
+#include <QDropEvent>
 #include <QHBoxLayout>
+#include <QMimeData>
 #include <QProgressBar>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -89,8 +91,10 @@ QWidget *PlotsPage::buildPlots()
         tr("Wheel zooms time, Ctrl+wheel values, Shift+wheel moves · drag moves · Shift+drag zooms into a box\n"
            "double click or End returns to the present · right click for more"));
     m_plots->addWidget(new EmptyState(m_theme, Symbol::Wave, tr("Nothing is plotted"),
-        tr("Double click a signal in the list at the right, or drag it here."), m_plots));
+        tr("Double click a signal in the list at the right or under a device at the left, or drag it here."), m_plots));
     m_plots->addWidget(m_stack);
+    m_plots->setAcceptDrops(true);
+    m_plots->installEventFilter(this);
     buildAgainst(*m_plots);
     m_plots->addWidget(m_againstPage);
     m_spectrum = new CurvePlot(m_theme, tr("Spectrum"), m_plots);
@@ -120,8 +124,11 @@ void PlotsPage::connectStack()
         m_workbench.report(Severity::Danger, {}, tr("%1 cannot be written").arg(path));
     });
     connect(m_stack, &PlotStack::dropped, this, [this](const QByteArray &dropped, int strip) {
-        if (const auto signal = signalFromMime(dropped))
-            m_board->choose(*signal, true, m_board->paneOf(strip));
+        const std::vector<Signal> all = signalsFromMime(dropped);
+        if (all.size() == 1)
+            m_board->choose(all.front(), true, m_board->paneOf(strip));
+        else // a whole axis has several units
+            addSignals(all);
     });
     connect(m_stack, &PlotStack::noteRequested, this, &PlotsPage::newNote);
     connect(
@@ -214,6 +221,20 @@ void PlotsPage::showEvent(QShowEvent *event)
     m_tick.start();
     m_drawn = 0;
     follow();
+}
+
+bool PlotsPage::eventFilter(QObject *watched, QEvent *event)
+{
+    const bool enters = event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove;
+    if (!enters && event->type() != QEvent::Drop)
+        return QWidget::eventFilter(watched, event);
+    auto *drop = static_cast<QDropEvent *>(event);
+    const std::vector<Signal> carried = signalsFromMime(drop->mimeData()->data(QLatin1String(signalMimeType)));
+    if (!carried.empty())
+        drop->acceptProposedAction();
+    if (!enters)
+        addSignals(carried);
+    return true;
 }
 
 void PlotsPage::resizeEvent(QResizeEvent *event)

@@ -45,6 +45,8 @@ public:
     ~PlotsPage() override;
 
     void addSignal(const Signal &signal);
+    /// Each in the pane of its unit; what is there already stays.
+    void addSignals(const std::vector<Signal> &wanted);
     void removeSignal(const Signal &signal);
     [[nodiscard]] std::size_t traceCount() const { return m_board->traces().size(); }
     [[nodiscard]] PlotStack &stack() { return *m_stack; }
@@ -73,6 +75,8 @@ public:
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    /// Signals that are dropped where no strip is.
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
@@ -124,6 +128,7 @@ private:
     Selection &m_selection;
     const ThemeSource &m_theme;
     DeviceId m_defaultsOf;
+    int m_defaultsOfAxis = 0;
     std::uint64_t m_drawn = 0;
     double m_drawnAt = 0.0;
     double m_analysedAt = -1.0;

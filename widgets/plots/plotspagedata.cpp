@@ -21,8 +21,6 @@ constexpr double idleTime = 0.25; ///< silent devices scroll away this often
 /// Samples per second to wish for, so that zooming does not change them all the time.
 constexpr std::array<double, 5> rateSteps{20.0, 50.0, 100.0, 200.0, 500.0};
 constexpr double shortestWindow = 0.01;
-constexpr std::array<std::string_view, 4> usual{"velocity", "position", "current", "duty"};
-constexpr std::array<std::string_view, 4> usualOfAxes{"ch1.position", "ch2.position", "ch3.position", "ch4.position"};
 
 int decimalsOf(const TraceStyle &style)
 {
@@ -76,29 +74,31 @@ void PlotsPage::wishRates()
 void PlotsPage::takeDefaults()
 {
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
-    if (!device || device->id == m_defaultsOf || device->identity.state == DeviceState::Bootloader)
+    const int axis = m_selection.axis();
+    const bool same = device && device->id == m_defaultsOf && axis == m_defaultsOfAxis;
+    if (!device || same || device->identity.state == DeviceState::Bootloader)
         return;
     m_defaultsOf = device->id;
-    if (const auto own = m_layouts.load(PlotLayouts::familyName(qt(device->family->key)))) {
+    m_defaultsOfAxis = axis;
+    if (const auto own = m_layouts.load(PlotLayouts::familyName(qt(device->family->key))); own && axis == 0) {
         m_stack->setWindow(own->window);
         return m_board->setTraces(tracesOf(*own, device->id), false);
     }
     std::vector<PlotBoard::Trace> traces;
-    const auto take = [&](const auto &keys) {
-        for (const std::string_view key : keys) {
-            if (const auto channel = device->telemetry->find(key))
-                traces.push_back({{device->id, *channel}, {}});
-        }
-    };
-    take(usual);
-    if (traces.empty())
-        take(usualOfAxes);
+    for (const Signal &signal : usualSignals(*device, axis))
+        traces.push_back({signal, {}});
     m_board->setTraces(std::move(traces), false);
 }
 
 void PlotsPage::addSignal(const Signal &signal)
 {
     m_board->choose(signal, true);
+}
+
+void PlotsPage::addSignals(const std::vector<Signal> &wanted)
+{
+    for (const Signal &signal : wanted)
+        m_board->choose(signal, true);
 }
 
 void PlotsPage::removeSignal(const Signal &signal)

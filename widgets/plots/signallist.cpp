@@ -5,7 +5,6 @@
 #include "widgets/common/labels.h"
 #include "widgets/plots/displayunits.h"
 
-#include <QDataStream>
 #include <QHBoxLayout>
 #include <QListWidget>
 #include <QMenu>
@@ -62,40 +61,11 @@ protected:
     QStringList mimeTypes() const override { return {QLatin1String(signalMimeType)}; }
     QMimeData *mimeData(const QList<QListWidgetItem *> items) const override
     {
-        if (items.isEmpty())
-            return nullptr;
-        auto *carried = new QMimeData;
-        carried->setData(QLatin1String(signalMimeType), toMime(signalOf(*items.first())));
-        return carried;
+        return items.isEmpty() ? nullptr : carry({signalOf(*items.first())});
     }
 };
 
 } // namespace
-
-QByteArray toMime(const Signal &signal)
-{
-    QByteArray data;
-    QDataStream(&data, QIODevice::WriteOnly) << signal.device.value << signal.channel.value;
-    return data;
-}
-
-std::optional<Signal> signalFromMime(const QByteArray &data)
-{
-    Signal signal;
-    QDataStream stream(data);
-    stream >> signal.device.value >> signal.channel.value;
-    return stream.status() == QDataStream::Ok ? std::optional(signal) : std::nullopt;
-}
-
-QString signalName(const DeviceView &device, ChannelIndex channel)
-{
-    const QString label = tableText(device.family->channels[channel.value].label);
-    //: Translate as "capital" where a noun has a capital letter in the middle of a line too.
-    const bool small = SignalList::tr("small") == QLatin1String("small");
-    return QStringLiteral("#%1 %2")
-        .arg(device.identity.address)
-        .arg(small ? label.left(1).toLower() + label.mid(1) : label);
-}
 
 SignalList::SignalList(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)

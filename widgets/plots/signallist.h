@@ -2,11 +2,11 @@
 #pragma once
 
 #include "model/snapshot.h"
+#include "widgets/common/signal.h"
 #include "widgets/common/theme.h"
 
 #include <QWidget>
 
-#include <compare>
 #include <set>
 
 class QListWidget;
@@ -14,23 +14,8 @@ class QListWidgetItem;
 
 namespace mb {
 
-/// One channel of one device, as long as the program runs.
-struct Signal {
-    DeviceId device;
-    ChannelIndex channel;
-    friend auto operator<=>(const Signal &, const Signal &) = default;
-};
-
 /// The device of derived signals; their channel is the place in the list of the page.
 inline constexpr DeviceId derivedDevice{0};
-/// What a dragged signal travels as.
-inline constexpr const char *signalMimeType = "application/x-motorbench-signal";
-[[nodiscard]] QByteArray toMime(const Signal &signal);
-[[nodiscard]] std::optional<Signal> signalFromMime(const QByteArray &data);
-
-/// "#5 velocity"
-[[nodiscard]] QString signalName(const DeviceView &device, ChannelIndex channel);
-
 /// Every channel of every device, and the derived signals, with a box: what is ticked is plotted. A double click or Enter
 /// ticks, too; a drag carries the signal to a pane.
 class SignalList : public QWidget {

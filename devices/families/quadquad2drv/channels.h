@@ -10,8 +10,9 @@ namespace mb::quadquad2drv {
 [[nodiscard]] std::span<const Channel> channelTable();
 
 /// What an axis (0…3) has in the table.
-enum class AxisChannel : std::uint16_t { Position, Velocity, Status };
-constexpr std::uint16_t channelsPerAxis = 3;
+enum class AxisChannel : std::uint16_t { Position, Velocity, Status, SetPoint };
+constexpr std::uint16_t channelsPerAxis = 4;
+constexpr std::uint16_t measuredPerAxis = 3; ///< the first ones; the set-point is ours
 
 [[nodiscard]] constexpr ChannelIndex channelOf(int axis, AxisChannel which)
 {

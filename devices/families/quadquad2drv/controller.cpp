@@ -69,7 +69,7 @@ void Controller::onMotion(const Motion &motion, Instant time)
     m_heard = true;
     for (int axis = 0; axis < axes; ++axis) {
         const auto lost = motion.elapsed.value_or(0);
-        for (std::uint16_t i = 0; lost > 0 && i < channelsPerAxis; ++i)
+        for (std::uint16_t i = 0; lost > 0 && i < measuredPerAxis; ++i)
             telemetry()->lost(channelOf(axis, static_cast<AxisChannel>(i)), lost);
         onAxis(axis, motion.channels[static_cast<std::size_t>(axis)], time);
     }
@@ -193,6 +193,21 @@ void Controller::forgetBoard()
     updateLiveness();
 }
 
+/// What it was told: the board does not say.
+std::optional<Mode> Controller::modeOf(int axis) const
+{
+    const Drive &drive = m_drives[static_cast<std::size_t>(axis)];
+    if (!m_heard)
+        return std::nullopt;
+    switch (drive.mode) {
+    case ControlMode::Off: return Mode::Off;
+    case ControlMode::Power: return Mode::Duty;
+    case ControlMode::Position: return drive.profile ? Mode::RampPosition : Mode::Position;
+    case ControlMode::Velocity: return drive.profile ? Mode::RampVelocity : Mode::Velocity;
+    }
+    return std::nullopt;
+}
+
 void Controller::updateLiveness()
 {
     Liveness now;
@@ -201,7 +216,9 @@ void Controller::updateLiveness()
     for (int axis = 0; axis < axes; ++axis) {
         const auto velocity = telemetry()->latest(channelOf(axis, AxisChannel::Velocity));
         const bool driven = m_drives[static_cast<std::size_t>(axis)].mode != ControlMode::Off;
-        now.moving = now.moving || driven || (m_heard && velocity && std::abs(velocity->value) > standing);
+        const bool moving = driven || (m_heard && velocity && std::abs(velocity->value) > standing);
+        now.moving = now.moving || moving;
+        now.axes.push_back({modeOf(axis), moving});
         const std::uint8_t status = m_tracked[static_cast<std::size_t>(axis)].status & faultBits;
         const std::string prefix = "ch" + std::to_string(axis + 1) + '.';
         if ((status & status::glitch) != 0)

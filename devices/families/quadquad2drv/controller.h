@@ -80,6 +80,7 @@ private:
     void enter(int axis, ControlMode mode);
     void limitFirstMotion(int axis);
     void aim(int axis, const SetPoint &setPoint);
+    void noteSetPoint(int axis, std::optional<double> target);
     void post(Bytes request);
     [[nodiscard]] Task<void> work();
     [[nodiscard]] Task<void> confirmStop();
@@ -96,6 +97,7 @@ private:
     void judge(const DataMasks &masks);
     void forgetBoard();
     void updateLiveness();
+    [[nodiscard]] std::optional<Mode> modeOf(int axis) const;
 
     SpiLink &m_spi;
     PacketPort m_port;

@@ -3,6 +3,7 @@
 #include "families/quadquad2drv/controller.h"
 
 #include "async/sleep.h"
+#include "families/quadquad2drv/channels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,9 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     const int axis = setPoint.axis - 1;
     if (setPoint.mode == Mode::Off) {
         m_drives[static_cast<std::size_t>(axis)] = {};
+        noteSetPoint(axis, std::nullopt);
         post(setControlMode(maskOf(axis), ControlMode::Off));
+        updateLiveness();
         return {};
     }
     const ControlMode mode = modeFor(setPoint.mode);
@@ -86,7 +89,19 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     if (m_drives[static_cast<std::size_t>(axis)].mode != mode)
         enter(axis, mode);
     aim(axis, setPoint);
+    noteSetPoint(axis, setPoint.target);
+    updateLiveness();
     return {};
+}
+
+/// Committed with the motion data that come all the time.
+void Controller::noteSetPoint(int axis, std::optional<double> target)
+{
+    const ChannelIndex channel = channelOf(axis, AxisChannel::SetPoint);
+    if (target)
+        telemetry()->append({channel, clock().now(), *target});
+    else if (telemetry()->latest(channel))
+        telemetry()->breakLine(channel);
 }
 
 /// Trap 14: the target is where the motor is, before and after the mode is taken.
@@ -103,7 +118,6 @@ void Controller::enter(int axis, ControlMode mode)
     post(setControlMode(maskOf(axis), mode));
     post(rest);
     m_drives[static_cast<std::size_t>(axis)] = {mode, readings().velocityTargetShifted, std::nullopt};
-    updateLiveness();
 }
 
 void Controller::limitFirstMotion(int axis)
@@ -177,6 +191,10 @@ Task<void> Controller::work()
 void Controller::doStop()
 {
     m_orders.clear();
+    for (int axis = 0; axis < axes; ++axis) {
+        if (m_drives[static_cast<std::size_t>(axis)].mode != ControlMode::Off)
+            noteSetPoint(axis, std::nullopt);
+    }
     m_drives = {};
     m_stopConfirmed = false;
     (void)m_port.urgent(setControlMode(allAxes, ControlMode::Off));

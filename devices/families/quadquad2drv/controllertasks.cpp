@@ -282,8 +282,10 @@ Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
     co_await std::move(layout);
     m_told = period > 0;
     m_spi.watchReady(streamUnit * period / 4);
-    for (std::uint16_t i = 0; i < axes * channelsPerAxis; ++i)
-        telemetry()->breakLine({i});
+    for (int axis = 0; axis < axes; ++axis) {
+        for (std::uint16_t i = 0; i < measuredPerAxis; ++i)
+            telemetry()->breakLine(channelOf(axis, static_cast<AxisChannel>(i)));
+    }
     co_return {};
 }
 

@@ -29,6 +29,8 @@ constexpr Capabilities capabilities{
     .renumber = false,
     .keepsSettings = false,
     .outputOptions = false,
+    .commandsProfile = true,
+    .firstPower = 0.25, // Controller::firstPowerLimit
     .axes = axes,
     .gainSlots = 1,
     .commandPeriod = std::chrono::milliseconds(50),
