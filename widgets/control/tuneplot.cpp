@@ -239,7 +239,7 @@ void TunePlot::rebuild(const DeviceView &device)
         const bool there = addTrace(device, channel, strip, strip == 0, m_axis);
         for (const int axis : there ? m_beside : std::vector<int>())
             addTrace(device, channel, strip, false, axis);
-        strip += there || m_axis == 0 ? 1 : 0;
+        strip += there ? 1 : 0; // no empty pane for what this device cannot tell
     }
     if (m_axis > 0 && m_mode == Mode::Duty) // which is not measured
         addSetPoint(device, strip++, shownUnit(Mode::Duty, m_units), m_axis);

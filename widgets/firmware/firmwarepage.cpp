@@ -85,6 +85,12 @@ QString FirmwarePage::imageText() const
     return tr("version %1 · pages: %2").arg(QString::fromStdString(m_summary->version)).arg(m_summary->parts.size());
 }
 
+/// Written by an external program and its programmer, not by its own bootloader.
+bool FirmwarePage::isProgrammed(const DeviceView *device)
+{
+    return device && !device->family->routes.empty() && !device->family->routes.front().programmers.empty();
+}
+
 bool FirmwarePage::isGuided(const DeviceView *device)
 {
     return device && !device->family->routes.empty() && !device->family->routes.front().steps.empty();
@@ -191,9 +197,11 @@ void FirmwarePage::followChecks(const DeviceView *device, const OperationView *o
     const bool boot = device && device->identity.state == DeviceState::Bootloader;
     m_start->setText(boot ? tr("Run the update again") : tr("Update"));
     m_cancel->setEnabled(running && operation->status.mayInterrupt);
-    m_cancel->setToolTip(running && !operation->status.mayInterrupt
-            ? tr("Page 0 is being written: it must not be cut")
-            : tr("The unit then waits in its bootloader; the update can be run again"));
+    m_cancel->setToolTip(running && !operation->status.mayInterrupt ? isProgrammed(device)
+                ? tr("The flash is being written: it must not be cut")
+                : tr("Page 0 is being written: it must not be cut")
+            : isProgrammed(device) ? tr("Nothing is written yet; the update can be run again")
+                                   : tr("The unit then waits in its bootloader; the update can be run again"));
 }
 
 QString FirmwarePage::remaining(const OperationStatus &status) const
@@ -297,7 +305,14 @@ void FirmwarePage::followSafety(const OperationView *operation)
             : running               ? tr("Safe to unplug")
                                     : tr("Nothing is written now"));
     setTone(*m_safetyTitle, critical ? Tone::Danger : Tone::Ok);
-    if (isGuided(m_workbench.snapshot().device(m_selection.device()))) {
+    const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    if (isProgrammed(device)) {
+        m_safetyText->setText(
+            tr("A unit that is cut while it is written holds half a program. It runs again once an update "
+               "has succeeded."));
+        return;
+    }
+    if (isGuided(device)) {
         m_safetyText->setText(tr("A board that is cut stays in its bootloader. Leave the jumper in and run the update "
                                  "again."));
         return;

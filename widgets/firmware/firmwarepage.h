@@ -62,6 +62,7 @@ private:
     void followSafety(const OperationView *operation);
     void setCheck(const Check &check, bool holds, const QString &text);
     void followRoute(const DeviceView *device, const OperationView *operation);
+    [[nodiscard]] static bool isProgrammed(const DeviceView *device);
     [[nodiscard]] static bool isGuided(const DeviceView *device);
     [[nodiscard]] QString imageText() const;
     [[nodiscard]] const OperationView *updateOf(const DeviceView *device) const;
