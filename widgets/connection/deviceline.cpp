@@ -122,8 +122,8 @@ void DeviceLine::showValues(const DeviceView &device)
         else
             label->clear();
     };
-    show(m_position, "position", 1.0, 0, 0);
-    show(m_velocity, "velocity", 1.0, 0, 0);
+    show(m_position, "position", 1.0, 0, 700);
+    show(m_velocity, "velocity", 1.0, 0, several ? 560 : 0);
     show(m_current, "current", 1.0, 1, 0);
     show(m_duty, "duty", 100.0, 0, 0);
     show(m_bus, "bus_voltage", 1.0, 2, 860);

@@ -121,6 +121,7 @@ void StepLog::begin(const DeviceView &device, Instant time, double target)
     record.begin = time;
     record.mode = mode;
     record.slot = command.slot;
+    record.axis = m_axis;
     record.to = target;
     const bool known = !before.empty() && !before.back().isGap();
     record.from = m_target ? *m_target : known ? before.back().value : 0.0;

@@ -16,6 +16,7 @@ struct StepRecord {
     Instant end{}; ///< of what is measured
     Mode mode = Mode::Off;
     int slot = 0;
+    int axis = 0;      ///< of a board with several
     double from = 0.0; ///< measured before
     double to = 0.0;
     double ramp = 0.0; ///< seconds that the set-point took; 0 is a step

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/steptable.h"
 
+#include "model/axis.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
@@ -201,7 +202,7 @@ void StepTable::fillRow(int row, const StepRecord &record)
         QStringLiteral("%1 → %2").arg(
             formatNumber(record.from * unit.scale, decimals), formatNumber(record.to * unit.scale, decimals)));
     m_table->item(row, Step)->setToolTip(unit.text);
-    const GainSet set = m_family ? gainSet(*m_family, record.mode, record.slot) : GainSet{};
+    const GainSet set = m_family ? gainSet(*m_family, record.mode, record.slot, record.axis) : GainSet{};
     for (std::size_t i = 0; i < record.gains.size(); ++i) {
         const bool known = i < set.gains.size() && record.gains[i];
         const double number
@@ -216,7 +217,8 @@ void StepTable::fillRow(int row, const StepRecord &record)
     setCell(row, Settle, millisecondText(metrics.settle));
     setCell(row, Rise, millisecondText(metrics.rise));
     setCell(row, Steady, percentText(metrics.steadyError));
-    setCell(row, Peak, record.finished ? formatNumber(record.peakCurrent, 1) : QString(UnknownMark));
+    const bool measured = m_family && findChannel(m_family->channels, axisKey(record.axis, "current"));
+    setCell(row, Peak, record.finished && measured ? formatNumber(record.peakCurrent, 1) : QString(UnknownMark));
     const QStringList notes = notesOf(record);
     const bool bad = record.cut || record.lost > 0 || (record.finished && !metrics.moved);
     setCell(row, Note, notes.join(QStringLiteral(", ")), bad ? Tone::Caution : Tone::Dim);
