@@ -199,6 +199,7 @@ void BoardTest::anExperimentThatMovesNeedsAHeldButtonAndEndsWithItsDialog()
     QTRY_VERIFY_WITH_TIMEOUT(m_bench->isOutputOn(), patience);
     QTest::qWait(1500); // longer than the lease, which the dialog renews
     QVERIFY(dialog->isRunning());
+    QTRY_VERIFY_WITH_TIMEOUT(m_bench->arming().status(board()->id).state == LampState::Moving, patience);
     saveDialog(*dialog, "experiment-running");
     dialog->reject();
     QTRY_VERIFY_WITH_TIMEOUT(!m_bench->isOutputOn(), patience);

@@ -13,6 +13,7 @@
 #include <QDir>
 #include <QFile>
 #include <QLabel>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -193,6 +194,13 @@ void BoardUpdateTest::itCanBeCancelledWhileItWaitsForTheJumper()
 
 void BoardUpdateTest::everyControlHasAName()
 {
+    auto *route = m_page->findChild<RoutePanel *>();
+    for (auto *button : route->findChildren<QPushButton *>()) {
+        if (button->isCheckable())
+            button->click();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(holds(QStringLiteral("line ending")), patience);
+    picture("update-unknowns");
     for (const QWidget *widget : m_page->findChildren<QWidget *>()) {
         const bool control = widget->inherits("QAbstractButton") || widget->inherits("QComboBox");
         if (control && widget->isVisible() && widget->accessibleName().isEmpty()

@@ -43,10 +43,28 @@ QString Arming::whatMoves() const
     return tr("axis %1 %2").arg(only.axis).arg(modeText(only.mode));
 }
 
+const DeviceView *Arming::experimentedWith() const
+{
+    const Snapshot &shot = m_workbench.snapshot();
+    const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), [&shot](const DeviceView &device) {
+        const OperationView *job = shot.operation(device.id);
+        const auto &known = device.family->experiments;
+        return device.motion.running && job && job->status.state == OperationStatus::State::Running
+            && std::any_of(known.begin(), known.end(),
+                [job](const Experiment &experiment) { return experiment.title == job->status.title; });
+    });
+    return found == shot.devices.end() ? nullptr : &*found;
+}
+
 LampStatus Arming::status(DeviceId candidate) const
 {
     LampStatus status;
     status.state = m_state;
+    if (const DeviceView *other = m_state == LampState::Moving ? nullptr : experimentedWith()) {
+        status.state = LampState::Moving; // the lamp never says safe while a motor turns
+        status.detail = nameOf(other->id) + QLatin1Char(' ') + tr("experiment");
+        return status;
+    }
     const DeviceView *view = m_workbench.snapshot().device(candidate);
     status.armable = view && view->mayNotMove.empty() && view->liveness.heard;
     switch (m_state) {
@@ -102,6 +120,8 @@ void Arming::disarm()
 {
     if (m_state == LampState::Moving)
         m_workbench.stopMotion(m_device);
+    else if (const DeviceView *other = experimentedWith())
+        m_workbench.stopMotion(other->id);
     if (m_state != LampState::Safe)
         enter(LampState::Safe);
 }

@@ -51,6 +51,8 @@ private:
     void follow();
     void renew();
     void enter(LampState state, const QString &reason = {});
+    /// A device that an experiment moves, which was not begun here.
+    [[nodiscard]] const DeviceView *experimentedWith() const;
     [[nodiscard]] QString nameOf(DeviceId device) const;
     [[nodiscard]] QString whatMoves() const;
 

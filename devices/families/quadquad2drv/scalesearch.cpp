@@ -97,6 +97,12 @@ Task<void> ScaleSearch::prepare()
         auto telling = m_board.tell(request);
         co_await std::move(telling);
     }
+    auto standing = move(Mode::Duty, 0.0); // nothing is measured before the guardian stands by
+    co_await std::move(standing);
+    do {
+        auto waiting = wait(tick);
+        co_await std::move(waiting);
+    } while (!m_board.guard().stands());
     co_return {};
 }
 
