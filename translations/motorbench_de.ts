@@ -29,6 +29,45 @@
     </message>
 </context>
 <context>
+    <name>AxisParameters</name>
+    <message>
+        <source>axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+</context>
+<context>
+    <name>AxisText</name>
+    <message>
+        <source>Axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>mode and target</comment>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>%1 of %2 axes move</source>
+        <translation>%1 von %2 Achsen in Bewegung</translation>
+    </message>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 Achsen</translation>
+    </message>
+</context>
+<context>
     <name>DeviceActions</name>
     <message>
         <source>Identify (blink)</source>
@@ -97,6 +136,30 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Stop and count from 0</source>
+        <translation>Stoppen und ab 0 zählen</translation>
+    </message>
+    <message>
+        <source>position 0 is here; the motor is off</source>
+        <translation>Position 0 ist hier; der Motor ist aus</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Aufnahme öffnen</translation>
+    </message>
+    <message>
+        <source>candump and Vector ASC logs (*.log *.asc *.txt)</source>
+        <translation>candump- und Vector-ASC-Protokolle (*.log *.asc *.txt)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: a link address has no place for the question mark in it. Rename it.</source>
+        <translation>%1 lässt sich nicht öffnen: die Adresse einer Verbindung kann das Fragezeichen darin nicht aufnehmen. Datei umbenennen.</translation>
     </message>
 </context>
 <context>
@@ -228,6 +291,22 @@
     <message>
         <source>Serial number %1</source>
         <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>axis %1: %2</source>
+        <translation>Achse %1: %2</translation>
+    </message>
+    <message>
+        <source>encoder glitch</source>
+        <translation>Encoderstörung</translation>
+    </message>
+    <message>
+        <source>overspeed</source>
+        <translation>Überdrehzahl</translation>
+    </message>
+    <message>
+        <source>Dialect %1</source>
+        <translation>Dialekt %1</translation>
     </message>
 </context>
 <context>
@@ -674,6 +753,14 @@
     </message>
 </context>
 <context>
+    <name>SignalText</name>
+    <message>
+        <source>small</source>
+        <extracomment>Translate as &quot;capital&quot; where a noun has a capital letter in the middle of a line too.</extracomment>
+        <translation>capital</translation>
+    </message>
+</context>
+<context>
     <name>SourceText</name>
     <message>
         <source>%1 Hz, %2 of %3 lost</source>
@@ -803,6 +890,80 @@
         <source>the device is gone</source>
         <translation>das Gerät ist weg</translation>
     </message>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 Achsen</translation>
+    </message>
+    <message>
+        <source>axis %1 %2</source>
+        <translation>Achse %1 %2</translation>
+    </message>
+    <message>
+        <source>experiment</source>
+        <translation>Experiment</translation>
+    </message>
+</context>
+<context>
+    <name>mb::AxesPanel</name>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>together</source>
+        <translation>gemeinsam</translation>
+    </message>
+    <message>
+        <source>All axes run together</source>
+        <translation>Alle Achsen laufen gemeinsam</translation>
+    </message>
+    <message>
+        <source>Run starts every ticked axis at the same moment, each with its own mode and set-point.</source>
+        <translation>Start startet alle angehakten Achsen im selben Augenblick, jede mit eigener Betriebsart und eigenem Sollwert.</translation>
+    </message>
+    <message>
+        <source>Copy gains from…</source>
+        <translation>Verstärkungen kopieren von…</translation>
+    </message>
+    <message>
+        <source>Stages the gains and limits of another axis for this one.</source>
+        <translation>Merkt Verstärkungen und Grenzen einer anderen Achse für diese vor.</translation>
+    </message>
+    <message>
+        <source>Same set-point for all ticked</source>
+        <translation>Gleicher Sollwert für alle angehakten</translation>
+    </message>
+    <message>
+        <source>Mode and set-point of this axis for every ticked one; a position becomes the same distance.</source>
+        <translation>Betriebsart und Sollwert dieser Achse für alle angehakten; aus einer Position wird der gleiche Weg.</translation>
+    </message>
+    <message>
+        <source>Shows this axis: its mode, set-point, gains, limits and traces</source>
+        <translation>Zeigt diese Achse: Betriebsart, Sollwert, Verstärkungen, Grenzen und Kurven</translation>
+    </message>
+    <message>
+        <source>Axis %1 runs together with the others</source>
+        <translation>Achse %1 läuft gemeinsam mit den anderen</translation>
+    </message>
+    <message>
+        <source>Run always moves the axis that is shown.</source>
+        <translation>Start bewegt immer die gezeigte Achse.</translation>
+    </message>
+    <message>
+        <source>Run moves this axis, too, at the same moment.</source>
+        <translation>Start bewegt im selben Augenblick auch diese Achse.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::AxisRows</name>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Shows this axis in Parameters, Tune and Plots</source>
+        <translation>Zeigt diese Achse in Parameter, Regler und Kurven</translation>
+    </message>
 </context>
 <context>
     <name>mb::Banner</name>
@@ -842,14 +1003,6 @@
     <message>
         <source>Holds the frames still; everything is counted and kept meanwhile</source>
         <translation>Hält die Frames an; gezählt und aufbewahrt wird inzwischen alles</translation>
-    </message>
-    <message>
-        <source>Clear</source>
-        <translation>Leeren</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Export</translation>
     </message>
     <message>
         <source>Frames that are shown…</source>
@@ -910,6 +1063,14 @@
     <message>
         <source>errors</source>
         <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Clear the list</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>Export frames</source>
+        <translation>Frames exportieren</translation>
     </message>
 </context>
 <context>
@@ -1112,6 +1273,69 @@
     </message>
 </context>
 <context>
+    <name>mb::Conditions</name>
+    <message>
+        <source>%1 is lost</source>
+        <translation>%1 ist verloren</translation>
+    </message>
+    <message>
+        <source>Stopped: %1</source>
+        <translation>Gestoppt: %1</translation>
+    </message>
+    <message>
+        <source>Hold the lamp for 1 s to arm again.</source>
+        <translation>Lampe 1 s halten, um neu scharf zu schalten.</translation>
+    </message>
+    <message>
+        <source>Another master drives %1</source>
+        <translation>Ein anderer Master steuert %1 an</translation>
+    </message>
+    <message>
+        <source>Arming is off until it stops sending control frames.</source>
+        <translation>Scharfschalten ist gesperrt, bis er keine Steuerframes mehr sendet.</translation>
+    </message>
+    <message>
+        <source>Several units answer as %1</source>
+        <translation>Mehrere Geräte antworten als %1</translation>
+    </message>
+    <message>
+        <source>Control is locked. Assign one of them a new number from the menu of its row.</source>
+        <translation>Ansteuerung gesperrt. Einem davon im Menü seiner Zeile eine neue Nummer zuweisen.</translation>
+    </message>
+    <message>
+        <source>Writing the settings of %1 again: %2 of %3</source>
+        <translation>Einstellungen von %1 werden erneut geschrieben: %2 von %3</translation>
+    </message>
+    <message>
+        <source>Each is confirmed by the board.</source>
+        <translation>Jede wird von der Platine bestätigt.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 was reset: 1 setting is unknown</source>
+        <translation>%1 wurde zurückgesetzt: 1 Einstellung ist unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 was reset: %2 settings are unknown</source>
+        <translation>%1 wurde zurückgesetzt: %2 Einstellungen sind unbekannt</translation>
+    </message>
+    <message>
+        <source>The board keeps nothing without power. This program knows what was last written.</source>
+        <translation>Ohne Spannungsversorgung behält die Platine nichts. Dieses Programm kennt das zuletzt Geschriebene.</translation>
+    </message>
+    <message>
+        <source>Write them again</source>
+        <translation>Erneut schreiben</translation>
+    </message>
+    <message>
+        <source>Writing was cancelled; what is missing can be written later.</source>
+        <translation>Schreiben abgebrochen; Fehlendes lässt sich später schreiben.</translation>
+    </message>
+</context>
+<context>
     <name>mb::DemoStripe</name>
     <message>
         <source>simulated bench</source>
@@ -1120,6 +1344,10 @@
     <message>
         <source>Demo  ·  %1  ·  no real motor is connected</source>
         <translation>Demo  ·  %1  ·  kein echter Motor angeschlossen</translation>
+    </message>
+    <message>
+        <source>Replay  ·  %1  ·  shows what was recorded, moves no motor</source>
+        <translation>Wiedergabe  ·  %1  ·  zeigt Aufgenommenes, bewegt keinen Motor</translation>
     </message>
 </context>
 <context>
@@ -1207,6 +1435,18 @@
         <source>no faults</source>
         <translation>keine Fehler</translation>
     </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
 </context>
 <context>
     <name>mb::DeviceModel</name>
@@ -1229,6 +1469,18 @@
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3, now %4
+Its pages show this axis; drag it to a plot.</source>
+        <translation>%1 von %2: %3, jetzt %4
+Die Seiten des Geräts zeigen diese Achse; in ein Diagramm ziehen.</translation>
+    </message>
+    <message>
+        <source>%1
+Double click or Enter plots it; drag it to a plot.</source>
+        <translation>%1
+Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
@@ -1284,6 +1536,18 @@
     <message>
         <source>Close this link</source>
         <translation>Diese Verbindung schließen</translation>
+    </message>
+    <message>
+        <source>Search every rate and address (takes minutes)</source>
+        <translation>Alle Übertragungsraten und Adressen durchsuchen (dauert Minuten)</translation>
+    </message>
+    <message>
+        <source>Cancel the scan</source>
+        <translation>Suche abbrechen</translation>
+    </message>
+    <message>
+        <source>Plot %1</source>
+        <translation>%1 darstellen</translation>
     </message>
 </context>
 <context>
@@ -1426,6 +1690,77 @@
     <message>
         <source>limits overridden</source>
         <translation>Grenzen übergangen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ExperimentDialog</name>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>Of which motor</source>
+        <translation>Zu welchem Motor</translation>
+    </message>
+    <message>
+        <source>Most power</source>
+        <translation>Größte Leistung</translation>
+    </message>
+    <message>
+        <source>Not begun</source>
+        <translation>Nicht begonnen</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Progress of the experiment</source>
+        <translation>Fortschritt des Experiments</translation>
+    </message>
+    <message>
+        <source>Log of the experiment</source>
+        <translation>Protokoll des Experiments</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>STOP, Esc or Cancel ends it at any time.</source>
+        <translation>STOP, Esc oder Abbrechen beendet es jederzeit.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Hold to turn the motor</source>
+        <translation>Halten zum Drehen des Motors</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ended</source>
+        <translation>Beendet</translation>
+    </message>
+    <message>
+        <source>Found and kept for this device.</source>
+        <translation>Gefunden und für dieses Gerät aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Cancelled. The motor is stopped; gains and limits are as they were.</source>
+        <translation>Abgebrochen. Der Motor ist gestoppt; Verstärkungen und Grenzen sind wie zuvor.</translation>
     </message>
 </context>
 <context>
@@ -1661,6 +1996,10 @@
         <source>unknown</source>
         <translation>unbekannt</translation>
     </message>
+    <message>
+        <source>A board that is cut stays in its bootloader. Leave the jumper in and run the update again.</source>
+        <translation>Eine unterbrochene Platine bleibt im Bootloader. Steckbrücke stecken lassen und Update wiederholen.</translation>
+    </message>
 </context>
 <context>
     <name>mb::FrameDetail</name>
@@ -1854,6 +2193,10 @@
         <source>raw %1   %2</source>
         <translation>roh %1   %2</translation>
     </message>
+    <message>
+        <source>unknown until written</source>
+        <translation>bis zum Schreiben unbekannt</translation>
+    </message>
 </context>
 <context>
     <name>mb::GainsPanel</name>
@@ -1874,10 +2217,6 @@
         <translation>Grenzen des Reglers ausblenden</translation>
     </message>
     <message>
-        <source>I zone, allowable error, ramp, output limits</source>
-        <translation>I-Zone, Toleranz, Rampe, Grenzen</translation>
-    </message>
-    <message>
         <source>No loop runs in %1 mode: these gains act in velocity, position and current.</source>
         <translation>Bei %1 läuft kein Regler: diese Verstärkungen wirken bei Drehzahl, Position und Strom.</translation>
     </message>
@@ -1888,6 +2227,22 @@
     <message>
         <source>Divisor</source>
         <translation>Divisor</translation>
+    </message>
+    <message>
+        <source>Gains, axis %1</source>
+        <translation>Regler, Achse %1</translation>
+    </message>
+    <message>
+        <source>Limits of the axis</source>
+        <translation>Grenzen der Achse</translation>
+    </message>
+    <message>
+        <source>Limits of the loop</source>
+        <translation>Grenzen des Reglers</translation>
+    </message>
+    <message>
+        <source>No loop runs in %1 mode: only the limits of the axis act.</source>
+        <translation>Bei %1 läuft kein Regler: nur die Grenzen der Achse wirken.</translation>
     </message>
 </context>
 <context>
@@ -2147,6 +2502,25 @@
         <source>none</source>
         <translation>keine</translation>
     </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::JumperDrawing</name>
+    <message>
+        <source>Drawing: the jumper connects AUX1 and AUX2; adapter TX to board RX, RX to TX, 3.3 V, GND</source>
+        <translation>Zeichnung: die Steckbrücke verbindet AUX1 und AUX2; TX des Adapters an RX der Platine, RX an TX, 3.3 V, GND</translation>
+    </message>
+    <message>
+        <source>Drawing: the jumper between AUX1 and AUX2 is taken out</source>
+        <translation>Zeichnung: die Steckbrücke zwischen AUX1 und AUX2 ist abgezogen</translation>
+    </message>
+    <message>
+        <source>adapter, 3.3 V</source>
+        <translation>Adapter, 3.3 V</translation>
+    </message>
 </context>
 <context>
     <name>mb::Lamp</name>
@@ -2360,34 +2734,6 @@
         <translation>simulierter Prüfstand</translation>
     </message>
     <message>
-        <source>%1 is lost</source>
-        <translation>%1 ist verloren</translation>
-    </message>
-    <message>
-        <source>Another master drives %1</source>
-        <translation>Ein anderer Master steuert %1 an</translation>
-    </message>
-    <message>
-        <source>Arming is off until it stops sending control frames.</source>
-        <translation>Scharfschalten ist gesperrt, bis er keine Steuerframes mehr sendet.</translation>
-    </message>
-    <message>
-        <source>Several units answer as %1</source>
-        <translation>Mehrere Geräte antworten als %1</translation>
-    </message>
-    <message>
-        <source>Control is locked. Assign one of them a new number from the menu of its row.</source>
-        <translation>Ansteuerung gesperrt. Einem davon im Menü seiner Zeile eine neue Nummer zuweisen.</translation>
-    </message>
-    <message>
-        <source>Stopped: %1</source>
-        <translation>Gestoppt: %1</translation>
-    </message>
-    <message>
-        <source>Hold the lamp for 1 s to arm again.</source>
-        <translation>Lampe 1 s halten, um neu scharf zu schalten.</translation>
-    </message>
-    <message>
         <source>samples %1   lost %2   memory %3</source>
         <translation>Werte %1   verloren %2   Speicher %3</translation>
     </message>
@@ -2398,6 +2744,14 @@
     <message>
         <source>%1: %2 bytes received, %3 sent, %4 lost, %5 errors</source>
         <translation>%1: %2 Byte empfangen, %3 gesendet, %4 verloren, %5 Fehler</translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation>REC %1</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Aufnahme öffnen…</translation>
     </message>
 </context>
 <context>
@@ -2619,6 +2973,10 @@
         <source>round trip</source>
         <translation>Umlaufzeit</translation>
     </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Aufnahme öffnen…</translation>
+    </message>
 </context>
 <context>
     <name>mb::PageMap</name>
@@ -2816,6 +3174,10 @@
     <message>
         <source>raw</source>
         <translation>roh</translation>
+    </message>
+    <message>
+        <source>unknown until written</source>
+        <translation>bis zum Schreiben unbekannt</translation>
     </message>
 </context>
 <context>
@@ -3019,6 +3381,38 @@
         <source>Ctrl+F</source>
         <translation>Strg+F</translation>
     </message>
+    <message>
+        <source>Which axis</source>
+        <translation>Welche Achse</translation>
+    </message>
+    <message>
+        <source>All axes</source>
+        <translation>Alle Achsen</translation>
+    </message>
+    <message>
+        <source>Board</source>
+        <translation>Platine</translation>
+    </message>
+    <message>
+        <source>Copy from</source>
+        <translation>Kopieren von</translation>
+    </message>
+    <message>
+        <source>Copy gains and limits from another axis</source>
+        <translation>Verstärkungen und Grenzen von einer anderen Achse kopieren</translation>
+    </message>
+    <message>
+        <source>Stages the gains and limits of another axis for this one; Write sends them.</source>
+        <translation>Merkt Verstärkungen und Grenzen einer anderen Achse für diese vor; Schreiben sendet sie.</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>Verstärkungen und Grenzen von Achse %1</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::PlotBoard</name>
@@ -3041,6 +3435,10 @@
     <message>
         <source>ref %1</source>
         <translation>Ref. %1</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>WIEDERGABE</translation>
     </message>
 </context>
 <context>
@@ -3301,10 +3699,6 @@ Die Aufnahme läuft dabei weiter.</translation>
 double click or End returns to the present · right click for more</source>
         <translation>Rad zoomt die Zeit, Strg+Rad die Werte, Umschalt+Rad verschiebt · Ziehen verschiebt · Umschalt+Ziehen zoomt in einen Rahmen
 Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</translation>
-    </message>
-    <message>
-        <source>Double click a signal in the list at the right, or drag it here.</source>
-        <translation>Ein Signal rechts in der Liste doppelklicken oder hierher ziehen.</translation>
     </message>
     <message>
         <source>Spectrum</source>
@@ -3580,6 +3974,10 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>Double click a signal in the list at the right or under a device at the left, or drag it here.</source>
+        <translation>Ein Signal rechts in der Liste oder links unter einem Gerät doppelklicken oder hierher ziehen.</translation>
+    </message>
 </context>
 <context>
     <name>mb::ProfilePanel</name>
@@ -3618,6 +4016,45 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>dialect as found: %1</source>
         <translation>Dialekt wie gefunden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProgrammerBox</name>
+    <message>
+        <source>Programmer</source>
+        <translation>Programmiergerät</translation>
+    </message>
+    <message>
+        <source>What writes the flash: one of the list, or the name that the program gives to another</source>
+        <translation>Was den Flash schreibt: eines aus der Liste oder der Name, den das Programm einem anderen gibt</translation>
+    </message>
+    <message>
+        <source>Port of the programmer</source>
+        <translation>Anschluss des Programmiergeräts</translation>
+    </message>
+    <message>
+        <source>Where the programmer, or the line to the bootloader, is plugged in</source>
+        <translation>Wo das Programmiergerät oder die Leitung zum Bootloader angesteckt ist</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>the device&apos;s own line</source>
+        <translation>die eigene Leitung des Geräts</translation>
+    </message>
+    <message>
+        <source>at USB</source>
+        <translation>an USB</translation>
+    </message>
+    <message>
+        <source>Choose a programmer</source>
+        <translation>Programmiergerät wählen</translation>
+    </message>
+    <message>
+        <source>No serial port is plugged in; choose or name the one of the programmer</source>
+        <translation>Keine serielle Schnittstelle ist angesteckt; die des Programmiergeräts wählen oder nennen</translation>
     </message>
 </context>
 <context>
@@ -3703,10 +4140,116 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
 </context>
 <context>
+    <name>mb::RecordStrip</name>
+    <message>
+        <source>Record…</source>
+        <translation>Aufnehmen…</translation>
+    </message>
+    <message>
+        <source>End recording</source>
+        <translation>Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Writes every frame of this link to a candump log or a Vector ASC file</source>
+        <translation>Schreibt jeden Frame dieser Verbindung in ein candump-Protokoll oder eine Vector-ASC-Datei</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Record the frames of %1</source>
+        <translation>Frames von %1 aufnehmen</translation>
+    </message>
+    <message>
+        <source>Vector ASC log (*.asc)</source>
+        <translation>Vector-ASC-Protokoll (*.asc)</translation>
+    </message>
+    <message>
+        <source>candump log (*.log)</source>
+        <translation>candump-Protokoll (*.log)</translation>
+    </message>
+    <message>
+        <source>nothing is recorded: %1</source>
+        <translation>nichts wird aufgenommen: %1</translation>
+    </message>
+    <message>
+        <source>The recording has ended: %1. %2 frames are missing in it.</source>
+        <translation>Die Aufnahme ist beendet: %1. %2 Frames fehlen darin.</translation>
+    </message>
+    <message>
+        <source>Recording  %1   %2 frames   %3   %4 lost   %5</source>
+        <translation>Aufnahme  %1   %2 Frames   %3   %4 verloren   %5</translation>
+    </message>
+</context>
+<context>
     <name>mb::Recorder</name>
     <message>
         <source>The last session did not end by itself. What it recorded is in %1.</source>
         <translation>Die letzte Sitzung wurde nicht regulär beendet. Ihre Aufnahme liegt in %1.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ReplayBar</name>
+    <message>
+        <source>Recording that is played</source>
+        <translation>Aufnahme, die abgespielt wird</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>WIEDERGABE</translation>
+    </message>
+    <message>
+        <source>Shows what was recorded. Nothing is sent, no motor moves.</source>
+        <translation>Zeigt, was aufgenommen wurde. Nichts wird gesendet, kein Motor bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play again</source>
+        <translation>Erneut abspielen</translation>
+    </message>
+    <message>
+        <source>Plays the recording from where it stands, or halts it there</source>
+        <translation>Spielt die Aufnahme ab der aktuellen Stelle ab oder hält sie dort an</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>Geschwindigkeit der Wiedergabe</translation>
+    </message>
+    <message>
+        <source>How fast the recording is played</source>
+        <translation>Wie schnell die Aufnahme abgespielt wird</translation>
+    </message>
+    <message>
+        <source>as fast as possible</source>
+        <translation>so schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Position in the recording</source>
+        <translation>Stelle in der Aufnahme</translation>
+    </message>
+    <message>
+        <source>Where the recording stands; arrow keys move it by 1 s, Page Up and Page Down by 10 s</source>
+        <translation>Wo die Aufnahme steht; Pfeiltasten verschieben um 1 s, Bild auf und Bild ab um 10 s</translation>
+    </message>
+    <message>
+        <source>%1: looking through it, %2 %</source>
+        <translation>%1: wird durchgesehen, %2 %</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>recorded %1</source>
+        <translation>aufgenommen %1</translation>
     </message>
 </context>
 <context>
@@ -3743,10 +4286,6 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>Programmiergerät</translation>
     </message>
     <message>
-        <source>Programmer and where it is plugged in, as after --via on the command line</source>
-        <translation>Programmiergerät und wo es angesteckt ist, wie nach --via in der Befehlszeile</translation>
-    </message>
-    <message>
         <source>Microcontroller</source>
         <translation>Mikrocontroller</translation>
     </message>
@@ -3757,6 +4296,45 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>Erase what the unit has stored: its gains are lost</source>
         <translation>Löschen, was das Gerät gespeichert hat: seine Verstärkungen gehen verloren</translation>
+    </message>
+    <message>
+        <source>Programmer or port and where it is plugged in, as after --via on the command line</source>
+        <translation>Programmiergerät oder Anschluss und wo es angesteckt ist, wie nach --via in der Befehlszeile</translation>
+    </message>
+    <message>
+        <source>What is not known of it…</source>
+        <translation>Was davon nicht bekannt ist…</translation>
+    </message>
+    <message>
+        <source>What the maker does not tell of the bootloader, with the likely values</source>
+        <translation>Was der Hersteller über den Bootloader nicht mitteilt, mit den wahrscheinlichen Werten</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ScanStrip</name>
+    <message>
+        <source>What the scan looks for</source>
+        <translation>Wonach die Suche sucht</translation>
+    </message>
+    <message>
+        <source>Progress of the scan</source>
+        <translation>Fortschritt der Suche</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel the scan</source>
+        <translation>Suche abbrechen</translation>
+    </message>
+    <message>
+        <source>Ends the search; what it has found stays.</source>
+        <translation>Beendet die Suche; was sie gefunden hat, bleibt.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3928,6 +4506,46 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>now %1</source>
         <translation>jetzt %1</translation>
     </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>Velocity of the profile</source>
+        <translation>Drehzahl des Profils</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Beschleunigung</translation>
+    </message>
+    <message>
+        <source>counts/s²</source>
+        <translation>counts/s²</translation>
+    </message>
+    <message>
+        <source>Acceleration of the profile</source>
+        <translation>Beschleunigung des Profils</translation>
+    </message>
+    <message>
+        <source>Stop and count from 0</source>
+        <translation>Stoppen und ab 0 zählen</translation>
+    </message>
+    <message>
+        <source>Stops the motor, and makes where it stands position 0. It starts again with Run only: a motor that runs would jump.</source>
+        <translation>Stoppt den Motor und macht die Stelle, an der er steht, zur Position 0. Er läuft erst mit Start wieder an: ein laufender Motor würde springen.</translation>
+    </message>
+    <message>
+        <source>The profile needs a velocity up to %1 counts/s.</source>
+        <translation>Das Profil braucht eine Drehzahl bis %1 counts/s.</translation>
+    </message>
+    <message>
+        <source>The profile needs an acceleration up to %1 counts/s²; 0 is none.</source>
+        <translation>Das Profil braucht eine Beschleunigung bis %1 counts/s²; 0 ist keine.</translation>
+    </message>
 </context>
 <context>
     <name>mb::SignalList</name>
@@ -3938,11 +4556,6 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>Signals that can be plotted</source>
         <translation>Darstellbare Signale</translation>
-    </message>
-    <message>
-        <source>small</source>
-        <extracomment>Translate as &quot;capital&quot; where a noun has a capital letter in the middle of a line too.</extracomment>
-        <translation>capital</translation>
     </message>
     <message>
         <source>double click or drag</source>
@@ -4180,6 +4793,21 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>does not settle</source>
         <translation>schwingt nicht ein</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StepsPanel</name>
+    <message>
+        <source>Steps of the update</source>
+        <translation>Schritte des Updates</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
     </message>
 </context>
 <context>
@@ -4510,6 +5138,51 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>Gains of step #%1</source>
         <translation>Verstärkungen von Sprung #%1</translation>
     </message>
+    <message>
+        <source>Stop axis %1</source>
+        <translation>Achse %1 stoppen</translation>
+    </message>
+    <message>
+        <source>Run %1 axes</source>
+        <translation>%1 Achsen starten</translation>
+    </message>
+    <message>
+        <source>%1 %2, at rest</source>
+        <comment>mode and target</comment>
+        <translation>%1 %2, in Ruhe</translation>
+    </message>
+    <message>
+        <source>The power limit of axis %1 is unknown: its first motion sets it to %2. Write another under Limits of the axis.</source>
+        <translation>Die Leistungsgrenze der Achse %1 ist unbekannt: ihre erste Bewegung setzt sie auf %2. Eine andere unter Grenzen der Achse schreiben.</translation>
+    </message>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>axis %1 moves in another mode; stop it first</source>
+        <translation>Achse %1 bewegt sich in einer anderen Betriebsart; zuerst stoppen</translation>
+    </message>
+    <message>
+        <source>nothing copied: no gain of axis %1 is known for this mode; write it first</source>
+        <translation>nichts kopiert: für diese Betriebsart ist keine Verstärkung der Achse %1 bekannt; zuerst schreiben</translation>
+    </message>
+    <message>
+        <source>Gains and limits of axis %1</source>
+        <translation>Verstärkungen und Grenzen der Achse %1</translation>
+    </message>
+    <message>
+        <source> · also moving: axis %1</source>
+        <translation> · bewegt sich auch: Achse %1</translation>
+    </message>
+    <message>
+        <source>axis %1: %2</source>
+        <translation>Achse %1: %2</translation>
+    </message>
+    <message>
+        <source>position 0 is here; the motor is off until Run</source>
+        <translation>Position 0 ist hier; der Motor ist bis Start aus</translation>
+    </message>
 </context>
 <context>
     <name>mb::TunePlot</name>
@@ -4584,6 +5257,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>#%1 settles %2</source>
         <translation>#%1 ausgeregelt %2</translation>
+    </message>
+    <message>
+        <source>ch%1 set-point</source>
+        <translation>ch%1 Sollwert</translation>
     </message>
 </context>
 <context>
@@ -5585,10 +6262,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>der Treiber von %1 kann die Richtung einer RS-485-Leitung nicht umschalten, das muss der Adapter selbst tun; antwortet nichts, einen verwenden, der es kann</translation>
     </message>
     <message>
-        <source>unknown option &apos;%1&apos; of a serial link; baud, rs485 and echo are known</source>
-        <translation>unbekannte Option „%1“ einer seriellen Verbindung; bekannt sind baud, rs485 und echo</translation>
-    </message>
-    <message>
         <source>sim: stands for several links; name one, such as sim:can</source>
         <translation>sim: steht für mehrere Verbindungen; eine nennen, etwa sim:can</translation>
     </message>
@@ -5783,10 +6456,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 has no &apos;%2&apos; to be set</source>
         <translation>%1 hat kein „%2“, das sich setzen lässt</translation>
-    </message>
-    <message>
-        <source>%1 written; this device cannot be read back</source>
-        <translation>%1 geschrieben; dieses Gerät lässt sich nicht zurücklesen</translation>
     </message>
     <message>
         <source>Looking for Supermodified nodes at %1 bit/s</source>
@@ -6273,14 +6942,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Wozu der Eingang des Kanals dient. Nicht rücklesbar; die fünf Werte eines Eingangs werden zusammen gesendet.</translation>
     </message>
     <message>
-        <source>0 or 1. Data sheet and the maker&apos;s library disagree on which is active low: see what the status bit says.</source>
-        <translation>0 oder 1. Datenblatt und Bibliothek des Herstellers widersprechen sich, was davon low-aktiv ist: am Statusbit ablesen.</translation>
-    </message>
-    <message>
-        <source>0 to 3: which edge, and whether it only records or also sets the counter. Data sheet and library disagree on 1 and 2.</source>
-        <translation>0 bis 3: welche Flanke, und ob sie nur aufzeichnet oder auch den Zähler setzt. Datenblatt und Bibliothek widersprechen sich bei 1 und 2.</translation>
-    </message>
-    <message>
         <source>Distance between the two ends of the switch; 0 is a single end stop. Cannot be read back.</source>
         <translation>Abstand zwischen den beiden Enden des Schalters; 0 ist ein einzelner Endanschlag. Nicht rücklesbar.</translation>
     </message>
@@ -6547,6 +7208,586 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>D1 and D2: what one count of the current converter stands for; D3 tells ampere.</source>
         <translation>D1 und D2: wofür ein Count des Stromwandlers steht; D3 nennt Ampere.</translation>
+    </message>
+    <message>
+        <source>unknown option &apos;%1&apos; of a serial link; baud, format, rs485 and echo are known</source>
+        <translation>unbekannte Option „%1“ einer seriellen Verbindung; bekannt sind baud, format, rs485 und echo</translation>
+    </message>
+    <message>
+        <source>%1 is a recording: what is in it can be watched, not driven; open the link that it was made on</source>
+        <translation>%1 ist eine Aufnahme: ihr Inhalt lässt sich beobachten, nicht ansteuern; die Verbindung öffnen, an der sie entstand</translation>
+    </message>
+    <message>
+        <source>%1 is a recording: it can be watched, not written to or driven; open the link that it was made on</source>
+        <translation>%1 ist eine Aufnahme: sie lässt sich beobachten, nicht beschreiben oder ansteuern; die Verbindung öffnen, an der sie entstand</translation>
+    </message>
+    <message>
+        <source>%1 is no CAN link; only those are recorded</source>
+        <translation>%1 ist keine CAN-Verbindung; nur solche werden aufgenommen</translation>
+    </message>
+    <message>
+        <source>%1 is being recorded already</source>
+        <translation>%1 wird bereits aufgenommen</translation>
+    </message>
+    <message>
+        <source>the recording has ended: %1</source>
+        <translation>die Aufnahme ist beendet: %1</translation>
+    </message>
+    <message>
+        <source>%1 frames recorded, none is missing</source>
+        <translation>%1 Frames aufgenommen, keiner fehlt</translation>
+    </message>
+    <message>
+        <source>%1 frames recorded, %2 are missing</source>
+        <translation>%1 Frames aufgenommen, %2 fehlen</translation>
+    </message>
+    <message>
+        <source>%1: the disk is full; make room, or record elsewhere</source>
+        <translation>%1: die Festplatte ist voll; Platz schaffen oder anderswo aufnehmen</translation>
+    </message>
+    <message>
+        <source>%1: no permission to write there; choose another folder</source>
+        <translation>%1: keine Berechtigung, dort zu schreiben; anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>%1: there is no such folder; choose another one</source>
+        <translation>%1: diesen Ordner gibt es nicht; anderen wählen</translation>
+    </message>
+    <message>
+        <source>%1: it is a folder; name a file</source>
+        <translation>%1: ist ein Ordner; eine Datei nennen</translation>
+    </message>
+    <message>
+        <source>%1: the file has reached the greatest size there; begin another one</source>
+        <translation>%1: die Datei hat dort die größte zulässige Größe erreicht; eine neue beginnen</translation>
+    </message>
+    <message>
+        <source>%1: it cannot be written (system error %2); check the disk</source>
+        <translation>%1: lässt sich nicht schreiben (Systemfehler %2); Festplatte prüfen</translation>
+    </message>
+    <message>
+        <source>%1: no such file; check the path</source>
+        <translation>%1: keine solche Datei; Pfad prüfen</translation>
+    </message>
+    <message>
+        <source>%1: no permission to read it; change its mode, or copy it</source>
+        <translation>%1: keine Berechtigung zum Lesen; Zugriffsrechte ändern oder die Datei kopieren</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read (system error %2); check the disk</source>
+        <translation>%1: lässt sich nicht lesen (Systemfehler %2); Festplatte prüfen</translation>
+    </message>
+    <message>
+        <source>%1 is not a file; name a recording</source>
+        <translation>%1 ist keine Datei; eine Aufnahme nennen</translation>
+    </message>
+    <message>
+        <source>%1 has no frame in it; record again</source>
+        <translation>%1 enthält keinen Frame; erneut aufnehmen</translation>
+    </message>
+    <message>
+        <source>%1 has no frame of %2; leave out interface=</source>
+        <translation>%1 enthält keinen Frame von %2; interface= weglassen</translation>
+    </message>
+    <message>
+        <source>%1: it is a Vector BLF log; save it as ASC and take that</source>
+        <translation>%1: ist ein Vector-BLF-Protokoll; als ASC speichern und dieses verwenden</translation>
+    </message>
+    <message>
+        <source>%1: line %2 is neither a line of candump -L nor the beginning of a Vector ASC log; such a line reads %3</source>
+        <translation>%1: Zeile %2 ist weder eine Zeile von candump -L noch der Anfang eines Vector-ASC-Protokolls; eine solche Zeile lautet %3</translation>
+    </message>
+    <message>
+        <source>%1: line %2 is not a line of candump -L; such a line reads %3</source>
+        <translation>%1: Zeile %2 ist keine Zeile von candump -L; eine solche Zeile lautet %3</translation>
+    </message>
+    <message>
+        <source>%1: line %2 is not a line of a Vector ASC log: %3; such a line reads %4</source>
+        <translation>%1: Zeile %2 ist keine Zeile eines Vector-ASC-Protokolls: %3; eine solche Zeile lautet %4</translation>
+    </message>
+    <message>
+        <source>%1: line %2 is not a line of a Vector ASC log; such a line reads %3</source>
+        <translation>%1: Zeile %2 ist keine Zeile eines Vector-ASC-Protokolls; eine solche Zeile lautet %3</translation>
+    </message>
+    <message>
+        <source>%1 was changed while it was played; open it again</source>
+        <translation>%1 wurde während der Wiedergabe geändert; erneut öffnen</translation>
+    </message>
+    <message>
+        <source>speed=%1 is no speed; legal is 0.01 … 1000, or max</source>
+        <translation>speed=%1 ist keine Geschwindigkeit; zulässig ist 0.01 … 1000 oder max</translation>
+    </message>
+    <message>
+        <source>replay links have no option &apos;%1&apos;; they have speed and interface</source>
+        <translation>replay kennt die Option „%1“ nicht; bekannt sind speed und interface</translation>
+    </message>
+    <message>
+        <source>several units answer under this number in the recording</source>
+        <translation>mehrere Geräte antworten in der Aufnahme unter dieser Nummer</translation>
+    </message>
+    <message>
+        <source>%1 written; they cannot be read back</source>
+        <translation>%1 geschrieben; nicht rücklesbar</translation>
+    </message>
+    <message>
+        <source>%1 written; %2 of them cannot be read back</source>
+        <translation>%1 geschrieben; %2 davon nicht rücklesbar</translation>
+    </message>
+    <message>
+        <source>Write settings again</source>
+        <translation>Einstellungen erneut schreiben</translation>
+    </message>
+    <message>
+        <source>%1 of %2 settings were written again; then the board was reset once more; do it again</source>
+        <translation>%1 von %2 Einstellungen wurden erneut geschrieben; dann wurde die Platine nochmals zurückgesetzt; wiederholen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 settings were written again; %3; what is missing is still unknown, do it again</source>
+        <translation>%1 von %2 Einstellungen wurden erneut geschrieben; %3; was fehlt, ist weiterhin unbekannt, wiederholen</translation>
+    </message>
+    <message>
+        <source>%1 settings written again</source>
+        <translation>%1 Einstellungen erneut geschrieben</translation>
+    </message>
+    <message>
+        <source>stop the motors before settings are written again</source>
+        <translation>vor dem erneuten Schreiben der Einstellungen die Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>the settings that the reset took are written again</source>
+        <translation>die durch den Reset verlorenen Einstellungen werden erneut geschrieben</translation>
+    </message>
+    <message>
+        <source>the board was reset since its settings were written; look at it again</source>
+        <translation>die Platine wurde zurückgesetzt, seit ihre Einstellungen geschrieben wurden; erneut ansehen</translation>
+    </message>
+    <message>
+        <source>stop the motor before an experiment begins</source>
+        <translation>vor Beginn eines Versuchs den Motor stoppen</translation>
+    </message>
+    <message>
+        <source>stop the motors first</source>
+        <translation>zuerst die Motoren stoppen</translation>
+    </message>
+    <message>
+        <source>looking at the status bit</source>
+        <translation>das Statusbit wird angesehen</translation>
+    </message>
+    <message>
+        <source>polarity bit %1: the input is active</source>
+        <translation>Polaritätsbit %1: der Eingang ist aktiv</translation>
+    </message>
+    <message>
+        <source>polarity bit %1: the input is not active</source>
+        <translation>Polaritätsbit %1: der Eingang ist nicht aktiv</translation>
+    </message>
+    <message>
+        <source>the status bit is the same with both polarities, so it tells nothing; look at the wiring of the input</source>
+        <translation>das Statusbit ist bei beiden Polaritäten gleich und sagt daher nichts aus; Verdrahtung des Eingangs prüfen</translation>
+    </message>
+    <message>
+        <source>polarity 0 is active high: the board follows the maker&apos;s library</source>
+        <translation>Polarität 0 ist high-aktiv: die Platine folgt der Bibliothek des Herstellers</translation>
+    </message>
+    <message>
+        <source>polarity 0 is active low: the board follows the data sheet</source>
+        <translation>Polarität 0 ist low-aktiv: die Platine folgt dem Datenblatt</translation>
+    </message>
+    <message>
+        <source>turning the motor with several powers</source>
+        <translation>dreht den Motor mit verschiedenen Leistungen</translation>
+    </message>
+    <message>
+        <source>looking for velocity P</source>
+        <translation>sucht Drehzahl P</translation>
+    </message>
+    <message>
+        <source>looking for velocity I</source>
+        <translation>sucht Drehzahl I</translation>
+    </message>
+    <message>
+        <source>looking for position P</source>
+        <translation>sucht Position P</translation>
+    </message>
+    <message>
+        <source>looking for position I</source>
+        <translation>sucht Position I</translation>
+    </message>
+    <message>
+        <source>looking for position D</source>
+        <translation>sucht Position D</translation>
+    </message>
+    <message>
+        <source>putting the settings back</source>
+        <translation>stellt die Einstellungen wieder her</translation>
+    </message>
+    <message>
+        <source>position D has no effect that could be measured; its scale stays unknown</source>
+        <translation>Position D hat keine messbare Wirkung; die Skalierung bleibt unbekannt</translation>
+    </message>
+    <message>
+        <source>power %1: %2 and %3 counts/s</source>
+        <translation>Leistung %1: %2 und %3 counts/s</translation>
+    </message>
+    <message>
+        <source>the axis has a power limit of %1 %, which is kept</source>
+        <translation>die Achse hat eine Leistungsgrenze von %1 %, sie wird eingehalten</translation>
+    </message>
+    <message>
+        <source>the motor gives %1 counts/s per power unit, friction takes %2 units, it follows within %3 ms</source>
+        <translation>der Motor erreicht %1 counts/s je Leistungseinheit, die Reibung braucht %2 Einheiten, er folgt innerhalb von %3 ms</translation>
+    </message>
+    <message>
+        <source>the motors were told to stop, and are not seen to stand</source>
+        <translation>den Motoren wurde Stopp befohlen, ihr Stillstand ist nicht zu erkennen</translation>
+    </message>
+    <message>
+        <source>the motor was stopped: %1</source>
+        <translation>der Motor wurde gestoppt: %1</translation>
+    </message>
+    <message>
+        <source>the motor ran faster than the power limit allows; it was stopped</source>
+        <translation>der Motor lief schneller, als die Leistungsgrenze zulässt; er wurde gestoppt</translation>
+    </message>
+    <message>
+        <source>the loop drives the motor the wrong way; exchange the wires of the motor or the phases of the encoder</source>
+        <translation>der Regler treibt den Motor in die falsche Richtung; Leitungen des Motors oder Phasen des Encoders tauschen</translation>
+    </message>
+    <message>
+        <source>the encoder counts against the power; exchange the wires of the motor or the phases of the encoder before any loop is closed</source>
+        <translation>der Encoder zählt entgegen der Leistung; Leitungen des Motors oder Phasen des Encoders tauschen, bevor ein Regler geschlossen wird</translation>
+    </message>
+    <message>
+        <source>the motor turns differently in both directions; the shaft must be free, without load on one side</source>
+        <translation>der Motor dreht in beiden Richtungen unterschiedlich; die Welle muss frei sein, ohne einseitige Last</translation>
+    </message>
+    <message>
+        <source>the motor did not turn at two of the powers; allow it more power, or free its shaft</source>
+        <translation>der Motor drehte sich bei zwei der Leistungen nicht; mehr Leistung zulassen oder die Welle freimachen</translation>
+    </message>
+    <message>
+        <source>the speed does not grow evenly with the power; look whether something brakes or limits the motor</source>
+        <translation>die Drehzahl wächst nicht gleichmäßig mit der Leistung; prüfen, ob etwas den Motor bremst oder begrenzt</translation>
+    </message>
+    <message>
+        <source>no gain of the velocity loop turns the motor; the board may want velocity targets times 4096: choose that setting, and try again</source>
+        <translation>keine Verstärkung des Drehzahlreglers dreht den Motor; die Platine erwartet Drehzahlsollwerte vielleicht mal 4096: diese Einstellung wählen und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>no gain of the position loop turns the motor</source>
+        <translation>keine Verstärkung des Positionsreglers dreht den Motor</translation>
+    </message>
+    <message>
+        <source>the gain scale is too coarse to be measured with so little power</source>
+        <translation>die Skalierung der Verstärkung ist zu grob, um mit so wenig Leistung gemessen zu werden</translation>
+    </message>
+    <message>
+        <source>the motor turned too short a time below the power limit to be measured</source>
+        <translation>der Motor drehte sich zu kurz unterhalb der Leistungsgrenze, um gemessen zu werden</translation>
+    </message>
+    <message>
+        <source>the gains found at different values do not agree, so that a gain is no simple factor</source>
+        <translation>die bei verschiedenen Werten gefundenen Verstärkungen stimmen nicht überein, eine Verstärkung ist also kein einfacher Faktor</translation>
+    </message>
+    <message>
+        <source>the board does not tell its position</source>
+        <translation>die Platine nennt ihre Position nicht</translation>
+    </message>
+    <message>
+        <source>the transcript of the update is in %1</source>
+        <translation>die Mitschrift des Updates steht in %1</translation>
+    </message>
+    <message>
+        <source>the transcript of the update is not kept: %1</source>
+        <translation>die Mitschrift des Updates wird nicht aufbewahrt: %1</translation>
+    </message>
+    <message>
+        <source>the jumper is still in: take it out, then reset the board</source>
+        <translation>die Steckbrücke steckt noch: abziehen, dann die Platine zurücksetzen</translation>
+    </message>
+    <message>
+        <source>%1: legal is %2</source>
+        <translation>%1: zulässig ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is lost: %2; waiting up to %3 for it to come back</source>
+        <translation>%1 ist verloren: %2; warte bis zu %3 auf die Rückkehr</translation>
+    </message>
+    <message>
+        <source>Wait for %1</source>
+        <translation>Auf %1 warten</translation>
+    </message>
+    <message>
+        <source>%1 is back</source>
+        <translation>%1 ist wieder da</translation>
+    </message>
+    <message>
+        <source>%1 did not come back within %2: %3</source>
+        <translation>%1 kam innerhalb von %2 nicht wieder: %3</translation>
+    </message>
+    <message>
+        <source>all pages are in the unit</source>
+        <translation>alle Seiten sind im Gerät</translation>
+    </message>
+    <message>
+        <source>the unit may have restarted meanwhile: once more from page %1</source>
+        <translation>das Gerät ist inzwischen wohl neu gestartet: noch einmal ab Seite %1</translation>
+    </message>
+    <message>
+        <source>The adapter has no %1 bit/s</source>
+        <translation>Der Adapter kann keine %1 bit/s</translation>
+    </message>
+    <message>
+        <source>the search was cancelled; what it found stays</source>
+        <translation>die Suche wurde abgebrochen; was sie gefunden hat, bleibt</translation>
+    </message>
+    <message>
+        <source>the stop was not acknowledged, so the position was not reset: a motor that runs would jump</source>
+        <translation>der Stopp wurde nicht bestätigt, daher wurde die Position nicht zurückgesetzt: ein laufender Motor würde springen</translation>
+    </message>
+    <message>
+        <source>%1 has no command that zeroes its position</source>
+        <translation>%1 hat keinen Befehl, der die Position auf null setzt</translation>
+    </message>
+    <message>
+        <source>%1 is no list of devices and is ignored: the next scan takes its full time and writes it anew</source>
+        <translation>%1 ist keine Geräteliste und wird ignoriert: die nächste Suche dauert ihre volle Zeit und schreibt sie neu</translation>
+    </message>
+    <message>
+        <source>The recording does not tell which codes it speaks: it was asked for what all answer alike.</source>
+        <translation>Aus der Aufnahme geht nicht hervor, welche Codes das Gerät spricht: abgefragt wurde, was alle gleich beantworten.</translation>
+    </message>
+    <message>
+        <source>Drives of two dialects answer with this offset in the recording.</source>
+        <translation>In der Aufnahme antworten Antriebe zweier Dialekte mit diesem Offset.</translation>
+    </message>
+    <message>
+        <source>counts/s (safe)</source>
+        <translation>counts/s (sicher)</translation>
+    </message>
+    <message>
+        <source>counts/s × 4096</source>
+        <translation>counts/s × 4096</translation>
+    </message>
+    <message>
+        <source>as the library</source>
+        <translation>wie die Bibliothek</translation>
+    </message>
+    <message>
+        <source>as the data sheet</source>
+        <translation>wie das Datenblatt</translation>
+    </message>
+    <message>
+        <source>The data sheet contradicts itself on velocity targets. With plain counts/s a board that wants × 4096 hardly moves; the opposite mistake asks for full speed. Change it only when a board hardly moves, and with a small power limit.</source>
+        <translation>Das Datenblatt widerspricht sich bei den Drehzahlsollwerten. Mit einfachen counts/s bewegt sich eine Platine, die × 4096 erwartet, kaum; der umgekehrte Fehler fordert volle Drehzahl. Nur ändern, wenn sich eine Platine kaum bewegt, und mit kleiner Leistungsgrenze.</translation>
+    </message>
+    <message>
+        <source>Data sheet and the maker&apos;s library give polarity and edges of the inputs opposite bits. The library is more likely right; an experiment with the status bit tells.</source>
+        <translation>Datenblatt und Bibliothek des Herstellers geben Polarität und Flanken der Eingänge mit entgegengesetzten Bits an. Eher stimmt die Bibliothek; ein Versuch mit dem Statusbit klärt es.</translation>
+    </message>
+    <message>
+        <source>Power units (8191 is full power) that a raw gain of 1 gives. The maker does not tell; an experiment finds it.</source>
+        <translation>Leistungseinheiten (8191 ist volle Leistung), die eine rohe Verstärkung von 1 ergibt. Der Hersteller nennt sie nicht; ein Versuch ermittelt sie.</translation>
+    </message>
+    <message>
+        <source>velocity target</source>
+        <translation>Drehzahlsollwert</translation>
+    </message>
+    <message>
+        <source>input polarity</source>
+        <translation>Eingangspolarität</translation>
+    </message>
+    <message>
+        <source>velocity P scale</source>
+        <translation>Skalierung Drehzahl P</translation>
+    </message>
+    <message>
+        <source>velocity I scale</source>
+        <translation>Skalierung Drehzahl I</translation>
+    </message>
+    <message>
+        <source>position P scale</source>
+        <translation>Skalierung Position P</translation>
+    </message>
+    <message>
+        <source>position I scale</source>
+        <translation>Skalierung Position I</translation>
+    </message>
+    <message>
+        <source>position D scale</source>
+        <translation>Skalierung Position D</translation>
+    </message>
+    <message>
+        <source>open: nothing is connected, the pin is high</source>
+        <translation>offen: nichts ist angeschlossen, der Pin ist high</translation>
+    </message>
+    <message>
+        <source>connected to GND: the pin is low</source>
+        <translation>mit GND verbunden: der Pin ist low</translation>
+    </message>
+    <message>
+        <source>Find the gain scales</source>
+        <translation>Skalierung der Verstärkungen ermitteln</translation>
+    </message>
+    <message>
+        <source>The maker does not tell what a raw gain is worth. The motor of one axis is turned to and fro for one to two minutes, with the power that you allow here: first with constant power, then with one gain alone at a time, which grows until the motor moves. The shaft must turn freely, some turns each way, and nobody may touch it. Gains and limits are put back at the end.</source>
+        <translation>Der Hersteller nennt nicht, was eine rohe Verstärkung wert ist. Der Motor einer Achse wird ein bis zwei Minuten lang hin und her gedreht, mit der hier zugelassenen Leistung: zuerst mit konstanter Leistung, dann mit jeweils nur einer Verstärkung, die wächst, bis sich der Motor bewegt. Die Welle muss frei drehen, einige Umdrehungen in jede Richtung, und niemand darf sie berühren. Verstärkungen und Grenzen werden am Ende wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Find the input polarity</source>
+        <translation>Polarität des Eingangs ermitteln</translation>
+    </message>
+    <message>
+        <source>Data sheet and the maker&apos;s library give the polarity of the inputs opposite bits. The input of one axis is set up with both, and the status bit tells which of them is active at the level that the pin has. Nothing moves, the counter stays, and the input is set up afterwards as it was.</source>
+        <translation>Datenblatt und Bibliothek des Herstellers geben die Polarität der Eingänge mit entgegengesetzten Bits an. Der Eingang einer Achse wird mit beiden eingerichtet, und das Statusbit zeigt, welche davon bei dem Pegel aktiv ist, den der Pin hat. Nichts bewegt sich, der Zähler bleibt, und der Eingang wird danach wieder wie zuvor eingerichtet.</translation>
+    </message>
+    <message>
+        <source>The input pin of this axis is</source>
+        <translation>Der Eingangspin dieser Achse ist</translation>
+    </message>
+    <message>
+        <source>Close the jumper</source>
+        <translation>Steckbrücke stecken</translation>
+    </message>
+    <message>
+        <source>Put a jumper on AUX1 and AUX2. The serial adapter has 3.3 V levels, its TX goes to RX and its RX to TX; the board gets 3.3 V only.</source>
+        <translation>Eine Steckbrücke auf AUX1 und AUX2 stecken. Der serielle Adapter hat 3.3-V-Pegel, sein TX geht an RX und sein RX an TX; die Platine erhält nur 3.3 V.</translation>
+    </message>
+    <message>
+        <source>Reset the board</source>
+        <translation>Platine zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Press its reset, or switch it off and on. Where the reset line is wired, this program pulses it.</source>
+        <translation>Ihren Reset drücken oder sie aus- und einschalten. Ist die Reset-Leitung angeschlossen, gibt dieses Programm einen Impuls darauf.</translation>
+    </message>
+    <message>
+        <source>The bootloader greets</source>
+        <translation>Der Bootloader meldet sich</translation>
+    </message>
+    <message>
+        <source>Its greeting on the serial port holds the word &quot;bootloader&quot;.</source>
+        <translation>Seine Begrüßung an der seriellen Schnittstelle enthält das Wort „bootloader“.</translation>
+    </message>
+    <message>
+        <source>The file is sent</source>
+        <translation>Die Datei wird gesendet</translation>
+    </message>
+    <message>
+        <source>Line by line, each after the confirmation of the one before. Leave the jumper where it is.</source>
+        <translation>Zeile für Zeile, jede nach der Bestätigung der vorigen. Die Steckbrücke stecken lassen.</translation>
+    </message>
+    <message>
+        <source>Take the jumper out</source>
+        <translation>Steckbrücke abziehen</translation>
+    </message>
+    <message>
+        <source>Then the board starts its new firmware. If it does not, reset it once more.</source>
+        <translation>Dann startet die Platine ihre neue Firmware. Wenn nicht, noch einmal zurücksetzen.</translation>
+    </message>
+    <message>
+        <source>The version is compared</source>
+        <translation>Die Version wird verglichen</translation>
+    </message>
+    <message>
+        <source>The board is asked for it over SPI.</source>
+        <translation>Sie wird über SPI von der Platine abgefragt.</translation>
+    </message>
+    <message>
+        <source>baud rate</source>
+        <translation>Übertragungsrate</translation>
+    </message>
+    <message>
+        <source>From the data sheet.</source>
+        <translation>Aus dem Datenblatt.</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Data bits, parity, stop bits. Not told.</source>
+        <translation>Datenbits, Parität, Stoppbits. Nicht angegeben.</translation>
+    </message>
+    <message>
+        <source>line ending</source>
+        <translation>Zeilenende</translation>
+    </message>
+    <message>
+        <source>Not told; the terminal program that the data sheet names sends cr.</source>
+        <translation>Nicht angegeben; das im Datenblatt genannte Terminalprogramm sendet cr.</translation>
+    </message>
+    <message>
+        <source>greeting holds</source>
+        <translation>Begrüßung enthält</translation>
+    </message>
+    <message>
+        <source>The data sheet tells this word, and not the whole greeting.</source>
+        <translation>Das Datenblatt nennt dieses Wort, nicht aber die ganze Begrüßung.</translation>
+    </message>
+    <message>
+        <source>refusal holds</source>
+        <translation>Ablehnung enthält</translation>
+    </message>
+    <message>
+        <source>Not told. Words with | between them, in whatever case.</source>
+        <translation>Nicht angegeben. Wörter, durch | getrennt, Groß- und Kleinschreibung beliebig.</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Least time from one line to the next in milliseconds, from the data sheet.</source>
+        <translation>Mindestzeit von einer Zeile zur nächsten in Millisekunden, aus dem Datenblatt.</translation>
+    </message>
+    <message>
+        <source>leaves with</source>
+        <translation>verlassen mit</translation>
+    </message>
+    <message>
+        <source>Typed at the end. &quot;none&quot; leaves it to jumper and reset.</source>
+        <translation>Wird am Ende eingegeben. „none“ überlässt es Steckbrücke und Reset.</translation>
+    </message>
+    <message>
+        <source>active high</source>
+        <translation>high-aktiv</translation>
+    </message>
+    <message>
+        <source>active low</source>
+        <translation>low-aktiv</translation>
+    </message>
+    <message>
+        <source>record at the positive end</source>
+        <translation>am positiven Ende aufzeichnen</translation>
+    </message>
+    <message>
+        <source>set at the positive end</source>
+        <translation>am positiven Ende setzen</translation>
+    </message>
+    <message>
+        <source>record at the negative end</source>
+        <translation>am negativen Ende aufzeichnen</translation>
+    </message>
+    <message>
+        <source>set at the negative end</source>
+        <translation>am negativen Ende setzen</translation>
+    </message>
+    <message>
+        <source>At which level the input is active. Data sheet and the maker&apos;s library say it with opposite bits: which one the board follows is a setting of the device, and an experiment tells.</source>
+        <translation>Bei welchem Pegel der Eingang aktiv ist. Datenblatt und Bibliothek des Herstellers geben es mit entgegengesetzten Bits an: welchem die Platine folgt, ist eine Einstellung des Geräts, und ein Versuch klärt es.</translation>
+    </message>
+    <message>
+        <source>At which end of the switch the position is recorded, or also set as the counter. Data sheet and library disagree, as for the polarity.</source>
+        <translation>An welchem Ende des Schalters die Position aufgezeichnet oder auch als Zähler gesetzt wird. Datenblatt und Bibliothek widersprechen sich, wie bei der Polarität.</translation>
+    </message>
+    <message>
+        <source>serial bootloader</source>
+        <translation>serieller Bootloader</translation>
+    </message>
+    <message>
+        <source>serial bootloader, without reset</source>
+        <translation>serieller Bootloader, ohne Reset</translation>
     </message>
 </context>
 </TS>
