@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/application.h"
 
-#include "app/profilefolder.h"
+#include "app/folders/userfolders.h"
 #include "app/tour.h"
 #include "model/registry.h"
 #include "widgets/plots/plotspage.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/console.h"
 
-#include "app/profilefolder.h"
+#include "app/folders/userfolders.h"
 
 namespace mb::console {
 

@@ -2,7 +2,7 @@
 #include "app/console/progressline.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
-#include "app/profilefolder.h"
+#include "app/folders/userfolders.h"
 #include "async/event.h"
 #include "model/operation.h"
 #include "model/parameterfile.h"

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sending frames on the Bus page as a person does it; above all, that no click alone makes a motor move.
+#include "buspagebench.h"
+
+using namespace mb;
+using namespace mb::test;
+
+class BusSendTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void anOrdinaryFrameGoesByAClick();
+    void successIsSaidOnlyWhenTheLinkTookIt();
+    void aControlFrameNeedsArmingAndAHeldButton();
+    void aShortPressSendsNoControlFrame();
+    void aControlFrameIsRefused_data();
+    void aControlFrameIsRefused();
+    void stopEndsARepetitionAndStopsTheMotor();
+    void leavingThePageEndsARepetition();
+    void aLinkThatDoesNotTakeFramesEndsARepetition();
+    void typedFramesAreChecked_data();
+    void typedFramesAreChecked();
+    void aFrameFromTheTableIsSentAgain();
+};
+
+void BusSendTest::anOrdinaryFrameGoesByAClick()
+{
+    BusBench bench;
+    bench.type("240", "");
+    QVERIFY(!bench.sendButton().isHoldNeeded());
+    QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
+    QCOMPARE(bench.sent(), std::size_t{1});
+    const auto call = bench.workbench.callsOf("sendFrame").front();
+    QCOMPARE(call.text, std::string("sim:can"));
+    QVERIFY(sameContent(call.frame, canFrameFromText("240#").value()));
+    bench.type("02061805", "34 12 3D"); // PARAMREQ
+    QVERIFY(bench.panelText().contains(QStringLiteral("PARAMREQ of DMC60C #5")));
+    QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
+    QCOMPARE(bench.sent(), std::size_t{2});
+}
+
+void BusSendTest::successIsSaidOnlyWhenTheLinkTookIt()
+{
+    BusBench bench;
+    bench.type("123", "01 02");
+    QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
+    QVERIFY(!bench.panelText().contains(QStringLiteral("1 sent")));
+    bench.workbench.callsOf("sendFrame").front().finished({});
+    QVERIFY(bench.panelText().contains(QStringLiteral("1 sent")));
+    QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
+    bench.workbench.callsOf("sendFrame").back().finished(fail(Fault::LinkLost, "can0 is down"));
+    QVERIFY(bench.panelText().contains(QStringLiteral("can0 is down")));
+}
+
+void BusSendTest::aControlFrameNeedsArmingAndAHeldButton()
+{
+    BusBench bench;
+    bench.type("02060005", "71 00 00 00 00 28 00 00");
+    QVERIFY(bench.sendButton().isHoldNeeded());
+    QVERIFY(!bench.sendButton().isEnabled());
+    QVERIFY(bench.panelText().contains(QStringLiteral("DMC60C #5 is not armed")));
+    bench.hold(50);
+    bench.arming.arm({2}); // another one helps nothing
+    QVERIFY(!bench.sendButton().isEnabled());
+    bench.arming.arm({1});
+    QVERIFY(bench.sendButton().isEnabled());
+    QVERIFY(bench.panelText().contains(QStringLiteral("Makes a motor move: CANCTRL0 of DMC60C #5")));
+    QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
+    QTest::keyClick(&bench.sendButton(), Qt::Key_Space);
+    QTest::keyClick(&bench.sendButton(), Qt::Key_Return);
+    bench.sendButton().click();
+    bench.sendButton().animateClick(1);
+    QTest::qWait(20);
+    QCOMPARE(bench.sent(), std::size_t{0});
+    QCOMPARE(bench.sendButton().holdMilliseconds(), 1000);
+    bench.sendButton().setHoldMilliseconds(40);
+    QVERIFY(bench.holdUntil([&bench] { return bench.sent() > 0; }));
+    QCOMPARE(bench.sent(), std::size_t{1});
+    QVERIFY(sameContent(bench.workbench.callsOf("sendFrame").front().frame, canFrameFromText(controlOf5).value()));
+}
+
+void BusSendTest::aShortPressSendsNoControlFrame()
+{
+    BusBench bench;
+    bench.arming.arm({1});
+    bench.type("02060005", "71 00 00 00 00 28 00 00");
+    bench.sendButton().setHoldMilliseconds(400);
+    bench.hold(40);
+    QTest::mousePress(&bench.sendButton(), Qt::LeftButton);
+    bench.arming.stopAll(QStringLiteral("test")); // STOP while it is held
+    QTest::qWait(500);
+    QTest::mouseRelease(&bench.sendButton(), Qt::LeftButton);
+    QCOMPARE(bench.sent(), std::size_t{0});
+}
+
+void BusSendTest::aControlFrameIsRefused_data()
+{
+    QTest::addColumn<QString>("when");
+    QTest::addColumn<QString>("says");
+    for (const auto &[when, says] : std::initializer_list<std::pair<const char *, const char *>>{
+             {"unknown", "No DMC60C #12 is known on this link"},
+             {"duplicate", "Two units answer as #5"},
+             {"driven", "This window drives DMC60C #5 already"},
+             {"busy", "DMC60C #5 is busy: firmware update"},
+             {"forbidden", "in its bootloader"},
+             {"lost", "the adapter went away"},
+             {"unguarded", "it has no watchdog"},
+         })
+        QTest::newRow(when) << QString::fromLatin1(when) << QString::fromLatin1(says);
+}
+
+void BusSendTest::aControlFrameIsRefused()
+{
+    QFETCH(QString, when);
+    QFETCH(QString, says);
+    static const Family unguarded = [] {
+        Family family = dmc60c();
+        family.capabilities.watchdog = false;
+        return family;
+    }();
+    BusBench bench;
+    bench.arming.arm({1});
+    DeviceView &five = bench.workbench.device(0);
+    if (when == QLatin1String("duplicate"))
+        bench.workbench.shot.devices.push_back(readDrive(3, 5)), bench.workbench.shot.devices.back().link = "sim:can";
+    else if (when == QLatin1String("driven"))
+        five.motion.running = true;
+    else if (when == QLatin1String("busy"))
+        five.busy = "firmware update";
+    else if (when == QLatin1String("forbidden"))
+        five.mayNotMove = "it is in its bootloader";
+    else if (when == QLatin1String("lost"))
+        bench.workbench.shot.links[0].state = LinkState::Lost,
+        bench.workbench.shot.links[0].reason = "the adapter went away";
+    else if (when == QLatin1String("unguarded"))
+        five.family = &unguarded;
+    const CanFrame frame
+        = canFrameFromText(when == QLatin1String("unknown") ? "0206000C#7100000000280000" : controlOf5).value();
+    const SendVerdict verdict = judgeFrame(frame, "sim:can", bench.workbench.shot, bench.arming);
+    QVERIFY(verdict.control);
+    QVERIFY2(verdict.refusal.contains(says), qPrintable(verdict.refusal));
+}
+
+void BusSendTest::stopEndsARepetitionAndStopsTheMotor()
+{
+    BusBench bench;
+    bench.arming.arm({1});
+    bench.type("02060005", "71 00 00 00 00 28 00 00");
+    bench.page->findChild<QCheckBox *>()->setChecked(true);
+    bench.named<QSpinBox>("Period")->setValue(5);
+    bench.sendButton().setHoldMilliseconds(1);
+    std::size_t answered = 0;
+    const auto someWent = [&] {
+        const auto calls = bench.workbench.callsOf("sendFrame");
+        for (; answered < calls.size(); ++answered) // else the panel gives up after fifty
+            calls[answered].finished({});
+        return answered > 3;
+    };
+    QVERIFY(bench.holdUntil(someWent));
+    QVERIFY(bench.panel().isRepeating());
+    QVERIFY(bench.workbench.callsOf("stopMotion").empty());
+    bench.arming.stopAll(QStringLiteral("test"));
+    QVERIFY(!bench.panel().isRepeating());
+    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), std::size_t{1});
+    QCOMPARE(bench.workbench.callsOf("stopMotion").front().device.value, 1U);
+}
+
+void BusSendTest::leavingThePageEndsARepetition()
+{
+    BusBench bench;
+    bench.type("123", "00");
+    bench.page->findChild<QCheckBox *>()->setChecked(true);
+    QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
+    QVERIFY(bench.panel().isRepeating());
+    bench.page->hide();
+    QVERIFY(!bench.panel().isRepeating());
+    QVERIFY(bench.workbench.callsOf("stopMotion").empty()); // it moved nothing
+}
+
+void BusSendTest::aLinkThatDoesNotTakeFramesEndsARepetition()
+{
+    BusBench bench;
+    bench.type("123", "00");
+    bench.page->findChild<QCheckBox *>()->setChecked(true);
+    bench.named<QSpinBox>("Period")->setValue(5);
+    QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
+    QTRY_VERIFY(!bench.panel().isRepeating()); // the fake workbench never says that a frame went
+    QCOMPARE(bench.sent(), std::size_t{50});
+    QVERIFY(bench.panelText().contains(QStringLiteral("does not take frames")));
+}
+
+void BusSendTest::typedFramesAreChecked_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<bool>("extended");
+    QTest::addColumn<QString>("data");
+    QTest::addColumn<QString>("result");
+    const auto row = [](const char *id, bool extended, const char *data, const char *result) {
+        QTest::newRow(result) << QString::fromLatin1(id) << extended << QString::fromLatin1(data)
+                              << QString::fromLatin1(result);
+    };
+    row("7FF", false, "", "7FF#");
+    row("0x123", false, "0a 0B.0c", "123#0A0B0C");
+    row("123", true, "00", "00000123#00");
+    row("02061405#8125", false, "", "02061405#8125");
+    row("(1.0) can0 123#R", true, "", "123#R");
+    row("800", false, "", "has more than 11 bits: choose 29 bits");
+    row("20000000", true, "", "has more than 29 bits");
+    row("12G", false, "", "is hexadecimal");
+    row("123", false, "123", "pairs of hexadecimal digits");
+    row("123", false, "00 11 22 33 44 55 66 77 88", "at most 8");
+    row("123#0", false, "", "is no frame such as");
+}
+
+void BusSendTest::typedFramesAreChecked()
+{
+    QFETCH(QString, id);
+    QFETCH(bool, extended);
+    QFETCH(QString, data);
+    QFETCH(QString, result);
+    const TypedFrame typed = readTypedFrame(id, extended, data);
+    const QString got = typed.frame ? QString::fromStdString(toText(*typed.frame)) : typed.problem;
+    QVERIFY2(typed.frame ? got == result : got.contains(result), qPrintable(got));
+}
+
+void BusSendTest::aFrameFromTheTableIsSentAgain()
+{
+    BusBench bench;
+    bench.traffic.add("123#0A0B");
+    bench.publish();
+    auto *table = bench.named<TrafficView>("Frames");
+    table->selectRow(0);
+    for (QAbstractButton *button : bench.page->findChildren<QAbstractButton *>()) {
+        if (button->text().startsWith(QStringLiteral("Send again")))
+            button->click();
+    }
+    QVERIFY(bench.panel().isVisible());
+    QCOMPARE(bench.named<QLineEdit>("Identifier")->text(), QStringLiteral("123"));
+    QCOMPARE(bench.named<QLineEdit>("Data")->text(), QStringLiteral("0A 0B"));
+    QCOMPARE(bench.sent(), std::size_t{0});
+}
+
+QTEST_MAIN(BusSendTest)
+#include "tst_bussend.moc"
