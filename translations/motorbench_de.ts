@@ -2000,6 +2000,18 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>A board that is cut stays in its bootloader. Leave the jumper in and run the update again.</source>
         <translation>Eine unterbrochene Platine bleibt im Bootloader. Steckbrücke stecken lassen und Update wiederholen.</translation>
     </message>
+    <message>
+        <source>The flash is being written: it must not be cut</source>
+        <translation>Der Flash wird geschrieben: nicht unterbrechen</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet; the update can be run again</source>
+        <translation>Noch ist nichts geschrieben; das Update kann noch einmal gestartet werden</translation>
+    </message>
+    <message>
+        <source>A unit that is cut while it is written holds half a program. It runs again once an update has succeeded.</source>
+        <translation>Ein Gerät, das beim Schreiben unterbrochen wird, enthält ein halbes Programm. Es läuft wieder, sobald ein Update gelungen ist.</translation>
+    </message>
 </context>
 <context>
     <name>mb::FrameDetail</name>

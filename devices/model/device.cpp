@@ -38,6 +38,10 @@ void Device::setIdentity(Identity identity)
 {
     if (identity == m_identity)
         return;
+    if (identity.dialect.empty() && !m_probedDialect.empty() && identity.state == DeviceState::Online) {
+        identity.dialect = m_probedDialect; // what was proven once is not taken away by a scan that could not prove it
+        identity.detail = m_probedDetail;
+    }
     m_probedDialect = identity.dialect;
     m_probedDetail = identity.detail;
     identity = shown(std::move(identity));

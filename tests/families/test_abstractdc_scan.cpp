@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "abstractdcbench.h"
+#include "families/abstractdc/logpoller.h"
 #include "families/abstractdc/scan.h"
+#include "fuzz/soak.h"
 #include "support/fakeunit.h"
 #include "support/simulatedsession.h"
 
@@ -64,6 +66,29 @@ TEST_F(AbstractDcScan, TellsTheDialectsApart)
     EXPECT_NE(last.at(3).detail.find("firmware's codes, not the document's"), std::string::npos);
     for (const auto &[offset, identity] : last)
         EXPECT_EQ(identity.state, DeviceState::Online);
+}
+
+/// This program's own pollers ask for logs whose answers come where another dialect would answer the scan's questions.
+TEST_F(AbstractDcScan, TellsTheDialectsApartWhileEveryDriveIsPolledAsOftenAsTheWireCarries)
+{
+    for (const char *unit : {"abstractdc:3,dialect=F", "abstractdc:4,dialect=L", "abstractdc:5,dialect=D"})
+        add(unit);
+    std::vector<std::unique_ptr<LogPoller>> pollers;
+    const std::array spoken{&dialectF, &dialectL, &dialectD};
+    for (int offset = 3; offset <= 5; ++offset) {
+        pollers.push_back(std::make_unique<LogPoller>(
+            host, clock, LogPoller::Events{[](Log, std::int32_t, Instant) {}, [] {}, [](Log) {}}));
+        pollers.back()->speak(spoken.at(static_cast<std::size_t>(offset) - 3), offset);
+        for (const Log log : {Log::Position, Log::Velocity, Log::Current})
+            pollers.back()->wish(log, 500.0);
+    }
+    for (int phase = 0; phase < test::rounds(20); ++phase) {
+        clock.advance(1013us * (phase % 17));
+        Found sink;
+        const auto result = test::run(clock, scan(host, clock, sink));
+        ASSERT_TRUE(result) << result.error().detail << ", scan " << phase;
+        ASSERT_EQ(sink.text(), "3:F 4:L 5:D ") << "scan " << phase;
+    }
 }
 
 TEST_F(AbstractDcScan, NoMotorMovesAndNoSettingChanges)

@@ -20,9 +20,11 @@ Task<std::optional<std::uint32_t>> Prober::ask(Question question, int most)
     CanInbox::Match match = [this, question, shared](const CanFrame &frame) {
         const bool expected
             = std::find(question.answers.begin(), question.answers.end(), frame.id) != question.answers.end();
-        return !frame.extended && frame.size == 4 && expected
+        return !frame.extended && frame.size == 4 && expected && !m_questions.isForOthers()
             && (frame.id != shared || m_voltage.owner() == question.offset || question.code != codeOfVoltage());
     };
+    if (question.base == id::logRequest)
+        m_questions.attend(question.offset, question.code);
     CanInbox inbox(m_link, m_clock, std::move(match));
     const std::array data{question.code};
     const CanFrame request = standardFrame(question.base + static_cast<std::uint32_t>(question.offset), data);

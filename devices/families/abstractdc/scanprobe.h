@@ -2,6 +2,7 @@
 #pragma once
 
 #include "families/abstractdc/protocol.h"
+#include "families/abstractdc/questionwatch.h"
 #include "families/abstractdc/voltagewatch.h"
 #include "transport/caninbox.h"
 
@@ -76,10 +77,11 @@ public:
         : m_link(link)
         , m_clock(clock)
         , m_voltage(link, clock)
+        , m_questions(link, clock)
     {
     }
 
-    /// Nothing when no answer came to any try. Of a voltage log without offset only an answer to this question counts.
+    /// Nothing when no answer came to any try. Only answers that cannot be somebody else's count.
     Task<std::optional<std::uint32_t>> ask(Question question, int most = 3);
 
 private:
@@ -88,6 +90,7 @@ private:
     CanLink &m_link;
     Clock &m_clock;
     VoltageWatch m_voltage;
+    QuestionWatch m_questions;
 };
 
 struct Found {
