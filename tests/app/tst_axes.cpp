@@ -372,6 +372,8 @@ void AxesTest::gainsAreCopiedFromAnotherAxis()
     Q_EMIT panel().copyGainsRequested(1);
     QCOMPARE(m_tune->gainsPanel().row("p")->number(), std::optional(321.0));
     QVERIFY(!m_tune->gainsPanel().toWrite().empty());
+    const auto *write = m_tune->findChild<CommandButton *>(QStringLiteral("writeGains"));
+    QTRY_VERIFY_WITH_TIMEOUT(write->isEnabled(), patience); // the write before may still be under way
     m_tune->write();
     const auto p2 = *findParameter(board().family->parameters, "ch2.position.p");
     QTRY_VERIFY_WITH_TIMEOUT(board().parameters[p2.value].raw == 321, patience);
