@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array shown{Mode::Velocity, Mode::Position, Mode::Current, Mode::Duty, Mode::Voltage, Mode::Follow,
     Mode::RampPosition, Mode::RampVelocity};
-constexpr int longLabel = 15; ///< characters; three buttons with longer labels are wider than the column
+constexpr int longLabel = 12; ///< characters; three buttons with longer labels are wider than the column
 
 /// Buttons in a line.
 int perLineOf(const std::vector<Mode> &modes)
