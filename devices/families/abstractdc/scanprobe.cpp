@@ -10,7 +10,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int tries = 3;
-constexpr Duration sweepMost = 60ms; ///< what asking 99 old drives one by one may take
+constexpr Duration patienceWithOthers = 500ms; ///< who ask for voltages all the time
+constexpr Duration sweepMost = 60ms;           ///< what asking 99 old drives one by one may take
 
 } // namespace
 
@@ -29,8 +30,12 @@ Task<std::optional<std::uint32_t>> Prober::ask(Question question, int most)
     const std::array data{question.code};
     const CanFrame request = standardFrame(question.base + static_cast<std::uint32_t>(question.offset), data);
     for (int attempt = 0; attempt < most; ++attempt) {
-        while (question.code == codeOfVoltage() && !m_voltage.isFree())
+        const Instant patience = m_clock.now() + patienceWithOthers;
+        while (question.code == codeOfVoltage() && !m_voltage.isFree()) {
+            if (m_clock.now() > patience)
+                co_return std::optional<std::uint32_t>();
             co_await Sleep(m_clock, roundTrip(m_link));
+        }
         if (auto sent = m_link.send(request); !sent)
             co_return fail(sent.error());
         const Result<CanFrame> answer = co_await inbox.next(answerTime(m_link));

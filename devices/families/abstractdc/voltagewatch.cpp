@@ -3,7 +3,7 @@
 
 #include "families/abstractdc/codec.h"
 
-#include <utility>
+#include <algorithm>
 
 namespace mb::abstractdc {
 namespace {
@@ -39,27 +39,42 @@ VoltageWatch::VoltageWatch(CanLink &link, Clock &clock)
 {
 }
 
+bool VoltageWatch::isFree() const
+{
+    return std::none_of(
+        m_open.begin(), m_open.end(), [now = m_clock.now()](const Asked &open) { return open.until > now; });
+}
+
 void VoltageWatch::pass(const CanFrame &frame)
 {
     if (frame.extended || frame.error || frame.remote)
         return;
-    const bool asks = frame.size == 1 && frame.id >= id::logRequest && frame.id <= id::logRequest + maxOffset
-        && frame.data[0] == dialectF.codeOf(Log::Voltage);
-    if (asks) {
-        const int offset = static_cast<int>(frame.id - id::logRequest);
-        const bool alone = isFree() || m_asked == offset;
-        m_asked = alone && offset > 0 ? std::optional<int>(offset) : std::nullopt;
-        if (offset == 0 && alone) // 900 is both everybody and offset 0: then there is only this one
-            m_asked = 0;
-        m_until = m_clock.now() + answerTime(m_link);
+    for (auto *asked : {&m_open, &m_positions})
+        std::erase_if(*asked, [now = m_clock.now()](const Asked &open) { return open.until <= now; });
+    if (frame.size == 1 && frame.id >= id::logRequest && frame.id <= id::logRequest + maxOffset) {
+        const int offset = static_cast<int>(frame.id - id::logRequest); // 900 is both everybody and offset 0
+        auto *const asked = frame.data[0] == dialectF.codeOf(Log::Voltage) ? &m_open
+            : frame.data[0] == dialectF.codeOf(Log::Position)              ? &m_positions
+                                                                           : nullptr;
+        if (!asked)
+            return;
+        std::erase_if(*asked, [offset](const Asked &open) { return open.offset == offset; });
+        asked->push_back({offset, m_clock.now() + answerTime(m_link)});
     } else if (frame.id == id::voltageLog && frame.size == 4) {
-        m_owner = isFree() ? std::nullopt : std::exchange(m_asked, std::nullopt);
+        m_owner = m_open.size() == 1 ? std::optional<int>(m_open.front().offset) : std::nullopt;
         if (m_owner)
-            m_until = m_clock.now();
-    } else if (m_link.address().isRecording() && frame.size == 4 && m_asked
-        && frame.id == id::positionLog + static_cast<std::uint32_t>(*m_asked)) {
-        m_until = m_clock.now(); // dialect D: this code asks it for its position; nobody has to wait for safety here
+            m_open.clear();
+    } else if (frame.id >= id::positionLog && frame.id <= id::positionLog + maxOffset && frame.size == 4) {
+        positionOf(static_cast<int>(frame.id - id::positionLog));
     }
+}
+
+/// Where dialect D answers the code of the voltage. It is no such answer when the position itself was asked for.
+void VoltageWatch::positionOf(int offset)
+{
+    const auto same = [offset](const Asked &asked) { return asked.offset == offset; };
+    if (std::erase_if(m_positions, same) == 0)
+        std::erase_if(m_open, same);
 }
 
 } // namespace mb::abstractdc

@@ -5,6 +5,7 @@
 #include "transport/canlink.h"
 
 #include <optional>
+#include <vector>
 
 namespace mb::abstractdc {
 
@@ -15,7 +16,7 @@ public:
     VoltageWatch(CanLink &link, Clock &clock);
 
     /// Nobody's answer is awaited, so that one may be asked for.
-    [[nodiscard]] bool isFree() const { return m_clock.now() >= m_until; }
+    [[nodiscard]] bool isFree() const;
     /// Offset of the drive that sent the voltage log which is passing now; for listeners of `received`.
     [[nodiscard]] std::optional<int> owner() const { return m_owner; }
 
@@ -24,9 +25,16 @@ private:
 
     Clock &m_clock;
     CanLink &m_link;
-    std::optional<int> m_asked;
+    /// A drive whose answer may come until then.
+    struct Asked {
+        int offset = 0;
+        Instant until{};
+    };
+    void positionOf(int offset);
+
+    std::vector<Asked> m_open;
+    std::vector<Asked> m_positions; ///< asked for their position with the firmware's code
     std::optional<int> m_owner;
-    Instant m_until{}; ///< an answer may come until then
     Subscription m_traffic;
 };
 
