@@ -200,6 +200,25 @@ TEST_F(AbstractDcScanLiteral, ThirdAndFourthAnswerProveTheFirmware)
     EXPECT_EQ(scanned(), "5:F ");
 }
 
+/// Its current and its position, in dialect F, come where dialect D answers the two questions that tell them apart.
+TEST_F(AbstractDcScanLiteral, AnswersToSomebodyElsesQuestionsProveNothing)
+{
+    unit.answer("384#01", {{"405#00000000"}});
+    unit.answer("389#03", {{"605#00000000"}}, 2ms);
+    unit.answer("389#04", {{"680#00000000"}}, 2ms);
+    unit.answer("389#02", {{"505#00000000"}});
+    unit.answer("389#00", {{"485#00000000"}});
+    Timer timer(clock);
+    bool turn = false;
+    std::function<void()> poll = [&] {
+        turn = !turn;
+        EXPECT_TRUE(host.send(canFrameFromText(turn ? "389#02" : "389#00").value()));
+        timer.startIn(700us, poll);
+    };
+    poll();
+    EXPECT_EQ(scanned(), "5:F ");
+}
+
 TEST_F(AbstractDcScanLiteral, AContradictionIsNoProof)
 {
     unit.answer("384#01", {{"405#00000000"}});
