@@ -64,7 +64,8 @@ private:
     void live()
     {
         m_bench.recording.setCommanded(true);
-        m_bench.page->addSignal({{1}, channel("setpoint")});
+        for (const char *name : {"velocity", "setpoint", "current"})
+            m_bench.page->addSignal({{1}, channel(name)});
         m_bench.pass(2, 0);
         m_bench.pass(3, 32'000);
         m_bench.pass(2, 60'000);
@@ -110,7 +111,7 @@ private:
     {
         m_bench.board().keepReferences();
         m_bench.page->triggerBar().setLevel(30'000.0);
-        m_bench.page->triggerOn(m_bench.trace("#5 velocity").id);
+        m_bench.page->triggerOn(m_bench.board().traces().front().id); // its velocity
         picture("armed");
         m_bench.pass(3, 55'000);
         m_bench.pass(6, 55'000);

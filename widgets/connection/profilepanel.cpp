@@ -86,7 +86,9 @@ void ProfilePanel::buildRow(const Calibration &calibration, QVBoxLayout &column)
     field->setMaximumWidth(m_theme.theme().u(96));
     line->addWidget(caption, 1);
     line->addWidget(field);
-    line->addWidget(textLabel(tableText(calibration.unit), TextRole::Body, Tone::Dim, m_content));
+    auto *unit = new ElidedLabel(tableText(calibration.unit), m_content);
+    setTone(*unit, Tone::Dim);
+    line->addWidget(unit);
     column.addLayout(line);
     const Row row{&calibration, field};
     m_rows.push_back(row);

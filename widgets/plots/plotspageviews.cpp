@@ -83,6 +83,8 @@ void PlotsPage::fillAgainst()
         const int other = box == m_againstY || box->count() < 2 ? 0 : 1;
         box->setCurrentIndex(before.isEmpty() || box->findText(before) < 0 ? other : box->findText(before));
     }
+    if (m_againstX->count() > 1 && m_againstX->currentIndex() == m_againstY->currentIndex())
+        m_againstX->setCurrentIndex(m_againstY->currentIndex() == 0 ? 1 : 0); // against itself it is a line
 }
 
 void PlotsPage::refreshView(double now)

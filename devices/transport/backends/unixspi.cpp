@@ -8,7 +8,6 @@
 
 #include <array>
 #include <cerrno>
-#include <cstring>
 
 #include <sys/socket.h>
 #include <unistd.h>
@@ -88,13 +87,18 @@ Result<void> UnixSpiLink::doPulseReset()
     return {};
 }
 
+void UnixSpiLink::endOfSimulator()
+{
+    end("the simulator at " + address().path + " closed the connection; start it again");
+}
+
 void UnixSpiLink::flush()
 {
     while (!m_out.empty() && m_descriptor >= 0) {
         const auto sent = ::send(m_descriptor, m_out.data(), m_out.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
         if (sent <= 0) {
             if (sent < 0 && errno != EAGAIN && errno != EINTR)
-                end(std::string("the simulator is gone: ") + std::strerror(errno));
+                endOfSimulator(); // broken pipe: it is gone, whichever of its two ends tells first
             break;
         }
         m_out.erase(m_out.begin(), m_out.begin() + sent);
@@ -110,7 +114,7 @@ void UnixSpiLink::receive()
     if (got < 0 && (errno == EAGAIN || errno == EINTR))
         return;
     if (got <= 0) {
-        end("the simulator at " + address().path + " closed the connection; start it again");
+        endOfSimulator();
         return;
     }
     m_in.insert(m_in.end(), chunk.begin(), chunk.begin() + got);

@@ -35,6 +35,7 @@ private:
     [[nodiscard]] int doClockRate() const override { return 0; }
 
     void ask(Pending pending, std::uint16_t length, const Bytes &bytes);
+    void endOfSimulator();
     void flush();
     void receive();
     void takeAnswers();
