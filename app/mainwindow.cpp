@@ -151,7 +151,12 @@ void MainWindow::buildDevices()
 void MainWindow::addPage(QWidget *page, const QString &title)
 {
     m_tabs->addTab(title);
-    m_pages->addWidget(page);
+    auto *scroll = new QScrollArea(m_pages); // for large fonts in a small window
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(page);
+    m_pages->addWidget(scroll);
 }
 
 void MainWindow::buildPages()
@@ -239,7 +244,7 @@ void MainWindow::buildActions()
 
 QWidget *MainWindow::page(PageId id) const
 {
-    return m_pages->widget(static_cast<int>(id));
+    return static_cast<QScrollArea *>(m_pages->widget(static_cast<int>(id)))->widget();
 }
 
 void MainWindow::showPage(PageId id)
@@ -253,7 +258,7 @@ void MainWindow::followPages()
     const auto id = static_cast<PageId>(m_tabs->currentIndex());
     const bool ofDevice = id == PageId::Parameters || id == PageId::Tune;
     m_pages->setCurrentIndex(m_tabs->currentIndex());
-    m_pages->currentWidget()->setFocus();
+    page(static_cast<PageId>(m_pages->currentIndex()))->setFocus();
     m_line->setVisible(ofDevice && m_workbench.snapshot().device(m_selection.device()));
     m_inspector->setVisible(id == PageId::Overview && !m_workbench.snapshot().devices.empty());
 }
