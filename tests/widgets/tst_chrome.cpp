@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/banner.h"
 #include "widgets/common/card.h"
+#include "widgets/common/emptystate.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/numberformat.h"
@@ -10,6 +11,7 @@
 #include "widgets/common/valuelabel.h"
 
 #include <QApplication>
+#include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -36,6 +38,7 @@ private Q_SLOTS:
     void searchFieldLetsEscThrough();
     void cardOpensByEnterAndNotBySpace();
     void primaryButtonIsAsWideAsItsWidestText();
+    void anEmptyPageShowsItsWholeSentence();
 
 private:
     ThemeSource m_theme{darkTheme()};
@@ -271,6 +274,18 @@ void ChromeTest::primaryButtonIsAsWideAsItsWidestText()
     const int width = button.sizeHint().width();
     button.setText(QStringLiteral("Write and run"));
     QCOMPARE(button.sizeHint().width(), width);
+}
+
+void ChromeTest::anEmptyPageShowsItsWholeSentence()
+{
+    const QString sentence(
+        QStringLiteral("Open a link, or the simulated bench from the menu; its signals appear here. "));
+    EmptyState page(m_theme, Symbol::Play, QStringLiteral("No device yet"), sentence.repeated(3));
+    page.resize(1200, 600);
+    page.show();
+    const QLabel *text = page.findChildren<QLabel *>().back();
+    QCOMPARE(text->text(), sentence.repeated(3));
+    QVERIFY(text->height() >= text->heightForWidth(text->width()));
 }
 
 QTEST_MAIN(ChromeTest)

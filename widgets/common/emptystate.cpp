@@ -30,7 +30,11 @@ EmptyState::EmptyState(
     column->addStretch(2);
     column->addWidget(m_mark, 0, Qt::AlignHCenter);
     column->addWidget(m_title);
-    column->addWidget(m_text, 0, Qt::AlignHCenter);
+    auto *line = new QHBoxLayout; // an alignment would be given the height of the whole width, and cut the second line
+    line->addStretch(1);
+    line->addWidget(m_text);
+    line->addStretch(1);
+    column->addLayout(line);
     column->addLayout(buttons);
     column->addStretch(3);
     connect(&theme, &ThemeSource::changed, this, &EmptyState::restyle);
