@@ -5,7 +5,7 @@
 namespace mb {
 namespace {
 
-void answer(const EngineCore::Finished &finished, Result<void> result)
+void answerTo(const EngineCore::Finished &finished, Result<void> result)
 {
     if (finished)
         finished(std::move(result));
@@ -23,25 +23,25 @@ void EngineCore::startRecording(const std::string &link, const std::string &path
 {
     Link *const open = linkUnder(link);
     if (!open) {
-        answer(finished, fail(Fault::LinkLost, "the link is not open"));
+        answerTo(finished, fail(Fault::LinkLost, "the link is not open"));
         return;
     }
     watch(*open);
     Watched &watched = m_watched[open];
     if (watched.recorder && !watched.recorder->state().finished) {
-        answer(finished, fail(Fault::Unsafe, open->address().shortName() + " is being recorded already"));
+        answerTo(finished, fail(Fault::Unsafe, open->address().shortName() + " is being recorded already"));
         return;
     }
     watched.recorderChanged.reset();
     auto recorder = TrafficRecorder::start(*open, m_clock, m_session.clockOf(*open).unixOffset(), path);
     if (!recorder) {
-        answer(finished, fail(recorder.error()));
+        answerTo(finished, fail(recorder.error()));
         return;
     }
     watched.recorder = std::move(*recorder);
     watched.toldOfRecording = false;
     watched.recorderChanged = watched.recorder->changed().add([this, open] { recorderChanged(*open); });
-    answer(finished, {});
+    answerTo(finished, {});
     touch();
 }
 

@@ -7,7 +7,7 @@
 namespace mb {
 namespace {
 
-constexpr std::chrono::milliseconds shortly{1200};
+constexpr std::chrono::milliseconds afterPaint{1200};
 constexpr int other = 7;
 constexpr double triggerLevel = 30000.0; // counts/s
 
@@ -39,7 +39,7 @@ void Tour::planPlots()
         page.board().moveToPane(last, page.board().paneOf(0));
         page.board().setSecondAxis(page.board().traces().back().id, true);
     });
-    pause(shortly);
+    pause(afterPaint);
     act("cursors", [this](PlotsPage &page) {
         const auto [from, to] = page.stack().range();
         page.stack().setCursorsShown(true);
@@ -69,10 +69,10 @@ void Tour::planPlots()
         page.stack().setWindow(10.0);
         page.showView(PlotsPage::View::Spectrum);
     });
-    pause(shortly);
+    pause(afterPaint);
     picture(QStringLiteral("plots-spectrum"));
     act("against", [](PlotsPage &page) { page.showView(PlotsPage::View::Against); });
-    pause(shortly);
+    pause(afterPaint);
     picture(QStringLiteral("plots-xy"));
     act("time", [](PlotsPage &page) { page.showView(PlotsPage::View::Time); });
 }

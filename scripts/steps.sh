@@ -4,6 +4,27 @@
 
 jobs=$(nproc)
 
+times=() # "SECONDS TITLE" of each step that took one
+
+note_time() {
+    [ "$2" -lt 1 ] || times+=("$(printf '%6d s  %s' "$2" "$1")")
+}
+
+# timed TITLE COMMAND…: a step with output of its own.
+timed() {
+    local title=$1 start=$SECONDS status=0
+    shift
+    "$@" || status=$?
+    note_time "$title" $((SECONDS - start))
+    return "$status"
+}
+
+# tell_times: the seconds of each step, and of all since the script began.
+tell_times() {
+    [ ${#times[@]} = 0 ] || printf '%s\n' "${times[@]}"
+    printf '%6d s  in all\n' "$SECONDS"
+}
+
 # quietly TITLE COMMAND…: one line for a step that works, its output for one that does not.
 quietly() {
     local title=$1 log status=0 start=$SECONDS
@@ -19,6 +40,7 @@ quietly() {
         { grep -vE '^\[[0-9]+/[0-9]+\] |^(/usr/bin/|: && ).*(c\+\+|g\+\+|cmake) ' "$log" || true; } | tail -n 80
     fi
     rm -f "$log"
+    note_time "$title" $((SECONDS - start))
     return "$status"
 }
 

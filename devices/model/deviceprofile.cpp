@@ -2,6 +2,7 @@
 #include "model/deviceprofile.h"
 
 #include "model/parameterfile.h"
+#include "model/qttext.h"
 
 #include <QDir>
 #include <QFile>
@@ -15,13 +16,8 @@
 namespace mb {
 namespace {
 
-constexpr std::int64_t greatestFile = 1 << 20;
+constexpr std::int64_t greatestProfile = 1 << 20;
 constexpr double exact = 9007199254740992.0; ///< up to here every whole number is a JSON number
-
-QString qt(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
 
 std::optional<std::map<std::string, double>> numbers(const QJsonValue &value)
 {
@@ -132,7 +128,7 @@ Result<DeviceProfile> ProfileBook::load(std::string_view selector) const
     const std::string path = pathOf(selector);
     if (!QFile::exists(qt(path)))
         return DeviceProfile();
-    const auto bytes = loadFile(path, greatestFile);
+    const auto bytes = loadFile(path, greatestProfile);
     if (!bytes)
         return fail(bytes.error());
     if (auto profile = parse(*bytes))

@@ -2,6 +2,7 @@
 #include "model/parameterfile.h"
 
 #include "model/family.h"
+#include "model/qttext.h"
 
 #include <QFile>
 #include <QFileInfo>
@@ -13,11 +14,6 @@
 
 namespace mb {
 namespace {
-
-QString qt(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
 
 QJsonValue textOrNull(const std::string &text)
 {

@@ -3,6 +3,7 @@
 
 #include "model/deviceprofile.h"
 #include "model/parameterfile.h"
+#include "model/qttext.h"
 
 #include <QDir>
 #include <QFile>
@@ -15,13 +16,8 @@
 namespace mb {
 namespace {
 
-constexpr std::int64_t greatestFile = 1 << 20;
+constexpr std::int64_t greatestBook = 1 << 20;
 constexpr int greatestAddress = 1 << 16;
-
-QString qt(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
 
 QJsonObject toJson(const Identity &identity)
 {
@@ -79,7 +75,7 @@ Result<std::vector<Identity>> ScanBook::load(std::string_view link) const
     const std::string path = pathOf(link);
     if (!QFile::exists(qt(path)))
         return std::vector<Identity>();
-    const auto bytes = loadFile(path, greatestFile);
+    const auto bytes = loadFile(path, greatestBook);
     if (!bytes)
         return fail(bytes.error());
     if (auto all = parse(*bytes, link))

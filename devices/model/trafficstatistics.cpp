@@ -24,7 +24,7 @@ std::size_t hashOf(const TrafficKey &key)
     return static_cast<std::size_t>(hash);
 }
 
-double seconds(Duration time)
+double inSeconds(Duration time)
 {
     return std::chrono::duration<double>(time).count();
 }
@@ -128,7 +128,7 @@ void TrafficStatistics::judgePeriods(const Entry &entry, TrafficRow &row)
         return;
     double sum = 0.0;
     for (std::uint64_t i = entry.count - count; i < entry.count; ++i)
-        sum += seconds(entry.periods[i % periodCount]);
+        sum += inSeconds(entry.periods[i % periodCount]);
     const double mean = sum / static_cast<double>(count);
     row.period = mean;
     if (count < 2)
@@ -136,7 +136,7 @@ void TrafficStatistics::judgePeriods(const Entry &entry, TrafficRow &row)
     double squares = 0.0;
     double worst = 0.0;
     for (std::uint64_t i = entry.count - count; i < entry.count; ++i) {
-        const double off = seconds(entry.periods[i % periodCount]) - mean;
+        const double off = inSeconds(entry.periods[i % periodCount]) - mean;
         squares += off * off;
         worst = std::max(worst, std::abs(off));
     }

@@ -9,7 +9,7 @@
 namespace mb {
 namespace {
 
-constexpr std::uint64_t lookEvery = 16384;
+constexpr std::uint64_t lookEverySamples = 16384;
 
 std::int64_t unixNanoseconds(const ExportPlan &plan, Instant time)
 {
@@ -52,7 +52,7 @@ Result<ExportReport> exportMcap(const ExportPlan &plan, const std::string &path,
         (*writer)->write(
             ids[next->channel], unixNanoseconds(plan, next->point.time), next->point.value, next->lost, next->gap);
         report.lost += next->lost;
-        if (++report.samples % lookEvery == 0 && progress
+        if (++report.samples % lookEverySamples == 0 && progress
             && !progress(static_cast<double>((next->point.time - plan.from).count()) / span))
             return fail(Fault::Cancelled);
     }

@@ -149,12 +149,12 @@ private:
     /// One sample a line; the channels are known only at the end.
     Result<std::shared_ptr<LoadedRecording>> readLong()
     {
-        struct Row {
+        struct LongRow {
             Instant time;
             std::uint16_t channel;
             double value;
         };
-        std::vector<Row> rows;
+        std::vector<LongRow> rows;
         std::map<std::string, std::uint16_t> places;
         std::string line;
         while (next(line)) {
@@ -175,7 +175,7 @@ private:
         constexpr auto longAgo = Instant(std::chrono::hours(24 * 365 * 20)); // `watch` on sim: counts from its start
         m_loaded->hasClock = !rows.empty() && rows.front().time > longAgo;
         m_loaded->telemetry = std::make_shared<Telemetry>(m_loaded->table);
-        for (const Row &row : rows)
+        for (const LongRow &row : rows)
             m_loaded->telemetry->append({{row.channel}, row.time, row.value});
         return m_loaded;
     }

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t leastSamples = 16;
 constexpr std::size_t mostSamples = 1U << 20U;
 
-double seconds(Duration duration)
+double inSeconds(Duration duration)
 {
     return std::chrono::duration<double>(duration).count();
 }
@@ -58,8 +58,8 @@ std::vector<double> resampled(std::span<const Point> points, std::size_t count, 
             ++right;
         const Point &a = points[right - 1];
         const Point &b = points[right];
-        const double span = seconds(b.time - a.time);
-        const double part = span > 0.0 ? std::clamp(seconds(time - a.time) / span, 0.0, 1.0) : 1.0;
+        const double span = inSeconds(b.time - a.time);
+        const double part = span > 0.0 ? std::clamp(inSeconds(time - a.time) / span, 0.0, 1.0) : 1.0;
         even.push_back(a.value + (b.value - a.value) * part);
     }
     return even;
@@ -112,7 +112,7 @@ Result<Spectrum> spectrumOf(const std::vector<Point> &points)
     for (double &value : even)
         value -= mean;
     Spectrum spectrum;
-    spectrum.rate = 1.0 / seconds(step);
+    spectrum.rate = 1.0 / inSeconds(step);
     spectrum.resolution = spectrum.rate / static_cast<double>(count);
     spectrum.amplitude = amplitudes(std::move(even));
     spectrum.from = stretch.front().time;

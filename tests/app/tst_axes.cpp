@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A board with four axes in the window: tree, pages and plots over the real engine and the simulated board.
-#include "app/engine.h"
+#include "askengine.h"
 #include "model/axis.h"
 #include "model/registry.h"
+#include "support/windowtests.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/connection/devicetree.h"
@@ -31,7 +32,6 @@
 #include <QTreeView>
 
 #include <algorithm>
-#include <future>
 #include <set>
 
 using namespace mb;
@@ -67,16 +67,9 @@ private Q_SLOTS:
     void everyControlHasAName();
 
 private:
-    template <class T> [[nodiscard]] T ask(const std::function<T(EngineCore &)> &question)
-    {
-        auto answer = std::make_shared<std::promise<T>>();
-        auto coming = answer->get_future();
-        m_engine->post([answer, question](EngineCore &core) { answer->set_value(question(core)); });
-        return coming.get();
-    }
     [[nodiscard]] bool isOutputOn()
     {
-        return ask<bool>([](EngineCore &core) {
+        return test::askEngine<bool>(*m_engine, [](EngineCore &core) {
             return core.session().bench(*core.session().links().front())->simulators().front()->isOutputOn();
         });
     }
@@ -432,5 +425,5 @@ void AxesTest::everyControlHasAName()
         QVERIFY(!field->accessibleName().isEmpty());
 }
 
-QTEST_MAIN(AxesTest)
+MB_WINDOW_TEST(AxesTest);
 #include "tst_axes.moc"

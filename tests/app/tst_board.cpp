@@ -2,6 +2,7 @@
 // A board that keeps nothing and tells little, in the real window against the simulated one.
 #include "windowbench.h"
 
+#include "support/windowtests.h"
 #include "widgets/common/banner.h"
 #include "widgets/connection/experimentdialog.h"
 #include "widgets/monitor/holdbutton.h"
@@ -261,5 +262,5 @@ void BoardTest::readingsAreChosenInTheInspector()
     QTRY_COMPARE_WITH_TIMEOUT(board()->profile.calibrated("velocity_target_shift"), 12.0, patience);
 }
 
-QTEST_MAIN(BoardTest)
+MB_WINDOW_TEST(BoardTest);
 #include "tst_board.moc"

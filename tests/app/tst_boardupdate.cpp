@@ -2,6 +2,7 @@
 // The guided update of a board on the Firmware page, over the bootloader's pseudo terminal.
 #include "app/engine.h"
 #include "model/registry.h"
+#include "support/windowtests.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/theme.h"
 #include "widgets/firmware/firmwarepage.h"
@@ -209,5 +210,5 @@ void BoardUpdateTest::everyControlHasAName()
     }
 }
 
-QTEST_MAIN(BoardUpdateTest)
+MB_WINDOW_TEST(BoardUpdateTest);
 #include "tst_boardupdate.moc"

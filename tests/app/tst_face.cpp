@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every page can be reached, read aloud and shown small or with large text; wrong arguments get one line.
+#include "support/windowtests.h"
 #include "windowbench.h"
 
 #include <QAbstractItemView>
@@ -161,5 +162,5 @@ void FaceTest::goodArgumentsAreTaken()
     QCOMPARE(options->links.size(), 2);
 }
 
-QTEST_MAIN(FaceTest)
+MB_WINDOW_TEST(FaceTest);
 #include "tst_face.moc"

@@ -2,6 +2,7 @@
 // A speed loop of a drive that cannot be read back, tuned by hand in the real window on a simulated motor.
 #include "windowbench.h"
 
+#include "support/windowtests.h"
 #include "widgets/control/gainrow.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
@@ -140,5 +141,5 @@ void HandTuningTest::aSluggishLoopIsTunedUntilItStepsWell()
     QVERIFY(tuned.metrics.overshoot && *tuned.metrics.overshoot < 0.15);
 }
 
-QTEST_MAIN(HandTuningTest)
+MB_WINDOW_TEST(HandTuningTest);
 #include "tst_handtuning.moc"

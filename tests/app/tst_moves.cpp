@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Buffered moves of four nodes in the window: the real page and engine against four simulated motors on one serial line.
-#include "app/engine.h"
+#include "askengine.h"
 #include "model/registry.h"
+#include "support/windowtests.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/selection.h"
@@ -18,7 +19,6 @@
 #include <QTest>
 
 #include <algorithm>
-#include <future>
 
 using namespace mb;
 
@@ -60,16 +60,9 @@ private Q_SLOTS:
     void nothingIsWiderThanTheColumn();
 
 private:
-    template <class T> [[nodiscard]] T ask(const std::function<T(EngineCore &)> &question)
-    {
-        auto answer = std::make_shared<std::promise<T>>();
-        auto coming = answer->get_future();
-        m_engine->post([answer, question](EngineCore &core) { answer->set_value(question(core)); });
-        return coming.get();
-    }
     [[nodiscard]] std::vector<double> positions()
     {
-        return ask<std::vector<double>>([](EngineCore &core) {
+        return test::askEngine<std::vector<double>>(*m_engine, [](EngineCore &core) {
             std::vector<double> all;
             for (const Simulator *unit : core.session().bench(*core.session().links().front())->simulators())
                 all.push_back(unit->position());
@@ -78,7 +71,7 @@ private:
     }
     [[nodiscard]] int energized()
     {
-        return ask<int>([](EngineCore &core) {
+        return test::askEngine<int>(*m_engine, [](EngineCore &core) {
             const auto all = core.session().bench(*core.session().links().front())->simulators();
             return static_cast<int>(
                 std::count_if(all.begin(), all.end(), [](const Simulator *unit) { return unit->isOutputOn(); }));
@@ -196,7 +189,7 @@ void MovesTest::oneThatStallsTakesTheOthersWithIt()
 {
     m_page->movesPanel().findChild<QCheckBox *>(QString())->setChecked(true);
     prepare(QStringLiteral("1500"));
-    QVERIFY(ask<bool>([](EngineCore &core) {
+    QVERIFY(test::askEngine<bool>(*m_engine, [](EngineCore &core) {
         return core.session().bench(*core.session().links().front())->simulators().back()->disturb("stall", 1);
     }));
     QTest::mouseClick(&button("startMoves"), Qt::LeftButton);
@@ -264,5 +257,5 @@ void MovesTest::nothingIsWiderThanTheColumn()
     QApplication::setFont(usual);
 }
 
-QTEST_MAIN(MovesTest)
+MB_WINDOW_TEST(MovesTest);
 #include "tst_moves.moc"

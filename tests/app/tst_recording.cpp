@@ -2,6 +2,7 @@
 // A recording made and played in the real window, with the real engine.
 #include "windowbench.h"
 
+#include "support/windowtests.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/monitor/buspage.h"
@@ -138,5 +139,5 @@ void RecordingTest::aFolderThatIsNotThereIsOneNotice()
     QVERIFY(!linkOf(bench, "sim:can")->recording);
 }
 
-QTEST_MAIN(RecordingTest)
+MB_WINDOW_TEST(RecordingTest);
 #include "tst_recording.moc"

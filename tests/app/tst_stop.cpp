@@ -2,6 +2,7 @@
 // What ends a motion, and what may begin one: the real window against a simulated motor.
 #include "windowbench.h"
 
+#include "support/windowtests.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/parameters/parameterspage.h"
@@ -167,5 +168,5 @@ void StopTest::aUnitInItsBootloaderCannotBeArmed()
     QVERIFY(!m_bench->part<Lamp>().status().armable);
 }
 
-QTEST_MAIN(StopTest)
+MB_WINDOW_TEST(StopTest);
 #include "tst_stop.moc"

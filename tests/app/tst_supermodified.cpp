@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A Supermodified in the window: the programmer of its update is chosen from lists, and every page can be looked at:
 //   MOTORBENCH_PICTURES=DIR [PICTURE_SIZE=3840x2160] [PICTURE_SCALE=2] [PICTURE_LANGUAGE=de] test_app_supermodified pictures
+#include "support/windowtests.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/parameters/parameterspage.h"
 #include "widgets/plots/plotspage.h"
@@ -182,5 +183,5 @@ void SupermodifiedTest::pictures()
     }
 }
 
-QTEST_MAIN(SupermodifiedTest)
+MB_WINDOW_TEST(SupermodifiedTest);
 #include "tst_supermodified.moc"

@@ -2,6 +2,7 @@
 // The whole program against simulated controllers: find, edit, plot, update.
 #include "windowbench.h"
 
+#include "support/windowtests.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/connection/devicetree.h"
 #include "widgets/firmware/firmwarepage.h"
@@ -157,5 +158,5 @@ void WindowTest::anImageThatIsNoneStartsNothing()
     QVERIFY(!bench.engine().snapshot().operation(bench.device(WindowBench::inBootloader)->id));
 }
 
-QTEST_MAIN(WindowTest)
+MB_WINDOW_TEST(WindowTest);
 #include "tst_window.moc"

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "app/application.h"
+#include "askengine.h"
 #include "model/registry.h"
 #include "widgets/common/headerbar.h"
 
 #include <QTest>
 
 #include <algorithm>
-#include <future>
 
 namespace mb::test {
 
@@ -67,18 +67,10 @@ public:
         return std::all_of(all.begin(), all.end(), [](const ParameterStore::Entry &e) { return e.raw.has_value(); });
     }
 
-    /// The answer of the engine thread; the window stands still meanwhile.
-    template <class T> [[nodiscard]] T ask(const std::function<T(EngineCore &)> &question)
-    {
-        auto answer = std::make_shared<std::promise<T>>();
-        auto coming = answer->get_future();
-        engine().post([answer, question](EngineCore &core) { answer->set_value(question(core)); });
-        return coming.get();
-    }
     /// The truth, not what the device says: whether the bridge of the simulated controller drives its motor.
     [[nodiscard]] bool isOutputOn()
     {
-        return ask<bool>([](EngineCore &core) {
+        return test::askEngine<bool>(engine(), [](EngineCore &core) {
             for (const Link *link : core.session().links()) {
                 for (const Simulator *unit : core.session().bench(*link)->simulators()) {
                     if (unit->isOutputOn())

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The language of the filter and what it says about mistakes.
 #include "busbench.h"
+#include "support/windowtests.h"
 #include "widgets/monitor/framebits.h"
 #include "widgets/monitor/frametext.h"
 
@@ -239,5 +240,5 @@ void BusFilterTest::valuesAreForPeople()
     QCOMPARE(errorFrameText(error), QStringLiteral("nobody acknowledged, error-passive"));
 }
 
-QTEST_MAIN(BusFilterTest)
+MB_WINDOW_TEST(BusFilterTest);
 #include "tst_busfilter.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The two models of the Bus page: every frame in order, and a row for each identifier.
 #include "busbench.h"
+#include "support/windowtests.h"
 #include "widgets/monitor/frameexport.h"
 #include "widgets/monitor/frametext.h"
 #include "widgets/monitor/idmodel.h"
@@ -425,5 +426,5 @@ void BusModelsTest::exportThatFailsSaysWhy()
     QVERIFY(written.error().detail.starts_with("/nonexistent/bus.log cannot be written: "));
 }
 
-QTEST_MAIN(BusModelsTest)
+MB_WINDOW_TEST(BusModelsTest);
 #include "tst_busmodels.moc"

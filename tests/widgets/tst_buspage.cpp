@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Bus page as a person uses it: tables, filter, search, copies, files, its two arrangements.
 #include "buspagebench.h"
+#include "support/windowtests.h"
 
 using namespace mb;
 using namespace mb::test;
@@ -203,5 +204,5 @@ void BusPageTest::everyControlSpeaks()
     }
 }
 
-QTEST_MAIN(BusPageTest)
+MB_WINDOW_TEST(BusPageTest);
 #include "tst_buspage.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sending frames on the Bus page as a person does it; above all, that no click alone makes a motor move.
 #include "buspagebench.h"
+#include "support/windowtests.h"
 
 using namespace mb;
 using namespace mb::test;
@@ -239,5 +240,5 @@ void BusSendTest::aFrameFromTheTableIsSentAgain()
     QCOMPARE(bench.sent(), std::size_t{0});
 }
 
-QTEST_MAIN(BusSendTest)
+MB_WINDOW_TEST(BusSendTest);
 #include "tst_bussend.moc"

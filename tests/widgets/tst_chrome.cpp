@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/card.h"
 #include "widgets/common/emptystate.h"
@@ -288,5 +289,5 @@ void ChromeTest::anEmptyPageShowsItsWholeSentence()
     QVERIFY(text->height() >= text->heightForWidth(text->width()));
 }
 
-QTEST_MAIN(ChromeTest)
+MB_WINDOW_TEST(ChromeTest);
 #include "tst_chrome.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "widgets/plots/autorange.h"
 #include "widgets/plots/columnpath.h"
 
@@ -147,5 +148,5 @@ void ColumnsTest::aConstantHasAnAxisToo()
     }
 }
 
-QTEST_APPLESS_MAIN(ColumnsTest)
+MB_WINDOW_TEST(ColumnsTest);
 #include "tst_columns.moc"

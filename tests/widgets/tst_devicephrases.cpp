@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "widgets/common/devicetext.h"
 
 #include <QTest>
@@ -70,5 +71,5 @@ private:
 
 } // namespace mb
 
-QTEST_GUILESS_MAIN(mb::DevicePhrasesTest)
+MB_WINDOW_TEST(mb::DevicePhrasesTest);
 #include "tst_devicephrases.moc"

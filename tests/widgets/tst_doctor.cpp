@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/fakeworkbench.h"
+#include "support/windowtests.h"
 #include "widgets/connection/doctorcard.h"
 
 #include <QApplication>
@@ -160,5 +161,5 @@ void DoctorTest::absentInterfacesAreNoNewsWhileALinkIsOpen()
     QVERIFY(card.isHidden());
 }
 
-QTEST_MAIN(DoctorTest)
+MB_WINDOW_TEST(DoctorTest);
 #include "tst_doctor.moc"

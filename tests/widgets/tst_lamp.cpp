@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "widgets/common/lamp.h"
 
 #include <QHBoxLayout>
@@ -200,5 +201,5 @@ void LampTest::assistivePressStopsAtOnce()
     QCOMPARE(stop.count(), 1);
 }
 
-QTEST_MAIN(LampTest)
+MB_WINDOW_TEST(LampTest);
 #include "tst_lamp.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "widgets/common/numberformat.h"
 
 #include <QTest>
@@ -145,5 +146,5 @@ void NumberFormatTest::editTextReadsBackEqual()
     }
 }
 
-QTEST_APPLESS_MAIN(NumberFormatTest)
+MB_WINDOW_TEST(NumberFormatTest);
 #include "tst_numberformat.moc"

@@ -3,6 +3,7 @@
 #include "parameterbench.h"
 
 #include "model/parameterfile.h"
+#include "support/windowtests.h"
 
 using namespace mb;
 using namespace mb::test;
@@ -124,5 +125,5 @@ void TestParameterFiles::withoutADeviceAFileCanBeLookedAt()
     QCOMPARE(bench.shown("slot1.p", ParameterModel::State), QStringLiteral("stored"));
 }
 
-QTEST_MAIN(TestParameterFiles)
+MB_WINDOW_TEST(TestParameterFiles);
 #include "tst_parameterfiles.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The model of the table and its filter.
 #include "parameterbench.h"
+#include "support/windowtests.h"
 
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
@@ -130,5 +131,5 @@ void TestParameterModel::filterKeepsTheRowThatIsBeingEdited()
     QCOMPARE(bench.view().shownRows(), 0);
 }
 
-QTEST_MAIN(TestParameterModel)
+MB_WINDOW_TEST(TestParameterModel);
 #include "tst_parametermodel.moc"

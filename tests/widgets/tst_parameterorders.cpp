@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page asks of the device, and what it shows of the answer.
 #include "parameterbench.h"
+#include "support/windowtests.h"
 
 using namespace mb;
 using namespace mb::test;
@@ -157,5 +158,5 @@ void TestParameterOrders::bootloaderHasNoParameters()
     QVERIFY(bench.workbench.callsOf("readParameters").empty());
 }
 
-QTEST_MAIN(TestParameterOrders)
+MB_WINDOW_TEST(TestParameterOrders);
 #include "tst_parameterorders.moc"

@@ -2,6 +2,7 @@
 // Values as text, staged edits, order of writing.
 #include "parameterbench.h"
 
+#include "support/windowtests.h"
 #include "widgets/parameters/valuetext.h"
 
 #include <QTest>
@@ -227,5 +228,5 @@ void TestParameters::illegalAndUntickedChangesAreNotWritten()
     QCOMPARE(edits.illegal().size(), std::size_t{1});
 }
 
-QTEST_MAIN(TestParameters)
+MB_WINDOW_TEST(TestParameters);
 #include "tst_parameters.moc"

@@ -3,6 +3,7 @@
 #include "parameterbench.h"
 
 #include "model/parameterfile.h"
+#include "support/windowtests.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/emptystate.h"
 
@@ -232,5 +233,5 @@ void TestParametersPage::nothingIsCutAtTwiceTheFont()
     applyTheme(*qApp, lightTheme());
 }
 
-QTEST_MAIN(TestParametersPage)
+MB_WINDOW_TEST(TestParametersPage);
 #include "tst_parameterspage.moc"

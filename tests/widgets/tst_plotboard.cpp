@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plotbench.h"
+#include "support/windowtests.h"
 
 using namespace mb;
 using namespace mb::test;
@@ -264,5 +265,5 @@ void TestPlotBoard::oneSignalAgainstAnother()
     bench.page->showView(PlotsPage::View::Time);
 }
 
-QTEST_MAIN(TestPlotBoard)
+MB_WINDOW_TEST(TestPlotBoard);
 #include "tst_plotboard.moc"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plotbench.h"
+#include "support/windowtests.h"
 
 using namespace mb;
 using namespace mb::test;
@@ -183,5 +184,5 @@ void TestPlotKeeping::recordingBeginsBeforeItWasAskedFor()
     bench.page->setRecorder(nullptr, {});
 }
 
-QTEST_MAIN(TestPlotKeeping)
+MB_WINDOW_TEST(TestPlotKeeping);
 #include "tst_plotkeeping.moc"

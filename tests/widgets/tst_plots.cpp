@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "widgets/plots/plotstack.h"
 
 #include <QPaintEvent>
@@ -485,5 +486,5 @@ void PlotsTest::summarySpeaksOfEveryTrace()
     QVERIFY(stack->summary().contains(s("current no data")));
 }
 
-QTEST_MAIN(PlotsTest)
+MB_WINDOW_TEST(PlotsTest);
 #include "tst_plots.moc"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/plots/plotspage.h"
@@ -265,5 +266,5 @@ void TestPlotsPage::scrollingShowsWhatAFreshLookWouldShow()
     }
 }
 
-QTEST_MAIN(TestPlotsPage)
+MB_WINDOW_TEST(TestPlotsPage);
 #include "tst_plotspage.moc"

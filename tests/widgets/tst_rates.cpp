@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is on screen is asked for faster, and nothing else; one mechanism for the pages.
+#include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/ratekeeper.h"
 #include "widgets/plots/plotspage.h"
@@ -163,5 +164,5 @@ void TestRates::aBusyDeviceIsAskedOnceItIsFree()
     QTRY_COMPARE(bench.asked().size(), 4U);
 }
 
-QTEST_MAIN(TestRates)
+MB_WINDOW_TEST(TestRates);
 #include "tst_rates.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The recorder and the replay of the Bus page, against a workbench that only notes what it is told.
 #include "busbench.h"
+#include "support/windowtests.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/connection/deviceactions.h"
@@ -297,5 +298,5 @@ void RecordingTest::aNameThatNoAddressCanHoldIsRefused()
     QVERIFY(bench.workbench.lines[0].text.contains(QStringLiteral("what?.log")));
 }
 
-QTEST_MAIN(RecordingTest)
+MB_WINDOW_TEST(RecordingTest);
 #include "tst_recording.moc"

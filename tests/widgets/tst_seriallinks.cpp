@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/fakeworkbench.h"
+#include "support/windowtests.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/deviceactions.h"
@@ -163,5 +164,5 @@ void TestSerialLinks::anAddedPortIsRememberedOnlyOnceItIsOpen()
     QCOMPARE(remembered, QStringList(s("serial:/dev/ttyUSB0?baud=57600")));
 }
 
-QTEST_MAIN(TestSerialLinks)
+MB_WINDOW_TEST(TestSerialLinks);
 #include "tst_seriallinks.moc"

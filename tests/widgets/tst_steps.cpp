@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/control/gainspanel.h"
@@ -285,5 +286,5 @@ void TestSteps::theGainsOfAStepComeBackAsEdits()
     QVERIFY(bench.workbench.callsOf("writeParameters").empty());
 }
 
-QTEST_MAIN(TestSteps)
+MB_WINDOW_TEST(TestSteps);
 #include "tst_steps.moc"

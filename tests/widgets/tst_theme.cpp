@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/stateglyph.h"
 
@@ -182,5 +183,5 @@ void ThemeTest::everySymbolIsDrawn()
     QVERIFY(inkedPixels(applicationIcon().pixmap(32, 32).toImage()) > 300);
 }
 
-QTEST_MAIN(ThemeTest)
+MB_WINDOW_TEST(ThemeTest);
 #include "tst_theme.moc"

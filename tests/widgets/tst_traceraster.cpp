@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "widgets/plots/traceraster.h"
 
 #include <QTest>
@@ -247,5 +248,5 @@ void TraceRasterTest::whatLiesOutsideOfThePaneIsNotTouched()
     TraceRaster().draw(image, Clip.adjusted(0, 0, 200, 0), {{0, 1}, {9, 1}}, plainMap(), {});
 }
 
-QTEST_APPLESS_MAIN(TraceRasterTest)
+MB_WINDOW_TEST(TraceRasterTest);
 #include "tst_traceraster.moc"

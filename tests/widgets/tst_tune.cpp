@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "tunehand.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/control/driveoptions.h"
@@ -264,5 +265,5 @@ void TestTune::aRunFromElsewhereIsShown()
     QCOMPARE(bench.workbench.callsOf("updateMotion").size(), 0U);
 }
 
-QTEST_MAIN(TestTune)
+MB_WINDOW_TEST(TestTune);
 #include "tst_tune.moc"

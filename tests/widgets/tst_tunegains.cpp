@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "tunehand.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/control/gainspanel.h"
@@ -137,5 +138,5 @@ void TestTuneGains::disarmedDuringTheWriteStartsNothing()
     QVERIFY2(problemOf(bench).startsWith(s("Stopped: test")), qPrintable(problemOf(bench)));
 }
 
-QTEST_MAIN(TestTuneGains)
+MB_WINDOW_TEST(TestTuneGains);
 #include "tst_tunegains.moc"

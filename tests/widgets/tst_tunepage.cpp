@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/logslider.h"
@@ -276,5 +277,5 @@ void TestTunePage::nothingIsCutAtTwiceTheFont()
     applyTheme(*qApp, lightTheme());
 }
 
-QTEST_MAIN(TestTunePage)
+MB_WINDOW_TEST(TestTunePage);
 #include "tst_tunepage.moc"

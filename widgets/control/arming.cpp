@@ -10,7 +10,7 @@ namespace {
 
 /// tuning.md 5.2: a set-point held by hand lives 500 ms without renewal.
 constexpr std::chrono::milliseconds leaseTime{500};
-constexpr std::chrono::milliseconds renewalTime{100};
+constexpr std::chrono::milliseconds armingRenewal{100};
 constexpr Duration startTime = std::chrono::seconds(1);
 
 } // namespace
@@ -19,7 +19,7 @@ Arming::Arming(Workbench &workbench, QObject *parent)
     : QObject(parent)
     , m_workbench(workbench)
 {
-    m_renewal.setInterval(renewalTime);
+    m_renewal.setInterval(armingRenewal);
     connect(&m_renewal, &QTimer::timeout, this, &Arming::renew);
     connect(&workbench, &Workbench::changed, this, &Arming::follow);
 }

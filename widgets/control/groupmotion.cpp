@@ -8,8 +8,8 @@
 namespace mb {
 namespace {
 
-constexpr std::chrono::milliseconds leaseTime{500};
-constexpr std::chrono::milliseconds renewalTime{100};
+constexpr std::chrono::milliseconds groupLease{500};
+constexpr std::chrono::milliseconds groupRenewal{100};
 
 } // namespace
 
@@ -18,7 +18,7 @@ GroupMotion::GroupMotion(Workbench &workbench, Arming &arming, QObject *parent)
     , m_workbench(workbench)
     , m_arming(arming)
 {
-    m_renewal.setInterval(renewalTime);
+    m_renewal.setInterval(groupRenewal);
     connect(&m_renewal, &QTimer::timeout, this, [this] {
         for (const Member &member : m_members) {
             if (member.device != m_lead)
@@ -76,7 +76,7 @@ void GroupMotion::command(const Member &member)
     if (view && view->motion.running)
         m_workbench.updateMotion(member.device, member.setPoint, finished);
     else
-        m_workbench.startMotion(member.device, member.setPoint, leaseTime, finished);
+        m_workbench.startMotion(member.device, member.setPoint, groupLease, finished);
 }
 
 bool GroupMotion::hasAcknowledged(DeviceId device) const

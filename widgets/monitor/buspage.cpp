@@ -25,7 +25,7 @@
 namespace mb {
 namespace {
 
-constexpr std::chrono::milliseconds tickTime{50};
+constexpr std::chrono::milliseconds refreshTime{50};
 
 } // namespace
 
@@ -59,7 +59,7 @@ BusPage::BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme,
     column->addLayout(panel);
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_outer, 1);
-    m_tick.setInterval(tickTime);
+    m_tick.setInterval(refreshTime);
     connect(&m_tick, &QTimer::timeout, this, &BusPage::tick);
     connect(&workbench, &Workbench::changed, this, &BusPage::followLinks);
 }

@@ -15,7 +15,7 @@ constexpr std::size_t batchLimit = 65536;
 constexpr std::size_t scanStep = 4000;
 constexpr std::size_t mostIdentifiers = 4096; ///< whose last time is remembered for Δ
 
-double seconds(Duration time)
+double secondsOf(Duration time)
 {
     return std::chrono::duration<double>(time).count();
 }
@@ -147,7 +147,7 @@ void FrameModel::keep(TrafficRecord record)
         m_last.clear();
     const auto [last, isNew] = m_last.try_emplace(keyOf(row.record.direction, row.record.frame), time);
     if (!isNew)
-        row.sinceSame = seconds(time - last->second);
+        row.sinceSame = secondsOf(time - last->second);
     last->second = time;
     m_live.rows.push_back(std::move(row));
 }
@@ -231,7 +231,7 @@ QString FrameModel::text(const FrameRow &row, int column) const
     const CanFrame &frame = record.frame;
     const FrameMeaning *known = meaning(row);
     switch (column) {
-    case Time: return QString::number(seconds(frame.time - m_origin), 'f', 4);
+    case Time: return QString::number(secondsOf(frame.time - m_origin), 'f', 4);
     case Delta: return row.sinceSame > 0.0 ? QString::number(row.sinceSame * 1000.0, 'f', 1) : QString(UnknownMark);
     case Dir: return frame.error ? tr("err") : record.direction == Direction::Sent ? tr("tx") : tr("rx");
     case Id: return record.isFrame() && !frame.error ? hexId(frame) : QString(UnknownMark);

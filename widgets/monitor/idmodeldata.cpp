@@ -19,7 +19,7 @@ bool isNumber(int column)
         || column == IdModel::Count;
 }
 
-QString milliseconds(const std::optional<double> &seconds, int decimals)
+QString millisecondsText(const std::optional<double> &seconds, int decimals)
 {
     return seconds ? formatNumber(*seconds * 1000.0, decimals) : QString(UnknownMark);
 }
@@ -77,7 +77,7 @@ QString IdModel::text(const Row &row, int column) const
         return known ? QString::number(known->frame.address) : QString(UnknownMark);
     }
     case Rate: return formatNumber(traffic.rate, 0);
-    case Jitter: return milliseconds(traffic.jitter, 2);
+    case Jitter: return millisecondsText(traffic.jitter, 2);
     case Count: return formatCount(static_cast<qint64>(traffic.count));
     case Data: return hexBytes(traffic.last);
     case Value: return valueText(row);
@@ -90,7 +90,8 @@ QString IdModel::tip(const Row &row, int column) const
     const TrafficRow &traffic = row.traffic;
     if (column == Rate || column == Jitter)
         return tr("every %1 ms, standard deviation %2 ms, largest deviation %3 ms, over the last 32 periods")
-            .arg(milliseconds(traffic.period, 2), milliseconds(traffic.jitter, 3), milliseconds(traffic.worst, 3));
+            .arg(millisecondsText(traffic.period, 2), millisecondsText(traffic.jitter, 3),
+                millisecondsText(traffic.worst, 3));
     const FrameMeaning *known = meaningOf(row);
     if ((column == Value || column == Spark) && known)
         return fieldsLine(known->frame) + QLatin1Char('\n') + tr("Right click: choose the field");

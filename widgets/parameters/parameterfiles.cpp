@@ -12,7 +12,7 @@
 namespace mb {
 namespace {
 
-constexpr std::int64_t largestFile = 4'000'000;
+constexpr std::int64_t largestParameterFile = 4'000'000;
 
 struct FileText {
     Q_DECLARE_TR_FUNCTIONS(FileText)
@@ -46,7 +46,7 @@ void open(QFileDialog *dialog, std::function<void(const QString &)> chosen)
 
 FromFile<ParameterFile> loadParameterFile(const QString &path, const Family &family, const QString &owner)
 {
-    const auto bytes = loadFile(path.toStdString(), largestFile);
+    const auto bytes = loadFile(path.toStdString(), largestParameterFile);
     if (!bytes)
         return refuse(errorText(bytes.error()), FileText::tr("Choose another file."));
     if (const auto other = familyOf(*bytes); other && *other != family.key)
@@ -62,7 +62,7 @@ FromFile<ParameterFile> loadParameterFile(const QString &path, const Family &fam
 
 FromFile<const Family *> loadFamily(const QString &path)
 {
-    const auto bytes = loadFile(path.toStdString(), largestFile);
+    const auto bytes = loadFile(path.toStdString(), largestParameterFile);
     if (!bytes)
         return refuse(errorText(bytes.error()), FileText::tr("Choose another file."));
     const auto key = familyOf(*bytes);

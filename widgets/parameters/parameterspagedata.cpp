@@ -23,7 +23,7 @@ namespace {
 
 enum Comparison { WithDefaults, AsFound, WithFile, ChooseFile, WithAxis }; // and the axis on top of it
 
-bool isRunning(const OperationView *operation)
+bool isUnderWay(const OperationView *operation)
 {
     return operation && operation->status.state == OperationStatus::State::Running;
 }
@@ -157,7 +157,7 @@ void ParametersPage::readOnce(const DeviceView &device)
         [](const auto &entry) { return entry.state == ParameterState::Unknown; });
     const bool ready = device.identity.state == DeviceState::Online && device.liveness.heard && device.busy.empty()
         && device.family->capabilities.readback;
-    if (!unknown || !ready || isRunning(m_workbench.snapshot().operation(device.id))
+    if (!unknown || !ready || isUnderWay(m_workbench.snapshot().operation(device.id))
         || !m_asked.insert(device.id).second)
         return;
     m_workbench.readParameters(device.id);
@@ -195,7 +195,7 @@ void ParametersPage::refreshTexts()
         m_status->showFile(m_fileName, qt(m_model->family()->title));
     m_undo->setEnabled(edits->undoStack().canUndo());
     m_redo->setEnabled(edits->undoStack().canRedo());
-    m_read->setEnabled(shown && shown->liveness.heard && !isRunning(operation));
+    m_read->setEnabled(shown && shown->liveness.heard && !isUnderWay(operation));
     m_import->setEnabled(shown != nullptr);
     m_export->setEnabled(shown
         && std::any_of(shown->parameters.begin(), shown->parameters.end(),

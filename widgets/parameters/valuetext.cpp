@@ -17,11 +17,11 @@ struct ValueText {
     Q_DECLARE_TR_FUNCTIONS(ValueText)
 };
 
-QString screen(std::string_view text)
+QString screen(std::string_view ascii)
 {
-    QString shown = qt(text);
-    shown.replace(QLatin1Char('-'), MinusSign);
-    return shown;
+    QString text = qt(ascii);
+    text.replace(QLatin1Char('-'), MinusSign);
+    return text;
 }
 
 QString number(double value)

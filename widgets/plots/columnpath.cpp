@@ -9,7 +9,7 @@ namespace mb {
 namespace {
 
 /// The points of one pixel column, in pixels: all of them while they are few, else its two ends.
-struct Column {
+struct PathColumn {
     static constexpr int Few = 4;
     double index = 0.0;
     std::array<QPointF, Few> points;
@@ -40,7 +40,7 @@ public:
             m_column.index = index;
             m_column.top = m_column.bottom = at.y();
         }
-        if (m_column.count < Column::Few)
+        if (m_column.count < PathColumn::Few)
             m_column.points[static_cast<std::size_t>(m_column.count)] = at;
         m_column.last = at;
         ++m_column.count;
@@ -74,8 +74,8 @@ private:
         if (m_line.isEmpty() && m_haveLast)
             m_line << m_last;
         // Several points that are less than a pixel apart are as good as their ends.
-        const int shown = m_column.count > 2 ? 1 : m_column.count;
-        for (int i = 0; i < shown; ++i)
+        const int visible = m_column.count > 2 ? 1 : m_column.count;
+        for (int i = 0; i < visible; ++i)
             m_line << m_column.points[static_cast<std::size_t>(i)];
         if (m_column.count > 2)
             m_line << m_column.last;
@@ -110,7 +110,7 @@ private:
     const PixelMap &m_map;
     ColumnPath &m_path;
     double m_perColumn;
-    Column m_column;
+    PathColumn m_column;
     QPolygonF m_line;
     QPointF m_last;
     bool m_haveLast = false;

@@ -12,7 +12,7 @@
 namespace mb {
 namespace {
 
-constexpr qint64 largestFile = 1'000'000;
+constexpr qint64 largestLayout = 1'000'000;
 constexpr int mostTraces = 500;
 constexpr double shortestWindow = 1e-3;
 constexpr double longestWindow = 86400.0;
@@ -85,7 +85,7 @@ QStringList PlotLayouts::names() const
 Result<PlotLayout> PlotLayouts::load(const QString &name) const
 {
     QFile file(fileOf(name));
-    if (m_folder.isEmpty() || !file.open(QIODevice::ReadOnly) || file.size() > largestFile)
+    if (m_folder.isEmpty() || !file.open(QIODevice::ReadOnly) || file.size() > largestLayout)
         return fail(Fault::OutOfRange, "there is no layout of this name");
     return PlotLayout::fromJson(file.readAll());
 }

@@ -11,8 +11,8 @@
 namespace mb {
 namespace {
 
-constexpr double fetchEvery = 1.0; ///< seconds
-constexpr double shortest = 60.0;  ///< a session is drawn at least as long as this
+constexpr double fetchEvery = 1.0;    ///< seconds
+constexpr double shortestSpan = 60.0; ///< a session is drawn at least as long as this
 
 } // namespace
 
@@ -44,7 +44,7 @@ void PlotScrubber::setSource(std::shared_ptr<const TraceSource> source, const Tr
 
 void PlotScrubber::setSession(double first, double now, std::optional<double> unixAtZero)
 {
-    m_first = std::min(first, now - shortest);
+    m_first = std::min(first, now - shortestSpan);
     m_now = now;
     m_unixAtZero = unixAtZero;
 }

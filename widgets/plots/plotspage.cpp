@@ -24,9 +24,9 @@
 namespace mb {
 namespace {
 
-constexpr std::chrono::milliseconds tickTime{16};
+constexpr std::chrono::milliseconds repaintTime{16};
 constexpr std::chrono::milliseconds rememberAfter{1000};
-constexpr double usualWindow = 10.0;
+constexpr double firstWindow = 10.0;
 constexpr int sideWidth = 300;
 
 } // namespace
@@ -84,7 +84,7 @@ QWidget *PlotsPage::buildPlots()
     m_triggerBar->hide();
     m_plots = new QStackedWidget(area);
     m_stack->setObjectName(QStringLiteral("plotsStack"));
-    m_stack->setWindow(usualWindow);
+    m_stack->setWindow(firstWindow);
     m_stack->setOwnTable(false);
     m_stack->acceptDrops(QLatin1String(signalMimeType));
     m_stack->setToolTip(
@@ -110,7 +110,7 @@ QWidget *PlotsPage::buildPlots()
 
 void PlotsPage::connectStack()
 {
-    m_tick.setInterval(tickTime);
+    m_tick.setInterval(repaintTime);
     connect(&m_tick, &QTimer::timeout, this, &PlotsPage::tick);
     m_remember.setSingleShot(true);
     m_remember.setInterval(rememberAfter);

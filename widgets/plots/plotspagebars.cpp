@@ -16,7 +16,7 @@
 namespace mb {
 namespace {
 
-constexpr std::array windows{0.1, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 1800.0, 3600.0, 28800.0, 86400.0};
+constexpr std::array windowChoices{0.1, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 1800.0, 3600.0, 28800.0, 86400.0};
 
 QString windowText(double seconds)
 {
@@ -74,7 +74,7 @@ void PlotsPage::buildView(QHBoxLayout &row)
         tr("Against time, one signal against another, or amplitude against frequency of what is seen or of A … B"));
     m_window = new QComboBox(this);
     m_window->setObjectName(QStringLiteral("plotsWindow"));
-    for (const double seconds : windows)
+    for (const double seconds : windowChoices)
         m_window->addItem(windowText(seconds), seconds);
     m_window->setCurrentIndex(m_window->findData(m_stack->window()));
     m_window->setAccessibleName(tr("Length of the time axis"));
@@ -82,7 +82,7 @@ void PlotsPage::buildView(QHBoxLayout &row)
     row.addWidget(m_window);
     connect(m_view, &Segmented::currentChanged, this, [this](int view) { showView(static_cast<View>(view)); });
     connect(m_window, qOverload<int>(&QComboBox::activated), this,
-        [this](int place) { m_stack->setWindow(windows.at(static_cast<std::size_t>(place))); });
+        [this](int place) { m_stack->setWindow(windowChoices.at(static_cast<std::size_t>(place))); });
     connect(m_stack, &PlotStack::windowChanged, this, [this](double seconds) {
         m_window->setCurrentIndex(m_window->findData(seconds));
         m_remember.start();

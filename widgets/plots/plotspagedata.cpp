@@ -17,10 +17,10 @@
 namespace mb {
 namespace {
 
-constexpr double idleTime = 0.25; ///< silent devices scroll away this often
+constexpr double idleScroll = 0.25; ///< silent devices scroll away this often
 /// Samples per second to wish for, so that zooming does not change them all the time.
 constexpr std::array<double, 5> rateSteps{20.0, 50.0, 100.0, 200.0, 500.0};
-constexpr double shortestWindow = 0.01;
+constexpr double narrowestWindow = 0.01;
 
 int decimalsOf(const TraceStyle &style)
 {
@@ -58,7 +58,7 @@ void PlotsPage::wishRates()
             wishes.push_back({signal.device, signal.channel, hertz});
     };
     if (isVisible()) {
-        const double columns = std::max(m_stack->width(), 1) / std::max(m_stack->window(), shortestWindow);
+        const double columns = std::max(m_stack->width(), 1) / std::max(m_stack->window(), narrowestWindow);
         const auto step
             = std::find_if(rateSteps.begin(), rateSteps.end(), [&](double rate) { return rate >= columns; });
         const double hertz = step == rateSteps.end() ? rateSteps.back() : *step;
@@ -196,7 +196,7 @@ void PlotsPage::tick()
     m_board->advance();
     const double now = plotKey(m_board->present());
     const std::uint64_t present = m_board->revision();
-    if (m_board->traces().empty() || (present == m_drawn && std::abs(now - m_drawnAt) < idleTime))
+    if (m_board->traces().empty() || (present == m_drawn && std::abs(now - m_drawnAt) < idleScroll))
         return;
     m_drawn = present;
     m_drawnAt = now;

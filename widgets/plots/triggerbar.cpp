@@ -17,8 +17,9 @@
 namespace mb {
 namespace {
 
-using Kind = TriggerRule::Kind;
-constexpr std::array kinds{Kind::Rising, Kind::Falling, Kind::Either, Kind::Above, Kind::Below};
+using TriggerKind = TriggerRule::Kind;
+constexpr std::array kinds{
+    TriggerKind::Rising, TriggerKind::Falling, TriggerKind::Either, TriggerKind::Above, TriggerKind::Below};
 constexpr std::array parts{0.05, 0.2, 0.5, 0.8, 0.95};
 
 } // namespace
@@ -145,7 +146,8 @@ QString TriggerBar::description(double window) const
 {
     const QString sign = m_kind->currentText().section(QLatin1Char(' '), 0, 0);
     const TriggerSetup now = setup();
-    const bool edge = now.kind == Kind::Rising || now.kind == Kind::Falling || now.kind == Kind::Either;
+    const bool edge
+        = now.kind == TriggerKind::Rising || now.kind == TriggerKind::Falling || now.kind == TriggerKind::Either;
     return tr("trigger %1 %2 %3, %4 before")
         .arg(edge ? sign : m_kind->currentText(), formatSignificant(now.level, 4), m_unit->text(),
             formatDuration(window * now.before));

@@ -15,7 +15,7 @@ struct TriggerText {
     Q_DECLARE_TR_FUNCTIONS(TriggerText)
 };
 
-Instant instantOf(double key)
+Instant instantAt(double key)
 {
     return Instant(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key)));
 }
@@ -39,7 +39,7 @@ void TriggerWatch::arm(const TriggerSetup &setup, std::shared_ptr<const Telemetr
     m_armedAt = now;
     const TriggerRule rule{setup.kind, setup.level / source->scale(), hysteresisOf(*source, now)};
     constexpr Duration lead = std::chrono::seconds(1); // an edge needs to know from where it comes
-    m_search.emplace(rule, source->sharedTelemetry(), source->channel(), instantOf(now) - lead);
+    m_search.emplace(rule, source->sharedTelemetry(), source->channel(), instantAt(now) - lead);
     m_stack.hold({}, setup.before);
     show(now);
 }
@@ -69,7 +69,7 @@ void TriggerWatch::poll(double now)
             m_done = true;
             break;
         }
-        const auto found = m_search->poll(instantOf(m_event ? windowEnd() : m_armedAt));
+        const auto found = m_search->poll(instantAt(m_event ? windowEnd() : m_armedAt));
         if (!found)
             break;
         m_event = plotKey(*found);

@@ -10,7 +10,7 @@ namespace {
 
 using Table = std::array<Channel, 6>;
 
-consteval Table table(std::string_view current, std::string_view temperature)
+consteval Table channelRows(std::string_view current, std::string_view temperature)
 {
     return {{
         {"position", "counts", QT_TRANSLATE_NOOP("table", "Position"), Quantity::Position},
@@ -22,10 +22,10 @@ consteval Table table(std::string_view current, std::string_view temperature)
     }};
 }
 
-constexpr Table raw = table("counts", "counts");
-constexpr Table amperes = table("A", "counts");
-constexpr Table degrees = table("counts", "°C");
-constexpr Table both = table("A", "°C");
+constexpr Table raw = channelRows("counts", "counts");
+constexpr Table amperes = channelRows("A", "counts");
+constexpr Table degrees = channelRows("counts", "°C");
+constexpr Table both = channelRows("A", "°C");
 
 static_assert(checkChannels(raw) && checkChannels(both));
 static_assert(raw[channel::duty.value].key == "duty" && raw[channel::temperature.value].key == "temperature");

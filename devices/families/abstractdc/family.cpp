@@ -68,7 +68,7 @@ constexpr std::array routes{UpdateRoute{.scheme = "openocd",
     .programmers = programmers}};
 
 /// Section 4: time in milliseconds, the change taken the wrong way round.
-constexpr LoopScale loop{
+constexpr LoopScale controlLoop{
     .fullDuty = fullPwm,
     .period = 1e-3,
     .velocityTime = 1.0,
@@ -107,7 +107,7 @@ const Family family{
     .dialects = dialectChoices,
     .calibrations = calibrations,
     .routes = routes,
-    .loop = &loop,
+    .loop = &controlLoop,
     .arrange = arrange,
     .scan = scan,
     .open = open,

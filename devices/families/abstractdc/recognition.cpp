@@ -11,8 +11,8 @@
 namespace mb::abstractdc {
 namespace {
 
-constexpr Duration patience = std::chrono::seconds(1); ///< an answer at 1250 bit/s takes 128 ms
-constexpr std::size_t mostAsked = 256;                 ///< in a second; a scan sends a hundred
+constexpr Duration answerPatience = std::chrono::seconds(1); ///< an answer at 1250 bit/s takes 128 ms
+constexpr std::size_t mostAsked = 256;                       ///< in a second; a scan sends a hundred
 
 bool isQuestion(const CanFrame &frame)
 {
@@ -64,7 +64,7 @@ void Recognition::ask(const CanFrame &frame)
     const Question question{base, static_cast<int>(frame.id - base), frame.data[0], frame.time};
     std::erase_if(m_asked, [&question](const Question &old) {
         const bool same = old.base == question.base && old.offset == question.offset && old.code == question.code;
-        return same || question.time - old.time > patience;
+        return same || question.time - old.time > answerPatience;
     });
     if (m_asked.size() >= mostAsked)
         m_asked.erase(m_asked.begin());
@@ -77,7 +77,7 @@ std::vector<Recognition::Explanation> Recognition::explain(const CanFrame &answe
 {
     std::vector<Explanation> all;
     for (const Question &question : m_asked) {
-        if (answer.time - question.time > patience)
+        if (answer.time - question.time > answerPatience)
             continue;
         const int last = isToAll(question.offset, question.code) ? maxOffset : question.offset;
         for (const Dialect *dialect : dialects) {

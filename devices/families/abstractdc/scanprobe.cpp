@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int tries = 3;
+constexpr int probeTries = 3;
 constexpr Duration patienceWithOthers = 500ms; ///< who ask for voltages all the time
 constexpr Duration sweepMost = 60ms;           ///< what asking 99 old drives one by one may take
 
@@ -88,7 +88,7 @@ Task<std::optional<Found>> judge(Prober &prober, std::uint32_t answer)
     const int legacy = static_cast<int>(answer) - static_cast<int>(id::velocityLogLegacy);
     const bool mayBeLegacy = legacy >= 0 && legacy <= maxOffset;
     if (today >= 0) {
-        auto asking = tellNew(prober, today, mayBeLegacy ? 2 : tries);
+        auto asking = tellNew(prober, today, mayBeLegacy ? 2 : probeTries);
         if (const Dialect *dialect = co_await std::move(asking))
             co_return Found{today, dialect};
     }

@@ -8,7 +8,7 @@
 namespace mb::dmc60c {
 namespace {
 
-constexpr std::array<Channel, 9> table{{
+constexpr std::array<Channel, 9> channelRows{{
     {"position", "counts", QT_TRANSLATE_NOOP("table", "Position"), Quantity::Position},
     {"velocity", "counts/s", QT_TRANSLATE_NOOP("table", "Velocity"), Quantity::Velocity},
     {"current", "A", QT_TRANSLATE_NOOP("table", "Current"), Quantity::Current},
@@ -20,14 +20,14 @@ constexpr std::array<Channel, 9> table{{
     {"analog1", "V", QT_TRANSLATE_NOOP("table", "Analog input"), Quantity::Voltage},
 }};
 
-static_assert(checkChannels(table));
-static_assert(table[channel::duty.value].key == "duty" && table[channel::analog1.value].key == "analog1");
+static_assert(checkChannels(channelRows));
+static_assert(channelRows[channel::duty.value].key == "duty" && channelRows[channel::analog1.value].key == "analog1");
 
 } // namespace
 
 std::span<const Channel> channelTable()
 {
-    return table;
+    return channelRows;
 }
 
 } // namespace mb::dmc60c

@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration longest = 250ms; ///< section 4
+constexpr Duration longestWait = 250ms; ///< section 4
 constexpr Duration shortest = 5ms;
 
 } // namespace
@@ -55,9 +55,9 @@ Task<ParamResponse> ParameterExchange::run(CanFrame request, int device, std::ui
 Duration ParameterExchange::patienceAt(int attempt) const
 {
     if (!m_roundTrip)
-        return longest;
+        return longestWait;
     return std::clamp<Duration>(
-        4 * *m_roundTrip * (1 << attempt), shortest * (1 << attempt), std::max(longest, 4 * *m_roundTrip));
+        4 * *m_roundTrip * (1 << attempt), shortest * (1 << attempt), std::max(longestWait, 4 * *m_roundTrip));
 }
 
 void ParameterExchange::measured(Duration roundTrip)

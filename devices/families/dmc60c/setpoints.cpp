@@ -11,9 +11,9 @@ namespace {
 
 constexpr double targetLow = -8388608.0;
 constexpr double targetHigh = 8388607.0;
-constexpr double greatestCurrent = 100.0;
+constexpr double greatestTarget = 100.0;
 constexpr double greatestVoltage = 28.0;
-constexpr double fixedOne = 65536.0;
+constexpr double targetOne = 65536.0;
 constexpr double loopsPerSecond = 2000.0;
 
 struct Scale {
@@ -32,8 +32,8 @@ Result<Scale> scaleOf(Mode mode)
         return Scale{ControlMode::Velocity, targetLow * velocityPerSecond, targetHigh * velocityPerSecond,
             1.0 / velocityPerSecond};
     case Mode::Position: return Scale{ControlMode::Position, targetLow, targetHigh, 1.0};
-    case Mode::Current: return Scale{ControlMode::Current, -greatestCurrent, greatestCurrent, fixedOne};
-    case Mode::Voltage: return Scale{ControlMode::VoltageCompensated, -greatestVoltage, greatestVoltage, fixedOne};
+    case Mode::Current: return Scale{ControlMode::Current, -greatestTarget, greatestTarget, targetOne};
+    case Mode::Voltage: return Scale{ControlMode::VoltageCompensated, -greatestVoltage, greatestVoltage, targetOne};
     case Mode::Follow: return Scale{ControlMode::Follower, 1.0, maxDeviceNumber, 1.0};
     case Mode::RampPosition:
     case Mode::RampVelocity: break;

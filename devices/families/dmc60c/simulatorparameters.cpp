@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::int64_t least = -2147483648LL;
 constexpr std::int64_t most = 2147483647LL;
-constexpr std::uint32_t fullReverse = 0xFFFF8000U;
+constexpr std::uint32_t rawReverse = 0xFFFF8000U;
 
 constexpr Row flag(std::uint8_t id, bool persistent = true)
 {
@@ -49,7 +49,7 @@ constexpr std::array table{
     ranged(15, 0, most, 0),
     ranged(16, 0, most, 0),
     ranged(17, 0, 32767, 0x7FFF),
-    ranged(18, -32768, 0, fullReverse),
+    ranged(18, -32768, 0, rawReverse),
     ranged(19, 0, 32767, 0),
     ranged(20, -32768, 0, 0),
     any(21),
@@ -60,7 +60,7 @@ constexpr std::array table{
     ranged(26, 0, most, 0),
     ranged(27, 0, most, 0),
     ranged(28, 0, 32767, 0x7FFF),
-    ranged(29, -32768, 0, fullReverse),
+    ranged(29, -32768, 0, rawReverse),
     ranged(30, 0, 32767, 0),
     ranged(31, -32768, 0, 0),
     any(32, 0x640000),

@@ -8,8 +8,8 @@ namespace {
 
 constexpr int shortGapsNeeded = 4;
 /// Longer gaps are silence, not loss: the device may have stood in its bootloader.
-constexpr int silencePeriods = 32;
-constexpr Duration silenceAtLeast = std::chrono::milliseconds(250);
+constexpr int gapPeriods = 32;
+constexpr Duration gapAtLeast = std::chrono::milliseconds(250);
 
 } // namespace
 
@@ -104,7 +104,7 @@ void StatusStream::hold(const Frame &frame)
 /// `found` = 0: the frame that ends the gap is one that looked lost because another was late.
 void StatusStream::releaseAsLoss(std::int64_t found)
 {
-    const Duration silence = std::max<Duration>(silencePeriods * m_period, silenceAtLeast);
+    const Duration silence = std::max<Duration>(gapPeriods * m_period, gapAtLeast);
     for (std::size_t i = 0; i < m_held.size(); ++i) {
         Frame &frame = m_held[i];
         std::int64_t missing = frame.periods - 1;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::string_view status = QT_TRANSLATE_NOOP("table", "Status bits");
 constexpr std::string_view setPoint = QT_TRANSLATE_NOOP("table", "Set-point");
 
-constexpr std::array<Channel, 16> table{{
+constexpr std::array<Channel, 16> channelRows{{
     {"ch1.position", "counts", QT_TRANSLATE_NOOP("table", "Position"), Quantity::Position},
     {"ch1.velocity", "counts/s", QT_TRANSLATE_NOOP("table", "Velocity"), Quantity::Velocity},
     {"ch1.status", "", status, Quantity::Other}, {"ch1.setpoint", "", setPoint, Quantity::SetPoint}, // unit of the mode
@@ -26,14 +26,14 @@ constexpr std::array<Channel, 16> table{{
     {"ch4.status", "", status, Quantity::Other}, {"ch4.setpoint", "", setPoint, Quantity::SetPoint}, // unit of the mode
 }};
 
-static_assert(checkChannels(table));
-static_assert(table[channelOf(3, AxisChannel::SetPoint).value].key == "ch4.setpoint");
+static_assert(checkChannels(channelRows));
+static_assert(channelRows[channelOf(3, AxisChannel::SetPoint).value].key == "ch4.setpoint");
 
 } // namespace
 
 std::span<const Channel> channelTable()
 {
-    return table;
+    return channelRows;
 }
 
 } // namespace mb::quadquad2drv

@@ -12,6 +12,14 @@
 
 namespace mb::quadquad2drv {
 
+constexpr std::uint8_t allAxes = 0x0F;
+
+/// The channel mask of one axis, 0 to 3.
+[[nodiscard]] constexpr std::uint8_t maskOf(int axis)
+{
+    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+}
+
 using Bytes = std::vector<std::uint8_t>;
 
 struct Packet {

@@ -5,15 +5,6 @@
 #include "families/quadquad2drv/calibrations.h"
 
 namespace mb::quadquad2drv {
-namespace {
-
-std::uint8_t maskOf(int axis)
-{
-    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
-}
-
-} // namespace
-
 Readings Controller::readings() const
 {
     Readings now;

@@ -13,16 +13,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::uint8_t allAxes = 0x0F;
 constexpr int stopTries = 20;
 
 constexpr double lowestCounts = -2147483648.0;
 constexpr double highestCounts = 2147483647.0;
-
-std::uint8_t maskOf(int axis)
-{
-    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
-}
 
 ControlMode modeFor(Mode mode)
 {

@@ -12,13 +12,6 @@
 namespace mb::quadquad2drv {
 namespace {
 
-constexpr std::uint8_t allAxes = 0x0F;
-
-std::uint8_t maskOf(int axis)
-{
-    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
-}
-
 bool isBoard(ParameterIndex index)
 {
     return index.value >= axes * parametersPerAxis;

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 2> levels{
     QT_TRANSLATE_NOOP("table", "connected to GND: the pin is low"),
 };
 
-constexpr std::array<Experiment, 2> table{{
+constexpr std::array<Experiment, 2> experimentTable{{
     {
         .key = "gain-scales",
         .title = QT_TRANSLATE_NOOP("table", "Find the gain scales"),
@@ -92,7 +92,7 @@ Task<bool> isActive(Controller &board, int axis, int bit)
 
 std::span<const Experiment> experiments()
 {
-    return table;
+    return experimentTable;
 }
 
 Task<ExperimentReport> findInputReading(Device &device, SetPointStream &, ExperimentOptions options, Progress &progress)

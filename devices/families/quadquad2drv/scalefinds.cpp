@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr int greatestGain = 65535;
 constexpr int phases = 6;
-constexpr std::array<double, 4> levels{0.4, 0.6, 0.8, 1.0}; ///< of the power limit
+constexpr std::array<double, 4> limitLevels{0.4, 0.6, 0.8, 1.0}; ///< of the power limit
 constexpr double sameBothWays = 0.2;
 constexpr double steady = 0.015;
 constexpr double proportional = 0.05; ///< spread of a P scale (tuning.md 3.8, step 2)
@@ -106,7 +106,7 @@ Task<PowerStep> ScaleSearch::powerStep(double power)
 Task<void> ScaleSearch::measurePlant()
 {
     std::vector<PowerStep> steps;
-    for (const double level : levels) {
+    for (const double level : limitLevels) {
         auto one = powerStep(level * m_most);
         const PowerStep there = co_await std::move(one);
         auto other = powerStep(level * m_most);
@@ -179,10 +179,7 @@ Task<double> ScaleSearch::findVelocityP()
         }
         last = next;
     }
-    const auto mean = agreed(scales, proportional);
-    if (!mean)
-        co_return fail(mean.error());
-    co_return *mean;
+    co_return agreed(scales, proportional);
 }
 
 std::vector<double> ScaleSearch::termsOf(const Run &run, const Track &track, std::size_t which) const
@@ -225,11 +222,10 @@ Task<double> ScaleSearch::scaleAt(Run run, std::size_t which)
     co_return fit->scale;
 }
 
-Task<double> ScaleSearch::findVelocityI()
+/// The I of a loop alone, at the first gain that goes the way, and at more.
+Task<double> ScaleSearch::findIntegral(Run run, double way)
 {
-    const double aim = 0.8 * m_plant.speedAt(m_most);
-    Run run{Loop::Velocity, {}, aim, 1.6, 0.0};
-    auto first = firstGain(run, 1, 0.25 * aim);
+    auto first = firstGain(run, 1, way);
     const int gain = co_await std::move(first);
     std::vector<double> scales;
     for (const double factor : {1.0, 1.5, 2.0}) {
@@ -237,10 +233,13 @@ Task<double> ScaleSearch::findVelocityI()
         auto measuring = scaleAt(run, 1);
         scales.push_back(co_await std::move(measuring));
     }
-    const auto mean = agreed(scales, integral);
-    if (!mean)
-        co_return fail(mean.error());
-    co_return *mean;
+    co_return agreed(scales, integral);
+}
+
+Task<double> ScaleSearch::findVelocityI()
+{
+    const double aim = 0.8 * m_plant.speedAt(m_most);
+    return findIntegral({Loop::Velocity, {}, aim, 1.6, 0.0}, 0.25 * aim);
 }
 
 Task<double> ScaleSearch::findPositionP()
@@ -259,28 +258,13 @@ Task<double> ScaleSearch::findPositionP()
             scales.push_back(co_await std::move(measuring));
         }
     }
-    const auto mean = agreed(scales, integral);
-    if (!mean)
-        co_return fail(mean.error());
-    co_return *mean;
+    co_return agreed(scales, integral);
 }
 
 Task<double> ScaleSearch::findPositionI()
 {
     const double aim = 1.5 * m_plant.speedAt(m_most);
-    Run run{Loop::Position, {}, aim, 2.0, 0.6 * aim};
-    auto first = firstGain(run, 1, 0.15 * aim);
-    const int gain = co_await std::move(first);
-    std::vector<double> scales;
-    for (const double factor : {1.0, 1.5, 2.0}) {
-        run.gains = {0, times(gain, factor), 0};
-        auto measuring = scaleAt(run, 1);
-        scales.push_back(co_await std::move(measuring));
-    }
-    const auto mean = agreed(scales, integral);
-    if (!mean)
-        co_return fail(mean.error());
-    co_return *mean;
+    return findIntegral({Loop::Position, {}, aim, 2.0, 0.6 * aim}, 0.15 * aim);
 }
 
 /// Beside a P that is known: D brakes.

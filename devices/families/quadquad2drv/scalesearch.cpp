@@ -17,7 +17,7 @@ constexpr Duration lease = 1s; ///< of a running trial (tuning.md 5.2)
 constexpr Duration tick = 10ms;
 constexpr double runaway = 1.6;          ///< times the speed that the power limit gives
 constexpr double wrongWay = 0.05;        ///< s of that speed
-constexpr double standing = 12.0;        ///< counts/s
+constexpr double standingSpeed = 12.0;   ///< counts/s
 constexpr std::uint8_t shortHistory = 8; ///< edges, for a fast velocity estimate (tuning.md 3.3)
 constexpr std::uint8_t shortTime = 16;   ///< bits, 42 ms: nor does it begin slowly
 
@@ -183,7 +183,7 @@ Task<void> ScaleSearch::rest()
         begin();
         auto waiting = wait(100ms);
         co_await std::move(waiting);
-        if (std::abs(m_track.speed(0.0, m_track.end())) < standing)
+        if (std::abs(m_track.speed(0.0, m_track.end())) < standingSpeed)
             break;
     }
     co_return {};

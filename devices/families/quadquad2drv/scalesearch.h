@@ -38,6 +38,7 @@ private:
     [[nodiscard]] Task<PowerStep> powerStep(double power);
     [[nodiscard]] Task<double> findVelocityP();
     [[nodiscard]] Task<double> velocityP(int gain, double aim);
+    [[nodiscard]] Task<double> findIntegral(Run run, double way);
     [[nodiscard]] Task<double> findVelocityI();
     [[nodiscard]] Task<double> findPositionP();
     [[nodiscard]] Task<double> findPositionI();

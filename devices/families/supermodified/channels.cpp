@@ -10,7 +10,7 @@ namespace {
 
 using Table = std::array<Channel, 11>;
 
-consteval Table table(std::string_view current)
+consteval Table channelRows(std::string_view current)
 {
     return {{
         {"position", "counts", QT_TRANSLATE_NOOP("table", "Position"), Quantity::Position},
@@ -27,8 +27,8 @@ consteval Table table(std::string_view current)
     }};
 }
 
-constexpr Table raw = table("counts");
-constexpr Table amperes = table("A");
+constexpr Table raw = channelRows("counts");
+constexpr Table amperes = channelRows("A");
 
 static_assert(checkChannels(raw) && checkChannels(amperes));
 static_assert(raw[channel::analog1.value].key == "analog1" && raw[channel::digital.value].key == "digital");

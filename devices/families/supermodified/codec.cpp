@@ -19,8 +19,8 @@ constexpr std::array<F, 3> u32{F::U32, F::U32, F::U32};
 constexpr std::array<F, 3> i16{F::I16, F::I16, F::I16};
 constexpr std::array<F, 3> profile{F::U16, F::U32, F::U32};
 constexpr std::array<F, 3> speed{F::I16, F::I32, F::I32};
-constexpr std::array<F, 3> place{F::I32, F::I32, F::I64};
-constexpr std::array<F, 3> analog{F::Analog, F::Analog, F::Analog};
+constexpr std::array<F, 3> placeFormats{F::I32, F::I32, F::I64};
+constexpr std::array<F, 3> analogFormats{F::Analog, F::Analog, F::Analog};
 constexpr std::array<F, 3> onlyThird{F::Absent, F::Absent, F::U32};
 
 constexpr bool control = true;
@@ -37,17 +37,17 @@ constexpr std::array messageTable{
     Message{Command::CurrentLimit, "current limit", "current", "mA", u16, false, stored},
     Message{Command::CurrentLimitDuration, "current-limit duration", "duration", "ms", u16, false, stored},
     Message{Command::MoveVelocity, "velocity move", "velocity", "ticks/s", speed, control},
-    Message{Command::MoveAbsolute, "absolute move", "position", "ticks", place, control},
-    Message{Command::MoveRelative, "relative move", "distance", "ticks", place, control},
+    Message{Command::MoveAbsolute, "absolute move", "position", "ticks", placeFormats, control},
+    Message{Command::MoveRelative, "relative move", "distance", "ticks", placeFormats, control},
     Message{Command::MoveProfiledVelocity, "profiled velocity", "velocity", "ticks/s", speed, control},
-    Message{Command::MoveProfiledAbsolute, "profiled absolute", "position", "ticks", place, control},
-    Message{Command::MoveProfiledRelative, "profiled relative", "distance", "ticks", place, control},
+    Message{Command::MoveProfiledAbsolute, "profiled absolute", "position", "ticks", placeFormats, control},
+    Message{Command::MoveProfiledRelative, "profiled relative", "distance", "ticks", placeFormats, control},
     Message{Command::BufferVelocity, "buffer velocity", "velocity", "ticks/s", speed},
-    Message{Command::BufferAbsolute, "buffer absolute", "position", "ticks", place},
-    Message{Command::BufferRelative, "buffer relative", "distance", "ticks", place},
+    Message{Command::BufferAbsolute, "buffer absolute", "position", "ticks", placeFormats},
+    Message{Command::BufferRelative, "buffer relative", "distance", "ticks", placeFormats},
     Message{Command::BufferProfiledVelocity, "buffer profiled velocity", "velocity", "ticks/s", speed},
-    Message{Command::BufferProfiledAbsolute, "buffer profiled absolute", "position", "ticks", place},
-    Message{Command::BufferProfiledRelative, "buffer profiled relative", "distance", "ticks", place},
+    Message{Command::BufferProfiledAbsolute, "buffer profiled absolute", "position", "ticks", placeFormats},
+    Message{Command::BufferProfiledRelative, "buffer profiled relative", "distance", "ticks", placeFormats},
     Message{Command::IoDirection, "DIO direction", "direction", "", u8, false, stored},
     Message{Command::Outputs, "digital outputs", "outputs", "", u8},
     Message{Command::NodeId, "node id", "id", "", u8, false, stored},
@@ -70,8 +70,8 @@ constexpr std::array messageTable{
     Message{Command::GetIoDirection, "get DIO direction", "direction", "", u8},
     Message{Command::GetNodeMask, "get local acceptance mask", "mask", "", u8},
     Message{Command::GetInputs, "get digital inputs", "inputs", "", u8},
-    Message{Command::GetAnalog, "get analog inputs", "", "1/1024 of 5 V", analog},
-    Message{Command::GetPosition, "get position", "position", "ticks", place},
+    Message{Command::GetAnalog, "get analogFormats inputs", "", "1/1024 of 5 V", analogFormats},
+    Message{Command::GetPosition, "get position", "position", "ticks", placeFormats},
     Message{Command::GetAbsolutePosition, "get absolute position", "position", "ticks", u16},
     Message{Command::GetVelocity, "get velocity", "velocity", "ticks/s", speed},
     Message{Command::GetCurrent, "get current", "current", "", i16},

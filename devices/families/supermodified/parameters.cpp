@@ -14,7 +14,7 @@ constexpr double uint32High = 4294967295.0;
 constexpr double reactionsHigh = 1099511627775.0; // 20 of two bits
 
 constexpr std::string_view loop = QT_TRANSLATE_NOOP("table", "Loop");
-constexpr std::string_view profile = QT_TRANSLATE_NOOP("table", "Profile");
+constexpr std::string_view profileGroup = QT_TRANSLATE_NOOP("table", "Profile");
 constexpr std::string_view limit = QT_TRANSLATE_NOOP("table", "Current limit");
 constexpr std::string_view io = QT_TRANSLATE_NOOP("table", "Digital lines");
 constexpr std::string_view bus = QT_TRANSLATE_NOOP("table", "Bus");
@@ -45,8 +45,8 @@ constexpr std::array<Parameter, 15> table{{
     setting("gain.p", id::gainP, WireType::Uint16, "duty/count", 0.0, uint16High, 4000.0, loop, "P", QT_TRANSLATE_NOOP("table", "D1, D2: 1/65280 of full output per count of error; 4000 is full output at 16 counts. The scale of D3 is not documented.")),
     setting("gain.i", 0x01, WireType::Uint16, "duty/count/loop", 0.0, uint16High, 100.0, loop, "I", QT_TRANSLATE_NOOP("table", "D1, D2: 1/16711680 of full output per count of error and loop of 1.024 ms. The bound of the integral follows P at the next restart only.")),
     setting("gain.d", 0x02, WireType::Uint16, "duty·loop/count", 0.0, uint16High, 1000.0, loop, "D", QT_TRANSLATE_NOOP("table", "D1, D2: 1/65280 of full output per count that the error changes in one loop of 1.024 ms.")),
-    setting("profile.acceleration", 0x03, WireType::Uint32, "counts/s²", 1.0, uint32High, 800.0, profile, QT_TRANSLATE_NOOP("table", "Acceleration"), QT_TRANSLATE_NOOP("table", "Of profiled moves. D1: at most 65535.")),
-    setting("profile.velocity", 0x04, WireType::Uint32, "counts/s", 1.0, uint32High, 800.0, profile, QT_TRANSLATE_NOOP("table", "Velocity"), QT_TRANSLATE_NOOP("table", "Of profiled moves. D1: at most 65535; D1 and D2 compute wrongly from 46340 on.")),
+    setting("profile.acceleration", 0x03, WireType::Uint32, "counts/s²", 1.0, uint32High, 800.0, profileGroup, QT_TRANSLATE_NOOP("table", "Acceleration"), QT_TRANSLATE_NOOP("table", "Of profiled moves. D1: at most 65535.")),
+    setting("profile.velocity", 0x04, WireType::Uint32, "counts/s", 1.0, uint32High, 800.0, profileGroup, QT_TRANSLATE_NOOP("table", "Velocity"), QT_TRANSLATE_NOOP("table", "Of profiled moves. D1: at most 65535; D1 and D2 compute wrongly from 46340 on.")),
     setting("limit.current", id::currentLimit, WireType::Uint16, "mA", 1.0, uint16High, 5000.0, limit, QT_TRANSLATE_NOOP("table", "Current limit"), QT_TRANSLATE_NOOP("table", "Firmware of D1 and D2 stores it and does not limit anything.")),
     later(setting("limit.current.duration", id::currentLimitDuration, WireType::Uint16, "ms", 0.0, uint16High, 5000.0, limit, QT_TRANSLATE_NOOP("table", "Time above the limit"), QT_TRANSLATE_NOOP("table", "In force after a restart. D1 and D2 take it for the current limit until then; the limit is therefore written again behind it."))),
     setting("io.direction", 0x13, WireType::Uint8, "", 0.0, 15.0, 0.0, io, QT_TRANSLATE_NOOP("table", "Outputs among the lines"), QT_TRANSLATE_NOOP("table", "1, 2, 4, 8 for DIO1 to DIO4; a set bit makes an output. DIO1 and DIO3 low for 3 s start the analog programming of the device, DIO2 and DIO4 low restore its factory settings.")),
