@@ -27,7 +27,7 @@ def licence(path, text, _code):
         return
     lines = text.split("\n", 2)
     at = 1 if lines[0].startswith("#!") else 0
-    mark = "//" if is_cpp(path) else "#"
+    mark = "//" if is_cpp(path) or path.endswith(".c") else "#"
     if len(lines) <= at or lines[at] != f"{mark} SPDX-License-Identifier: GPL-3.0-or-later":
         yield at + 1, "error", "the licence line is missing"
 
