@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What must end the motion of a motor, whatever its family and its link. A rig brings both:
+
+    family, address, mode and target of a drive, `device` (the selector), `watchdog` (seconds, or None),
+    start() makes the motor, pull() and plug_in() are its cable, first_order_is_stop(since) looks at what came first after it
+    was back, and `motor`.
+
+All times are of this machine's real-time clock: the signal's is taken before it is sent, that of the output is the simulator's.
+"""
+import os
+import signal
+import subprocess
+import time
+
+from bench import PATIENCE, Program
+from rows import ROWS
+
+ROUNDS = int(os.environ.get("MOTORBENCH_SAFETY_ROUNDS", "1"))
+GUARDIAN = 0.7  # from the signal to the motor off, without a watchdog: 0.5 s of silence, and the way
+BACK = 0.1  # from a link that can be opened again to the stop
+RESUMES = 1.5  # so long an ended motion is watched
+# A stall is shorter than what ends a stream, or longer; in between the machine's own lateness decides.
+CERTAIN = 0.03
+
+
+class Rounds:
+    control = ""
+    rig = None
+
+    def drive(self, seconds="600"):
+        since = time.time()
+        program = Program(self.control, "--json", "drive", self.rig.device, "--mode", self.rig.mode, "--target", self.rig.target, "--for", seconds)
+        self.addCleanup(program.end, signal.SIGKILL)
+        if not self.rig.motor.await_output(True, since):
+            self.fail(f"the motor was not started: {program.lines[-5:]}")
+        time.sleep(0.4)
+        self.assertTrue(self.rig.motor.is_on(), f"it runs until something happens: {program.lines[-5:]}")
+        return program
+
+    def off_after(self, at, limit, message):
+        off = self.rig.motor.await_output(False, at, 5)
+        self.assertIsNotNone(off, message)
+        self.assertLessEqual(off - at, limit, message)
+        return off - at
+
+    def rounds(self):
+        for _ in range(ROUNDS):
+            try:
+                self.rig.start()
+                yield
+            finally:
+                self.rig.end()
+
+    def by(self):
+        return f"its watchdog, {1000 * self.rig.watchdog:.0f} ms" if self.rig.watchdog else "the guardian"
+
+    def silence(self):
+        """A motor that nobody commands any more is off by then."""
+        return self.rig.watchdog + 0.02 + CERTAIN if self.rig.watchdog else GUARDIAN
+
+
+class MotionScenarios(Rounds):
+    """What happens to a program that drives a motor."""
+
+    def test_a_killed_program_leaves_no_motor_running(self):
+        taken = []
+        for _ in self.rounds():
+            program = self.drive()
+            at = time.time()
+            program.send(signal.SIGKILL)
+            taken.append(self.off_after(at, self.silence(), "killed"))
+            self.assertTrue(self.rig.motor.stays_off(RESUMES))
+        ROWS.add(self.rig.family, "the program is killed", self.by(), taken, self.silence())
+
+    def frozen(self, seconds):
+        taken = []
+        late = self.rig.watchdog or 0.25
+        for _ in self.rounds():
+            program = self.drive()
+            at = time.time()
+            program.send(signal.SIGSTOP)
+            time.sleep(seconds)
+            program.send(signal.SIGCONT)
+            if seconds < late - CERTAIN:
+                time.sleep(0.5)
+                self.assertTrue(self.rig.motor.is_on(), "a short stall ends nothing")
+                continue
+            taken.append(self.off_after(at, max(self.silence(), seconds + 0.1), f"frozen for {seconds} s"))
+            self.assertTrue(self.rig.motor.stays_off(RESUMES), "what was thawed does not drive on")
+            self.assertEqual(program.process.wait(PATIENCE), 4, "and says that it stopped for safety")
+        stopped_by = "nothing needs to" if not taken else self.by() if seconds > 0.5 or self.rig.watchdog else "the thawed program itself"
+        ROWS.add(self.rig.family, f"the program is frozen for {1000 * seconds:.0f} ms", stopped_by, taken, self.silence() if taken else None)
+
+    def test_a_program_frozen_for_120_ms(self):
+        self.frozen(0.12)
+
+    def test_a_program_frozen_for_250_ms_does_not_drive_on(self):
+        self.frozen(0.3)
+
+    def test_a_program_frozen_for_2_s_leaves_no_motor_running(self):
+        self.frozen(2.0)
+
+    def test_ctrl_c_stops_the_motor(self):
+        taken = []
+        for _ in self.rounds():
+            program = self.drive()
+            at = time.time()
+            program.send(signal.SIGINT)
+            taken.append(self.off_after(at, 0.25, "Ctrl+C"))
+            self.assertEqual(program.process.wait(PATIENCE), 0)
+        ROWS.add(self.rig.family, "Ctrl+C", "the program", taken, 0.25)
+
+    def test_output_that_nobody_reads_keeps_neither_the_motion_nor_a_signal_waiting(self):
+        taken = []
+        for _ in self.rounds():
+            since = time.time()
+            with subprocess.Popen([self.control, "--json", "drive", self.rig.device, "--mode", self.rig.mode, "--target", self.rig.target,
+                                   "--for", "600"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as program:
+                self.addCleanup(program.kill)
+                self.assertIsNotNone(self.rig.motor.await_output(True, since))
+                time.sleep(6)  # a pipe holds 64 KiB
+                self.assertTrue(self.rig.motor.is_on(), "set-points do not wait for a reader")
+                at = time.time()
+                program.send_signal(signal.SIGTERM)
+                taken.append(self.off_after(at, 0.25, "SIGTERM"))
+                program.wait(PATIENCE)
+        ROWS.add(self.rig.family, "SIGTERM while nobody reads the output", "the program", taken, 0.25)
+
+
+class CableScenarios(Rounds):
+    """A cable that is pulled in the middle of a motion, and is back."""
+
+    cable = "the cable is pulled"
+
+    def cut(self, fault, after_the_cut):
+        """The cable is pulled in the middle of a motion; what is left of the program is up to `after_the_cut`."""
+        without_power, back = [], []
+        for _ in self.rounds():
+            program = self.drive()
+            at = time.time()
+            self.rig.pull()
+            if self.rig.watchdog:
+                without_power.append(self.off_after(at, self.silence() + 0.05, "the watchdog"))
+            after_the_cut(program)
+            time.sleep(1.5)
+            self.assertEqual(self.rig.motor.is_on(), not self.rig.watchdog, "without a watchdog nothing can stop it")
+            at = self.rig.plug_in()
+            if not self.rig.watchdog:
+                back.append(self.off_after(at, BACK + CERTAIN, "the stop that is owed"))
+                self.assertTrue(self.rig.first_order_is_stop(at), "before anything else")
+            self.assertTrue(self.rig.motor.stays_off(RESUMES), "motion does not resume by itself")
+        if self.rig.watchdog:
+            ROWS.add(self.rig.family, fault, self.by(), without_power, self.silence())
+        else:
+            ROWS.add(self.rig.family, fault, "nothing: cut its power", [], None)
+            ROWS.add(self.rig.family, fault + ", and is back", "the stop that is owed, the first on the line", back, BACK)
+
+    def test_a_pulled_cable(self):
+        self.cut(self.cable, lambda program: None)
+
+    def test_a_pulled_cable_and_a_killed_program(self):
+        self.cut(self.cable + ", then the program killed", lambda program: program.send(signal.SIGKILL))

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Motors on a serial line (a pair of terminals) and on an SPI socket, and everything that must end their motion:
+
+    tests/safety/test_lines.py MOTORBENCHCTL [unittest options]
+"""
+import os
+import sys
+import unittest
+
+from bench import Motor, SerialCable, SocketCable
+from rows import ROWS
+from scenarios import CableScenarios, MotionScenarios, Rounds
+
+
+class LineRig:
+    watchdog = None
+
+    def __init__(self, control):
+        self.control = control
+
+    def start(self):
+        self.cable = self.make_cable()
+        self.motor = Motor(self.control, self.far(), self.unit)
+        self.cable.start()
+        self.cable.plug_in()
+        self.device = self.near()
+
+    def end(self):
+        self.motor.end()
+        self.cable.end()
+
+    def pull(self):
+        self.cable.pull()
+
+    def plug_in(self):
+        return self.cable.plug_in()
+
+    def after(self, since):
+        return b"".join(data for at, data in list(self.cable.heard) if at >= since)
+
+
+class SerialRig(LineRig):
+    family, unit, mode, target = "Supermodified", "supermodified:5", "velocity", "200"
+    make_cable = SerialCable
+
+    def far(self):
+        return "pty:" + self.cable.far
+
+    def near(self):
+        return f"serial:{self.cable.path}?baud=57600/supermodified:5"
+
+    def first_order_is_stop(self, since):
+        heard = self.after(since)
+        return heard[:2] == b"\x55\xaa" and len(heard) > 4 and heard[4] in (0x1B, 0xCB)  # addressed, or to all
+
+
+class SocketRig(LineRig):
+    family, unit, mode, target = "QuadQuad2Drv", "quadquad2drv:0", "duty", "0.3"
+    make_cable = SocketCable
+
+    def far(self):
+        return "unix:" + self.cable.far
+
+    def near(self):
+        return f"unix:{self.cable.path}/quadquad2drv:0"
+
+    def first_order_is_stop(self, since):
+        return bool(self.after(since))  # the length of the first exchange; what it said is in the time to the stop
+
+
+class Serial(MotionScenarios, CableScenarios, unittest.TestCase):
+    def setUp(self):
+        self.rig = SerialRig(self.control)
+
+
+class Socket(MotionScenarios, CableScenarios, unittest.TestCase):
+    def setUp(self):
+        self.rig = SocketRig(self.control)
+
+
+if __name__ == "__main__":
+    Rounds.control = os.path.abspath(sys.argv.pop(1))
+    result = unittest.main(argv=[sys.argv[0], "-v", *sys.argv[1:]], exit=False).result
+    ROWS.print()
+    sys.exit(not result.wasSuccessful())
