@@ -123,6 +123,8 @@ Application::Application(QApplication &qt, const Options &options)
     m_window = std::make_unique<MainWindow>(*m_engine, *m_theme, m_settings);
     if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)
         m_window->resize(sides[0].toInt(), sides[1].toInt());
+    else if (options.tour.isEmpty()) // whose pictures are larger than a screen that is not there
+        m_window->resize(m_window->size().boundedTo(m_window->screen()->availableSize()));
     setUpPlots();
     qt.installEventFilter(&m_stopKeys);
     QObject::connect(&m_stopKeys, &StopKeys::stopPressed, m_window.get(),

@@ -3,6 +3,7 @@
 
 #include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/updates.h"
 #include "widgets/control/arming.h"
 
 #include <QPointer>
@@ -51,6 +52,7 @@ void Conditions::follow()
         followDevice(device);
         followReset(device);
     }
+    followUpdates();
     for (const DeviceId gone : std::set<DeviceId>(m_reset)) {
         if (!m_workbench.snapshot().device(gone))
             endReset(gone);
@@ -73,6 +75,28 @@ void Conditions::followDevice(const DeviceView &device)
             tr("Control is locked. Assign one of them a new number from the menu of its row."));
     else
         m_banners.clear(key);
+}
+
+/// On every page, until it is over: what is written, and where.
+void Conditions::followUpdates()
+{
+    const Snapshot &shot = m_workbench.snapshot();
+    std::set<QString> standing;
+    for (const OperationView *update : runningUpdates(shot)) {
+        const QString key = QStringLiteral("update %1").arg(update->id.value);
+        const OperationStatus &status = update->status;
+        standing.insert(key);
+        m_banners.post(key, status.mayInterrupt ? BannerKind::Info : BannerKind::Caution,
+            tr("Firmware is being written to %1").arg(placeOf(shot, *update)),
+            status.total == 0         ? tableText(status.step)
+                : status.mayInterrupt ? tr("%1 of %2. Keep power on.").arg(status.done).arg(status.total)
+                                      : tr("%1 of %2. It must not be cut now.").arg(status.done).arg(status.total));
+    }
+    for (const QString &over : m_updates) {
+        if (standing.count(over) == 0)
+            m_banners.clear(over);
+    }
+    m_updates = standing;
 }
 
 void Conditions::followReset(const DeviceView &device)

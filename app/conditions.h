@@ -23,6 +23,7 @@ public:
 
 private:
     void followDevice(const DeviceView &device);
+    void followUpdates();
     void followReset(const DeviceView &device);
     void endReset(DeviceId device);
     void act(const QString &key);
@@ -31,6 +32,7 @@ private:
     Workbench &m_workbench;
     Arming &m_arming;
     BannerStack &m_banners;
+    std::set<QString> m_updates;            ///< with a banner
     std::set<DeviceId> m_reset;             ///< with a banner
     std::map<DeviceId, QString> m_failures; ///< of writing again, by device
 };

@@ -434,8 +434,13 @@ void EngineCore::stopAll()
 
 void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image, const UpdateOptions &options)
 {
+    if (const Device *other = updatedBeside(id)) {
+        notice(Severity::Caution, labelOf(*m_session.find(id)),
+            "one update a bus: " + labelOf(*other) + " is being written; nothing was sent");
+        return;
+    }
     begin<UpdateReport>(
-        id, "Update firmware",
+        id, updateTitle,
         [image, options](Device &device, Progress &progress) {
             device.setBusy("firmware update");
             return device.family().update(device, *image, options, progress);

@@ -131,6 +131,7 @@ private:
     void dropVanished();
     void removeLink(Link &link);
     bool openAwaited(const LinkAddress &address);
+    [[nodiscard]] const Device *updatedBeside(DeviceId id) const;
     void saveTranscript(const Running &running, const Device &device);
     void probeSilent(Link &link);
     [[nodiscard]] static std::string proofOf(const std::vector<TransferOutcome> &outcomes);
@@ -144,6 +145,8 @@ private:
     [[nodiscard]] bool isQuiet() const;
     [[nodiscard]] bool hasOperation(DeviceId id) const;
     [[nodiscard]] static std::string labelOf(const Device &device);
+
+    static constexpr const char *updateTitle = "Update firmware";
 
     Clock &m_clock;
     bool m_opensByItself;

@@ -107,4 +107,17 @@ void EngineCore::experiment(
         finished);
 }
 
+/// Pages of one image between those of another, on one bus: neither would end, and no log could tell why.
+const Device *EngineCore::updatedBeside(DeviceId id) const
+{
+    const Device *device = m_session.find(id);
+    for (const Running &running : m_operations) {
+        const Device *other = m_session.find(running.device);
+        if (device && other && other != device && &other->link() == &device->link() && running.operation->isRunning()
+            && running.operation->status().title == updateTitle)
+            return other;
+    }
+    return nullptr;
+}
+
 } // namespace mb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow.h"
 
+#include "app/closing.h"
 #include "app/conditions.h"
 #include "app/footprint.h"
 #include "widgets/common/banner.h"
@@ -36,12 +37,14 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace mb {
 namespace {
 
 constexpr std::chrono::seconds messageTime{8};
 constexpr std::chrono::seconds footprintTime{1};
+constexpr int roomyWidth = 1024; ///< for devices, a page and the inspector beside each other
 
 QDockWidget *makeDock(
     QMainWindow &window, const QString &name, const QString &title, QWidget *content, Qt::DockWidgetArea area)
@@ -50,6 +53,7 @@ QDockWidget *makeDock(
     dock->setObjectName(name);
     dock->setTitleBarWidget(new QWidget(dock)); // the content has its own head
     dock->setWidget(content);
+    content->setMinimumSize(1, 1); // on a small screen it is cut before the lamp and STOP are
     dock->setFeatures(QDockWidget::DockWidgetClosable);
     window.addDockWidget(area, dock);
     return dock;
@@ -77,10 +81,10 @@ MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &setti
     , m_theme(theme)
     , m_settings(settings)
     , m_arming(new Arming(workbench, this))
+    , m_closing(new Closing(workbench, *m_arming, *this))
 {
     setWindowTitle(tr("MotorBench"));
     setWindowIcon(applicationIcon());
-    setMinimumSize(1024, 640);
     resize(1440, 900);
     buildHeader();
     buildDevices();
@@ -177,6 +181,7 @@ void MainWindow::buildPages()
     column->addWidget(m_line);
     column->addWidget(m_pages, 1);
     setCentralWidget(central);
+    central->setMinimumSize(1, 1); // as the docks
     auto *overview = new OverviewPage(m_workbench, m_selection, m_theme, m_pages);
     addPage(overview, tr("Overview"));
     addPage(new ParametersPage(m_workbench, m_selection, m_theme, m_pages), tr("Parameters"));
@@ -200,9 +205,10 @@ void MainWindow::buildInspector()
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
     auto *inspector = new Inspector(m_workbench, m_selection, m_theme, scroll);
-    scroll->setMinimumWidth(inspector->sizeHint().width());
     scroll->setWidget(inspector);
     m_inspector = makeDock(*this, QStringLiteral("inspectorDock"), tr("Inspector"), scroll, Qt::RightDockWidgetArea);
+    m_inspector->hide();
+    scroll->setMinimumWidth(inspector->sizeHint().width());
 }
 
 void MainWindow::buildStatus()
@@ -210,6 +216,7 @@ void MainWindow::buildStatus()
     m_message = new ElidedLabel({}, this);
     m_footprint = textLabel({}, TextRole::Caption, Tone::Dim, this);
     statusBar()->setSizeGripEnabled(false);
+    statusBar()->setMinimumWidth(1);
     const int edge = m_theme.theme().u(12);
     m_message->setContentsMargins(edge, 0, 0, 0);
     m_footprint->setContentsMargins(0, 0, edge, 0);
@@ -260,7 +267,23 @@ void MainWindow::followPages()
     m_pages->setCurrentIndex(m_tabs->currentIndex());
     page(static_cast<PageId>(m_pages->currentIndex()))->setFocus();
     m_line->setVisible(ofDevice && m_workbench.snapshot().device(m_selection.device()));
-    m_inspector->setVisible(id == PageId::Overview && !m_workbench.snapshot().devices.empty());
+    followInspector();
+}
+
+/// On the overview, where there is room for it. F10 is respected until that changes.
+void MainWindow::followInspector()
+{
+    const bool overview = static_cast<PageId>(m_tabs->currentIndex()) == PageId::Overview;
+    const bool room = width() >= m_theme.theme().u(roomyWidth);
+    const bool useful = overview && room && !m_workbench.snapshot().devices.empty();
+    if (std::exchange(m_inspectorUseful, useful) != useful)
+        m_inspector->setVisible(useful);
+}
+
+void MainWindow::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    followInspector();
 }
 
 void MainWindow::addLink()
@@ -303,9 +326,7 @@ void MainWindow::follow()
     const QString reason = any ? QString() : tr("needs a device; open a link first");
     m_tabs->setUnavailable(static_cast<int>(PageId::Parameters), reason);
     m_tabs->setUnavailable(static_cast<int>(PageId::Tune), reason);
-    const auto current = static_cast<PageId>(m_tabs->currentIndex());
-    if (current == PageId::Overview && m_inspector->isHidden() == any)
-        m_inspector->setVisible(any);
+    followInspector();
 }
 
 void MainWindow::followLinks(const Snapshot &shot)
@@ -385,7 +406,10 @@ void MainWindow::whenDeactivated()
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    m_arming->disarm();
+    if (!m_closing->mayClose()) {
+        event->ignore();
+        return;
+    }
     m_settings.setGeometry(saveGeometry());
     event->accept();
 }

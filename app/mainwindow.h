@@ -18,6 +18,7 @@ class QStackedWidget;
 namespace mb {
 
 class BannerStack;
+class Closing;
 class Conditions;
 class DemoStripe;
 class DeviceLine;
@@ -42,6 +43,7 @@ public:
 
 protected:
     void closeEvent(QCloseEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void buildHeader();
@@ -58,6 +60,7 @@ private:
     void follow();
     void followLinks(const Snapshot &shot);
     void followPages();
+    void followInspector();
     void showNotice(const Notice &notice);
     void showFootprint();
     void whenDeactivated();
@@ -67,10 +70,12 @@ private:
     Settings &m_settings;
     Selection m_selection;
     Arming *m_arming = nullptr;
+    Closing *m_closing = nullptr;
     HeaderBar *m_header = nullptr;
     DemoStripe *m_stripe = nullptr;
     QDockWidget *m_devices = nullptr;
     QDockWidget *m_inspector = nullptr;
+    bool m_inspectorUseful = false;
     PageTabs *m_tabs = nullptr;
     BannerStack *m_banners = nullptr;
     Conditions *m_conditions = nullptr;

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/stopkeys.h"
 
-#include <QAbstractSpinBox>
+#include "widgets/common/numberfield.h"
+
 #include <QApplication>
-#include <QComboBox>
 #include <QKeyEvent>
-#include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QTextEdit>
 
 namespace mb {
-namespace {
-
-bool editsText(const QWidget *widget)
-{
-    if (const auto *combo = qobject_cast<const QComboBox *>(widget))
-        return combo->isEditable();
-    return qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget)
-        || qobject_cast<const QTextEdit *>(widget) || qobject_cast<const QPlainTextEdit *>(widget);
-}
-
-} // namespace
 
 bool StopKeys::eventFilter(QObject *, QEvent *event)
 {
@@ -35,7 +21,7 @@ bool StopKeys::eventFilter(QObject *, QEvent *event)
         return false; // it still closes dialogs and clears fields
     }
     const bool plainSpace = key.key() == Qt::Key_Space && (key.modifiers() & ~Qt::KeypadModifier) == 0;
-    if (!plainSpace || editsText(QApplication::focusWidget()))
+    if (!plainSpace || acceptsLetters(QApplication::focusWidget()))
         return false;
     announce(key, QStringLiteral("Space"));
     return event->type() == QEvent::KeyPress; // Space never activates a button

@@ -7,7 +7,8 @@ class QKeyEvent;
 
 namespace mb {
 
-/// Stops on the press of Esc or Pause, anywhere in the program, and of Space unless a text is being edited. Install on the
+/// Stops on the press of Esc or Pause, anywhere in the program, and of Space unless words can be typed
+/// where the focus is (acceptsLetters()). Install on the
 /// application: it sees keys before dialogs, editors and shortcuts do.
 class StopKeys : public QObject {
     Q_OBJECT

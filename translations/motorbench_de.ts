@@ -810,6 +810,17 @@
     </message>
 </context>
 <context>
+    <name>UpdateText</name>
+    <message>
+        <source>a device that is gone</source>
+        <translation>ein Gerät, das weg ist</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 an %2</translation>
+    </message>
+</context>
+<context>
     <name>ValueText</name>
     <message>
         <source>Enter %1.</source>
@@ -1273,6 +1284,45 @@
     </message>
 </context>
 <context>
+    <name>mb::Closing</name>
+    <message>
+        <source>Close MotorBench</source>
+        <translation>MotorBench schließen</translation>
+    </message>
+    <message>
+        <source>Keep open</source>
+        <translation>Offen lassen</translation>
+    </message>
+    <message>
+        <source>Firmware is being written to %1. Cancel the update?</source>
+        <translation>In %1 wird Firmware geschrieben. Aktualisierung abbrechen?</translation>
+    </message>
+    <message>
+        <source>What is written now must not be cut: the window closes once it is over.</source>
+        <translation>Was jetzt geschrieben wird, darf nicht unterbrochen werden: Das Fenster schließt, sobald es fertig ist.</translation>
+    </message>
+    <message>
+        <source>The unit then waits in its bootloader, and the update can be run again.</source>
+        <translation>Das Gerät wartet dann in seinem Bootloader, und die Aktualisierung kann wiederholt werden.</translation>
+    </message>
+    <message>
+        <source>Cancel the update and close</source>
+        <translation>Aktualisierung abbrechen und schließen</translation>
+    </message>
+    <message>
+        <source>%1 has not been seen to stop. Close anyway?</source>
+        <translation>%1 wurde nicht stehend gesehen. Trotzdem schließen?</translation>
+    </message>
+    <message>
+        <source>It was told to stop. Without this window nobody sees whether it does.</source>
+        <translation>Der Befehl zum Halten ist gesendet. Ohne dieses Fenster sieht niemand, ob er befolgt wird.</translation>
+    </message>
+    <message>
+        <source>Close anyway</source>
+        <translation>Trotzdem schließen</translation>
+    </message>
+</context>
+<context>
     <name>mb::Conditions</name>
     <message>
         <source>%1 is lost</source>
@@ -1333,6 +1383,18 @@
     <message>
         <source>Writing was cancelled; what is missing can be written later.</source>
         <translation>Schreiben abgebrochen; Fehlendes lässt sich später schreiben.</translation>
+    </message>
+    <message>
+        <source>Firmware is being written to %1</source>
+        <translation>In %1 wird Firmware geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 of %2. Keep power on.</source>
+        <translation>%1 von %2. Versorgung eingeschaltet lassen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2. It must not be cut now.</source>
+        <translation>%1 von %2. Jetzt nicht unterbrechen.</translation>
     </message>
 </context>
 <context>
@@ -2011,6 +2073,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>A unit that is cut while it is written holds half a program. It runs again once an update has succeeded.</source>
         <translation>Ein Gerät, das beim Schreiben unterbrochen wird, enthält ein halbes Programm. Es läuft wieder, sobald ein Update gelungen ist.</translation>
+    </message>
+    <message>
+        <source>One update a bus: %1 is being written.</source>
+        <translation>Eine Aktualisierung je Bus: %1 wird gerade beschrieben.</translation>
     </message>
 </context>
 <context>
@@ -2775,26 +2841,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>%1 mode</source>
         <translation>Betriebsart %1</translation>
-    </message>
-    <message>
-        <source>Gain slot that is edited</source>
-        <translation>Slot, der bearbeitet wird</translation>
-    </message>
-    <message>
-        <source>Gain slot that runs</source>
-        <translation>Slot, der läuft</translation>
-    </message>
-    <message>
-        <source>The slot of the next run. Changing it disarms.</source>
-        <translation>Slot des nächsten Laufs. Eine Änderung sichert.</translation>
-    </message>
-    <message>
-        <source>Editing slot</source>
-        <translation>Slot ändern</translation>
-    </message>
-    <message>
-        <source>running</source>
-        <translation>läuft</translation>
     </message>
 </context>
 <context>
@@ -4600,6 +4646,69 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Remove this derived signal</source>
         <translation>Dieses abgeleitete Signal entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SlotPanel</name>
+    <message>
+        <source>Gain slot, edit and run</source>
+        <translation>Slot, bearbeiten und laufen lassen</translation>
+    </message>
+    <message>
+        <source>The slot that is edited and that runs. Changing it disarms.</source>
+        <translation>Der Slot, der bearbeitet wird und läuft. Eine Änderung sichert.</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Edit one slot while another runs</source>
+        <translation>Einen Slot bearbeiten, während ein anderer läuft</translation>
+    </message>
+    <message>
+        <source>Slot</source>
+        <translation>Slot</translation>
+    </message>
+    <message>
+        <source>edit and run</source>
+        <translation>bearbeiten und laufen</translation>
+    </message>
+    <message>
+        <source>Gain slot that is edited</source>
+        <translation>Slot, der bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>Gain slot that runs</source>
+        <translation>Slot, der läuft</translation>
+    </message>
+    <message>
+        <source>The slot of the next run. Changing it disarms.</source>
+        <translation>Slot des nächsten Laufs. Eine Änderung sichert.</translation>
+    </message>
+    <message>
+        <source>Editing slot</source>
+        <translation>Slot ändern</translation>
+    </message>
+    <message>
+        <source>running</source>
+        <translation>läuft</translation>
+    </message>
+    <message>
+        <source>Join</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Edit the slot that runs</source>
+        <translation>Den Slot bearbeiten, der läuft</translation>
+    </message>
+    <message>
+        <source>Split: both are slot %1 now.</source>
+        <translation>Getrennt: beide sind jetzt Slot %1.</translation>
+    </message>
+    <message>
+        <source>Split: edits go to slot %1, slot %2 runs.</source>
+        <translation>Getrennt: bearbeitet wird Slot %1, es läuft Slot %2.</translation>
     </message>
 </context>
 <context>
@@ -7800,6 +7909,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>serial bootloader, without reset</source>
         <translation>serieller Bootloader, ohne Reset</translation>
+    </message>
+    <message>
+        <source>one update a bus: %1 is being written; nothing was sent</source>
+        <translation>eine Aktualisierung je Bus: %1 wird gerade beschrieben; nichts wurde gesendet</translation>
     </message>
 </context>
 </TS>

@@ -261,5 +261,18 @@ TEST_F(Core, DoesNotLetAnythingElseTalkToAUnitDuringAnUpdate)
     EXPECT_TRUE(device(7)->busy().empty());
 }
 
+TEST_F(Core, OneUpdateABusAndTheSecondIsRefusedWithWords)
+{
+    open("sim:can");
+    const auto image = std::make_shared<FirmwareImage>();
+    core.update(id(7), image, {});
+    core.update(id(5), image, {});
+    EXPECT_FALSE(core.snapshot().operation(id(5)));
+    EXPECT_TRUE(said("one update a bus: sim:can #7 is being written; nothing was sent"));
+    clock.advance(30s);
+    core.update(id(5), image, {});
+    EXPECT_TRUE(core.snapshot().operation(id(5))) << "the bus is free again";
+}
+
 } // namespace
 } // namespace mb

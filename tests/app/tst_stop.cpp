@@ -7,6 +7,7 @@
 #include "widgets/control/tunepage.h"
 #include "widgets/parameters/parameterspage.h"
 
+#include <QLineEdit>
 #include <QWindow>
 
 using namespace mb;
@@ -20,6 +21,7 @@ private Q_SLOTS:
     void everyStopKeyStopsTheMotor_data();
     void everyStopKeyStopsTheMotor();
     void spaceIsTextWhereTextIsEditedAndEscStillStops();
+    void spaceStopsInAFieldForNumbers();
     void theButtonStopsOnPress();
     void closingTheWindowStops();
     void aWindowThatHangsStopsTheMotor();
@@ -96,6 +98,24 @@ void StopTest::spaceIsTextWhereTextIsEditedAndEscStillStops()
     verifyStopped(QStringLiteral("Esc"));
 }
 
+void StopTest::spaceStopsInAFieldForNumbers()
+{
+    drive();
+    QLineEdit *field = nullptr;
+    for (auto *candidate : m_bench->window().findChildren<QLineEdit *>()) {
+        if (candidate->accessibleName() == QStringLiteral("Set-point"))
+            field = candidate;
+    }
+    QVERIFY(field && field->isVisible());
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("250"));
+    QCOMPARE(field->text(), QStringLiteral("250"));
+    QTest::keyClick(m_bench->window().windowHandle(), Qt::Key_Space);
+    QCOMPARE(field->text(), QStringLiteral("250"));
+    verifyStopped(QStringLiteral("Space"));
+}
+
 void StopTest::theButtonStopsOnPress()
 {
     drive();
@@ -106,8 +126,9 @@ void StopTest::theButtonStopsOnPress()
 void StopTest::closingTheWindowStops()
 {
     drive();
-    m_bench->window().close();
-    QTRY_VERIFY_WITH_TIMEOUT(!m_bench->isOutputOn(), patience);
+    QVERIFY2(!m_bench->window().close(), "it stays until the motor is seen stopped");
+    QTRY_VERIFY_WITH_TIMEOUT(!m_bench->window().isVisible(), patience);
+    QVERIFY(!m_bench->isOutputOn());
     QCOMPARE(m_bench->arming().state(), LampState::Safe);
 }
 

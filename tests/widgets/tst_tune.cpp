@@ -58,7 +58,7 @@ void TestTune::runIsRefusedWhenNotArmed()
 void TestTune::runSendsTheSetPointWithSlotRampAndFlags()
 {
     TuneBench bench;
-    slot(bench, "Gain slot that runs", 1)->click();
+    slot(bench, "Gain slot, edit and run", 1)->click();
     pick(bench.find<QComboBox>("How fast the set-point moves"), atOnce);
     pick(bench.find<QComboBox>("At zero output"), 2);
     type(bench.find<QLineEdit>("Ramp of the output, duty per second"), "2.5");
@@ -227,7 +227,7 @@ void TestTune::whatChangesTheMeaningOfASetPointDisarms()
     QVERIFY(bench.arming.isMoving());
     switch (what) {
     case 0: click(bench, "Duty mode"); break;
-    case 1: slot(bench, "Gain slot that runs", 1)->click(); break;
+    case 1: slot(bench, "Gain slot, edit and run", 1)->click(); break;
     case 2: bench.find<QCheckBox>("Reverse motor")->setChecked(true); break;
     case 3: bench.find<QCheckBox>("Reverse sensor")->setChecked(true); break;
     case 4: bench.find<QCheckBox>("Override limits")->setChecked(true); break;
@@ -241,6 +241,7 @@ void TestTune::theEditedSlotDoesNotDisarm()
 {
     TuneBench bench;
     bench.arm();
+    click(bench, "Edit one slot while another runs");
     slot(bench, "Gain slot that is edited", 1)->click();
     QVERIFY(bench.arming.isArmed({1}));
     type(bench.find<QLineEdit>("P"), "2");

@@ -92,10 +92,10 @@ void TestTuneGains::editsOfAnotherSlotStayStaged()
 {
     TuneBench bench;
     type(bench.find<QLineEdit>("P"), "2");
-    slot(bench, "Gain slot that is edited", 1)->click();
+    slot(bench, "Gain slot, edit and run", 1)->click();
     QVERIFY(bench.page->gainsPanel().toWrite().empty());
     QCOMPARE(*bench.page->gainsPanel().row("f")->number(), 0.5);
-    slot(bench, "Gain slot that is edited", 0)->click();
+    slot(bench, "Gain slot, edit and run", 0)->click();
     QCOMPARE(*bench.page->gainsPanel().row("p")->number(), 2.0);
 }
 

@@ -37,7 +37,7 @@ inline void click(TuneBench &bench, const char *name)
     button->click();
 }
 
-/// A button of one of the two choices of slots.
+/// A button of a choice of slots.
 inline QAbstractButton *slot(TuneBench &bench, const char *choice, int number)
 {
     const auto *row = bench.find<QWidget>(choice);

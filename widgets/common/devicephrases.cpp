@@ -18,6 +18,7 @@ namespace {
 // clang-format off
 constexpr auto phrases = std::to_array<const char *>({
     // links
+    QT_TRANSLATE_NOOP("table", "one update a bus: %1 is being written; nothing was sent"),
     QT_TRANSLATE_NOOP("table", "%1 is switched off; bring it up: %2"),
     QT_TRANSLATE_NOOP("table", "%1 is bus-off; check wiring, termination and bit rate, then: %2"),
     QT_TRANSLATE_NOOP("table", "no permission to open CAN sockets here; allow them in the container or sandbox"),

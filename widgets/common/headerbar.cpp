@@ -24,6 +24,8 @@ public:
     QSize sizeHint() const override
     {
         const Theme &theme = m_theme.theme();
+        if (toolButtonStyle() == Qt::ToolButtonIconOnly)
+            return {theme.u(6 + 20 + 6), theme.u(36)};
         const int chevron = menu() ? theme.u(8 + 12) : 0;
         return {theme.u(6 + 20 + 8 + 6) + fontMetrics().horizontalAdvance(text()) + chevron, theme.u(36)};
     }
@@ -40,6 +42,8 @@ protected:
         style()->drawComplexControl(QStyle::CC_ToolButton, &option, &painter, this);
         const int side = theme.u(20);
         applicationIcon().paint(&painter, QRect(theme.u(6), (height() - side) / 2, side, side));
+        if (toolButtonStyle() == Qt::ToolButtonIconOnly)
+            return;
         painter.setPen(theme.text);
         painter.drawText(rect().adjusted(theme.u(6 + 20 + 8), 0, 0, 0), Qt::AlignVCenter, text());
         const double small = theme.u(12);
@@ -77,6 +81,7 @@ void HeaderBar::buildName(QHBoxLayout &row)
     m_name = new NameButton(m_theme, this);
     m_name->setText(tr("MotorBench"));
     m_name->setAccessibleName(tr("Program menu"));
+    m_name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_name->setPopupMode(QToolButton::InstantPopup);
     m_name->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     row.addWidget(m_name);
@@ -159,24 +164,34 @@ void HeaderBar::updateFolded()
     m_folded->setAccessibleName(tr("Links"));
 }
 
+/// What gives way, in this order: "no alarms", the links' names, the program's name, the links, notices and recording. Lamp
+/// and STOP come last: they become narrower, and are never cut.
 void HeaderBar::updateFolding()
 {
     const int gap = m_theme.theme().u(8);
-    int needed = m_name->sizeHint().width() + m_lamp->sizeHint().width() + m_stop->sizeHint().width() + 5 * gap;
+    const auto room = [gap](const QWidget *widget) { return widget->sizeHint().width() + gap; };
+    m_name->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    int needed = room(m_name) + room(m_lamp) + room(m_stop) + gap;
     int chips = 0;
     for (const LinkChip *chip : m_links)
-        chips += chip->sizeHint().width() + gap;
-    needed += chips;
-    needed += m_recording->isHidden() ? 0 : m_recording->sizeHint().width() + gap;
-    // "no alarms" gives way first, then the links; a notice stays.
-    const int notices = m_noticeCount >= 0 ? m_notices->sizeHint().width() + gap : 0;
-    m_notices->setVisible(m_noticeCount > 0 || (m_noticeCount == 0 && needed + notices <= width()));
-    needed += m_noticeCount > 0 ? notices : 0;
-    const bool fold = needed > width() && !m_links.empty();
+        chips += room(chip);
+    const int recording = m_hasRecording ? room(m_recording) : 0;
+    const int notices = m_noticeCount > 0 ? room(m_notices) : 0;
+    needed += recording + notices;
+    const bool fold = needed + chips > width() && !m_links.empty();
+    const int quiet = m_noticeCount == 0 && needed + chips + room(m_notices) <= width() ? room(m_notices) : 0;
     for (LinkChip *chip : m_links)
         chip->setVisible(!fold);
-    // The lamp and STOP keep their width, whatever that costs.
-    m_folded->setVisible(fold && needed - chips + m_folded->sizeHint().width() + gap <= width());
+    const int folded = fold ? room(m_folded) : 0;
+    if (needed + (fold ? folded : chips) > width()) {
+        needed -= m_name->sizeHint().width();
+        m_name->setToolButtonStyle(Qt::ToolButtonIconOnly);
+        needed += m_name->sizeHint().width();
+    }
+    m_folded->setVisible(fold && needed + folded <= width());
+    const int least = room(m_name) + m_lamp->minimumSizeHint().width() + m_stop->minimumSizeHint().width() + 3 * gap;
+    m_notices->setVisible(quiet > 0 || (notices > 0 && least + notices <= width()));
+    m_recording->setVisible(m_hasRecording && least + notices + recording <= width());
 }
 
 void HeaderBar::setNotices(int count)
@@ -193,7 +208,7 @@ void HeaderBar::setNotices(int count)
 
 void HeaderBar::setRecording(const QString &text)
 {
-    m_recording->setVisible(!text.isEmpty());
+    m_hasRecording = !text.isEmpty();
     m_recording->setTitle(text);
     m_recording->setAccessibleName(tr("Recording %1").arg(text));
     updateFolding();
@@ -213,12 +228,9 @@ QSize HeaderBar::sizeHint() const
 
 QSize HeaderBar::minimumSizeHint() const
 {
-    const int gap = m_theme.theme().u(8);
-    const int chips
-        = m_folded->sizeHint().width() + gap + (m_noticeCount > 0 ? m_notices->sizeHint().width() + gap : 0);
-    return {
-        m_name->sizeHint().width() + chips + m_lamp->sizeHint().width() + m_stop->minimumSizeHint().width() + 4 * gap,
-        m_theme.theme().u(52)};
+    const Theme &theme = m_theme.theme();
+    const int name = theme.u(6 + 20 + 6);
+    return {name + m_lamp->minimumSizeHint().width() + m_stop->minimumSizeHint().width() + 5 * theme.u(8), theme.u(52)};
 }
 
 void HeaderBar::resizeEvent(QResizeEvent *event)

@@ -57,6 +57,7 @@ private:
     Chip *m_folded = nullptr;
     Chip *m_notices = nullptr;
     int m_noticeCount = -1;
+    bool m_hasRecording = false;
     Chip *m_recording = nullptr;
     Lamp *m_lamp = nullptr;
     StopButton *m_stop = nullptr;

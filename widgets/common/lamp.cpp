@@ -16,7 +16,7 @@ Lamp::Lamp(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     setFocusPolicy(Qt::NoFocus);
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     updateAccessibleText(LampState::Safe);
     connect(&theme, &ThemeSource::changed, this, [this] {
         updateGeometry();
@@ -186,6 +186,19 @@ QSize Lamp::sizeHint() const
     return {std::max({m_theme.theme().u(200), usual, contentWidth()}), m_theme.theme().u(40)};
 }
 
+QSize Lamp::minimumSizeHint() const
+{
+    const Theme &theme = m_theme.theme();
+    const QFontMetrics bold(theme.font(TextRole::Emphasis, font()));
+    const QFontMetrics caption(theme.font(TextRole::Caption, font()));
+    const int words = std::max({bold.horizontalAdvance(tr("SAFE")), bold.horizontalAdvance(tr("MOVING")),
+        bold.horizontalAdvance(tr("STOPPED")),
+        bold.horizontalAdvance(tr("ARMED")) + theme.u(8) + bold.horizontalAdvance(QStringLiteral("8:88")),
+        caption.horizontalAdvance(tr("hold to arm")), caption.horizontalAdvance(tr("hold to re-arm")),
+        caption.horizontalAdvance(tr("nothing to arm")), caption.horizontalAdvance(tr("keep holding"))});
+    return {theme.u(12 + 16 + 8 + 12) + words, theme.u(40)};
+}
+
 void Lamp::paintFace(QPainter &painter) const
 {
     const Theme &theme = m_theme.theme();
@@ -204,19 +217,51 @@ void Lamp::paintFace(QPainter &painter) const
     painter.strokePath(face, QPen(edge, stopped ? 2 : 1));
 }
 
-void Lamp::paintContent(QPainter &painter, const QColor &color, const QColor &detailColor) const
+void Lamp::paintMark(QPainter &painter, int x, const QColor &color) const
 {
-    const Theme &theme = m_theme.theme();
-    const QFont bold = theme.font(TextRole::Emphasis, font());
-    const QFont caption = theme.font(TextRole::Caption, font());
-    int x = (width() - contentWidth()) / 2 + theme.u(12);
-    const QRectF mark(x, (height() - theme.u(16)) / 2.0, theme.u(16), theme.u(16));
+    const double side = m_theme.theme().u(16);
+    const QRectF mark(x, (height() - side) / 2.0, side, side);
     if (m_status.state == LampState::Moving)
         paintGlyph(painter, mark, GlyphState::Moving, color);
     else if (m_status.state == LampState::Stopped)
         paintGlyph(painter, mark, GlyphState::Fault, color);
     else
         paintSymbol(painter, mark, live() ? Symbol::Arm : Symbol::Lock, color);
+}
+
+/// Where one line is too narrow. The word is always whole; a longer detail is in the tooltip and in what is read aloud.
+void Lamp::paintLines(QPainter &painter, const QColor &color, const QColor &detailColor) const
+{
+    const Theme &theme = m_theme.theme();
+    paintMark(painter, theme.u(12), color);
+    const int x = theme.u(12 + 16 + 8);
+    const int room = width() - x - theme.u(4);
+    const QString head = clock().isEmpty() ? word() : word() + QLatin1Char(' ') + clock();
+    const QFont bold = theme.font(TextRole::Emphasis, font());
+    const QFont caption = theme.font(TextRole::Caption, font());
+    const int tall = QFontMetrics(bold).height();
+    const int low = detail().isEmpty() ? 0 : QFontMetrics(caption).height();
+    const int top = (height() - tall - low) / 2;
+    painter.setFont(bold);
+    painter.setPen(color);
+    painter.drawText(QRect(x, top, room, tall), Qt::AlignVCenter, head);
+    painter.setFont(caption);
+    painter.setPen(detailColor);
+    painter.drawText(QRect(x, top + tall, room, low), Qt::AlignVCenter,
+        QFontMetrics(caption).elidedText(detail(), Qt::ElideRight, room));
+}
+
+void Lamp::paintContent(QPainter &painter, const QColor &color, const QColor &detailColor) const
+{
+    if (isNarrow()) {
+        paintLines(painter, color, detailColor);
+        return;
+    }
+    const Theme &theme = m_theme.theme();
+    const QFont bold = theme.font(TextRole::Emphasis, font());
+    const QFont caption = theme.font(TextRole::Caption, font());
+    int x = (width() - contentWidth()) / 2 + theme.u(12);
+    paintMark(painter, x, color);
     x += theme.u(16 + 8);
     const auto put = [&](const QString &text, const QFont &textFont, const QColor &textColor) {
         if (text.isEmpty())

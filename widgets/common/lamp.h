@@ -39,7 +39,8 @@ public:
     int holdMilliseconds() const { return m_hold; }
     void setHoldMilliseconds(int milliseconds) { m_hold = milliseconds; }
     QSize sizeHint() const override;
-    QSize minimumSizeHint() const override { return sizeHint(); }
+    /// Word above, detail below: what a narrow window leaves of it.
+    QSize minimumSizeHint() const override;
 
 Q_SIGNALS:
     /// The hold is complete.
@@ -72,6 +73,9 @@ private:
     QString detail() const;
     int textWidth(const QString &word, const QString &time, const QString &detail) const;
     int contentWidth() const;
+    bool isNarrow() const { return width() < contentWidth(); }
+    void paintMark(QPainter &painter, int x, const QColor &color) const;
+    void paintLines(QPainter &painter, const QColor &color, const QColor &detailColor) const;
     void paintFace(QPainter &painter) const;
     void paintContent(QPainter &painter, const QColor &color, const QColor &detailColor) const;
 

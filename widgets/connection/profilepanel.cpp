@@ -3,6 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/connection/experimentdialog.h"
 
@@ -78,11 +79,10 @@ void ProfilePanel::buildRow(const Calibration &calibration, QVBoxLayout &column)
     auto *line = new QHBoxLayout;
     auto *caption = new ElidedLabel(tableText(calibration.label), m_content);
     setTone(*caption, Tone::Dim);
-    auto *field = new QLineEdit(m_content);
+    auto *field = new NumberField(m_content);
     field->setAccessibleName(tableText(calibration.label));
     field->setToolTip(tableText(calibration.help));
     field->setPlaceholderText(tr("unknown"));
-    field->setAlignment(Qt::AlignRight);
     field->setMaximumWidth(m_theme.theme().u(96));
     line->addWidget(caption, 1);
     line->addWidget(field);

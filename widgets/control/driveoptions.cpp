@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/driveoptions.h"
 
+#include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/wrappedlabel.h"
 
@@ -52,8 +53,7 @@ QLabel *DriveOptions::tallLabel(const QString &text)
 
 void DriveOptions::addRamp()
 {
-    m_ramp = new QLineEdit(QStringLiteral("0"), this);
-    m_ramp->setAlignment(Qt::AlignRight);
+    m_ramp = new NumberField(QStringLiteral("0"), this);
     m_ramp->setFixedWidth(m_theme.theme().u(88));
     m_ramp->setAccessibleName(tr("Ramp of the output, duty per second"));
     m_ramp->setToolTip(tr("Greatest change of the output in duty per second, kept by the drive. 0 is immediate; 2 "

@@ -3,6 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/logslider.h"
@@ -73,9 +74,8 @@ void GainRow::buildFirstLine(QGridLayout &grid)
     setTextRole(*name, gain ? TextRole::Emphasis : TextRole::Body);
     name->setToolTip(tableText(m_parameter.help));
     name->setWordWrap(!gain);
-    m_field = new QLineEdit(this);
+    m_field = new NumberField(this);
     m_field->setFixedWidth(theme.u(fieldWidth));
-    m_field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_field->setAccessibleName(tableText(m_parameter.label));
     m_field->setPlaceholderText(UnknownMark);
     name->setBuddy(m_field);

@@ -3,7 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
-#include "widgets/common/segmented.h"
+#include "widgets/control/slotpanel.h"
 
 #include <QButtonGroup>
 #include <QGridLayout>
@@ -35,7 +35,7 @@ QString titled(const QString &text)
 
 } // namespace
 
-ModePanel::ModePanel(QWidget *parent)
+ModePanel::ModePanel(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
 {
     auto *column = new QVBoxLayout(this);
@@ -48,10 +48,7 @@ ModePanel::ModePanel(QWidget *parent)
     grid->setHorizontalSpacing(0);
     grid->setVerticalSpacing(4);
     m_group = new QButtonGroup(this);
-    m_slots = new QWidget(this);
-    m_slotRow = new QHBoxLayout(m_slots);
-    m_slotRow->setContentsMargins(0, 0, 0, 0);
-    m_slotRow->setSpacing(8);
+    m_slots = new SlotPanel(theme, this);
     column->addWidget(m_buttons);
     column->addWidget(m_slots);
     connect(m_group, &QButtonGroup::idClicked, this, [this](int id) {
@@ -61,6 +58,8 @@ ModePanel::ModePanel(QWidget *parent)
         m_mode = mode;
         Q_EMIT modeChanged(mode);
     });
+    connect(m_slots, &SlotPanel::editedChanged, this, &ModePanel::editedSlotChanged);
+    connect(m_slots, &SlotPanel::runningChanged, this, &ModePanel::runningSlotChanged);
 }
 
 void ModePanel::setFamily(const Family &family)
@@ -103,42 +102,18 @@ void ModePanel::rebuild()
         grid.addWidget(button, i / perLine, place);
         grid.setColumnStretch(place, 1);
     }
-    rebuildSlots();
+    m_slots->setCount(m_family->capabilities.gainSlots);
     show(m_mode, 0, 0);
-}
-
-void ModePanel::rebuildSlots()
-{
-    while (QLayoutItem *item = m_slotRow->takeAt(0)) {
-        delete item->widget();
-        delete item;
-    }
-    const int count = m_family->capabilities.gainSlots;
-    m_edited = new Segmented(tr("Gain slot that is edited"), m_slots);
-    m_running = new Segmented(tr("Gain slot that runs"), m_slots);
-    m_running->setToolTip(tr("The slot of the next run. Changing it disarms."));
-    for (int slot = 0; slot < count; ++slot) {
-        m_edited->addSegment(QString::number(slot));
-        m_running->addSegment(QString::number(slot));
-    }
-    m_slotRow->addWidget(new QLabel(tr("Editing slot"), m_slots));
-    m_slotRow->addWidget(m_edited);
-    m_slotRow->addStretch(1);
-    m_slotRow->addWidget(new QLabel(tr("running"), m_slots));
-    m_slotRow->addWidget(m_running);
-    m_slots->setVisible(count > 1);
-    connect(m_edited, &Segmented::currentChanged, this, &ModePanel::editedSlotChanged);
-    connect(m_running, &Segmented::currentChanged, this, &ModePanel::runningSlotChanged);
 }
 
 int ModePanel::editedSlot() const
 {
-    return std::max(m_edited ? m_edited->current() : 0, 0);
+    return m_slots->edited();
 }
 
 int ModePanel::runningSlot() const
 {
-    return std::max(m_running ? m_running->current() : 0, 0);
+    return m_slots->running();
 }
 
 void ModePanel::show(Mode mode, int edited, int running)
@@ -148,15 +123,12 @@ void ModePanel::show(Mode mode, int edited, int running)
         m_mode = mode;
         m_group->button(static_cast<int>(found - m_modes.begin()))->setChecked(true);
     }
-    const QSignalBlocker quietEdited(m_edited);
-    const QSignalBlocker quietRunning(m_running);
-    m_edited->setCurrent(edited);
-    m_running->setCurrent(running);
+    m_slots->show(edited, running);
 }
 
 void ModePanel::chainAfter(QWidget *before)
 {
-    for (QWidget *box : {m_buttons, m_slots}) {
+    for (QWidget *box : {m_buttons, static_cast<QWidget *>(m_slots)}) {
         const auto buttons = box->findChildren<QAbstractButton *>();
         for (QAbstractButton *button : buttons) {
             setTabOrder(before, button);

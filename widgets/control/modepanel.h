@@ -8,17 +8,17 @@
 #include <vector>
 
 class QButtonGroup;
-class QHBoxLayout;
 
 namespace mb {
 
-class Segmented;
+class SlotPanel;
+class ThemeSource;
 
-/// What the drive is to do: one of the modes of its family, and the gain slots that are edited and that run.
+/// What the drive is to do: one of the modes of its family, and the gain slot that it is about.
 class ModePanel : public QWidget {
     Q_OBJECT
 public:
-    explicit ModePanel(QWidget *parent = nullptr);
+    explicit ModePanel(const ThemeSource &theme, QWidget *parent = nullptr);
 
     /// Modes and slots of a family; keeps what is chosen where it exists there.
     void setFamily(const Family &family);
@@ -33,21 +33,18 @@ public:
 Q_SIGNALS:
     void modeChanged(mb::Mode mode);
     void editedSlotChanged(int slot);
+    /// editedSlot() may have changed with it.
     void runningSlotChanged(int slot);
 
 private:
     void rebuild();
-    void rebuildSlots();
 
     const Family *m_family = nullptr;
     Mode m_mode = Mode::Velocity;
     std::vector<Mode> m_modes;
     QButtonGroup *m_group = nullptr;
     QWidget *m_buttons = nullptr;
-    QWidget *m_slots = nullptr;
-    QHBoxLayout *m_slotRow = nullptr;
-    Segmented *m_edited = nullptr;
-    Segmented *m_running = nullptr;
+    SlotPanel *m_slots = nullptr;
 };
 
 } // namespace mb

@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/wrappedlabel.h"
 
@@ -126,8 +127,7 @@ void MovesPanel::rebuild(const std::vector<const DeviceView *> &devices)
         row.takesPart = new QCheckBox(name, m_table);
         row.takesPart->setChecked(true);
         row.takesPart->setAccessibleName(tr("%1 takes part").arg(titleOf(*view)));
-        row.target = new QLineEdit(QStringLiteral("0"), m_table);
-        row.target->setAlignment(Qt::AlignRight);
+        row.target = new NumberField(QStringLiteral("0"), m_table);
         row.target->setFixedWidth(m_theme.theme().u(104));
         row.target->setAccessibleName(tr("Target of %1").arg(titleOf(*view)));
         row.state = textLabel({}, TextRole::Caption, Tone::Dim, m_table);

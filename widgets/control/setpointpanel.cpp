@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/setpointpanel.h"
 
+#include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/driveoptions.h"
 #include "widgets/control/setpointentry.h"
@@ -53,8 +54,7 @@ QWidget *SetPointPanel::buildTarget()
     auto *row = new QHBoxLayout(box);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(theme.u(8));
-    m_field = new QLineEdit(box);
-    m_field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_field = new NumberField(box);
     m_field->setFixedWidth(theme.u(104));
     m_field->setAccessibleName(tr("Set-point"));
     m_field->setToolTip(tr("Enter applies it while the motor runs; it never starts one."));
@@ -85,8 +85,7 @@ QWidget *SetPointPanel::buildRange()
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(theme.u(8));
     grid->setVerticalSpacing(theme.u(4));
-    m_limit = new QLineEdit(m_rangeBox);
-    m_limit->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_limit = new NumberField(m_rangeBox);
     m_limit->setFixedWidth(theme.u(104));
     m_limit->setAccessibleName(tr("Range of the set-point, either way"));
     m_limit->setToolTip(tr("A set-point beyond it is refused: the limit of the hand, not of the drive."));
@@ -122,8 +121,7 @@ void SetPointPanel::buildProfile()
     grid->setHorizontalSpacing(theme.u(8));
     grid->setVerticalSpacing(theme.u(4));
     const auto add = [&](int row, const QString &name, const QString &unit, const QString &help) {
-        auto *field = new QLineEdit(m_profileBox);
-        field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        auto *field = new NumberField(m_profileBox);
         field->setFixedWidth(theme.u(104));
         field->setAccessibleName(help);
         field->setToolTip(help);

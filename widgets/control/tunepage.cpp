@@ -132,7 +132,7 @@ QWidget *TunePage::buildColumn()
     m_axesLine->hide();
     inner->addWidget(m_axes);
     inner->addWidget(m_axesLine);
-    m_modes = new ModePanel(panels);
+    m_modes = new ModePanel(m_theme, panels);
     m_setPoint = new SetPointPanel(m_theme, panels);
     m_gains = new GainsPanel(m_theme, panels);
     inner->addWidget(m_modes);

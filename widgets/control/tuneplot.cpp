@@ -6,6 +6,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
 #include "widgets/common/signal.h"
@@ -88,9 +89,8 @@ QWidget *TunePlot::buildBar()
 void TunePlot::buildUnits(QHBoxLayout &row)
 {
     m_unitChoice = new Segmented(tr("Units"), {tr("counts"), tr("rpm")}, this);
-    m_counts = new QLineEdit(this);
+    m_counts = new NumberField(this);
     m_counts->setFixedWidth(m_theme.theme().u(72));
-    m_counts->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_counts->setAccessibleName(tr("Counts per revolution"));
     m_counts->setToolTip(tr("Encoder counts of one turn of the shaft, four for each line. Used for rpm, degrees and "
                             "gains in physical units."));

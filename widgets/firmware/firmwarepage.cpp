@@ -6,6 +6,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/updates.h"
 #include "widgets/firmware/pagemap.h"
 #include "widgets/firmware/routepanel.h"
 #include "widgets/firmware/stepspanel.h"
@@ -118,12 +119,35 @@ const OperationView *FirmwarePage::updateOf(const DeviceView *device) const
     return nullptr;
 }
 
+/// What is being written is shown until it is over, whatever is selected meanwhile: on the link of the selected device first.
+const OperationView *FirmwarePage::shownOperation(const DeviceView *device) const
+{
+    const Snapshot &shot = m_workbench.snapshot();
+    const auto running = runningUpdates(shot);
+    const auto own = std::find_if(running.begin(), running.end(),
+        [device](const OperationView *operation) { return device && operation->device == device->id; });
+    if (own != running.end())
+        return *own;
+    if (const OperationView *beside = device ? updateOn(shot, device->link) : nullptr)
+        return beside;
+    return running.empty() ? updateOf(device) : running.front();
+}
+
+/// Why nothing can be started, in words; empty when it can.
+QString FirmwarePage::hindrance() const
+{
+    const Snapshot &shot = m_workbench.snapshot();
+    const DeviceView *device = shot.device(m_selection.device());
+    if (const OperationView *other = device ? updateOn(shot, device->link) : nullptr)
+        return tr("One update a bus: %1 is being written.").arg(placeOf(shot, *other));
+    return m_route->missing();
+}
+
 bool FirmwarePage::canStart() const
 {
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
     return device && device->family->update && m_image && m_summary && device->busy.empty() && !device->liveness.moving
-        && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate
-        && m_route->missing().isEmpty();
+        && !device->liveness.foreignMaster && device->identity.state != DeviceState::Duplicate && hindrance().isEmpty();
 }
 
 void FirmwarePage::startUpdate()
@@ -150,7 +174,7 @@ void FirmwarePage::follow()
         return;
     }
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
-    const OperationView *operation = updateOf(device);
+    const OperationView *operation = shownOperation(device);
     m_deviceName->setText(device ? titleOf(*device) + QLatin1Char(' ') + QString::fromStdString(device->identity.name)
                                  : tr("no device selected"));
     if (device) {
@@ -192,7 +216,7 @@ void FirmwarePage::followChecks(const DeviceView *device, const OperationView *o
     m_checks[3].text->setText(supply ? tr("bus %1 V").arg(formatNumber(*supply, 1)) : tr("bus voltage not known"));
     const bool running = operation && operation->status.state == OperationStatus::State::Running;
     m_start->setEnabled(canStart() && !running);
-    m_start->setToolTip(m_route->missing());
+    m_start->setToolTip(hindrance());
     m_start->setAccessibleDescription(m_start->toolTip());
     const bool boot = device && device->identity.state == DeviceState::Bootloader;
     m_start->setText(boot ? tr("Run the update again") : tr("Update"));
@@ -241,11 +265,13 @@ void FirmwarePage::followProgress(const OperationView *operation)
     const bool waiting = running && status.total == 0; // for hands, or for an answer
     m_progress->setRange(0, waiting ? 0 : std::max(status.total, 1));
     m_progress->setValue(status.done);
-    m_map->setStates(status.parts);
+    const bool own = operation->device == m_selection.device();
+    m_map->setStates(own ? status.parts : std::map<int, PartState>());
     if (running) {
-        m_step->setText(waiting
-                ? tableText(status.step)
-                : tr("%1, %2 of %3 written").arg(tableText(status.step)).arg(status.done).arg(status.total));
+        const QString where = placeOf(m_workbench.snapshot(), *operation) + QStringLiteral(": ");
+        m_step->setText(where
+            + (waiting ? tableText(status.step)
+                       : tr("%1, %2 of %3 written").arg(tableText(status.step)).arg(status.done).arg(status.total)));
         m_rate->setText(remaining(status));
         setTone(*m_step, Tone::Text);
         return;
@@ -305,7 +331,10 @@ void FirmwarePage::followSafety(const OperationView *operation)
             : running               ? tr("Safe to unplug")
                                     : tr("Nothing is written now"));
     setTone(*m_safetyTitle, critical ? Tone::Danger : Tone::Ok);
-    const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    const DeviceView *device = m_workbench.snapshot().device(operation ? operation->device : m_selection.device());
+    if (running)
+        m_safetyTitle->setText(
+            m_safetyTitle->text() + QStringLiteral(": ") + placeOf(m_workbench.snapshot(), *operation));
     if (isProgrammed(device)) {
         m_safetyText->setText(
             tr("A unit that is cut while it is written holds half a program. It runs again once an update "

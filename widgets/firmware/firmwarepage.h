@@ -66,6 +66,8 @@ private:
     [[nodiscard]] static bool isGuided(const DeviceView *device);
     [[nodiscard]] QString imageText() const;
     [[nodiscard]] const OperationView *updateOf(const DeviceView *device) const;
+    [[nodiscard]] const OperationView *shownOperation(const DeviceView *device) const;
+    [[nodiscard]] QString hindrance() const;
     [[nodiscard]] QString timeOf(Instant time) const;
     [[nodiscard]] QString remaining(const OperationStatus &status) const;
     [[nodiscard]] static QString result(const UpdateReport &report);

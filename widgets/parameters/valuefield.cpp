@@ -3,6 +3,7 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/numberfield.h"
 #include "widgets/parameters/valuetext.h"
 
 namespace mb {
@@ -12,6 +13,8 @@ ValueField::ValueField(const Parameter &parameter, QWidget *parent)
     , m_parameter(parameter)
 {
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    if (parameter.type != WireType::Boolean && parameter.choices.empty()) // those are words
+        setValidator(new NumberValidator(this));
     setToolTip(rangeText(parameter));
     connect(this, &QLineEdit::textChanged, this, &ValueField::check);
 }

@@ -3,6 +3,7 @@
 
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
 
@@ -77,7 +78,7 @@ void TriggerBar::buildChoices()
 
 void TriggerBar::buildLevel()
 {
-    m_level = new QLineEdit(QStringLiteral("0"), this);
+    m_level = new NumberField(QStringLiteral("0"), this);
     m_level->setFixedWidth(m_theme.theme().u(76));
     m_level->setAccessibleName(tr("Level"));
     m_level->setToolTip(tr("The level; the handle ▸ at the left of the plot drags it, too"));

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/workbench.h"
+
+#include <QPointer>
+#include <QWidget>
+
+#include <vector>
+
+class QAbstractButton;
+class QMessageBox;
+
+namespace mb {
+
+class Arming;
+
+/// Lets the window go only when nothing is cut by it. Asks while firmware is written, cancels what may be cancelled, waits
+/// out what must not be cut, and waits until what this program moved was seen to stop.
+class Closing : public QObject {
+    Q_OBJECT
+public:
+    /// How long a motor has to be seen still before the user is asked.
+    static constexpr Duration patience = std::chrono::seconds(3);
+
+    Closing(Workbench &workbench, Arming &arming, QWidget &window);
+
+    /// Of a close event: whether the window may go now. If not, it is closed from here later, or not at all.
+    [[nodiscard]] bool mayClose();
+
+private:
+    enum class State { Open, Asking, Ending, Free };
+
+    void askAboutUpdates();
+    void askAboutMotors();
+    /// The button that goes on.
+    [[nodiscard]] QAbstractButton &ask(const QString &question, const QString &what, const QString &go);
+    void begin();
+    void follow();
+    void keepOpen();
+    void leave();
+    [[nodiscard]] bool endUpdates();
+    [[nodiscard]] QStringList turning() const;
+
+    Workbench &m_workbench;
+    Arming &m_arming;
+    QWidget &m_window;
+    State m_state = State::Open;
+    std::vector<DeviceId> m_moved; ///< to be seen stopped
+    Instant m_since{};
+    bool m_within = false; ///< the close event is being answered
+    QPointer<QMessageBox> m_question;
+};
+
+} // namespace mb

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Closing the window cuts nothing: it asks about an update, waits out what must not be cut, and sees a motor stop first.
+#include "support/fakeworkbench.h"
+#include "support/windowtests.h"
+#include "windowbench.h"
+
+#include "app/closing.h"
+#include "widgets/firmware/firmwarepage.h"
+
+#include <QCloseEvent>
+#include <QMessageBox>
+#include <QPushButton>
+
+using namespace mb;
+using namespace mb::test;
+
+class ClosingTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aWindowWithNothingToLoseClosesAtOnce();
+    void anUpdateIsNotAbandonedWithoutAQuestion();
+    void cancellingTheUpdateClosesOnceItHasEnded();
+    void whatMustNotBeCutIsWaitedOut();
+    void anUpdateThatEndsTakesItsQuestionAway();
+    void aMotorIsSeenStoppedBeforeTheWindowGoes();
+    void aMotorThatDoesNotStopIsAskedAbout();
+    void theWindowStaysWhileTheBenchIsUpdated();
+};
+
+namespace {
+
+class ClosingWindow : public QWidget {
+public:
+    ClosingWindow()
+    {
+        device.id = {1};
+        device.family = findFamily(families(), "dmc60c");
+        device.identity.address = 5;
+        device.link = "sim:can";
+        device.liveness.heard = true;
+        workbench.shot.devices.push_back(device);
+        show();
+    }
+    [[nodiscard]] DeviceView &unit() { return workbench.device(0); }
+    [[nodiscard]] OperationStatus &update() { return workbench.shot.operations.front().status; }
+    void writing(bool mayInterrupt = true)
+    {
+        OperationView operation;
+        operation.id = {3};
+        operation.device = {1};
+        operation.status.title = "Update firmware";
+        operation.status.mayInterrupt = mayInterrupt;
+        workbench.shot.operations = {operation};
+        workbench.publish();
+    }
+    void moving()
+    {
+        unit().motion.running = true;
+        unit().liveness.moving = true;
+        workbench.publish();
+    }
+    [[nodiscard]] QMessageBox *question() const
+    {
+        for (auto *box : findChildren<QMessageBox *>()) {
+            if (box->isVisible())
+                return box;
+        }
+        return nullptr;
+    }
+    void answer(const QString &text)
+    {
+        const auto buttons = question()->buttons();
+        const auto found = std::find_if(
+            buttons.begin(), buttons.end(), [&](const QAbstractButton *button) { return button->text() == text; });
+        QVERIFY2(found != buttons.end(), qPrintable(text));
+        (*found)->click();
+    }
+
+    FakeWorkbench workbench;
+    DeviceView device;
+    Arming arming{workbench};
+    Closing closing{workbench, arming, *this};
+
+protected:
+    void closeEvent(QCloseEvent *event) override { event->setAccepted(closing.mayClose()); }
+};
+
+} // namespace
+
+void ClosingTest::aWindowWithNothingToLoseClosesAtOnce()
+{
+    ClosingWindow window;
+    QVERIFY(window.close());
+    QVERIFY(!window.question());
+}
+
+void ClosingTest::anUpdateIsNotAbandonedWithoutAQuestion()
+{
+    ClosingWindow window;
+    window.writing();
+    QVERIFY(!window.close());
+    QVERIFY(window.isVisible());
+    QVERIFY(window.question());
+    QVERIFY(window.question()->text().contains(QStringLiteral("DMC60C #5 on sim:can")));
+    window.answer(QStringLiteral("Keep open"));
+    window.workbench.publish();
+    QVERIFY(window.isVisible());
+    QVERIFY(window.workbench.callsOf("cancel").empty());
+    QVERIFY(!window.close()); // and is asked about again
+}
+
+void ClosingTest::cancellingTheUpdateClosesOnceItHasEnded()
+{
+    ClosingWindow window;
+    window.writing();
+    QVERIFY(!window.close());
+    window.answer(QStringLiteral("Cancel the update and close"));
+    QCOMPARE(window.workbench.callsOf("cancel").at(0).number, 3.0);
+    QVERIFY(window.isVisible());
+    window.update().state = OperationStatus::State::Cancelled;
+    window.workbench.publish();
+    QVERIFY(!window.isVisible());
+}
+
+void ClosingTest::whatMustNotBeCutIsWaitedOut()
+{
+    ClosingWindow window;
+    window.writing(false);
+    QVERIFY(!window.close());
+    QVERIFY(window.question()->informativeText().contains(QStringLiteral("must not be cut")));
+    window.answer(QStringLiteral("Cancel the update and close"));
+    window.workbench.publish();
+    QVERIFY(window.workbench.callsOf("cancel").empty());
+    QVERIFY(window.isVisible());
+    window.update().state = OperationStatus::State::Done;
+    window.workbench.publish();
+    QVERIFY(!window.isVisible());
+}
+
+void ClosingTest::anUpdateThatEndsTakesItsQuestionAway()
+{
+    ClosingWindow window;
+    window.writing();
+    QVERIFY(!window.close());
+    window.update().state = OperationStatus::State::Done;
+    window.workbench.publish();
+    QTRY_VERIFY(!window.question());
+    QVERIFY(window.isVisible()); // nobody said that it should go
+    QVERIFY(window.close());
+}
+
+void ClosingTest::aMotorIsSeenStoppedBeforeTheWindowGoes()
+{
+    ClosingWindow window;
+    window.moving();
+    QVERIFY(!window.close());
+    QVERIFY(!window.question());
+    QCOMPARE(window.workbench.callsOf("stopMotion").size(), 1U);
+    window.unit().motion.running = false;
+    window.workbench.publish();
+    QVERIFY(window.isVisible()); // told to stop, and not seen to
+    window.unit().liveness.moving = false;
+    window.workbench.publish();
+    QVERIFY(!window.isVisible());
+}
+
+void ClosingTest::aMotorThatDoesNotStopIsAskedAbout()
+{
+    ClosingWindow window;
+    window.moving();
+    QVERIFY(!window.close());
+    window.unit().motion.running = false;
+    window.workbench.time += Closing::patience;
+    window.workbench.publish();
+    QVERIFY(!window.question());
+    window.workbench.time += std::chrono::milliseconds(100);
+    window.workbench.publish();
+    QVERIFY(window.question()->text().contains(QStringLiteral("DMC60C #5 has not been seen to stop")));
+    window.answer(QStringLiteral("Close anyway"));
+    QVERIFY(!window.isVisible());
+}
+
+void ClosingTest::theWindowStaysWhileTheBenchIsUpdated()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::inBootloader);
+    auto &page = bench.page<FirmwarePage>(PageId::Firmware);
+    page.loadImage(QStringLiteral(":/firmware/dmc60c-demo.hex"));
+    QTRY_VERIFY_WITH_TIMEOUT(page.canStart(), patience);
+    page.startUpdate();
+    const DeviceId id = bench.device(WindowBench::inBootloader)->id;
+    const auto update = [&bench, id] { return bench.engine().snapshot().operation(id); };
+    QTRY_VERIFY_WITH_TIMEOUT(update() && update()->status.done > 1, patience);
+    QVERIFY(!bench.window().close());
+    QVERIFY(bench.window().isVisible());
+    auto *box = bench.window().findChild<QMessageBox *>();
+    QVERIFY(box && box->isVisible());
+    const auto buttons = box->buttons();
+    for (QAbstractButton *button : buttons) {
+        if (button->text() == QStringLiteral("Cancel the update and close"))
+            button->click();
+    }
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.window().isVisible(), patience);
+    QVERIFY(update()->status.state == OperationStatus::State::Cancelled);
+}
+
+MB_WINDOW_TEST(ClosingTest);
+#include "tst_closing.moc"

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Small screens: whatever gives way, the lamp and STOP do not.
+#include "support/windowtests.h"
+#include "windowbench.h"
+
+#include <QAbstractScrollArea>
+
+using namespace mb;
+using namespace mb::test;
+
+class SizeTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void lampAndStopAreWholeOnSmallScreens_data();
+    void lampAndStopAreWholeOnSmallScreens();
+};
+
+namespace {
+
+constexpr std::array allPages{
+    PageId::Overview, PageId::Parameters, PageId::Tune, PageId::Plots, PageId::Firmware, PageId::Bus, PageId::Log};
+
+QByteArray sized(QSize size)
+{
+    return QByteArray::number(size.width()) + 'x' + QByteArray::number(size.height());
+}
+
+void verifyWhole(const QWidget &safe, const MainWindow &window)
+{
+    const QRect place(safe.mapTo(&window, QPoint()), safe.size());
+    QVERIFY(safe.isVisible());
+    QVERIFY2(window.rect().contains(place),
+        QByteArray(safe.metaObject()->className()) + " ends at " + QByteArray::number(place.right()));
+    QVERIFY(safe.width() >= safe.minimumSizeHint().width() && safe.height() >= safe.minimumSizeHint().height());
+}
+
+} // namespace
+
+void SizeTest::lampAndStopAreWholeOnSmallScreens_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<double>("pixels"); // of the device, for one of the window's
+    QTest::addColumn<double>("fontScale");
+    for (const QSize screen : {QSize(1366, 768), QSize(1024, 600)}) {
+        for (const int dpi : {96, 144, 192}) {
+            const double scale = dpi / 96.0;
+            const QByteArray name = sized(screen) + " at " + QByteArray::number(dpi) + " dpi, ";
+            QTest::newRow(name + "scaled by the screen") << QSize(screen / scale) << scale << 1.0;
+            QTest::newRow(name + "scaled by the font") << screen << 1.0 << scale;
+        }
+    }
+}
+
+void SizeTest::lampAndStopAreWholeOnSmallScreens()
+{
+    QFETCH(QSize, size);
+    QFETCH(double, pixels);
+    QFETCH(double, fontScale);
+    WindowBench bench(fontScale);
+    MainWindow &window = bench.window();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    bench.arming().arm(bench.device(WindowBench::tuned)->id);
+    bench.arming().stopAll(QStringLiteral("Esc"));
+    window.resize(size);
+    for (const PageId id : allPages) {
+        window.showPage(id);
+        QCoreApplication::processEvents();
+        const QSize least = window.minimumSizeHint().expandedTo(window.minimumSize());
+        QVERIFY2(least.width() <= size.width() && least.height() <= size.height(),
+            sized(least) + " are needed on page " + QByteArray::number(static_cast<int>(id)));
+        QCOMPARE(window.size(), size);
+        verifyWhole(bench.part<Lamp>(), window);
+        verifyWhole(bench.part<StopButton>(), window);
+        QVERIFY(bench.part<StopButton>().width() * pixels >= 160.0);
+        QVERIFY(!bench.part<Lamp>().geometry().intersects(bench.part<StopButton>().geometry()));
+    }
+}
+
+MB_WINDOW_TEST(SizeTest);
+#include "tst_size.moc"

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is being written is in sight until it is over, whatever is selected meanwhile.
+#include "parameterbench.h"
+#include "support/windowtests.h"
+#include "widgets/firmware/firmwarepage.h"
+
+#include <QLabel>
+#include <QPushButton>
+
+using namespace mb;
+using namespace mb::test;
+
+class FirmwareTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void anotherRowStillShowsWhatIsWrittenAndWhere();
+    void nothingIsCalledSafeWhileAnotherUnitIsWritten();
+    void aSecondUpdateOnTheBusIsRefusedWithWords();
+    void anotherBusMayBeUpdatedMeanwhile();
+};
+
+namespace {
+
+const QString image = QStringLiteral(":/firmware/dmc60c-demo.hex");
+
+struct FirmwareBench {
+    FakeWorkbench workbench;
+    Selection selection;
+    ThemeSource theme{lightTheme()};
+    std::unique_ptr<FirmwarePage> page;
+
+    explicit FirmwareBench(const std::string &secondLink = "sim:can")
+    {
+        add(1, 5, "sim:can");
+        add(2, 7, secondLink);
+        selection.select({1});
+        page = std::make_unique<FirmwarePage>(workbench, selection, theme);
+        page->resize(1000, 700);
+        page->show();
+        page->loadImage(image);
+    }
+    void add(std::uint32_t id, int address, const std::string &link)
+    {
+        DeviceView device = readDrive(id, address);
+        device.link = link;
+        device.telemetry = std::make_shared<Telemetry>(dmc60c().channels);
+        workbench.shot.devices.push_back(device);
+        if (!workbench.shot.link(link)) {
+            LinkView view;
+            view.address = link;
+            view.name = link;
+            workbench.shot.links.push_back(view);
+        }
+    }
+    void writing(bool mayInterrupt = true)
+    {
+        OperationView operation;
+        operation.id = {3};
+        operation.device = {1};
+        operation.status.title = "Update firmware";
+        operation.status.step = "writing page";
+        operation.status.done = 4;
+        operation.status.total = 31;
+        operation.status.mayInterrupt = mayInterrupt;
+        workbench.shot.operations = {operation};
+        workbench.publish();
+    }
+    [[nodiscard]] bool says(const QString &part) const
+    {
+        const auto labels = page->findChildren<QLabel *>();
+        return std::any_of(labels.begin(), labels.end(),
+            [&](const QLabel *label) { return label->isVisible() && label->text().contains(part); });
+    }
+    [[nodiscard]] QPushButton *start() const
+    {
+        for (auto *button : page->findChildren<QPushButton *>()) {
+            if (button->text() == QStringLiteral("Update"))
+                return button;
+        }
+        return nullptr;
+    }
+};
+
+} // namespace
+
+void FirmwareTest::anotherRowStillShowsWhatIsWrittenAndWhere()
+{
+    FirmwareBench bench;
+    bench.writing();
+    bench.selection.select({2});
+    QVERIFY(bench.says(QStringLiteral("DMC60C #5 on sim:can: writing page, 4 of 31 written")));
+    bench.workbench.shot.operations.front().status.state = OperationStatus::State::Done;
+    bench.workbench.publish();
+    QVERIFY(!bench.says(QStringLiteral("DMC60C #5 on sim:can")));
+}
+
+void FirmwareTest::nothingIsCalledSafeWhileAnotherUnitIsWritten()
+{
+    FirmwareBench bench;
+    QVERIFY(bench.says(QStringLiteral("Nothing is written now")));
+    bench.writing(false);
+    bench.selection.select({2});
+    QVERIFY(!bench.says(QStringLiteral("Nothing is written now")));
+    QVERIFY(bench.says(QStringLiteral("Do not unplug: DMC60C #5 on sim:can")));
+}
+
+void FirmwareTest::aSecondUpdateOnTheBusIsRefusedWithWords()
+{
+    FirmwareBench bench;
+    bench.selection.select({2});
+    QVERIFY(bench.page->canStart());
+    QPushButton *start = bench.start();
+    bench.writing();
+    QVERIFY(!bench.page->canStart());
+    QVERIFY(!start->isEnabled());
+    QCOMPARE(start->toolTip(), QStringLiteral("One update a bus: DMC60C #5 on sim:can is being written."));
+    bench.page->startUpdate();
+    QVERIFY(bench.workbench.callsOf("update").empty());
+}
+
+void FirmwareTest::anotherBusMayBeUpdatedMeanwhile()
+{
+    FirmwareBench bench("socketcan:can0");
+    bench.writing();
+    bench.selection.select({2});
+    QVERIFY(bench.page->canStart());
+    bench.page->startUpdate();
+    QCOMPARE(bench.workbench.callsOf("update").size(), 1U);
+    QVERIFY(bench.says(QStringLiteral("DMC60C #5 on sim:can"))); // until its own operation is there
+}
+
+MB_WINDOW_TEST(FirmwareTest);
+#include "tst_firmware.moc"
