@@ -88,7 +88,7 @@ void EngineCore::steerReplay(const std::string &link, const ReplayOrder &order)
     if (done && order.run)
         *order.run ? replay->play() : replay->pause();
     if (!done)
-        notice(Severity::Danger, open->address().shortName(), done.error().detail);
+        notice(Severity::Danger, open->address().shortName(), done.error().text());
     touch();
 }
 

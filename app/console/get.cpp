@@ -26,7 +26,7 @@ Result<std::vector<ParameterIndex>> parseKeys(const Family &family, const std::v
         if (!index)
             return fail(index.error());
         if (family.parameters[index->value].access == Access::WriteOnly)
-            return fail(Fault::OutOfRange, key + " can only be written; leave it out");
+            return fail(Fault::OutOfRange, key + " can only be written", "leave it out");
         if (std::find(indices.begin(), indices.end(), *index) == indices.end())
             indices.push_back(*index);
     }
@@ -61,8 +61,7 @@ Task<int> show(
         printParameters(console, device, indices);
     if (!error)
         co_return exitDone;
-    complain(lineOf(*error));
-    co_return exitStatusOf(error->fault);
+    co_return console.fails(*error);
 }
 
 Task<int> get(Console &console, Arguments arguments)

@@ -13,8 +13,8 @@ Task<int> identify(Console &console, std::string text)
     if (!target)
         co_return fail(target.error());
     if (!target->family->capabilities.identify)
-        co_return fail(Fault::Unsupported,
-            std::string(target->family->key) + " cannot blink; tell it by its serial number with 'motorbenchctl info'");
+        co_return fail(Fault::Unsupported, std::string(target->family->key) + " cannot blink",
+            "tell it by its serial number with 'motorbenchctl info'");
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     auto blinking = device->identify();

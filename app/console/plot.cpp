@@ -32,15 +32,15 @@ Task<int> plot(Console &console, Arguments a)
     if (console.json())
         words.emplace_back("--json");
     if (a.file.empty() || a.out.empty())
-        co_return fail(Fault::OutOfRange, "plot needs a recording and --out PICTURE");
+        co_return fail(Fault::Usage, "plot needs a recording and a picture", "add --out PICTURE, a .png, .svg or .pdf");
     std::vector<char *> pointers;
     for (std::string &word : words)
         pointers.push_back(word.data());
     pointers.push_back(nullptr);
     ::setenv("QT_LOGGING_RULES", "*.warning=false", 1); // what the toolkit grumbles about is no word of ours
     ::execv(program.c_str(), pointers.data());
-    co_return fail(Fault::OutOfRange,
-        program + " cannot be run: " + std::strerror(errno) + "; both programs must be in one folder");
+    co_return fail(
+        Fault::OutOfRange, program + " cannot be run: " + std::strerror(errno), "both programs must be in one folder");
 }
 
 } // namespace

@@ -103,7 +103,7 @@ Opened openListed(Console &console)
             opened.links.push_back(*link);
             continue;
         }
-        listing.detail = link.error().detail;
+        listing.detail = link.error().text();
         console.note(listing.link.text() + ": " + listing.detail);
     }
     return opened;

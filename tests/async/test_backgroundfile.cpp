@@ -61,7 +61,7 @@ TEST(BackgroundFile, SaysOnceThatTheDiskIsFullAndCountsWhatIsMissing)
     (*file)->flush();
     while ((*file)->status().problem.empty())
         std::this_thread::yield();
-    EXPECT_EQ((*file)->status().problem, "/dev/full: the disk is full; make room, or record elsewhere");
+    EXPECT_EQ((*file)->status().problem, "/dev/full: the disk is full; make room, or choose another place");
     EXPECT_EQ((*file)->status().written, 0U);
     EXPECT_FALSE((*file)->append("record\n"));
     EXPECT_EQ((*file)->status().taken, 10U);

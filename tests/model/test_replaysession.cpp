@@ -290,7 +290,7 @@ TEST(TrafficRecorder, SaysThatTheDiskIsFullAndCountsWhatIsMissing)
         std::this_thread::yield();
     live.clock.advance(10s);
     const RecordingState state = (*recorder)->state();
-    EXPECT_EQ(state.problem, "/dev/full: the disk is full; make room, or record elsewhere");
+    EXPECT_EQ(state.problem, "/dev/full: the disk is full; make room, or choose another place");
     EXPECT_EQ(told, 1);
     EXPECT_GT(state.frames, 1000U);
     EXPECT_EQ(state.lost, state.frames);

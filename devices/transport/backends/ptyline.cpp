@@ -106,7 +106,7 @@ Result<void> PtyLine::putLink()
     fs::create_symlink(m_terminal, path, failed);
     if (failed == std::errc::file_exists)
         return fail(
-            Fault::LinkLost, m_address.path + " is there already and no link to a terminal; choose another path");
+            Fault::LinkLost, m_address.path + " is there already and no link to a terminal", "choose another path");
     if (failed)
         return fail(Fault::LinkLost, m_address.path + " cannot be made: " + failed.message());
     m_linked = true;

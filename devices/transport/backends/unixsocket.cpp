@@ -43,7 +43,7 @@ std::string causeOf(int error, const std::string &path)
 
 tl::unexpected<Error> lost(int error, const std::string &path)
 {
-    return fail(Fault::LinkLost, causeOf(error, path));
+    return fail(Error::fromPhrase(Fault::LinkLost, causeOf(error, path)));
 }
 
 tl::unexpected<Error> tooLong(const std::string &path)
@@ -77,7 +77,7 @@ Result<int> listenOnUnixSocket(const std::string &path)
     struct stat there { };
     if (::lstat(path.c_str(), &there) == 0) {
         if (!S_ISSOCK(there.st_mode))
-            return fail(Fault::LinkLost, path + " exists and is no socket; choose another path");
+            return fail(Fault::LinkLost, path + " exists and is no socket", "choose another path");
         if (auto served = connectUnixSocket(path); served) {
             ::close(*served);
             return lost(EADDRINUSE, path);
