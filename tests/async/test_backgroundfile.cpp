@@ -46,8 +46,8 @@ TEST(BackgroundFile, SaysWhyAFileCannotBeMade)
     const test::TemporaryFolder folder;
     const auto nowhere = BackgroundFile::create(folder.path("none/a.log"));
     ASSERT_FALSE(nowhere);
-    EXPECT_NE(nowhere.error().detail.find("there is no such folder; "), std::string::npos);
-    EXPECT_NE(BackgroundFile::create(folder.path()).error().detail.find("it is a folder; "), std::string::npos);
+    EXPECT_NE(nowhere.error().text().find("there is no such folder; "), std::string::npos);
+    EXPECT_NE(BackgroundFile::create(folder.path()).error().text().find("it is a folder; "), std::string::npos);
     EXPECT_FALSE(BackgroundFile::create("/proc/motorbench.log"));
 }
 

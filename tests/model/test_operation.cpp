@@ -85,7 +85,7 @@ TEST(Operation, KeepsTheErrorOfAFailure)
     job.clock.advance(2s);
     EXPECT_EQ(job.state(), OperationStatus::State::Failed);
     EXPECT_EQ(job.operation->status().error.fault, Fault::Refused);
-    EXPECT_EQ(job.operation->status().error.detail, "no");
+    EXPECT_EQ(job.operation->status().error.text(), "no");
     EXPECT_FALSE(*job.result);
 }
 

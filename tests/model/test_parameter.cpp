@@ -69,7 +69,7 @@ TEST(Parameter, RefusesWhatIsOutOfRangeAndNamesTheRange)
 {
     const auto above = parseRaw(whole, "501");
     ASSERT_FALSE(above);
-    EXPECT_NE(above.error().detail.find("10 … 500"), std::string::npos) << above.error().detail;
+    EXPECT_NE(above.error().text().find("10 … 500"), std::string::npos) << above.error().text();
     EXPECT_FALSE(parseRaw(whole, "9"));
     EXPECT_FALSE(parseRaw(whole, "20.5")) << "not a whole number";
     EXPECT_EQ(parseRaw(whole, "10"), 10);

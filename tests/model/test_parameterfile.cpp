@@ -38,7 +38,7 @@ TEST(ParameterFile, TakesValuesAndRawValuesInTableOrder)
     const auto parsed = parseParameterFile(
         file("\"slot0.i\":{\"raw\":32768},\"current_limit.enabled\":{\"value\":true},\"slot0.p\":{\"value\":1.5}"),
         family());
-    ASSERT_TRUE(parsed) << parsed.error().detail;
+    ASSERT_TRUE(parsed) << parsed.error().text();
     ASSERT_EQ(parsed->values.size(), 3U);
     EXPECT_TRUE(std::is_sorted(parsed->values.begin(), parsed->values.end(),
         [](const ParameterChange &a, const ParameterChange &b) { return a.index < b.index; }));
@@ -80,8 +80,8 @@ TEST(ParameterFile, RefusesTheWholeFileForOneBadRow)
         const auto parsed = parseParameterFile(file(good + row), family());
         ASSERT_FALSE(parsed) << row;
         EXPECT_EQ(parsed.error().fault, Fault::OutOfRange) << row;
-        EXPECT_FALSE(parsed.error().detail.empty());
-        EXPECT_EQ(parsed.error().detail.find('\n'), std::string::npos);
+        EXPECT_FALSE(parsed.error().text().empty());
+        EXPECT_EQ(parsed.error().text().find('\n'), std::string::npos);
     }
 }
 
@@ -94,7 +94,7 @@ TEST(ParameterFile, RefusesWhatIsNoParameterFileOfThisFamily)
         const auto parsed = parseParameterFile(bytes, family());
         ASSERT_FALSE(parsed) << bytes.constData();
         EXPECT_EQ(parsed.error().fault, Fault::OutOfRange);
-        EXPECT_EQ(parsed.error().detail.find('\n'), std::string::npos);
+        EXPECT_EQ(parsed.error().text().find('\n'), std::string::npos);
     }
     EXPECT_EQ(familyOf(file("", "supermodified")), "supermodified");
     EXPECT_FALSE(familyOf("{\"family\":5}"));
@@ -110,7 +110,7 @@ TEST(ParameterFile, ComesBackAsItWasSaved)
     ASSERT_TRUE(test::run(bench.clock, readParameters(device, readable(device), progress)));
     const QByteArray saved = QJsonDocument(parametersToJson(device, readable(device))).toJson();
     const auto parsed = parseParameterFile(saved, device.family());
-    ASSERT_TRUE(parsed) << parsed.error().detail;
+    ASSERT_TRUE(parsed) << parsed.error().text();
     EXPECT_EQ(parsed->values.size(), readable(device).size());
     for (const ParameterChange &change : parsed->values)
         EXPECT_EQ(change.raw, device.parameters().entry(change.index).raw)
