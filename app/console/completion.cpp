@@ -208,8 +208,8 @@ std::string forFish(std::span<const Family *const> families)
         text += "complete -c motorbenchctl -n __fish_use_subcommand -a " + name + " -d " + fishText(verb.help) + '\n';
         const std::string seen = "complete -c motorbenchctl -n '__fish_seen_subcommand_from " + name + "' ";
         for (const OptionRow &row : optionsOf(verb.name))
-            text
-                += seen + "-l " + row.name.substr(2) + (row.takesValue ? " -r" : "") + " -d " + fishText(row.help) + '\n';
+            text += seen + "-l " + row.name.substr(2) + (row.takesValue ? " -r" : "") + " -d " + fishText(row.help)
+                + '\n';
     }
     const Words words(families);
     const auto offer = [&text](std::string_view verb, const std::string &list) {

@@ -67,6 +67,9 @@ Result<void> addGroup(Console &console, const std::vector<std::string> &group, s
         if (auto good = PtyLine::create(*link, console.clock()); !good)
             return fail(good.error());
     }
+    const auto same = [&link](const LinkAddress &other) { return other.scheme == "unix" && other.path == link->path; };
+    if (link->scheme == "unix" && (group.size() > 2 || std::any_of(plan.links.begin(), plan.links.end(), same)))
+        return fail(Fault::Usage, link->text() + " carries one board", "give each its own path");
     plan.links.push_back(*link);
     for (std::size_t i = 1; i < group.size(); ++i) {
         auto unit = parseUnit(console, *link, group[i]);
