@@ -90,7 +90,7 @@ void EngineCore::openLink(const LinkAddress &address, const Finished &finished)
         m_closedByHand.erase(one.text());
         auto link = m_session.openLink(one);
         if (!link) {
-            notice(Severity::Danger, one.shortName(), link.error().detail);
+            notice(Severity::Danger, one.shortName(), link.error().text());
             m_awaited.add(one);
             m_failed[one.text()] = diagnose(link.error());
             touch();
@@ -238,7 +238,7 @@ void EngineCore::beginSimple(
         id, title, make,
         [this, id, title = std::string(title), finished](Running &, const Result<void> &result) {
             if (const Device *device = m_session.find(id); device && !result)
-                notice(Severity::Danger, labelOf(*device), title + ": " + result.error().detail);
+                notice(Severity::Danger, labelOf(*device), title + ": " + result.error().text());
             answer(finished, result);
         },
         finished);
@@ -279,7 +279,7 @@ void EngineCore::writeParameters(DeviceId id, std::vector<ParameterChange> chang
             if (device && result)
                 notice(Severity::Good, labelOf(*device), proofOf(*outcomes));
             else if (device)
-                notice(Severity::Danger, labelOf(*device), result.error().detail);
+                notice(Severity::Danger, labelOf(*device), result.error().text());
             answer(finished, result);
         },
         finished);
@@ -295,7 +295,7 @@ void EngineCore::storeParameters(DeviceId id, Finished finished)
                 notice(*proved ? Severity::Good : Severity::Caution, labelOf(*device),
                     *proved ? "stored, the flash sequence number advanced" : "stored, not verifiable");
             else if (device)
-                notice(Severity::Danger, labelOf(*device), proved.error().detail);
+                notice(Severity::Danger, labelOf(*device), proved.error().text());
             answer(finished, proved ? Result<void>() : Result<void>(fail(proved.error())));
         },
         finished);
@@ -361,7 +361,7 @@ void EngineCore::setRate(DeviceId id, ChannelIndex channel, double hertz)
         [this, id](Running &, const Result<void> &result) {
             const Device *device = m_session.find(id);
             if (device && !result && result.error().fault != Fault::Unsupported) // then it stays as it is
-                notice(Severity::Caution, labelOf(*device), "Set telemetry rate: " + result.error().detail);
+                notice(Severity::Caution, labelOf(*device), "Set telemetry rate: " + result.error().text());
         },
         {});
 }
@@ -450,7 +450,7 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
             if (!report)
                 report = UpdateReport{
                     report.error().fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed, {}, {},
-                    0, 0, false, report.error().detail, report.error().fault};
+                    0, 0, false, report.error().text(), report.error().fault};
             running.update = *report;
             if (!device)
                 return;
@@ -462,7 +462,7 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
         },
         [this, id](const Result<void> &result) {
             if (const Device *device = m_session.find(id))
-                notice(Severity::Caution, labelOf(*device), result.error().detail);
+                notice(Severity::Caution, labelOf(*device), result.error().text());
         });
 }
 

@@ -118,6 +118,7 @@ private:
     void keepTraffic(Link &link);
     [[nodiscard]] Link *linkUnder(const std::string &address) const;
     void recorderChanged(Link &link);
+    void dismissWork(DeviceId id, const Error &error);
     void forgetWork(const Link &link);
     void playWhenKnown(Link &link);
     void scan(Link &link, ScanExtent extent = ScanExtent::Quick);

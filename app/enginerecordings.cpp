@@ -2,6 +2,8 @@
 // What is recorded, and what is replayed.
 #include "app/enginecore.h"
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -88,7 +90,7 @@ void EngineCore::steerReplay(const std::string &link, const ReplayOrder &order)
     if (done && order.run)
         *order.run ? replay->play() : replay->pause();
     if (!done)
-        notice(Severity::Danger, open->address().shortName(), done.error().detail);
+        notice(Severity::Danger, open->address().shortName(), done.error().text());
     touch();
 }
 
@@ -111,6 +113,15 @@ void EngineCore::keepTraffic(Link &link)
 }
 
 /// The devices are about to go, or to begin anew.
+/// Whoever gave an order is answered, though it will not be carried out.
+void EngineCore::dismissWork(DeviceId id, const Error &error)
+{
+    const auto runs = [id](const Running &running) { return running.device == id && running.operation->isRunning(); };
+    for (auto found = std::find_if(m_operations.begin(), m_operations.end(), runs); found != m_operations.end();
+         found = std::find_if(m_operations.begin(), m_operations.end(), runs))
+        found->operation->dismiss(error);
+}
+
 void EngineCore::forgetWork(const Link &link)
 {
     for (Device *device : m_session.devices()) {
@@ -118,6 +129,7 @@ void EngineCore::forgetWork(const Link &link)
             continue;
         const DeviceId id = m_session.idOf(*device);
         m_streams.erase(id);
+        dismissWork(id, {Fault::LinkLost, "the device is gone"});
         std::erase_if(m_operations, [id](const Running &running) { return running.device == id; });
     }
 }

@@ -36,7 +36,7 @@ void EngineCore::scanned(Link &link, const Result<std::vector<Device *>> &device
     endScan(m_watched[&link]);
     m_lastScan = m_clock.now();
     if (!devices)
-        notice(Severity::Caution, link.address().shortName(), devices.error().detail);
+        notice(Severity::Caution, link.address().shortName(), devices.error().text());
     probeSilent(link);
     playWhenKnown(link);
 }

@@ -50,7 +50,7 @@ void EngineCore::saveTranscript(const Running &running, const Device &device)
     if (path)
         notice(Severity::Info, labelOf(device), "the transcript of the update is in " + *path);
     else
-        notice(Severity::Caution, labelOf(device), "the transcript of the update is not kept: " + path.error().detail);
+        notice(Severity::Caution, labelOf(device), "the transcript of the update is not kept: " + path.error().text());
 }
 
 /// A board on SPI that waits in its bootloader is silent; it must not vanish from the list for that.

@@ -2,10 +2,12 @@
 #include "app/application.h"
 #include "app/plotfile.h"
 
+#include <csignal>
 #include <cstdio>
 
 int main(int argc, char **argv)
 {
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of the file
     QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
     QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
     // 144 dpi are 1.5, not 2: a window that is a third too large loses its right edge, and STOP with it.
@@ -16,7 +18,7 @@ int main(int argc, char **argv)
     // Before there is a window: a wrong call needs no display.
     const auto options = mb::Options::parse(arguments);
     if (!options) {
-        std::fprintf(stderr, "motorbench: %s\n", options.error().detail.c_str());
+        std::fprintf(stderr, "motorbench: %s\n", options.error().text().c_str());
         return 2;
     }
     if (arguments.contains(QStringLiteral("--help")) || arguments.contains(QStringLiteral("-h"))) {

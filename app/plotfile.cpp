@@ -2,9 +2,11 @@
 #include "app/plotfile.h"
 
 #include "app/application.h"
+#include "model/parameterfile.h"
 #include "recording/loadrecording.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/plots/displayunits.h"
+#include "widgets/plots/picturefile.h"
 #include "widgets/plots/plotboard.h"
 #include "widgets/plots/qcustomplotkeywords.h"
 
@@ -79,7 +81,7 @@ int plotFile(const Options &options)
             QStringLiteral("--out '%1' is no picture; give a name that ends in .png, .svg or .pdf").arg(options.out));
     const auto recording = loadRecording(options.plot.toLocal8Bit().toStdString());
     if (!recording)
-        return refuse(qt(recording.error().detail)
+        return refuse(qt(recording.error().text())
             + QStringLiteral("; give an .mcap or .csv that this program wrote, or the output of watch"));
     const ThemeSource theme(options.theme == QLatin1String("light") ? lightTheme(10.0 * options.fontScale)
                                                                     : darkTheme(10.0 * options.fontScale));
@@ -102,11 +104,12 @@ int plotFile(const Options &options)
     stack.refresh(to);
     stack.refresh(to); // the first one has found out how wide the labels are
     // a picture has the size that was asked for, even where the window would want more
-    const bool written = suffix == QLatin1String("png")
-        ? stack.plot().picture(size, pictureScale).save(options.out, "PNG")
-        : stack.exportTo(options.out);
-    if (!written)
-        return refuse(QStringLiteral("%1 cannot be written; choose a folder that you may write to").arg(options.out));
+    const QByteArray picture
+        = suffix == QLatin1String("png") ? pngOf(stack.plot().picture(size, pictureScale)) : stack.pictureAs(suffix);
+    if (picture.isEmpty())
+        return refuse(QStringLiteral("%1 cannot be painted; choose a smaller --size").arg(options.out));
+    if (const auto saved = saveFile(options.out.toStdString(), picture); !saved)
+        return refuse(qt(saved.error().text()));
     say(options, **recording, stack.traceCount());
     return 0;
 }

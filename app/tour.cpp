@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tour.h"
 
+#include "model/parameterfile.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/firmware/firmwarepage.h"
+#include "widgets/plots/picturefile.h"
 
 #include <QApplication>
 
@@ -88,7 +90,7 @@ void Tour::save(const QString &name, bool dark)
     const QString number = QStringLiteral("%1").arg(m_pictures, 2, 10, QLatin1Char('0'));
     const QString file
         = QStringLiteral("%1-%2-%3.png").arg(number, name, dark ? QStringLiteral("dark") : QStringLiteral("light"));
-    if (!m_window.grab().save(m_folder.filePath(file))) {
+    if (!saveFile(m_folder.filePath(file).toStdString(), pngOf(m_window.grab().toImage()))) {
         std::fprintf(stderr, "motorbench: %s cannot be written\n", qPrintable(m_folder.filePath(file)));
         finish(1);
         return;

@@ -5763,16 +5763,16 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 lässt sich nicht lesen: %2</translation>
     </message>
     <message>
-        <source>%1 does not exist</source>
-        <translation>%1 gibt es nicht</translation>
+        <source>%1: no such file</source>
+        <translation>%1: keine solche Datei</translation>
     </message>
     <message>
-        <source>%1 is a directory</source>
-        <translation>%1 ist ein Ordner</translation>
+        <source>%1: is a directory</source>
+        <translation>%1: ist ein Verzeichnis</translation>
     </message>
     <message>
-        <source>%1 is larger than %2 bytes</source>
-        <translation>%1 ist größer als %2 Byte</translation>
+        <source>%1: is longer than %2 bytes</source>
+        <translation>%1: ist länger als %2 Bytes</translation>
     </message>
     <message>
         <source>not a parameter file: %1</source>
@@ -5789,6 +5789,26 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 was unknown when the file was written</source>
         <translation>%1 war beim Schreiben der Datei unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the unit that the file was saved from</source>
+        <translation>%1 gehört zu der Einheit, von der die Datei stammt</translation>
+    </message>
+    <message>
+        <source>%1: its value says %2, its raw value %3; delete the one of the two that is old</source>
+        <translation>%1: der Wert sagt %2, der Rohwert %3; den veralteten der beiden löschen</translation>
+    </message>
+    <message>
+        <source>%1: its value is of the wrong kind; write true or false</source>
+        <translation>%1: der Wert ist von der falschen Art; true oder false schreiben</translation>
+    </message>
+    <message>
+        <source>%1: its value is of the wrong kind; write a number</source>
+        <translation>%1: der Wert ist von der falschen Art; eine Zahl schreiben</translation>
+    </message>
+    <message>
+        <source>%1: raw is not a whole number; delete it, the value says the same</source>
+        <translation>%1: raw ist keine ganze Zahl; löschen, der Wert sagt dasselbe</translation>
     </message>
     <message>
         <source>the file is for family &apos;%1&apos;, the device is a %2</source>
@@ -7363,24 +7383,24 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 Frames aufgenommen, %2 fehlen</translation>
     </message>
     <message>
-        <source>%1: the disk is full; make room, or record elsewhere</source>
-        <translation>%1: die Festplatte ist voll; Platz schaffen oder anderswo aufnehmen</translation>
+        <source>the disk is full; make room, or choose another place</source>
+        <translation>die Festplatte ist voll; Platz schaffen oder einen anderen Ort wählen</translation>
     </message>
     <message>
-        <source>%1: no permission to write there; choose another folder</source>
-        <translation>%1: keine Berechtigung, dort zu schreiben; anderen Ordner wählen</translation>
+        <source>no permission to write there; choose another folder</source>
+        <translation>keine Berechtigung, dort zu schreiben; anderen Ordner wählen</translation>
     </message>
     <message>
-        <source>%1: there is no such folder; choose another one</source>
-        <translation>%1: diesen Ordner gibt es nicht; anderen wählen</translation>
+        <source>there is no such folder; choose another one</source>
+        <translation>diesen Ordner gibt es nicht; anderen wählen</translation>
     </message>
     <message>
-        <source>%1: it is a folder; name a file</source>
-        <translation>%1: ist ein Ordner; eine Datei nennen</translation>
+        <source>it is a folder; name a file</source>
+        <translation>ist ein Ordner; eine Datei nennen</translation>
     </message>
     <message>
-        <source>%1: the file has reached the greatest size there; begin another one</source>
-        <translation>%1: die Datei hat dort die größte zulässige Größe erreicht; eine neue beginnen</translation>
+        <source>the file has reached the greatest size there; choose another place</source>
+        <translation>die Datei hat dort die größte zulässige Größe erreicht; einen anderen Ort wählen</translation>
     </message>
     <message>
         <source>%1: it cannot be written (system error %2); check the disk</source>

@@ -33,12 +33,25 @@ constexpr std::array table{
     Verb{"plot", "FILE --out PNG", "Draw a recording into a picture", declarePlot},
     Verb{"simulate", "--on LINK DEVICE… [--on …] [--seed N] [--for S]", "Simulated controllers on real links",
         declareSimulate},
+    Verb{"help", "[VERB]", "What the program does, or one verb", declareHelp},
+    Verb{"completion", "bash|zsh|fish", "What a shell needs to complete these words", declareCompletion},
 };
 
 const Verb *findVerb(std::string_view name)
 {
     const auto verb = std::find_if(table.begin(), table.end(), [name](const Verb &v) { return v.name == name; });
     return verb == table.end() ? nullptr : verb;
+}
+
+Result<const Verb *> knownVerb(std::string_view name)
+{
+    if (const Verb *verb = findVerb(name))
+        return verb;
+    std::vector<std::string_view> known;
+    for (const Verb &each : table)
+        known.push_back(each.name);
+    return fail(Fault::Usage, "unknown verb '" + std::string(name) + '\'',
+        suggestion(name, known, "there are " + joined(known)));
 }
 
 std::string overview()
@@ -50,13 +63,52 @@ std::string overview()
     }
     return text
         + "\n"
-          "--json     standard output is JSON, one object per line\n"
-          "--quiet    no progress and no notes on standard error\n"
-          "--help     with a verb: its arguments\n"
-          "--version  the version of this program\n\n"
+          "--json       standard output is JSON, one object per line\n"
+          "--quiet      no progress and no notes on standard error\n"
+          "--timeout S  longest wait for a device to be found\n"
+          "--retries N  look for a silent device so many times more\n"
+          "--help       with a verb: its arguments\n"
+          "--version    the version of this program\n\n"
           "A LINK is sim:can, socketcan:can0, …; a DEVICE is LINK/FAMILY:ADDRESS, such as sim:can/dmc60c:5.\n"
           "Exit status: 0 done, 1 the device refused or differs, 2 wrong usage, 3 no answer, 4 stopped for safety,\n"
           "5 a link cannot be opened or was lost.\n";
+}
+
+/// As typed, before it is understood: of every verb, in front of it or behind it.
+struct Globals {
+    bool json = false;
+    bool quiet = false;
+    std::string timeout;
+    std::string retries;
+};
+
+void declareGlobals(CLI::App &app, Globals &globals)
+{
+    app.set_help_flag("--help,-h", "Show this and end");
+    app.add_flag("--json", globals.json, "Standard output is JSON, one object per line");
+    app.add_flag("--quiet", globals.quiet, "No progress and no notes on standard error");
+    app.add_option("--timeout", globals.timeout, "Longest wait in seconds for a device to be found");
+    app.add_option("--retries", globals.retries, "Look for a silent device so many times more");
+}
+
+Result<Options> optionsFrom(const Globals &globals)
+{
+    Options options;
+    options.json = globals.json;
+    options.quiet = globals.quiet;
+    if (!globals.timeout.empty()) {
+        const auto seconds = parseNumber("--timeout", globals.timeout, 0.01, 3600.0);
+        if (!seconds)
+            return fail(seconds.error());
+        options.timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(*seconds));
+    }
+    if (!globals.retries.empty()) {
+        const auto retries = parseInteger("--retries", globals.retries, 0, 1000);
+        if (!retries)
+            return fail(retries.error());
+        options.retries = *retries;
+    }
+    return options;
 }
 
 std::string lowered(std::string text)
@@ -66,48 +118,81 @@ std::string lowered(std::string text)
     return text;
 }
 
+std::string usageOf(const Verb &verb)
+{
+    return "the usage is motorbenchctl " + std::string(verb.name) + ' ' + std::string(verb.usage);
+}
+
 tl::unexpected<Error> unexpectedArgument(const CLI::App &app, const Verb &verb)
 {
     const std::vector<std::string> remaining = app.remaining();
     const std::string wrong = remaining.empty() ? std::string() : remaining.front();
     const std::string name(verb.name);
     if (!wrong.starts_with('-'))
-        return fail(Fault::OutOfRange,
-            name + ": unexpected argument '" + wrong + "'; the usage is motorbenchctl " + name + ' '
-                + std::string(verb.usage));
+        return fail(Fault::Usage, name + ": unexpected argument '" + wrong + "'", usageOf(verb));
     std::vector<std::string> options;
     for (const CLI::Option *option : app.get_options()) {
         for (const std::string &longName : option->get_lnames())
             options.push_back("--" + longName);
     }
     const std::vector<std::string_view> known(options.begin(), options.end());
-    const std::string near = suggestion(wrong.substr(0, wrong.find('=')), known);
-    return fail(Fault::OutOfRange,
-        name + ": unknown option '" + wrong + '\''
-            + (near.empty() ? "; 'motorbenchctl " + name + " --help' lists what it takes" : near));
+    return fail(Fault::Usage, name + ": unknown option '" + wrong + '\'',
+        suggestion(wrong.substr(0, wrong.find('=')), known, "it takes " + joined(known)));
 }
 
-Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> arguments, CommandLine line)
+Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> arguments, Globals globals)
 {
     const std::string name(verb.name);
     CLI::App app(std::string(verb.help), "motorbenchctl " + name);
-    app.set_help_flag("--help,-h", "Show this and end");
-    app.add_flag("--json", line.options.json, "Standard output is JSON, one object per line");
-    app.add_flag("--quiet", line.options.quiet, "No progress and no notes on standard error");
+    declareGlobals(app, globals);
+    CommandLine line;
     line.job = verb.declare(app);
     std::reverse(arguments.begin(), arguments.end()); // CLI11 takes them from the back
     try {
         app.parse(arguments);
     } catch (const CLI::CallForHelp &) {
-        return CommandLine{line.options, {}, app.help()};
+        return CommandLine{{}, {}, app.help()};
     } catch (const CLI::ExtrasError &) {
         return unexpectedArgument(app, verb);
     } catch (const CLI::Error &error) {
-        return fail(Fault::OutOfRange,
-            name + ": " + lowered(error.what()) + "; the usage is motorbenchctl " + name + ' '
-                + std::string(verb.usage));
+        return fail(Fault::Usage, name + ": " + lowered(error.what()), usageOf(verb));
     }
+    const auto options = optionsFrom(globals);
+    if (!options)
+        return fail(options.error());
+    line.options = *options;
     return line;
+}
+
+/// The words in front of the verb; yields how many there are, or what only prints something.
+Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Globals &globals, std::string &text)
+{
+    std::size_t used = 0;
+    for (; used < arguments.size() && arguments[used].starts_with('-'); ++used) {
+        const std::string &word = arguments[used];
+        const auto equals = word.find('=');
+        std::string *const value = word.starts_with("--timeout") ? &globals.timeout
+            : word.starts_with("--retries")                      ? &globals.retries
+                                                                 : nullptr;
+        if (word == "--json")
+            globals.json = true;
+        else if (word == "--quiet")
+            globals.quiet = true;
+        else if (word == "--help" || word == "-h")
+            text = overview();
+        else if (word == "--version")
+            text = "motorbenchctl " MOTORBENCH_VERSION "\n";
+        else if (value && equals == 9)
+            *value = word.substr(equals + 1);
+        else if (value && word.size() == 9 && used + 1 < arguments.size())
+            *value = arguments[++used];
+        else
+            return fail(Fault::Usage, "'" + word + "' cannot stand before the verb",
+                "there stand --json, --quiet, --timeout S, --retries N, --help and --version");
+        if (!text.empty())
+            break;
+    }
+    return used;
 }
 
 } // namespace
@@ -117,37 +202,51 @@ std::span<const Verb> verbs()
     return table;
 }
 
+Result<std::string> helpText(std::string_view name)
+{
+    if (name.empty())
+        return overview();
+    const auto verb = knownVerb(name);
+    if (!verb)
+        return fail(verb.error());
+    CLI::App app(std::string((*verb)->help), "motorbenchctl " + std::string(name));
+    Globals globals;
+    declareGlobals(app, globals);
+    (void)(*verb)->declare(app);
+    return app.help();
+}
+
+std::vector<OptionRow> optionsOf(std::string_view name)
+{
+    CLI::App app;
+    Globals globals;
+    declareGlobals(app, globals);
+    if (const Verb *verb = findVerb(name))
+        (void)verb->declare(app);
+    std::vector<OptionRow> rows;
+    for (const CLI::Option *option : app.get_options()) {
+        for (const std::string &longName : option->get_lnames())
+            rows.push_back({"--" + longName, option->get_items_expected_max() > 0, option->get_description()});
+    }
+    return rows;
+}
+
 Result<CommandLine> parseCommandLine(std::vector<std::string> arguments)
 {
-    CommandLine line;
-    std::size_t used = 0;
-    for (; used < arguments.size() && arguments[used].starts_with('-'); ++used) {
-        if (arguments[used] == "--json")
-            line.options.json = true;
-        else if (arguments[used] == "--quiet")
-            line.options.quiet = true;
-        else if (arguments[used] == "--help" || arguments[used] == "-h")
-            return CommandLine{line.options, {}, overview()};
-        else if (arguments[used] == "--version")
-            return CommandLine{line.options, {}, "motorbenchctl " MOTORBENCH_VERSION "\n"};
-        else
-            return fail(Fault::OutOfRange,
-                "unknown option '" + arguments[used] + "' before the verb; only --json and --quiet stand there");
-    }
-    if (used == arguments.size())
-        return fail(Fault::OutOfRange, "a verb is missing; 'motorbenchctl --help' lists them");
-    const std::string name = arguments[used];
-    const Verb *verb = findVerb(name);
-    if (!verb) {
-        std::vector<std::string_view> known;
-        for (const Verb &each : table)
-            known.push_back(each.name);
-        const std::string near = suggestion(name, known);
-        return fail(Fault::OutOfRange,
-            "unknown verb '" + name + '\'' + (near.empty() ? "; 'motorbenchctl --help' lists them" : near));
-    }
-    arguments.erase(arguments.begin(), arguments.begin() + static_cast<std::ptrdiff_t>(used + 1));
-    return parseVerb(*verb, std::move(arguments), std::move(line));
+    Globals globals;
+    std::string text;
+    const auto used = parseFront(arguments, globals, text);
+    if (!used)
+        return fail(used.error());
+    if (!text.empty())
+        return CommandLine{{}, {}, text};
+    if (*used == arguments.size())
+        return fail(Fault::Usage, "a verb is missing", "'motorbenchctl help' lists them");
+    const auto verb = knownVerb(arguments[*used]);
+    if (!verb)
+        return fail(verb.error());
+    arguments.erase(arguments.begin(), arguments.begin() + static_cast<std::ptrdiff_t>(*used + 1));
+    return parseVerb(**verb, std::move(arguments), std::move(globals));
 }
 
 } // namespace mb::console

@@ -4,6 +4,7 @@
 #include "app/console/console.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace mb::console {
@@ -14,7 +15,18 @@ struct CommandLine {
     std::string text; ///< of --help and --version
 };
 
-/// `arguments` without the program's name. OutOfRange with one line for everything that is not understood.
+/// `arguments` without the program's name. Usage with cause and remedy for everything that is not understood.
 [[nodiscard]] Result<CommandLine> parseCommandLine(std::vector<std::string> arguments);
+
+/// What `--help` prints of the program, or of a verb. Usage when there is no such verb.
+[[nodiscard]] Result<std::string> helpText(std::string_view verb = {});
+
+struct OptionRow {
+    std::string name; ///< with its dashes
+    bool takesValue = false;
+    std::string help;
+};
+/// Of one verb, those that every verb has among them.
+[[nodiscard]] std::vector<OptionRow> optionsOf(std::string_view verb);
 
 } // namespace mb::console

@@ -23,6 +23,39 @@ void Console::note(std::string_view text) const
         complain(text);
 }
 
+std::uint64_t Console::sent() const
+{
+    std::uint64_t all = 0;
+    for (const Link *link : m_session.links())
+        all += link->counters().tx;
+    return all;
+}
+
+void Console::begin()
+{
+    m_sentBefore = sent();
+}
+
+bool Console::hasSent() const
+{
+    return m_sentBefore && sent() > *m_sentBefore;
+}
+
+int Console::fails(const Error &error) const
+{
+    const int status = exitStatusOf(error.fault, hasSent());
+    tell(error, status, m_options.json);
+    return status;
+}
+
+void tell(const Error &error, int status, bool json)
+{
+    if (json)
+        complainPlain(jsonOf(error, status));
+    else
+        complainAtLast(lineOf(error));
+}
+
 void Console::interrupt()
 {
     m_isInterrupted = true;

@@ -12,7 +12,9 @@ namespace mb::console {
 
 struct Options {
     bool json = false;
-    bool quiet = false; ///< no progress and no notes
+    bool quiet = false;              ///< no progress and no notes
+    std::optional<Duration> timeout; ///< longest wait for a device to be found; as long as its family takes otherwise
+    int retries = 0;                 ///< how often a silent device is looked for again
 };
 
 /// What a verb works with. One thread, one event loop.
@@ -28,6 +30,12 @@ public:
     [[nodiscard]] Output &out() { return m_output; }
     /// A line for people on standard error; not with --quiet.
     void note(std::string_view text) const;
+    /// Tells an error that does not end the verb by itself, and yields the exit status that it asks for.
+    [[nodiscard]] int fails(const Error &error) const;
+    /// The device of the verb is found: what is sent from now on is meant for it.
+    void begin();
+    /// Something was, so that a refusal is no wrong usage any more.
+    [[nodiscard]] bool hasSent() const;
 
     /// A signal, or the reader of standard output has gone. A verb that listens ends by itself; the others are cut.
     [[nodiscard]] Listeners<> &interrupted() { return m_interruptions; }
@@ -35,6 +43,8 @@ public:
     void interrupt();
 
 private:
+    [[nodiscard]] std::uint64_t sent() const;
+
     Options m_options;
     Output m_output;
     GuardianClient m_guardian;
@@ -44,7 +54,11 @@ private:
     Subscription m_profileTrouble;
     Listeners<> m_interruptions;
     bool m_isInterrupted = false;
+    std::optional<std::uint64_t> m_sentBefore; ///< in finding the device
 };
+
+/// Tells an error as --json or its absence asks; the last words of the program.
+void tell(const Error &error, int status, bool json);
 
 /// A verb with its arguments, ready to run. Checks everything before it sends anything; yields the exit status.
 using Job = std::function<Task<int>(Console &)>;

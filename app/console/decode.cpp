@@ -48,7 +48,7 @@ public:
         }
         m_rest.erase(0, begin);
         if (m_rest.size() > FrameLogParser::longestLine)
-            return fail(Fault::OutOfRange, m_name + ": " + m_parser.tooLong().detail);
+            return fail(m_parser.tooLong().about(m_name));
         print(prints);
         return {};
     }
@@ -72,7 +72,7 @@ private:
         }
         auto frame = m_parser.parse(text);
         if (!frame)
-            return fail(frame.error().fault, m_name + ": " + frame.error().detail);
+            return fail(frame.error().about(m_name));
         if (*frame)
             m_parsed.emplace_back(std::move(**frame));
         return {};
@@ -122,7 +122,7 @@ Result<void> decodeFile(Console &console, const Arguments &arguments)
 {
     QFile file(qt(arguments.file));
     if (QFileInfo(file).isDir())
-        return fail(Fault::OutOfRange, arguments.file + " is a directory; name a file");
+        return fail(Fault::OutOfRange, arguments.file + " is a directory", "name a file");
     if (!file.open(QIODevice::ReadOnly))
         return fail(Fault::OutOfRange, arguments.file + " cannot be read: " + file.errorString().toStdString());
     if (auto good = readAll(file, LogReader(console, arguments.file, arguments.dialect), false); !good)

@@ -53,17 +53,13 @@ struct Plan {
 Result<Mode> parseMode(const Family &family, const std::string &text)
 {
     std::vector<std::string_view> known{toString(Mode::Off)};
-    std::string list(known.front());
-    for (const Mode mode : family.modes) {
+    for (const Mode mode : family.modes)
         known.push_back(toString(mode));
-        list += ", " + std::string(toString(mode));
-    }
     const auto mode = modeFromString(text);
     if (mode && std::find(known.begin(), known.end(), text) != known.end())
         return *mode;
-    return fail(Fault::OutOfRange,
-        std::string(family.key) + " has no mode '" + text + "'; it has " + list
-            + (mode ? "" : suggestion(text, known)));
+    return fail(Fault::Usage, std::string(family.key) + " has no mode '" + text + "'",
+        mode ? "it has " + joined(known) : suggestion(text, known, "it has " + joined(known)));
 }
 
 Result<double> optionalNumber(std::string_view name, const std::string &text, double low, double high)
@@ -77,9 +73,8 @@ Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
     if (!mode)
         return fail(mode.error());
     if (a.target.empty() && *mode != Mode::Off)
-        return fail(Fault::OutOfRange,
-            "--target is missing; give it in "
-                + std::string(unitOf(*mode).empty() ? "the unit of the mode" : unitOf(*mode)));
+        return fail(Fault::Usage, "--target is missing",
+            "give it in " + std::string(unitOf(*mode).empty() ? "the unit of the mode" : unitOf(*mode)));
     const auto target = optionalNumber("--target", a.target, -huge, huge);
     const auto velocity = optionalNumber("--velocity", a.velocity, 0.0, huge);
     const auto acceleration = optionalNumber("--acceleration", a.acceleration, 0.0, huge);
@@ -94,7 +89,7 @@ Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
     if (!axis || !slot)
         return fail(axis ? slot.error() : axis.error());
     if (a.brake && a.coast)
-        return fail(Fault::OutOfRange, "--brake and --coast exclude each other; give one");
+        return fail(Fault::Usage, "--brake and --coast exclude each other", "give one");
     SetPoint setPoint;
     setPoint.mode = *mode;
     setPoint.target = *target;
@@ -140,8 +135,8 @@ Result<void> checkOffered(const Family &family, const Arguments &arguments)
         return fail(
             Fault::OutOfRange, "--zero: " + std::string(family.key) + " has no command that zeroes its position");
     if (arguments.hasOutputOptions() && !family.capabilities.outputOptions)
-        return fail(Fault::OutOfRange,
-            std::string(family.key) + " has no ramp, brake or direction of its output; leave these options out");
+        return fail(Fault::Usage, std::string(family.key) + " has no ramp, brake or direction of its output",
+            "leave these options out");
     return {};
 }
 
@@ -243,16 +238,15 @@ void report(Console &console, const Outcome &outcome, std::uint64_t samples)
 Result<int> verdictOf(const Device &device, const Outcome &outcome)
 {
     if (outcome.end == SetPointStream::End::LinkLost || device.link().state() == LinkState::Lost)
-        return fail(Fault::LinkLost,
-            "the link was lost while the motor was driven: " + device.link().reason()
-                + "; see that the motor stands before anything else");
+        return fail(Fault::LinkLost, "the link was lost while the motor was driven (" + device.link().reason() + ')',
+            "see that the motor stands before anything else");
     if (!outcome.stopped)
         return fail(Fault::Unsafe,
             "the stop was not confirmed by " + device.selector() + " within a second"
-                + (outcome.isGuarded() ? " (" + outcome.why + ')' : "") + "; cut its power if the motor still turns");
+                + (outcome.isGuarded() ? " (" + outcome.why + ')' : ""),
+            "cut its power if the motor still turns");
     if (outcome.isGuarded())
-        return fail(
-            Fault::Unsafe, "stopped for safety: " + outcome.why + "; remove the cause before it is driven again");
+        return fail(Fault::Unsafe, "stopped for safety: " + outcome.why, "remove the cause before it is driven again");
     return exitDone;
 }
 
@@ -266,6 +260,8 @@ Task<int> drive(Console &console, Arguments arguments)
     Device *const device = co_await std::move(connecting);
     Sleep listening(console.clock(), listen);
     co_await listening;
+    if (auto ready = needsApplication(*device); !ready)
+        co_return fail(ready.error());
     if (auto allowed = device->mayMove(); !allowed)
         co_return fail(allowed.error());
     if (plan->zero) {

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/failure.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+
 namespace mb::console {
 namespace {
 
@@ -12,17 +17,36 @@ std::string_view remedyOf(Fault fault)
     case Fault::BadReply: return "the device speaks an unknown dialect or the link is disturbed; try again";
     case Fault::BadCheck: return "read it again with 'motorbenchctl get' before relying on it";
     case Fault::LinkLost: return "'motorbenchctl links' shows what can be opened";
-    case Fault::OutOfRange:
-    case Fault::Unsupported: return "see 'motorbenchctl --help'";
+    case Fault::OutOfRange: return "'motorbenchctl parameters FAMILY' lists what is legal";
+    case Fault::Unsupported: return "another family or another link may offer it";
+    case Fault::Usage: return "'motorbenchctl help' tells what there is";
     case Fault::Cancelled: return "run it again to finish";
     case Fault::Unsafe: return "remove the cause before the motor is driven";
     }
     return "";
 }
 
+/// As product.md spells them.
+std::string nameOf(Fault fault)
+{
+    std::string name(fault == Fault::BadCheck ? "bad check" : toString(fault));
+    std::replace(name.begin(), name.end(), ' ', '-');
+    return name;
+}
+
+std::string causeOf(const Error &error)
+{
+    return error.detail.empty() ? std::string(toString(error.fault)) : error.detail;
+}
+
+std::string helpOf(const Error &error)
+{
+    return error.remedy.empty() ? std::string(remedyOf(error.fault)) : error.remedy;
+}
+
 } // namespace
 
-int exitStatusOf(Fault fault)
+int exitStatusOf(Fault fault, bool sent)
 {
     switch (fault) {
     case Fault::Timeout: return exitSilent;
@@ -32,7 +56,8 @@ int exitStatusOf(Fault fault)
     case Fault::Cancelled: return exitDevice;
     case Fault::LinkLost: return exitLink;
     case Fault::OutOfRange:
-    case Fault::Unsupported: return exitUsage;
+    case Fault::Usage:
+    case Fault::Unsupported: return sent ? exitDevice : exitUsage;
     case Fault::Unsafe: return exitSafety;
     }
     return exitDevice;
@@ -40,9 +65,18 @@ int exitStatusOf(Fault fault)
 
 std::string lineOf(const Error &error)
 {
-    std::string line = error.detail.empty() ? std::string(toString(error.fault)) : error.detail;
-    const bool namesRemedy = line.find("; ") != std::string::npos;
-    return namesRemedy ? line : line + "; " + std::string(remedyOf(error.fault));
+    return causeOf(error) + "; " + helpOf(error);
+}
+
+std::string jsonOf(const Error &error, int status)
+{
+    const QJsonObject row{
+        {QStringLiteral("status"), status},
+        {QStringLiteral("fault"), QString::fromStdString(nameOf(error.fault))},
+        {QStringLiteral("cause"), QString::fromStdString(causeOf(error))},
+        {QStringLiteral("remedy"), QString::fromStdString(helpOf(error))},
+    };
+    return QJsonDocument(QJsonObject{{QStringLiteral("error"), row}}).toJson(QJsonDocument::Compact).toStdString();
 }
 
 } // namespace mb::console

@@ -17,8 +17,11 @@ enum Exit {
     exitLink = 5,   ///< a link cannot be opened or was lost
 };
 
-[[nodiscard]] int exitStatusOf(Fault fault);
+/// `sent`: something has gone out, so that whatever is refused now is no wrong usage any more.
+[[nodiscard]] int exitStatusOf(Fault fault, bool sent);
 /// One line: the cause, and what helps.
 [[nodiscard]] std::string lineOf(const Error &error);
+/// The same as `{"error":{"status","fault","cause","remedy"}}`.
+[[nodiscard]] std::string jsonOf(const Error &error, int status);
 
 } // namespace mb::console

@@ -32,7 +32,7 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
 {
     const std::string &target = options.target;
     if (!target.empty() && target != "f1" && target != "f4")
-        return fail(Fault::OutOfRange, "--target: '" + target + "' is unknown; f1 and f4 are known");
+        return fail(Fault::Usage, "--target: '" + target + "' is unknown", "f1 and f4 are known");
     const auto erases = [](const UpdateRoute &route) { return route.erasesSettings; };
     if (options.eraseSettings && std::none_of(family.routes.begin(), family.routes.end(), erases))
         return fail(Fault::Unsupported, std::string(family.key) + " has no settings that an update could erase");
@@ -44,11 +44,11 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
             if (route.targets.empty()
                 || std::find(route.targets.begin(), route.targets.end(), target) != route.targets.end())
                 return {};
-            return fail(Fault::OutOfRange, "--target is missing; " + std::string(family.key) + " needs f1 or f4");
+            return fail(Fault::Usage, "--target is missing", std::string(family.key) + " needs f1 or f4");
         }
         ways += (ways.empty() ? "" : " or ") + std::string(route.example);
     }
-    return fail(Fault::OutOfRange, std::string(family.key) + " is not updated over its own link; add --via " + ways);
+    return fail(Fault::Usage, std::string(family.key) + " is not updated over its own link", "add --via " + ways);
 }
 
 Result<Plan> check(const Console &console, const Arguments &arguments)
@@ -59,7 +59,7 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
     const Family &family = *target->family;
     const std::string name(family.key);
     if (!family.update)
-        return fail(Fault::Unsupported, name + " has no firmware update here; use the maker's tool");
+        return fail(Fault::Unsupported, name + " has no firmware update here", "use the maker's tool");
     if (auto way = checkRoute(family, arguments.options); !way)
         return fail(way.error());
     const auto bytes = loadFile(arguments.file, static_cast<std::int64_t>(FirmwareImage::maxTextSize));
@@ -68,11 +68,11 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
     auto parsed
         = FirmwareImage::fromIntelHex(std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));
     if (!parsed)
-        return fail(Fault::OutOfRange,
-            arguments.file + ": " + parsed.error().detail + "; an undamaged Intel HEX file is needed");
+        return fail(
+            Fault::OutOfRange, arguments.file + ": " + parsed.error().detail, "an undamaged Intel HEX file is needed");
     if (family.inspect) {
         if (auto summary = family.inspect(*parsed); !summary)
-            return fail(Fault::OutOfRange, arguments.file + ": " + summary.error().detail);
+            return fail(summary.error().about(arguments.file));
     }
     return Plan{std::move(*target), std::move(*parsed)};
 }
@@ -104,7 +104,7 @@ public:
         if (m_operation.status().log.empty())
             return;
         const auto path = saveTranscript(transcriptFolder(), device, m_operation.status(), how);
-        m_console.note(path ? "the transcript of the update is in " + *path : path.error().detail);
+        m_console.note(path ? "the transcript of the update is in " + *path : path.error().text());
     }
 
     Event done;
@@ -147,7 +147,7 @@ UpdateReport reportOf(Result<UpdateReport> result)
     UpdateReport report;
     report.outcome = result.error().fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed;
     report.fault = result.error().fault;
-    report.evidence = result.error().detail;
+    report.evidence = result.error().text();
     if (report.outcome == UpdateOutcome::Cancelled)
         report.evidence = "cancelled before it was complete; run it again to finish";
     return report;
@@ -199,7 +199,7 @@ Task<int> flash(Console &console, Arguments arguments)
         Update update(console);
         update.start(*plan->target.family, *device, plan->image, arguments.options);
         co_await update.done.wait();
-        if (!update.report && exitStatusOf(update.report.error().fault) == exitUsage)
+        if (!update.report && exitStatusOf(update.report.error().fault, false) == exitUsage)
             co_return fail(update.report.error());
         report = reportOf(std::move(update.report));
         update.keep(*device, report);

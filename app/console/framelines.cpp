@@ -161,7 +161,7 @@ Result<void> checkDialect(const Console &console, const std::string &dialect)
     }
     if (dialect.empty())
         return {};
-    return fail(Fault::OutOfRange, "--dialect: '" + dialect + "' is unknown; " + known + " are known");
+    return fail(Fault::Usage, "--dialect: '" + dialect + "' is unknown", known + " are known");
 }
 
 } // namespace mb::console

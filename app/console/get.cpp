@@ -3,6 +3,7 @@
 #include "app/console/progressline.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "async/outputfile.h"
 
 #include <QJsonDocument>
 
@@ -26,7 +27,7 @@ Result<std::vector<ParameterIndex>> parseKeys(const Family &family, const std::v
         if (!index)
             return fail(index.error());
         if (family.parameters[index->value].access == Access::WriteOnly)
-            return fail(Fault::OutOfRange, key + " can only be written; leave it out");
+            return fail(Fault::OutOfRange, key + " can only be written", "leave it out");
         if (std::find(indices.begin(), indices.end(), *index) == indices.end())
             indices.push_back(*index);
     }
@@ -45,24 +46,26 @@ void addWriteOnly(const Device &device, std::vector<ParameterIndex> &indices)
 }
 
 /// What was read is printed with its failures in it; a file is written only when it is complete.
-Task<int> show(
-    Console &console, Device &device, std::vector<ParameterIndex> indices, std::string file, std::optional<Error> error)
+Task<int> show(Console &console, Device &device, std::vector<ParameterIndex> indices, OutputFile *file,
+    std::string name, std::optional<Error> error)
 {
     const QJsonObject object = parametersToJson(device, indices);
-    if (!file.empty() && !error) {
-        const auto saved = saveFile(file, QJsonDocument(object).toJson(QJsonDocument::Indented));
-        if (!saved)
+    const QByteArray text = QJsonDocument(object).toJson(QJsonDocument::Indented);
+    if (file && !error) {
+        file->write({text.constData(), static_cast<std::size_t>(text.size())});
+        if (auto saved = file->commit(); !saved)
             co_return fail(saved.error());
-        console.note(std::to_string(indices.size()) + " parameters of " + device.selector() + " saved to " + file);
+        console.note(std::to_string(indices.size()) + " parameters of " + device.selector() + " saved to " + name);
     }
     if (console.json())
         console.out().json(object);
-    else if (file.empty())
+    else if (name == "-")
+        console.out().line({text.constData(), static_cast<std::size_t>(text.size() - 1)}); // which ends with one
+    else if (!file)
         printParameters(console, device, indices);
     if (!error)
         co_return exitDone;
-    complain(lineOf(*error));
-    co_return exitStatusOf(error->fault);
+    co_return console.fails(*error);
 }
 
 Task<int> get(Console &console, Arguments arguments)
@@ -73,6 +76,11 @@ Task<int> get(Console &console, Arguments arguments)
     auto indices = parseKeys(*target->family, arguments.keys);
     if (!indices)
         co_return fail(indices.error());
+    std::unique_ptr<OutputFile> file;
+    if (!arguments.file.empty() && arguments.file != "-")
+        file = std::make_unique<OutputFile>(arguments.file);
+    if (auto opened = file ? file->open() : Result<void>(); !opened) // before anything is asked for
+        co_return fail(opened.error());
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     if (auto ready = needsApplication(*device); !ready)
@@ -92,7 +100,7 @@ Task<int> get(Console &console, Arguments arguments)
         co_return fail(*error);
     if (arguments.keys.empty())
         addWriteOnly(*device, *indices);
-    auto showing = show(console, *device, *indices, arguments.file, error);
+    auto showing = show(console, *device, *indices, file.get(), arguments.file, error);
     co_return co_await std::move(showing);
 }
 
@@ -103,7 +111,7 @@ Job declareGet(CLI::App &arguments)
     const auto a = std::make_shared<Arguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("key", a->keys, "What to read; all that can be read by default");
-    arguments.add_option("--file", a->file, "Save to this file instead of printing");
+    arguments.add_option("--file", a->file, "Save to this file instead of printing; - is standard output");
     return [a](Console &console) { return get(console, *a); };
 }
 

@@ -7,14 +7,21 @@
 namespace mb::console {
 namespace {
 
+/// Of several axes, all are shown.
+std::string positionOption(const Family &family)
+{
+    return findChannel(family.channels, "position") ? " --channel position" : "";
+}
+
 Task<int> identify(Console &console, std::string text)
 {
     const auto target = parseTarget(console, text);
     if (!target)
         co_return fail(target.error());
     if (!target->family->capabilities.identify)
-        co_return fail(Fault::Unsupported,
-            std::string(target->family->key) + " cannot blink; tell it by its serial number with 'motorbenchctl info'");
+        co_return fail(Fault::Unsupported, std::string(target->family->key) + " cannot blink",
+            "turn its shaft by hand and see which position moves: motorbenchctl watch " + text
+                + positionOption(*target->family));
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     auto blinking = device->identify();

@@ -132,11 +132,19 @@ struct Kept {
     std::optional<double> number;
 };
 
+std::vector<std::string_view> dialectsOf(const Family &family)
+{
+    std::vector<std::string_view> keys;
+    for (const DialectChoice &row : family.dialects)
+        keys.push_back(row.key);
+    return keys;
+}
+
 Result<Kept> parseKept(const Family &family, const std::string &text)
 {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
-        return fail(Fault::OutOfRange, "'" + text + "' is not KEY=VALUE");
+        return fail(Fault::Usage, "'" + text + "' is not KEY=VALUE", "write it like counts_per_revolution=4096");
     Kept kept{text.substr(0, equals), text.substr(equals + 1), {}};
     std::vector<std::string_view> known;
     if (!family.dialects.empty())
@@ -144,8 +152,14 @@ Result<Kept> parseKept(const Family &family, const std::string &text)
     for (const Calibration &row : family.calibrations)
         known.push_back(row.key);
     if (std::find(known.begin(), known.end(), kept.key) == known.end())
-        return fail(known.empty() ? Fault::Unsupported : Fault::OutOfRange,
-            std::string(family.key) + " has no '" + kept.key + "' to keep" + suggestion(kept.key, known));
+        return fail(known.empty() ? Fault::Unsupported : Fault::Usage,
+            std::string(family.key) + " has no '" + kept.key + "' to keep",
+            suggestion(kept.key, known, known.empty() ? "leave --keep out" : "it has " + joined(known)));
+    const std::vector<std::string_view> dialects = dialectsOf(family);
+    if (kept.key == "dialect" && !kept.text.empty()
+        && std::find(dialects.begin(), dialects.end(), kept.text) == dialects.end())
+        return fail(Fault::Usage, std::string(family.key) + " has no dialect '" + kept.text + "'",
+            "it has " + joined(dialects));
     if (kept.key == "dialect" || kept.text.empty())
         return kept;
     const auto row = std::find_if(family.calibrations.begin(), family.calibrations.end(),

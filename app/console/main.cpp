@@ -7,14 +7,21 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <cerrno>
 #include <clocale>
 #include <csignal>
-#include <iostream>
+#include <cstring>
+#include <optional>
+#include <unistd.h>
+#include <utility>
 
 namespace {
 
 using namespace mb;
 using namespace mb::console;
+
+constexpr Duration lastOutput = std::chrono::seconds(1); // after a signal, for a reader that is slow
 
 /// Runs one job to its end in the program's only event loop.
 class Program {
@@ -25,36 +32,51 @@ public:
         , m_scope(m_clock)
         , m_signals([this] { interrupt(); })
         , m_broken(m_console.out().broken().add([this] { interrupt(); }))
+        , m_drained(m_console.out().done().add([this] { leave(); }))
+        , m_limit(m_clock)
     {
     }
 
     int run(const Job &job)
     {
         m_scope.spawn<int>(job(m_console), [this](Result<int> result) { ended(result); });
-        int status = m_application.exec();
-        m_console.out().flush();
-        if (const std::string &error = m_console.out().error(); !error.empty()) {
-            complain(error);
-            status = status == exitDone ? exitDevice : status;
-        }
-        return status;
+        return m_application.exec();
     }
 
 private:
+    /// What is written is on its way, however slowly it is read; a signal cuts that short.
     void ended(const Result<int> &result)
     {
-        if (!result)
-            complain(lineOf(result.error()));
-        m_application.exit(result ? *result : exitStatusOf(result.error().fault));
+        m_status = result ? *result : m_console.fails(result.error());
+        m_console.out().flush();
+        if (m_console.isInterrupted())
+            m_limit.startIn(lastOutput, [this] { m_console.out().abandon(); });
+        leave();
+    }
+    void leave()
+    {
+        if (!m_status || !m_console.out().isDone())
+            return;
+        const Error &error = m_console.out().error();
+        if (!error.detail.empty() && !std::exchange(m_hasTold, true)) {
+            const int status = m_console.fails(error);
+            m_status = *m_status == exitDone ? status : *m_status;
+        }
+        m_application.exit(*m_status);
     }
     void interrupt()
     {
+        if (m_status) { // only its output was awaited
+            m_console.out().abandon();
+            leave();
+            return;
+        }
         const bool ends = m_console.interrupted().size() > 0;
         m_console.interrupt();
         if (ends)
             return;
         if (m_console.out().isBroken())
-            m_application.exit(exitDone);
+            ended(exitDone);
         else
             ended(fail(Fault::Cancelled, "interrupted before it was done"));
     }
@@ -65,22 +87,47 @@ private:
     Scope m_scope; ///< its task uses everything above
     Signals m_signals;
     Subscription m_broken;
+    Subscription m_drained;
+    Timer m_limit;
+    std::optional<int> m_status; ///< of the verb, once it has ended
+    bool m_hasTold = false;
 };
+
+/// Before there is an event loop. A reader that has gone is no error.
+int print(const std::string &text, bool json)
+{
+    std::string_view rest = text;
+    while (!rest.empty()) {
+        const ssize_t written = ::write(STDOUT_FILENO, rest.data(), rest.size());
+        if (written >= 0)
+            rest.remove_prefix(static_cast<std::size_t>(written));
+        else if (errno == EPIPE)
+            return exitDone;
+        else if (errno != EINTR && errno != EAGAIN) {
+            tell({Fault::Refused, std::string("standard output cannot be written: ") + std::strerror(errno),
+                     "make room, or choose another place"},
+                exitDevice, json);
+            return exitDevice;
+        }
+    }
+    return exitDone;
+}
 
 } // namespace
 
 int main(int argc, char **argv)
 {
     std::signal(SIGPIPE, SIG_IGN);
-    auto line = parseCommandLine({argv + 1, argv + argc});
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow is an error of the file
+    const std::vector<std::string> words(argv + 1, argv + argc);
+    const bool json = std::find(words.begin(), words.end(), "--json") != words.end();
+    auto line = parseCommandLine(words);
     if (!line) {
-        complain(lineOf(line.error()));
+        tell(line.error(), exitUsage, json);
         return exitUsage;
     }
-    if (!line->job) {
-        std::cout << line->text << std::flush;
-        return exitDone;
-    }
+    if (!line->job)
+        return print(line->text, json);
     QCoreApplication application(argc, argv);
     std::setlocale(LC_NUMERIC, "C"); // a number has a dot whatever the locale
     Program program(application, line->options);

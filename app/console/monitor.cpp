@@ -35,8 +35,8 @@ Task<int> monitor(Console &console, Arguments arguments)
     if (auto known = checkDialect(console, arguments.dialect); !known)
         co_return fail(known.error());
     if (links->size() != 1)
-        co_return fail(Fault::OutOfRange,
-            "'" + arguments.link + "' stands for several links; name one, such as " + links->front().text());
+        co_return fail(Fault::Usage, "'" + arguments.link + "' stands for several links",
+            "name one, such as " + links->front().text());
     const auto link = console.session().openLink(links->front());
     if (!link)
         co_return fail(link.error());
@@ -62,7 +62,7 @@ Task<int> monitor(Console &console, Arguments arguments)
         console.note(std::to_string(lost) + ((*link)->kind() == LinkKind::Can ? " frames" : " bytes")
             + " were lost on the way from the kernel");
     if (ending.cause() == Ending::Cause::LinkLost)
-        co_return fail(Fault::LinkLost, ending.reason());
+        co_return fail(Error::fromPhrase(Fault::LinkLost, ending.reason()));
     co_return exitDone;
 }
 

@@ -21,7 +21,8 @@ Result<void> checkFree(Console &console, const Device &device, int number)
         if (other != &device && &other->family() == &device.family() && other->identity().address == number)
             return fail(Fault::OutOfRange,
                 "number " + std::to_string(number) + " is taken by another " + std::string(device.family().title)
-                    + " on this link; choose a free one");
+                    + " on this link",
+                "choose a free one");
     }
     return {};
 }
@@ -47,8 +48,8 @@ Task<int> renumber(Console &console, Arguments arguments)
     if (!number)
         co_return fail(number.error());
     if (!target->family->capabilities.renumber)
-        co_return fail(Fault::Unsupported,
-            std::string(target->family->key) + " has no number that can be changed; see its README");
+        co_return fail(Fault::Unsupported, std::string(target->family->key) + " has no number that can be changed",
+            "its place on the link is fixed");
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     if (auto free = checkFree(console, *device, *number); !free)
@@ -71,10 +72,10 @@ Task<int> renumber(Console &console, Arguments arguments)
                     : pending ? ", in force after its next power cycle"
                               : ", not verified"));
     }
-    if (!verified && !pending)
-        complain(lineOf({Fault::BadCheck,
-            "the device did not answer under its new number; 'motorbenchctl scan' shows where it is"}));
-    co_return verified || pending ? exitDone : exitDevice;
+    if (verified || pending)
+        co_return exitDone;
+    co_return fail(
+        Fault::BadCheck, "the device did not answer under its new number", "'motorbenchctl scan' shows where it is");
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/output.h"
 
+#include "async/sleep.h"
+
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -15,29 +17,32 @@ namespace {
 
 constexpr std::size_t enough = 65536;
 constexpr Duration latency = std::chrono::milliseconds(10);
+constexpr int lastWords = 1000; // ms
 
-/// 0, or the number of the error.
-int writeAll(int descriptor, std::string_view text)
+void put(std::string line, int patience)
 {
-    while (!text.empty()) {
-        const auto written = ::write(descriptor, text.data(), text.size());
-        if (written >= 0) {
-            text.remove_prefix(static_cast<std::size_t>(written));
-        } else if (errno == EAGAIN) {
-            pollfd waiting{descriptor, POLLOUT, 0};
-            ::poll(&waiting, 1, -1);
-        } else if (errno != EINTR) {
-            return errno;
-        }
-    }
-    return 0;
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    line += '\n';
+    const Outlet outlet(STDERR_FILENO);
+    const Outlet::Written written = outlet.write(line);
+    if (written.error != 0 || written.bytes == line.size())
+        return;
+    pollfd room{outlet.descriptor(), POLLOUT, 0};
+    if (::poll(&room, 1, patience) > 0)
+        (void)outlet.write(std::string_view(line).substr(written.bytes));
 }
 
 } // namespace
 
 Output::Output(Clock &clock)
-    : m_timer(clock)
+    : m_clock(clock)
+    , m_outlet(STDOUT_FILENO)
+    , m_timer(clock)
+    , m_posted(clock)
+    , m_writable(m_outlet.descriptor(), QSocketNotifier::Write)
 {
+    m_writable.setEnabled(false);
+    QObject::connect(&m_writable, &QSocketNotifier::activated, &m_writable, [this] { flush(); });
 }
 
 void Output::line(std::string_view text)
@@ -46,7 +51,12 @@ void Output::line(std::string_view text)
         return;
     m_buffer += text;
     m_buffer += '\n';
-    if (m_buffer.size() >= enough)
+    if (m_buffer.size() >= mostWaiting)
+        failed({Fault::Refused, "nobody reads standard output, and what waits has grown too long",
+            "read it, or write to a file"});
+    else if (m_writable.isEnabled())
+        return;
+    else if (m_buffer.size() >= enough)
         flush();
     else if (!m_timer.isActive())
         m_timer.startIn(latency, [this] { flush(); });
@@ -61,27 +71,60 @@ void Output::json(const QJsonObject &object)
 void Output::flush()
 {
     m_timer.stop();
-    if (m_buffer.empty() || m_isBroken)
+    if (isDone())
         return;
-    if (const int number = writeAll(STDOUT_FILENO, m_buffer))
-        failed(number);
-    m_buffer.clear();
+    const Outlet::Written written = m_outlet.write(m_buffer);
+    m_buffer.erase(0, written.bytes);
+    if (written.error == EPIPE)
+        failed({Fault::Refused, {}});
+    else if (written.error != 0)
+        failed({Fault::Refused, std::string("standard output cannot be written: ") + std::strerror(written.error),
+            "make room, or choose another place"});
+    m_writable.setEnabled(!isDone());
+    if (isDone())
+        m_posted.startIn(Duration::zero(), [this] { m_done.notify(); });
 }
 
-void Output::failed(int number)
+void Output::abandon()
+{
+    if (!isDone())
+        failed({Fault::Refused, "standard output was not read, and its end is lost", "read it, or write to a file"});
+}
+
+void Output::failed(Error error)
 {
     m_isBroken = true;
-    if (number != EPIPE)
-        m_error = std::string("standard output cannot be written: ") + std::strerror(number);
+    m_error = std::move(error);
+    m_buffer.clear();
+    m_writable.setEnabled(false);
     m_timer.startIn(Duration::zero(), [this] { m_broken.notify(); });
+}
+
+Task<void> Output::room()
+{
+    flush();
+    Sleep pass(m_clock, Duration::zero());
+    co_await pass;
+    while (!m_isBroken && m_buffer.size() > enough) {
+        Sleep nap(m_clock, latency);
+        co_await nap;
+    }
+    co_return {};
 }
 
 void complain(std::string_view text)
 {
-    std::string line = "motorbenchctl: " + std::string(text);
-    std::replace(line.begin(), line.end(), '\n', ' ');
-    line += '\n';
-    (void)writeAll(STDERR_FILENO, line);
+    put("motorbenchctl: " + std::string(text), 0);
+}
+
+void complainAtLast(std::string_view text)
+{
+    put("motorbenchctl: " + std::string(text), lastWords);
+}
+
+void complainPlain(std::string_view text)
+{
+    put(std::string(text), lastWords);
 }
 
 } // namespace mb::console

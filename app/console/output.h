@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/console/outlet.h"
 #include "async/clock.h"
 #include "async/listeners.h"
+#include "async/task.h"
 
 #include <QJsonObject>
+#include <QSocketNotifier>
 
 #include <string>
 #include <string_view>
 
 namespace mb::console {
 
-/// Standard output, gathered for at most 10 ms so that a full bus does not cost one system call a frame. A reader that
-/// went away (`… | head`) is no error: what follows is dropped, and broken() says so once.
+/// Standard output, gathered for at most 10 ms so that a full bus does not cost one system call a frame. It never waits for
+/// its reader: what he has not taken is kept here, up to a limit. A reader that went away (`… | head`) is no error: what
+/// follows is dropped, and broken() says so once. One that reads nothing any more is, at the limit.
 class Output {
 public:
+    static constexpr std::size_t mostWaiting = 32 * 1024 * 1024; ///< bytes
+
     explicit Output(Clock &clock);
     Output(const Output &) = delete;
     Output &operator=(const Output &) = delete;
@@ -24,24 +30,42 @@ public:
     void line(std::string_view text);
     /// One object on one line.
     void json(const QJsonObject &object);
+    /// Writes what the reader takes now.
     void flush();
+
+    /// Everything was written, or never will be.
+    [[nodiscard]] bool isDone() const { return m_buffer.empty() || m_isBroken; }
+    [[nodiscard]] Listeners<> &done() { return m_done; }
+    /// For who makes text faster than anybody reads: lets the event loop run, and goes on once there is room.
+    [[nodiscard]] Task<void> room();
+    /// Drops what waits, and says that it was lost.
+    void abandon();
 
     [[nodiscard]] Listeners<> &broken() { return m_broken; }
     [[nodiscard]] bool isBroken() const { return m_isBroken; }
     /// Why the last write failed, empty when it did not, or when the reader has gone.
-    [[nodiscard]] const std::string &error() const { return m_error; }
+    [[nodiscard]] const Error &error() const { return m_error; }
 
 private:
-    void failed(int number);
+    void failed(Error error);
 
+    Clock &m_clock;
+    Outlet m_outlet;
     Timer m_timer;
+    Timer m_posted;
+    QSocketNotifier m_writable;
     std::string m_buffer;
-    std::string m_error;
+    Error m_error{Fault::Refused, {}};
     bool m_isBroken = false;
+    Listeners<> m_done;
     Listeners<> m_broken;
 };
 
-/// One line on standard error.
+/// One line on standard error. What its reader does not take is dropped.
 void complain(std::string_view text);
+/// The same, and waits for the reader for at most a second: the last words of a program.
+void complainAtLast(std::string_view text);
+/// That, without the name of the program in front.
+void complainPlain(std::string_view text);
 
 } // namespace mb::console

@@ -13,11 +13,9 @@ Result<ParameterIndex> parseKey(const Family &family, std::string_view key)
     std::vector<std::string_view> known;
     for (const Parameter &parameter : family.parameters)
         known.push_back(parameter.key);
-    const std::string near = suggestion(key, known);
     const std::string name(family.key);
-    return fail(Fault::OutOfRange,
-        name + " has no parameter '" + std::string(key) + '\''
-            + (near.empty() ? "; 'motorbenchctl parameters " + name + "' lists them" : near));
+    return fail(Fault::Usage, name + " has no parameter '" + std::string(key) + '\'',
+        suggestion(key, known, "'motorbenchctl parameters " + name + "' lists them"));
 }
 
 std::string shownValue(const Parameter &parameter, std::optional<std::int64_t> raw)

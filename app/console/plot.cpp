@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/failure.h"
+#include "app/console/signals.h"
 #include "app/console/verb.h"
 
 #include <QCoreApplication>
@@ -7,6 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace mb::console {
@@ -31,16 +33,20 @@ Task<int> plot(Console &console, Arguments a)
         words.insert(words.end(), {"--size", a.size});
     if (console.json())
         words.emplace_back("--json");
+    struct stat status { };
+    if (::stat(a.file.c_str(), &status) == 0 && (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)))
+        co_return fail(Fault::OutOfRange, a.file + " is a device and has no end", "name a recording");
     if (a.file.empty() || a.out.empty())
-        co_return fail(Fault::OutOfRange, "plot needs a recording and --out PICTURE");
+        co_return fail(Fault::Usage, "plot needs a recording and a picture", "add --out PICTURE, a .png, .svg or .pdf");
     std::vector<char *> pointers;
     for (std::string &word : words)
         pointers.push_back(word.data());
     pointers.push_back(nullptr);
     ::setenv("QT_LOGGING_RULES", "*.warning=false", 1); // what the toolkit grumbles about is no word of ours
+    Signals::release();
     ::execv(program.c_str(), pointers.data());
-    co_return fail(Fault::OutOfRange,
-        program + " cannot be run: " + std::strerror(errno) + "; both programs must be in one folder");
+    co_return fail(
+        Fault::OutOfRange, program + " cannot be run: " + std::strerror(errno), "both programs must be in one folder");
 }
 
 } // namespace

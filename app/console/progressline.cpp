@@ -14,7 +14,7 @@ constexpr Duration lineEvery = std::chrono::seconds(1);
 
 void write(const std::string &text)
 {
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
+    (void)Outlet(STDERR_FILENO).write(text);
 }
 
 } // namespace

@@ -23,11 +23,11 @@ Task<int> rename(Console &console, Arguments arguments)
     const int length = qt(arguments.name).size();
     if (length < 1 || length > longest)
         co_return fail(Fault::OutOfRange,
-            "a name has 1 to " + std::to_string(longest) + " characters, this one has " + std::to_string(length)
-                + "; choose another");
+            "a name has 1 to " + std::to_string(longest) + " characters, this one has " + std::to_string(length),
+            "choose another");
     if (!target->family->capabilities.rename)
-        co_return fail(
-            Fault::Unsupported, std::string(target->family->key) + " stores no name; tell units apart by their number");
+        co_return fail(Fault::Unsupported, std::string(target->family->key) + " stores no name",
+            "tell units apart by their number");
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     if (length > usual)
@@ -49,9 +49,9 @@ Task<int> rename(Console &console, Arguments arguments)
         console.out().line(
             "name '" + old + "' → '" + arguments.name + '\'' + (verified ? ", read back" : ", not verified"));
     }
-    if (!verified)
-        complain(lineOf({Fault::BadCheck, "the device now calls itself '" + device->identity().name + "'; try again"}));
-    co_return verified ? exitDone : exitDevice;
+    if (verified)
+        co_return exitDone;
+    co_return fail(Fault::BadCheck, "the device now calls itself '" + device->identity().name + '\'', "try again");
 }
 
 } // namespace

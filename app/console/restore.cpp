@@ -19,6 +19,7 @@ struct Arguments {
     std::string device;
     std::string file;
     bool dryRun = false;
+    bool unitValues = false;
 };
 
 struct Change {
@@ -33,8 +34,8 @@ Result<ParameterFile> load(const std::string &path, const Family &family)
         return fail(bytes.error());
     auto file = parseParameterFile(*bytes, family);
     if (!file)
-        return fail(Fault::OutOfRange,
-            path + ": " + file.error().detail + "; save one with 'motorbenchctl get DEVICE --file F'");
+        return fail(
+            Fault::OutOfRange, path + ": " + file.error().text(), "save one with 'motorbenchctl get DEVICE --file F'");
     return file;
 }
 
@@ -97,9 +98,8 @@ std::vector<Change> lostChanges(const Device &device)
 Result<std::optional<ParameterFile>> loadNamed(const std::string &path, const Family &family)
 {
     if (path.empty() && family.capabilities.keepsSettings)
-        return fail(Fault::OutOfRange,
-            "a " + std::string(family.title)
-                + " keeps its settings itself; name a FILE that 'motorbenchctl get DEVICE --file F' saved");
+        return fail(Fault::Usage, "a " + std::string(family.title) + " keeps its settings itself",
+            "name a FILE that 'motorbenchctl get DEVICE --file F' saved");
     if (path.empty())
         return std::optional<ParameterFile>();
     auto file = load(path, family);
@@ -132,15 +132,23 @@ Task<void> readCurrent(Console &console, Device &device, std::vector<ParameterIn
     co_return {};
 }
 
-Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterFile file, std::string path)
+Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterFile file, Arguments arguments)
 {
     for (const std::string &note : file.notes)
-        console.note(path + ": " + note + ", left out");
+        console.note(arguments.file + ": " + note + ", left out");
     auto reading = readCurrent(console, device, toRead(device.family(), file));
     co_await std::move(reading);
+    if (!file.serial.empty() && !isOfSameUnit(sourceOf(device), file))
+        console.note(arguments.file + " was saved from unit " + file.serial + ", this one is "
+            + (device.identity().serial.empty() ? "without a serial number" : device.identity().serial));
     std::vector<Change> changes;
-    for (const ParameterDifference &difference : differences(device, file))
-        changes.push_back({difference});
+    for (const ParameterDifference &difference : differences(device, file)) {
+        if (!difference.ofAnotherUnit || arguments.unitValues)
+            changes.push_back({difference});
+        else
+            console.note(std::string(device.parameters().parameter(difference.index).key)
+                + " belongs to the unit that the file was saved from, left out; --unit-values writes it as well");
+    }
     co_return changes;
 }
 
@@ -158,7 +166,7 @@ Task<int> restore(Console &console, Arguments arguments)
         co_return fail(ready.error());
     std::vector<Change> changes = *file ? std::vector<Change>() : lostChanges(*device);
     if (*file) {
-        auto comparing = changesOf(console, *device, **file, arguments.file);
+        auto comparing = changesOf(console, *device, **file, arguments);
         changes = co_await std::move(comparing);
     }
     std::optional<Error> error;
@@ -169,8 +177,7 @@ Task<int> restore(Console &console, Arguments arguments)
     show(console, *device, changes);
     if (!error)
         co_return exitDone;
-    complain(lineOf(*error));
-    co_return exitStatusOf(error->fault);
+    co_return console.fails(*error);
 }
 
 } // namespace
@@ -182,6 +189,8 @@ Job declareRestore(CLI::App &arguments)
     arguments.add_option("file", a->file,
         "A file that 'get --file' saved; without it, on boards that keep nothing, what was last written to them");
     arguments.add_flag("--dry-run", a->dryRun, "Show the difference, write nothing");
+    arguments.add_flag("--unit-values", a->unitValues,
+        "Also what belongs to the one unit that the file was saved from, such as its calibration or node id");
     return [a](Console &console) { return restore(console, *a); };
 }
 

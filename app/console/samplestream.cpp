@@ -79,11 +79,8 @@ Result<std::vector<ChannelIndex>> parseChannels(const Family &family, const std:
             channels.push_back(*channel);
             continue;
         }
-        std::string list;
-        for (const std::string_view key : known)
-            list += (list.empty() ? "" : ", ") + std::string(key);
-        return fail(Fault::OutOfRange,
-            std::string(family.key) + " has no channel '" + name + "'; it has " + list + suggestion(name, known));
+        return fail(Fault::Usage, std::string(family.key) + " has no channel '" + name + "'",
+            suggestion(name, known, "it has " + joined(known)));
     }
     return channels;
 }

@@ -47,15 +47,19 @@ public:
         return all;
     }
 
+    /// Links that were looked through to the end.
+    [[nodiscard]] std::size_t scanned() const { return m_scanned; }
+
     Event done;
     std::optional<Error> error;
 
 private:
     void ended(std::size_t link, Result<std::vector<Device *>> found)
     {
-        if (found)
+        if (found) {
             m_found[link] = std::move(*found);
-        else if (!error)
+            ++m_scanned;
+        } else if (!error)
             error = found.error();
         if (--m_running == 0)
             done.set();
@@ -66,15 +70,17 @@ private:
     ProgressLine m_progress;
     std::vector<std::vector<Device *>> m_found;
     std::size_t m_running = 0;
+    std::size_t m_scanned = 0;
     Scope m_scope;
 };
 
 struct Opened {
     std::vector<Link *> links;
     std::vector<LinkListing> listings;
+    std::optional<Error> error; ///< of the first that cannot be opened, while others can
 };
 
-/// The links that were named: each must open.
+/// The links that were named. One that cannot be opened takes nothing from the others.
 Result<Opened> openNamed(Console &console, const std::vector<std::string> &names)
 {
     const auto addresses = parseLinks(console, names);
@@ -83,10 +89,16 @@ Result<Opened> openNamed(Console &console, const std::vector<std::string> &names
     Opened opened;
     for (const LinkAddress &address : *addresses) {
         auto link = console.session().openLink(address);
-        if (!link)
-            return fail(link.error());
-        opened.links.push_back(*link);
+        if (link) {
+            opened.links.push_back(*link);
+            continue;
+        }
+        opened.listings.push_back({address, kindOf(address), "absent", link.error().text(), false, {}, false});
+        if (!opened.error)
+            opened.error = link.error();
     }
+    if (opened.links.empty() && opened.error)
+        return fail(*opened.error);
     return opened;
 }
 
@@ -103,7 +115,7 @@ Opened openListed(Console &console)
             opened.links.push_back(*link);
             continue;
         }
-        listing.detail = link.error().detail;
+        listing.detail = link.error().text();
         console.note(listing.link.text() + ": " + listing.detail);
     }
     return opened;
@@ -141,11 +153,12 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
     round->start(opened.links);
     co_await round->done.wait();
     const std::vector<Device *> devices = round->devices();
-    const std::optional<Error> error = round->error;
+    const std::optional<Error> error = round->error ? round->error : opened.error;
+    const bool anyScanned = round->scanned() > 0;
     round.reset(); // nothing is drawn any more
-    if (error && !names.empty())
+    if (error && !names.empty() && !anyScanned)
         co_return fail(*error);
-    if (error)
+    if (error && names.empty())
         console.note(lineOf(*error));
     for (const Link *link : opened.links) {
         const auto same = [link](const LinkListing &listing) { return listing.link == link->address(); };
@@ -166,7 +179,7 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
     } else {
         print(console, devices);
     }
-    co_return exitDone;
+    co_return error && !names.empty() ? console.fails(*error) : exitDone;
 }
 
 } // namespace

@@ -20,13 +20,13 @@ Result<ParameterChange> parseAssignment(const Family &family, const std::string 
 {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
-        return fail(Fault::OutOfRange, "'" + text + "' is not KEY=VALUE; write it like slot0.p=1.5");
+        return fail(Fault::Usage, "'" + text + "' is not KEY=VALUE", "write it like slot0.p=1.5");
     const auto index = parseKey(family, text.substr(0, equals));
     if (!index)
         return fail(index.error());
     const Parameter &parameter = family.parameters[index->value];
     if (parameter.access == Access::ReadOnly)
-        return fail(Fault::OutOfRange, std::string(parameter.key) + " is read-only; leave it out");
+        return fail(Fault::OutOfRange, std::string(parameter.key) + " is read-only", "leave it out");
     const auto raw = parseRaw(parameter, text.substr(equals + 1));
     if (!raw)
         return fail(raw.error());
@@ -42,8 +42,8 @@ Result<std::vector<ParameterChange>> parseAssignments(const Family &family, cons
             return fail(change.error());
         const auto same = [&](const ParameterChange &other) { return other.index == change->index; };
         if (std::any_of(changes.begin(), changes.end(), same))
-            return fail(Fault::OutOfRange,
-                std::string(family.parameters[change->index.value].key) + " is given twice; give it once");
+            return fail(Fault::Usage, std::string(family.parameters[change->index.value].key) + " is given twice",
+                "give it once");
         changes.push_back(*change);
     }
     return changes;
@@ -81,8 +81,7 @@ Task<std::optional<Error>> store(Console &console, Device &device)
     auto storing = device.store(progress);
     const Result<bool> stored = co_await std::move(storing).attempt();
     if (!stored)
-        co_return std::optional<Error>(Error{
-            stored.error().fault, "the values are in force but not proved to be stored: " + stored.error().detail});
+        co_return std::optional<Error>(stored.error().about("the values are in force but not proved to be stored"));
     if (!*stored)
         console.note("this device cannot prove that it stored the values; read them again after a power cycle");
     co_return std::optional<Error>();
@@ -108,7 +107,7 @@ Task<int> set(Console &console, Arguments arguments)
     }
     std::optional<Error> error = firstError(*device, outcomes);
     if (error && outcomes.size() > 1)
-        error->detail += "; written before it: " + std::to_string(outcomes.size() - 1);
+        error->detail += " (written before it: " + std::to_string(outcomes.size() - 1) + ')';
     if (error && error->fault != Fault::BadCheck)
         co_return fail(*error);
     if (arguments.store && !error) {
@@ -121,8 +120,9 @@ Task<int> set(Console &console, Arguments arguments)
     show(console, *device, indices, error ? std::optional<bool>(false) : verdictOf(outcomes));
     if (!error)
         co_return exitDone;
-    complain(lineOf(*error));
-    co_return exitStatusOf(error->fault == Fault::Timeout ? Fault::BadCheck : error->fault);
+    if (error->fault == Fault::Timeout)
+        error->fault = Fault::BadCheck;
+    co_return console.fails(*error);
 }
 
 } // namespace

@@ -42,6 +42,11 @@ Signals::~Signals()
 {
     m_notifier.setEnabled(false);
     ::close(m_descriptor);
+    release();
+}
+
+void Signals::release()
+{
     const sigset_t set = ending();
     ::sigprocmask(SIG_UNBLOCK, &set, nullptr);
 }

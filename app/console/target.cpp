@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/target.h"
 
+#include "async/event.h"
+#include "async/scope.h"
 #include "model/parametertransfer.h"
 #include "model/registry.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace mb::console {
@@ -39,13 +40,10 @@ Result<const Family *> parseFamily(std::span<const Family *const> families, std:
     if (const Family *family = findFamily(families, key))
         return family;
     std::vector<std::string_view> known;
-    std::string list;
-    for (const Family *family : families) {
+    for (const Family *family : families)
         known.push_back(family->key);
-        list += (list.empty() ? "" : ", ") + std::string(family->key);
-    }
-    return fail(Fault::OutOfRange,
-        "unknown family '" + std::string(key) + "'; this build knows " + list + suggestion(key, known));
+    return fail(Fault::Usage, "unknown family '" + std::string(key) + "'",
+        suggestion(key, known, "this build knows " + joined(known)));
 }
 
 Result<Target> parseTarget(const Console &console, std::string_view text)
@@ -62,9 +60,9 @@ Result<Target> parseTarget(const Console &console, std::string_view text)
         selector->link = link;
         return Target{std::move(*selector), *family};
     }
-    return fail(Fault::OutOfRange,
-        std::string((*family)->key) + " is not found on a " + std::string(toString(kindOf(selector->link)))
-            + " link; a " + std::string(toString((*family)->links.front())) + " link is needed");
+    return fail(Fault::Usage,
+        std::string((*family)->key) + " is not found on a " + std::string(toString(kindOf(selector->link))) + " link",
+        "a " + std::string(toString((*family)->links.front())) + " link is needed");
 }
 
 Result<std::vector<LinkAddress>> parseLinks(const Console &console, const std::vector<std::string> &texts)
@@ -99,30 +97,61 @@ Task<void> noteReset(Console &console, Device &device)
 
 } // namespace
 
+namespace {
+
+/// As long as --timeout says.
+Task<Device *> find(Console &console, DeviceSelector selector)
+{
+    const std::optional<Duration> patience = console.options().timeout;
+    Result<Device *> found = fail(Fault::Timeout,
+        "no answer from " + selector.family + ' ' + std::to_string(selector.address) + " within "
+            + numberText(secondsOf(patience.value_or(Duration::zero()))) + " s");
+    auto looking = console.session().connect(std::move(selector));
+    if (!patience)
+        co_return co_await std::move(looking).attempt();
+    Event over;
+    Timer limit(console.clock());
+    Scope scope(console.clock());
+    scope.spawn<Device *>(std::move(looking), [&found, &over](Result<Device *> result) {
+        found = std::move(result);
+        over.set();
+    });
+    limit.startIn(*patience, [&over] { over.set(); });
+    co_await over.wait();
+    co_return std::move(found);
+}
+
+} // namespace
+
 Task<Device *> connect(Console &console, Target target)
 {
-    auto task = console.session().connect(std::move(target.selector));
-    const Result<Device *> device = co_await std::move(task).attempt();
+    Result<Device *> device;
+    for (int tries = 0; tries <= console.options().retries; ++tries) {
+        auto finding = find(console, target.selector);
+        device = co_await std::move(finding).attempt();
+        if (device || device.error().fault != Fault::Timeout)
+            break;
+    }
     if (!device && device.error().fault == Fault::Refused)
-        co_return fail(Fault::OutOfRange, device.error().detail);
+        co_return fail(Fault::Usage, device.error().detail, device.error().remedy); // the words fit several
     if (!device)
         co_return fail(device.error());
     auto noting = noteReset(console, **device);
     co_await std::move(noting);
+    console.begin();
     co_return *device;
 }
 
 Result<void> needsApplication(const Device &device)
 {
     if (device.link().address().isRecording())
-        return fail(Fault::Unsupported,
-            device.selector() + " is a recording: it can be watched, no more; open the link that it was made on");
+        return fail(Fault::Unsupported, device.selector() + " is a recording: it can be watched, no more",
+            "open the link that it was made on");
     if (device.identity().state != DeviceState::Bootloader)
         return {};
-    return fail(Fault::Refused,
-        device.selector()
-            + " waits in its bootloader, where this is not possible; update its firmware with 'motorbenchctl flash' "
-              "first");
+    return fail(Fault::Refused, device.selector() + " waits in its bootloader, where this is not possible",
+        "update its firmware with 'motorbenchctl flash' "
+        "first");
 }
 
 QJsonObject scanRow(const Device &device)
@@ -143,7 +172,7 @@ QJsonObject scanRow(const Device &device)
     };
 }
 
-std::string suggestion(std::string_view wrong, const std::vector<std::string_view> &known)
+std::string suggestion(std::string_view wrong, const std::vector<std::string_view> &known, std::string otherwise)
 {
     std::string_view nearest;
     std::size_t least = std::max<std::size_t>(2, wrong.size() / 3) + 1;
@@ -155,22 +184,27 @@ std::string suggestion(std::string_view wrong, const std::vector<std::string_vie
             nearest = word;
         }
     }
-    return nearest.empty() ? std::string() : "; did you mean " + std::string(nearest) + "?";
+    return nearest.empty() ? otherwise : "did you mean " + std::string(nearest) + "?";
+}
+
+std::string joined(const std::vector<std::string_view> &words)
+{
+    std::string list;
+    for (const std::string_view word : words)
+        list += (list.empty() ? "" : ", ") + std::string(word);
+    return list;
 }
 
 Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high)
 {
-    double number = 0.0;
-    const char *end = text.data() + text.size();
-    const char *begin = text.starts_with('+') ? text.data() + 1 : text.data();
-    const auto parsed = std::from_chars(begin, end, number);
-    if (parsed.ec != std::errc{} || parsed.ptr != end || !std::isfinite(number))
-        return fail(Fault::OutOfRange, std::string(name) + ": '" + text + "' is not a number; write it like 2.5");
-    if (number < low || number > high)
-        return fail(Fault::OutOfRange,
-            std::string(name) + ": " + text + " is out of range; legal is " + numberText(low) + " … "
-                + numberText(high));
-    return number;
+    const std::optional<double> number = numberFrom(text);
+    if (!number)
+        return fail(
+            Fault::OutOfRange, std::string(name) + ": '" + text + "' is not a number", "write it with a dot, like 2.5");
+    if (*number < low || *number > high)
+        return fail(Fault::OutOfRange, std::string(name) + ": " + text + " is out of range",
+            "legal is " + numberText(low) + " … " + numberText(high));
+    return *number;
 }
 
 Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high)
@@ -179,9 +213,8 @@ Result<int> parseInteger(std::string_view name, const std::string &text, int low
     if (!number)
         return fail(number.error());
     if (*number != std::floor(*number))
-        return fail(Fault::OutOfRange,
-            std::string(name) + ": " + text + " is not a whole number; legal is " + std::to_string(low) + " … "
-                + std::to_string(high));
+        return fail(Fault::OutOfRange, std::string(name) + ": " + text + " is not a whole number",
+            "legal is " + std::to_string(low) + " … " + std::to_string(high));
     return static_cast<int>(*number);
 }
 

@@ -32,8 +32,11 @@ struct Target {
 /// A row of `scan`.
 [[nodiscard]] QJsonObject scanRow(const Device &device);
 
-/// "; did you mean X?" when one of `known` is near, else "".
-[[nodiscard]] std::string suggestion(std::string_view wrong, const std::vector<std::string_view> &known);
+/// "did you mean X?" when one of `known` is near, else `otherwise`, which lists them.
+[[nodiscard]] std::string suggestion(
+    std::string_view wrong, const std::vector<std::string_view> &known, std::string otherwise);
+/// "a, b, c".
+[[nodiscard]] std::string joined(const std::vector<std::string_view> &words);
 /// A finite number inside [low, high]; OutOfRange names the argument.
 [[nodiscard]] Result<double> parseNumber(std::string_view name, const std::string &text, double low, double high);
 [[nodiscard]] Result<int> parseInteger(std::string_view name, const std::string &text, int low, int high);

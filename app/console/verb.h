@@ -37,5 +37,7 @@ struct Verb {
 [[nodiscard]] Job declareDecode(CLI::App &arguments);
 [[nodiscard]] Job declarePlot(CLI::App &arguments);
 [[nodiscard]] Job declareSimulate(CLI::App &arguments);
+[[nodiscard]] Job declareHelp(CLI::App &arguments);
+[[nodiscard]] Job declareCompletion(CLI::App &arguments);
 
 } // namespace mb::console

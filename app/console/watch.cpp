@@ -93,14 +93,15 @@ Task<int> stream(Console &console, Device &device, Plan plan, Ending &ending)
         summarize(console, samples, static_cast<double>(took.count()) / 1000.0);
     }
     if (ending.cause() == Ending::Cause::LinkLost)
-        error = Error{Fault::LinkLost, ending.reason()};
+        error = Error::fromPhrase(Fault::LinkLost, ending.reason());
     else if (device.link().state() == LinkState::Lost)
-        error = Error{Fault::LinkLost, device.link().address().text() + " was lost: " + device.link().reason()};
+        error = Error::fromPhrase(
+            Fault::LinkLost, device.link().address().text() + " was lost: " + device.link().reason());
     if (plan.rate > 0.0) {
         auto restoring = setRates(device, plan.channels, 0.0);
         const std::optional<Error> failed = co_await std::move(restoring);
         if (failed && !error)
-            error = Error{failed->fault, "the device's rate was not put back: " + failed->detail};
+            error = failed->about("the device's rate was not put back");
     }
     if (error)
         co_return fail(*error);

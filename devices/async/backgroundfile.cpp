@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/backgroundfile.h"
 
+#include "async/outputfile.h"
+
 #include <cerrno>
 
 #include <fcntl.h>
@@ -10,23 +12,6 @@ namespace mb {
 namespace {
 
 constexpr std::size_t worthWriting = 64 * 1024;
-
-/// In English whatever the locale.
-std::string causeOf(int number)
-{
-    switch (number) {
-    case ENOSPC:
-    case EDQUOT: return "the disk is full; make room, or record elsewhere";
-    case EACCES:
-    case EPERM:
-    case EROFS: return "no permission to write there; choose another folder";
-    case ENOENT:
-    case ENOTDIR: return "there is no such folder; choose another one";
-    case EISDIR: return "it is a folder; name a file";
-    case EFBIG: return "the file has reached the greatest size there; begin another one";
-    default: return "it cannot be written (system error " + std::to_string(number) + "); check the disk";
-    }
-}
 
 } // namespace
 
@@ -41,7 +26,7 @@ Result<std::unique_ptr<BackgroundFile>> BackgroundFile::create(const std::string
 {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, 0666);
     if (descriptor < 0)
-        return fail(Fault::LinkLost, path + ": " + causeOf(errno));
+        return fail(Error::fromPhrase(Fault::LinkLost, path + ": " + writeFailure(errno)));
     return std::unique_ptr<BackgroundFile>(new BackgroundFile(path, descriptor));
 }
 
@@ -111,7 +96,7 @@ void BackgroundFile::run()
     const int failed = ::close(m_descriptor) == 0 ? 0 : errno;
     lock.lock();
     if (failed != 0 && m_status.problem.empty())
-        m_status.problem = m_path + ": " + causeOf(failed);
+        m_status.problem = m_path + ": " + writeFailure(failed);
     m_status.finished = true;
 }
 
@@ -123,7 +108,7 @@ std::string BackgroundFile::writeAll(std::string_view text) const
         if (done < 0 && errno == EINTR)
             continue;
         if (done < 0)
-            return m_path + ": " + causeOf(errno);
+            return m_path + ": " + writeFailure(errno);
         text.remove_prefix(static_cast<std::size_t>(done));
     }
     return {};

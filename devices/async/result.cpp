@@ -3,6 +3,24 @@
 
 namespace mb {
 
+Error Error::fromPhrase(Fault fault, std::string_view phrase)
+{
+    const auto end = phrase.find("; ");
+    if (end == std::string_view::npos)
+        return {fault, std::string(phrase)};
+    return {fault, std::string(phrase.substr(0, end)), std::string(phrase.substr(end + 2))};
+}
+
+std::string Error::text() const
+{
+    return remedy.empty() ? detail : detail + "; " + remedy;
+}
+
+Error Error::about(std::string_view what) const
+{
+    return {fault, std::string(what) + ": " + detail, remedy};
+}
+
 std::string_view toString(Fault fault)
 {
     switch (fault) {
@@ -12,6 +30,7 @@ std::string_view toString(Fault fault)
     case Fault::BadCheck: return "check failed";
     case Fault::LinkLost: return "link lost";
     case Fault::OutOfRange: return "out of range";
+    case Fault::Usage: return "usage";
     case Fault::Unsupported: return "unsupported";
     case Fault::Cancelled: return "cancelled";
     case Fault::Unsafe: return "unsafe";

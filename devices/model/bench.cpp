@@ -43,8 +43,8 @@ Result<BenchOptions> parseOptions(const LinkAddress &address)
             options.faults.push_back(*fault);
             good = true;
         } else {
-            return fail(Fault::OutOfRange,
-                "unknown option '" + key + "' of a simulated link; seed, loss, bitrate and fault are known");
+            return fail(Fault::OutOfRange, "unknown option '" + key + "' of a simulated link",
+                "seed, loss, bitrate and fault are known");
         }
         if (!good)
             return fail(Fault::OutOfRange, "link option " + key + "=" + value + " is out of range");
@@ -70,7 +70,7 @@ Result<std::unique_ptr<Bench>> Bench::create(
     if (!options)
         return fail(options.error());
     if (address.path.empty())
-        return fail(Fault::Unsupported, "sim: stands for several links; name one, such as sim:can");
+        return fail(Fault::Unsupported, "sim: stands for several links", "name one, such as sim:can");
     auto bus = makeSimulatedBus(kindOf(address), clock, options->bitrate, options->seed);
     if (!bus)
         return fail(bus.error());

@@ -118,8 +118,8 @@ Result<void> Device::setDialect(std::string_view key)
         for (const DialectChoice &row : m_family.dialects)
             known += (known.empty() ? "" : ", ") + std::string(row.key);
         return fail(known.empty() ? Fault::Unsupported : Fault::OutOfRange,
-            std::string(m_family.key) + " has no dialect '" + std::string(key) + "'"
-                + (known.empty() ? "" : "; it has " + known));
+            std::string(m_family.key) + " has no dialect '" + std::string(key) + "'",
+            known.empty() ? std::string() : "it has " + known);
     }
     m_profile.dialect = key;
     applyProfile();
@@ -198,21 +198,20 @@ Result<void> Device::mayMove() const
         return fail(Fault::LinkLost, m_link.address().shortName() + ": " + m_link.reason());
     if (m_link.address().isRecording())
         return fail(Fault::Unsupported,
-            m_link.address().shortName()
-                + " is a recording: what is in it can be watched, not driven; open the link that it was made on");
+            m_link.address().shortName() + " is a recording: what is in it can be watched, not driven",
+            "open the link that it was made on");
     switch (m_identity.state) {
     case DeviceState::Duplicate:
-        return fail(Fault::Unsafe,
-            "several units answer as number " + std::to_string(m_identity.address)
-                + "; control is locked until one has another number");
+        return fail(Fault::Unsafe, "several units answer as number " + std::to_string(m_identity.address),
+            "control is locked until one has another number");
     case DeviceState::Unassigned:
-        return fail(Fault::Unsafe, "this unit has no number yet; assign one before it is driven");
+        return fail(Fault::Unsafe, "this unit has no number yet", "assign one before it is driven");
     case DeviceState::Bootloader:
-        return fail(Fault::Unsafe, "no application runs in this unit; update its firmware first");
+        return fail(Fault::Unsafe, "no application runs in this unit", "update its firmware first");
     case DeviceState::Online: break;
     }
     if (m_liveness.foreignMaster)
-        return fail(Fault::Unsafe, "another master drives " + selector() + "; stop it there first");
+        return fail(Fault::Unsafe, "another master drives " + selector(), "stop it there first");
     if (auto guarded = m_guard.possible(); !guarded)
         return guarded;
     return doMayMove();

@@ -39,7 +39,8 @@ Result<void> DeviceGuard::possible() const
     if (link.state() == LinkState::Open && !link.outlet().isInheritable())
         return fail(Fault::Unsafe,
             "this device has no watchdog, and on " + link.address().shortName()
-                + " nothing could stop it if the program died; use an interface of the kernel");
+                + " nothing could stop it if the program died",
+            "use an interface of the kernel");
     return {};
 }
 

@@ -24,9 +24,18 @@ bool Operation::cancel()
     m_timer.startIn(Duration::zero(), [this] {
         const auto keep = m_job; // the callback may destroy this operation
         if (m_status.mayInterrupt)
-            keep->cancelled(*this);
+            keep->cut(*this, {Fault::Cancelled, "cancelled"});
     });
     return true;
+}
+
+void Operation::dismiss(const Error &error)
+{
+    if (!isRunning() || !m_job)
+        return;
+    m_timer.stop();
+    const auto keep = m_job; // the callback may destroy this operation
+    keep->cut(*this, error);
 }
 
 void Operation::step(const std::string &what, int done, int total)

@@ -57,6 +57,9 @@ public:
     /// Posted: the task ends before its next step, and `finished` gets Cancelled. Nothing happens while the job must not be
     /// interrupted; it can be asked again then.
     bool cancel();
+    /// Ends the job at once, whatever it does, and `finished` gets `error`: what it works with is about to go. Not from inside
+    /// the job. A job that is simply destroyed with its operation answers nobody.
+    void dismiss(const Error &error);
 
     [[nodiscard]] const OperationStatus &status() const { return m_status; }
     [[nodiscard]] bool isRunning() const { return m_status.state == OperationStatus::State::Running; }
@@ -71,7 +74,7 @@ private:
     struct AnyJob {
         virtual ~AnyJob() = default;
         virtual void finish(Operation &operation) = 0;
-        virtual void cancelled(Operation &operation) = 0;
+        virtual void cut(Operation &operation, const Error &error) = 0;
         virtual void abandon() = 0;
     };
     template <class T> struct Job final : AnyJob {
@@ -81,14 +84,14 @@ private:
         {
         }
         void finish(Operation &operation) override { end(operation, std::move(task.result())); }
-        void cancelled(Operation &operation) override
+        void cut(Operation &operation, const Error &error) override
         {
             if (task.isFinished()) {
                 finish(operation);
                 return;
             }
             task.cancel();
-            end(operation, fail(Fault::Cancelled, "cancelled"));
+            end(operation, fail(error));
         }
         void abandon() override { task.cancel(); }
         void end(Operation &operation, Result<T> result)

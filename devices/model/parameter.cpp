@@ -10,25 +10,16 @@
 namespace mb {
 namespace {
 
-std::optional<double> parseNumber(std::string text)
+/// Of 32 bits.
+std::optional<double> hexadecimalFrom(std::string_view text)
 {
-    std::replace(text.begin(), text.end(), ',', '.');
-    if (text.starts_with("\xE2\x88\x92")) // U+2212, the minus sign that the window shows
-        text.replace(0, 3, "-");
-    if (text.starts_with('+'))
-        text.erase(0, 1);
-    if (text.starts_with("0x") || text.starts_with("0X")) {
-        std::uint64_t value = 0;
-        const auto parsed = std::from_chars(text.data() + 2, text.data() + text.size(), value, 16);
-        if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || value > 0xFFFFFFFFULL)
-            return std::nullopt;
-        return static_cast<double>(value);
-    }
-    double value = 0.0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !std::isfinite(value))
+    if (!text.starts_with("0x") && !text.starts_with("0X"))
         return std::nullopt;
-    return value;
+    std::uint64_t value = 0;
+    const auto parsed = std::from_chars(text.data() + 2, text.data() + text.size(), value, 16);
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || value > 0xFFFFFFFFULL)
+        return std::nullopt;
+    return static_cast<double>(value);
 }
 
 std::string trimmed(std::string_view text)
@@ -79,15 +70,14 @@ Result<std::int64_t> toRaw(const Parameter &parameter, double number)
     if (!std::isfinite(number))
         return fail(Fault::OutOfRange, key + " needs a number");
     if (number > parameter.maximum)
-        return fail(Fault::OutOfRange,
-            key + ": " + numberText(number) + " is above " + numberText(parameter.maximum) + "; legal is "
-                + rangeText(parameter));
+        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is above " + numberText(parameter.maximum),
+            "legal is " + rangeText(parameter));
     if (number < parameter.minimum)
-        return fail(Fault::OutOfRange,
-            key + ": " + numberText(number) + " is below " + numberText(parameter.minimum) + "; legal is "
-                + rangeText(parameter));
+        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is below " + numberText(parameter.minimum),
+            "legal is " + rangeText(parameter));
     if (parameter.one == 1.0 && number != std::floor(number))
-        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is not a whole number");
+        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is not a whole number",
+            "legal is " + rangeText(parameter));
     const RawRange wire = rangeOf(parameter.type);
     return std::clamp(toFixed(number, parameter.one), wire.low, wire.high);
 }
@@ -112,12 +102,26 @@ Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text)
             return 1;
         if (word == "off" || word == "false" || word == "no" || word == "0")
             return 0;
-        return fail(Fault::OutOfRange, std::string(parameter.key) + ": '" + word + "' is neither on nor off");
+        return fail(Fault::OutOfRange, std::string(parameter.key) + ": '" + word + "' is neither on nor off",
+            "write on or off");
     }
-    const auto number = parseNumber(word);
+    const auto hexadecimal = hexadecimalFrom(word);
+    const auto number = hexadecimal ? hexadecimal : numberFrom(word);
     if (!number)
-        return fail(Fault::OutOfRange, std::string(parameter.key) + ": '" + word + "' is not a number");
+        return fail(Fault::OutOfRange, std::string(parameter.key) + ": '" + word + "' is not a number",
+            word.find(',') == std::string::npos ? "write it like 2.5" : "write it with a dot, like 1.5, and no comma");
     return toRaw(parameter, *number);
+}
+
+std::optional<double> numberFrom(std::string_view text)
+{
+    if (text.starts_with('+') && !text.starts_with("+-"))
+        text.remove_prefix(1);
+    double value = 0.0;
+    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
 }
 
 std::string numberText(double number)

@@ -92,6 +92,8 @@ struct Parameter {
     std::string_view label;
     std::string_view help;
     std::span<const Choice> choices{};
+    bool belongsToUnit
+        = false; ///< tells one unit from another, or was calibrated for it: not copied to another unit unasked
     bool afterRestart = false; ///< what is written is in force after the next power cycle only, and so not compared
 };
 
@@ -128,10 +130,14 @@ using Value = std::variant<std::monostate, bool, double>;
 [[nodiscard]] Result<std::int64_t> toRaw(const Parameter &parameter, double number);
 /// A raw value that the row allows, such as one that a file kept.
 [[nodiscard]] bool isLegal(const Parameter &parameter, std::int64_t raw);
-/// What a user typed: a number with "." or ",", `0x…`, on/off/true/false/yes/no, or a choice. OutOfRange otherwise.
+/// What a command line or a file says: a number as numberFrom() takes it, `0x…`, on/off/true/false/yes/no, or a choice.
+/// OutOfRange otherwise. What people type into the window, comma and all, is `widgets/common/numberformat`.
 [[nodiscard]] Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text);
 /// Shortest text that parseRaw() turns back into `raw`; on/off for booleans.
 [[nodiscard]] std::string toText(const Parameter &parameter, std::int64_t raw);
+/// The one reading of a number in command lines and files: sign, digits, a dot, an exponent; finite, and nothing else around
+/// it. A comma is no number: 1,500 may mean two things.
+[[nodiscard]] std::optional<double> numberFrom(std::string_view text);
 /// Shortest decimal of a number, dot whatever the locale.
 [[nodiscard]] std::string numberText(double number);
 

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/parameterfile.h"
 
+#include "async/outputfile.h"
 #include "model/family.h"
 #include "model/qttext.h"
+#include "model/textfile.h"
 
-#include <QFile>
-#include <QFileInfo>
 #include <QJsonDocument>
-#include <QSaveFile>
 
 #include <algorithm>
 #include <cmath>
@@ -20,22 +19,52 @@ QJsonValue textOrNull(const std::string &text)
     return text.empty() ? QJsonValue() : QJsonValue(qt(text));
 }
 
-Result<std::int64_t> rawFrom(const Parameter &parameter, const QJsonObject &row)
+using OptionalRaw = std::optional<std::int64_t>;
+
+Result<OptionalRaw> rawOf(const Parameter &parameter, const QJsonValue &raw)
 {
-    const QJsonValue raw = row.value(QLatin1String("raw"));
+    if (raw.isNull() || raw.isUndefined())
+        return OptionalRaw();
     const std::string key(parameter.key);
-    if (raw.isDouble()) {
-        const double number = raw.toDouble();
-        if (number != std::floor(number) || !isLegal(parameter, static_cast<std::int64_t>(number)))
-            return fail(Fault::OutOfRange, key + ": raw value " + numberText(number) + " is out of range");
-        return static_cast<std::int64_t>(number);
-    }
-    const QJsonValue value = row.value(QLatin1String("value"));
-    if (value.isBool() && parameter.type == WireType::Boolean)
-        return value.toBool() ? 1 : 0;
-    if (value.isDouble() && parameter.type != WireType::Boolean)
-        return toRaw(parameter, value.toDouble());
-    return fail(Fault::OutOfRange, key + " has no value of the right kind");
+    const double number = raw.toDouble();
+    if (!raw.isDouble() || number != std::floor(number))
+        return fail(Fault::OutOfRange, key + ": raw is not a whole number", "delete it, the value says the same");
+    if (!isLegal(parameter, static_cast<std::int64_t>(number)))
+        return fail(Fault::OutOfRange, key + ": raw value " + numberText(number) + " is out of range");
+    return OptionalRaw(static_cast<std::int64_t>(number));
+}
+
+Result<OptionalRaw> valueOf(const Parameter &parameter, const QJsonValue &value)
+{
+    if (value.isNull() || value.isUndefined())
+        return OptionalRaw();
+    const bool isFlag = parameter.type == WireType::Boolean;
+    if (isFlag && value.isBool())
+        return OptionalRaw(value.toBool() ? 1 : 0);
+    if (isFlag || !value.isDouble())
+        return fail(Fault::OutOfRange, std::string(parameter.key) + ": its value is of the wrong kind",
+            isFlag ? "write true or false" : "write a number");
+    const auto raw = toRaw(parameter, value.toDouble());
+    if (!raw)
+        return fail(raw.error());
+    return OptionalRaw(*raw);
+}
+
+/// Of a row that has both, one may have been edited and the other forgotten: which one nobody can know.
+Result<OptionalRaw> rawFrom(const Parameter &parameter, const QJsonObject &row)
+{
+    const auto raw = rawOf(parameter, row.value(QLatin1String("raw")));
+    if (!raw)
+        return fail(raw.error());
+    const auto value = valueOf(parameter, row.value(QLatin1String("value")));
+    if (!value)
+        return fail(value.error());
+    if (*raw && *value && **raw != **value)
+        return fail(Fault::OutOfRange,
+            std::string(parameter.key) + ": its value says " + toText(parameter, **value) + ", its raw value "
+                + toText(parameter, **raw),
+            "delete the one of the two that is old");
+    return *raw ? *raw : *value;
 }
 
 Result<void> takeRow(const Family &family, const QString &key, const QJsonValue &row, ParameterFile &file)
@@ -47,15 +76,13 @@ Result<void> takeRow(const Family &family, const QString &key, const QJsonValue 
     }
     if (!row.isObject())
         return fail(Fault::OutOfRange, key.toStdString() + " is not an object");
-    const QJsonObject object = row.toObject();
-    if (object.value(QLatin1String("value")).isNull() && object.value(QLatin1String("raw")).isNull()) {
-        file.notes.push_back(key.toStdString() + " was unknown when the file was written");
-        return {};
-    }
-    const auto raw = rawFrom(family.parameters[index->value], object);
+    const auto raw = rawFrom(family.parameters[index->value], row.toObject());
     if (!raw)
         return fail(raw.error());
-    file.values.push_back({*index, *raw});
+    if (*raw)
+        file.values.push_back({*index, **raw});
+    else
+        file.notes.push_back(key.toStdString() + " was unknown when the file was written");
     return {};
 }
 
@@ -143,8 +170,14 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
     return file;
 }
 
+bool isOfSameUnit(const ParameterSource &source, const ParameterFile &file)
+{
+    return !file.serial.empty() && file.serial == source.identity.serial;
+}
+
 std::vector<ParameterDifference> differences(const ParameterSource &source, const ParameterFile &file)
 {
+    const bool same = isOfSameUnit(source, file);
     std::vector<ParameterDifference> out;
     for (const ParameterChange &change : file.values) {
         const Parameter &parameter = source.family.parameters[change.index.value];
@@ -155,7 +188,7 @@ std::vector<ParameterDifference> differences(const ParameterSource &source, cons
         const auto &entry = source.entries[change.index.value];
         const auto known = entry.state == ParameterState::Failed ? std::nullopt : entry.raw;
         if (known != change.raw)
-            out.push_back({change.index, known, change.raw});
+            out.push_back({change.index, known, change.raw, parameter.belongsToUnit && !same});
     }
     return out;
 }
@@ -167,26 +200,15 @@ std::vector<ParameterDifference> differences(const Device &device, const Paramet
 
 Result<void> saveFile(const std::string &path, const QByteArray &bytes)
 {
-    QSaveFile file(qt(path));
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return fail(Fault::OutOfRange, path + " cannot be written: " + file.errorString().toStdString());
-    return {};
+    return writeFile(path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
 }
 
 Result<QByteArray> loadFile(const std::string &path, std::int64_t limit)
 {
-    const QFileInfo info(qt(path));
-    if (!info.exists())
-        return fail(Fault::OutOfRange, path + " does not exist");
-    if (info.isDir())
-        return fail(Fault::OutOfRange, path + " is a directory");
-    QFile file(qt(path));
-    if (!file.open(QIODevice::ReadOnly))
-        return fail(Fault::OutOfRange, path + " cannot be read: " + file.errorString().toStdString());
-    QByteArray bytes = file.read(limit + 1);
-    if (bytes.size() > limit)
-        return fail(Fault::OutOfRange, path + " is larger than " + std::to_string(limit) + " bytes");
-    return bytes;
+    auto text = readTextFile(path, static_cast<std::size_t>(limit));
+    if (!text)
+        return fail(text.error());
+    return QByteArray::fromStdString(*text);
 }
 
 } // namespace mb

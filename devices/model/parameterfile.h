@@ -31,29 +31,35 @@ struct ParameterFile {
     std::string device;
     std::string serial;
     std::string firmware;
-    std::vector<ParameterChange> values; ///< in table order; raw wins over value where both are given
+    std::vector<ParameterChange> values; ///< in table order
     std::vector<std::string> notes;      ///< rows that were left out and why: unknown keys, unknown values
 };
 
 /// The family that the file says it is for; nothing when it is no such file.
 [[nodiscard]] std::optional<std::string> familyOf(const QByteArray &bytes);
-/// OutOfRange with one clear cause: not JSON, another family, a value out of range. Nothing is half taken.
+/// OutOfRange with one clear cause: not JSON, another family, a value out of range, `value` and `raw` of one row that say
+/// different things. Nothing is half taken.
 [[nodiscard]] Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &family);
 
 struct ParameterDifference {
     ParameterIndex index;
     std::optional<std::int64_t> from; ///< in the device, when known
     std::int64_t to = 0;
+    bool ofAnotherUnit = false; ///< belongs to the unit that the file was saved from, which this one is not known to be
 };
 
+/// The file was saved from the very unit, as the serial numbers of both say.
+[[nodiscard]] bool isOfSameUnit(const ParameterSource &source, const ParameterFile &file);
+
 /// What `restore` would write: keys that can be written, are persistent and are settings, and differ from what is known.
-/// Of a device that keeps nothing without power (Capabilities::keepsSettings) every setting.
+/// Of a device that keeps nothing without power (Capabilities::keepsSettings) every setting. What is `ofAnotherUnit` is in
+/// it, to be told; it is written only when somebody asked for exactly that.
 [[nodiscard]] std::vector<ParameterDifference> differences(const ParameterSource &source, const ParameterFile &file);
 [[nodiscard]] std::vector<ParameterDifference> differences(const Device &device, const ParameterFile &file);
 
-/// Writes the whole text or nothing: to a temporary file beside it, then renamed.
+/// writeFile() for Qt's bytes.
 [[nodiscard]] Result<void> saveFile(const std::string &path, const QByteArray &bytes);
-/// OutOfRange when it is missing, a directory, unreadable or above `limit` bytes.
+/// readTextFile() for Qt's bytes.
 [[nodiscard]] Result<QByteArray> loadFile(const std::string &path, std::int64_t limit);
 
 } // namespace mb

@@ -114,10 +114,10 @@ Task<int> rewriteSettings(Device &device, Progress &progress)
         auto task = writeOne(device, change);
         const TransferOutcome outcome = co_await std::move(task);
         if (!outcome.raw)
-            co_return fail(outcome.raw.error().fault,
-                sofar + key + ": " + outcome.raw.error().detail + "; what is missing is still unknown, do it again");
+            co_return fail(outcome.raw.error().fault, sofar + key + ": " + outcome.raw.error().text(),
+                "what is missing is still unknown, do it again");
         if (device.liveness().restarted)
-            co_return fail(Fault::Refused, sofar + "then the board was reset once more; do it again");
+            co_return fail(Fault::Refused, sofar + "then the board was reset once more", "do it again");
     }
     progress.step("Written", total, total);
     progress.log(Severity::Good, std::to_string(total) + " settings written again");

@@ -87,7 +87,7 @@ Result<std::vector<Identity>> ScanBook::load(std::string_view link) const
 Result<void> ScanBook::save(std::string_view link, const std::vector<Identity> &seen) const
 {
     if (!QDir().mkpath(qt(m_directory)))
-        return fail(Fault::OutOfRange, m_directory + " cannot be made; check the rights of the folder above it");
+        return fail(Fault::OutOfRange, m_directory + " cannot be made", "check the rights of the folder above it");
     QJsonArray rows;
     for (const Identity &identity : seen)
         rows.append(toJson(identity));

@@ -313,12 +313,12 @@ Task<Device *> Session::connect(DeviceSelector selector)
     if (fitting.empty())
         co_return fail(Fault::Timeout,
             "no " + selector.family + (recording ? " sends" : " answers") + " as number "
-                + std::to_string(selector.address) + (recording ? " in " : " on ") + selector.link.text()
-                + (recording ? "; a scan of the recording lists who does" : ""));
+                + std::to_string(selector.address) + (recording ? " in " : " on ") + selector.link.text(),
+            recording ? "a scan of the recording lists who does" : "");
     if (fitting.size() > 1)
         co_return fail(Fault::Refused,
-            std::to_string(fitting.size()) + " units answer as number " + std::to_string(selector.address)
-                + "; name one: " + fitting[0]->selector() + " or " + fitting[1]->selector());
+            std::to_string(fitting.size()) + " units answer as number " + std::to_string(selector.address),
+            "name one: " + fitting[0]->selector() + " or " + fitting[1]->selector());
     co_return fitting.front();
 }
 

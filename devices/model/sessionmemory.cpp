@@ -26,7 +26,7 @@ void Session::recall(Device &device)
         return;
     auto profile = m_profiles->load(device.selector());
     if (!profile)
-        m_profileTrouble.notify(profile.error().detail);
+        m_profileTrouble.notify(profile.error().text());
     else if (!profile->isEmpty())
         device.setProfile(std::move(*profile));
 }
@@ -37,7 +37,7 @@ void Session::keep(const Device &device)
     if (!m_profiles || !isKept(device.link()))
         return;
     if (auto kept = m_profiles->save(device.selector(), device.profile()); !kept)
-        m_profileTrouble.notify(kept.error().detail);
+        m_profileTrouble.notify(kept.error().text());
 }
 
 void Session::keepScans(std::string directory)
@@ -47,8 +47,8 @@ void Session::keepScans(std::string directory)
 
 void Session::tellMemoryTrouble(const Link &link, const Error &error)
 {
-    if (m_toldOfMemory.insert(link.address().text() + error.detail).second)
-        m_memoryTrouble.notify(error.detail);
+    if (m_toldOfMemory.insert(link.address().text() + error.text()).second)
+        m_memoryTrouble.notify(error.text());
 }
 
 std::vector<Identity> Session::rememberedOn(const Link &link, const Family &family)

@@ -102,7 +102,7 @@ void SetPointStream::guardChanged()
         return;
     m_waiting = false;
     if (auto sent = sendAll(); !sent)
-        finish(End::Refused, sent.error().detail);
+        finish(End::Refused, sent.error().text());
     else
         begin();
 }
@@ -110,14 +110,14 @@ void SetPointStream::guardChanged()
 Result<void> SetPointStream::update(const SetPoint &setPoint)
 {
     if (!checkDevice())
-        return fail(Fault::Unsafe, "the motor was stopped; arm again");
+        return fail(Fault::Unsafe, "the motor was stopped", "arm again");
     if (auto checked = m_device.check(setPoint); !checked)
         return checked;
     remember(setPoint);
     renew();
     const bool waited = m_waiting;
     if (auto sent = sendOrWait(); !sent) {
-        finish(End::Refused, sent.error().detail);
+        finish(End::Refused, sent.error().text());
         return sent;
     }
     if (waited != m_waiting)
@@ -163,7 +163,7 @@ void SetPointStream::tick()
     if (!checkDevice())
         return;
     if (auto sent = sendAll(); !sent) {
-        finish(End::Refused, sent.error().detail);
+        finish(End::Refused, sent.error().text());
         return;
     }
     scheduleNext(m_next);

@@ -53,7 +53,7 @@ DeviceView viewOf(Session &session, Device &device)
     view.parameterRevision = device.parameters().revision();
     view.profile = device.profile();
     if (auto allowed = device.mayMove(); !allowed)
-        view.mayNotMove = allowed.error().detail;
+        view.mayNotMove = allowed.error().text();
     return view;
 }
 

@@ -14,7 +14,7 @@ Result<std::unique_ptr<TrafficRecorder>> TrafficRecorder::start(
     Link &link, Clock &clock, Duration unixOffset, const std::string &path)
 {
     if (link.kind() != LinkKind::Can)
-        return fail(Fault::Unsupported, link.address().shortName() + " is no CAN link; only those are recorded");
+        return fail(Fault::Unsupported, link.address().shortName() + " is no CAN link", "only those are recorded");
     auto file = BackgroundFile::create(path);
     if (!file)
         return fail(file.error());

@@ -30,7 +30,7 @@ Result<std::string> saveTranscript(
     const std::string path = folder + '/' + std::string(device.family().key) + '-'
         + std::to_string(device.identity().address) + '-' + std::to_string(seconds.count()) + ".log";
     if (!QDir().mkpath(QString::fromStdString(folder)))
-        return fail(Fault::OutOfRange, folder + " cannot be made; check the rights of the folder above it");
+        return fail(Fault::OutOfRange, folder + " cannot be made", "check the rights of the folder above it");
     if (auto saved = saveFile(path, QByteArray::fromStdString(text)); !saved)
         return fail(saved.error());
     return path;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/export.h"
 
-#include "recording/filetransaction.h"
+#include "async/outputfile.h"
 #include "recording/merge.h"
 
 #include <array>
@@ -131,7 +131,7 @@ private:
 
 Result<ExportReport> exportCsv(const ExportPlan &plan, const std::string &path, const ExportProgress &progress)
 {
-    FileTransaction file(path);
+    OutputFile file(path);
     if (auto opened = file.open(); !opened)
         return fail(opened.error());
     ExportReport report;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/export.h"
 
+#include "async/outputfile.h"
 #include "model/parameter.h"
-#include "recording/filetransaction.h"
 #include "recording/mcapwriter.h"
 #include "recording/merge.h"
 
@@ -31,11 +31,12 @@ mcap::Map aboutChannel(const ExportChannel &channel)
 
 Result<ExportReport> exportMcap(const ExportPlan &plan, const std::string &path, const ExportProgress &progress)
 {
-    FileTransaction place(path);
-    auto writer = McapWriter::create(place.temporaryPath());
+    OutputFile place(path);
+    if (auto opened = place.open(); !opened)
+        return fail(opened.error());
+    auto writer = McapWriter::create(place);
     if (!writer)
         return fail(writer.error());
-    place.own();
     for (const auto &[name, facts] : plan.about)
         (*writer)->metadata(name, facts);
     for (const auto &[name, facts] : lossOf(plan))

@@ -167,7 +167,7 @@ Result<Expression> Expression::parse(std::string_view text, const std::vector<st
     if (text.size() > longestText)
         return fail(Fault::OutOfRange, "a formula has at most 4000 characters");
     if (text.find("step__") != std::string_view::npos || assigns(text))
-        return fail(Fault::OutOfRange, "a formula assigns nothing; write == to compare");
+        return fail(Fault::OutOfRange, "a formula assigns nothing", "write == to compare");
     auto formula = std::make_unique<Formula>();
     formula->values.assign(names.size(), 1.0);
     Compiler compiler{*formula, names};

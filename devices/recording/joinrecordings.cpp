@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "recording/filetransaction.h"
+#include "async/outputfile.h"
 #include "recording/mcapreader.h"
 #include "recording/rollingrecorder.h"
 
@@ -30,11 +30,12 @@ bool isAlive(const fs::path &folder)
 Result<ExportReport> joinRecordings(
     const std::vector<std::string> &paths, const std::string &path, const ExportProgress &progress)
 {
-    FileTransaction place(path);
-    auto writer = McapWriter::create(place.temporaryPath());
+    OutputFile place(path);
+    if (auto opened = place.open(); !opened)
+        return fail(opened.error());
+    auto writer = McapWriter::create(place);
     if (!writer)
         return fail(writer.error());
-    place.own();
     ExportReport report;
     std::map<std::string, std::uint16_t> topics;
     std::map<std::string, mcap::Map> facts;

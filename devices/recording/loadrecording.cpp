@@ -5,6 +5,7 @@
 #include "recording/mcapreader.h"
 
 #include <array>
+#include <filesystem>
 
 namespace mb {
 namespace {
@@ -76,6 +77,10 @@ void addLoadedChannel(LoadedRecording &loaded, const std::string &title, const s
 
 Result<std::shared_ptr<const LoadedRecording>> loadRecording(const std::string &path)
 {
+    std::error_code error;
+    if (const auto kind = std::filesystem::status(path, error);
+        std::filesystem::is_character_file(kind) || std::filesystem::is_block_file(kind))
+        return fail(Fault::OutOfRange, path + " is a device and has no end", "name a recording");
     auto loaded = endsWith(path, ".mcap") ? loadMcap(path) : loadTable(path);
     if (!loaded)
         return fail(loaded.error());

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/mcapwriter.h"
 
+#include "async/outputfile.h"
+
 #include <algorithm>
 #include <cerrno>
+#include <fcntl.h>
 
 namespace mb {
 namespace {
@@ -55,9 +58,19 @@ McapWriter::~McapWriter() = default;
 
 Result<std::unique_ptr<McapWriter>> McapWriter::create(const std::string &path)
 {
-    std::FILE *file = std::fopen(path.c_str(), "wbe");
+    return onto(path, std::fopen(path.c_str(), "wbe"));
+}
+
+Result<std::unique_ptr<McapWriter>> McapWriter::create(const OutputFile &place)
+{
+    const int own = ::fcntl(place.descriptor(), F_DUPFD_CLOEXEC, 0);
+    return onto(place.path(), own < 0 ? nullptr : ::fdopen(own, "wb"));
+}
+
+Result<std::unique_ptr<McapWriter>> McapWriter::onto(const std::string &path, std::FILE *file)
+{
     if (!file)
-        return fail(Fault::LinkLost, path + " cannot be written: " + std::strerror(errno));
+        return fail(Error::fromPhrase(Fault::LinkLost, path + " cannot be written: " + writeFailure(errno)));
     std::setvbuf(file, nullptr, _IOFBF, 1U << 18U);
     return std::unique_ptr<McapWriter>(new McapWriter(path, file));
 }
@@ -118,7 +131,7 @@ Result<void> McapWriter::flush()
     if (std::fflush(m_file.get()) != 0 && m_error == 0)
         m_error = errno;
     if (m_error != 0)
-        return fail(Fault::LinkLost, m_path + " cannot be written: " + std::strerror(m_error));
+        return fail(Error::fromPhrase(Fault::LinkLost, m_path + " cannot be written: " + writeFailure(m_error)));
     return {};
 }
 

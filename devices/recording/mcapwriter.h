@@ -10,6 +10,8 @@
 
 namespace mb {
 
+class OutputFile;
+
 /// What a file says of a channel; everything else goes into `about`.
 struct McapChannel {
     std::string topic; ///< "/sim_can/dmc60c_5/velocity"
@@ -24,6 +26,8 @@ class McapWriter {
 public:
     /// LinkLost with the cause when the file cannot be made.
     [[nodiscard]] static Result<std::unique_ptr<McapWriter>> create(const std::string &path);
+    /// Into an open file, which is complete after finish() and the file's own commit().
+    [[nodiscard]] static Result<std::unique_ptr<McapWriter>> create(const OutputFile &place);
     McapWriter(const McapWriter &) = delete;
     McapWriter &operator=(const McapWriter &) = delete;
     ~McapWriter();
@@ -45,6 +49,7 @@ private:
     struct Close {
         void operator()(std::FILE *file) const { std::fclose(file); }
     };
+    [[nodiscard]] static Result<std::unique_ptr<McapWriter>> onto(const std::string &path, std::FILE *file);
     McapWriter(std::string path, std::FILE *file);
     void record(mcap::Kind kind, const std::string &content);
     void raw(const void *data, std::size_t size);

@@ -63,7 +63,7 @@ Result<void> ExternalProgram::start(const Command &command)
     m_name = command.program;
     const auto path = locate(command.program);
     if (!path)
-        return fail(Fault::LinkLost, m_name + " is not installed; install the package that has it and try again");
+        return fail(Fault::LinkLost, m_name + " is not installed", "install the package that has it and try again");
     QStringList arguments;
     for (const std::string &argument : command.arguments)
         arguments << qt(argument);

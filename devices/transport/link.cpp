@@ -42,7 +42,7 @@ void Link::close()
 
 Error Link::notOpen() const
 {
-    return Error{Fault::LinkLost, m_reason.empty() ? m_address.shortName() + " is not open" : m_reason};
+    return Error::fromPhrase(Fault::LinkLost, m_reason.empty() ? m_address.shortName() + " is not open" : m_reason);
 }
 
 void Link::lose(std::string reason)

@@ -159,8 +159,8 @@ Result<std::unique_ptr<Link>> createLink(const LinkAddress &address, Clock &cloc
     if (address.scheme == "serial")
         return makeSerialPortLink(address, clock);
     if (address.scheme == "pty")
-        return fail(Fault::OutOfRange,
-            "pty: is where 'simulate' puts its devices; open that terminal as serial:" + address.path);
+        return fail(Fault::OutOfRange, "pty: is where 'simulate' puts its devices",
+            "open that terminal as serial:" + address.path);
     if (address.scheme == "spidev")
         return SpidevLink::make(address, clock);
     if (address.scheme == "unix") {

@@ -176,20 +176,16 @@ Diagnosis diagnose(const LinkSymptoms &link, Instant now, const std::optional<Di
 
 Diagnosis diagnose(const Error &opening)
 {
-    const std::string &text = opening.detail;
+    const std::string text = opening.text();
     const auto says = [&text](const char *words) { return text.find(words) != std::string::npos; };
-    Diagnosis found{Ailment::Failed, text, {}, {}};
+    Diagnosis found{Ailment::Failed, opening.detail, opening.remedy, {}};
     if (says("permission"))
         found.ailment = Ailment::NoPermission;
     else if (says("busy") || says("in use"))
         found.ailment = Ailment::Busy;
     else if (says("there is no") || says("No such"))
         found.ailment = Ailment::NotThere;
-    // Errors name cause and remedy, and a command behind a colon, as text() joins them.
-    if (const auto remedy = text.find("; "); remedy != std::string::npos) {
-        found.cause = text.substr(0, remedy);
-        found.remedy = text.substr(remedy + 2);
-    }
+    // A command stands behind a colon, as text() joins them.
     if (const auto command = found.remedy.find(": sudo "); command != std::string::npos) {
         found.command = found.remedy.substr(command + 2);
         found.remedy.resize(command);

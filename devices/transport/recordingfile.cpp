@@ -43,23 +43,22 @@ Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::string &pa
 {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); // a pipe must not block
     if (descriptor < 0)
-        return fail(Fault::LinkLost, path + ": " + causeOf(errno));
+        return fail(Error::fromPhrase(Fault::LinkLost, path + ": " + causeOf(errno)));
     std::unique_ptr<RecordingFile> file(new RecordingFile(path, std::move(interface), descriptor));
     struct stat status { };
     if (::fstat(descriptor, &status) != 0)
-        return fail(Fault::LinkLost, path + ": " + causeOf(errno));
+        return fail(Error::fromPhrase(Fault::LinkLost, path + ": " + causeOf(errno)));
     if (!S_ISREG(status.st_mode))
-        return fail(Fault::OutOfRange, path + " is not a file; name a recording");
+        return fail(Fault::OutOfRange, path + " is not a file", "name a recording");
     file->m_size = static_cast<std::uint64_t>(status.st_size);
     file->m_places.push_back({});
     auto first = file->read(file->m_player);
     if (!first)
         return fail(first.error());
     if (!*first)
-        return fail(Fault::OutOfRange,
-            path
-                + (file->m_interface.empty() ? " has no frame in it; record again"
-                                             : " has no frame of " + file->m_interface + "; leave out interface="));
+        return file->m_interface.empty()
+            ? fail(Fault::OutOfRange, path + " has no frame in it", "record again")
+            : fail(Fault::OutOfRange, path + " has no frame of " + file->m_interface, "leave out interface=");
     file->m_start = (*first)->time;
     file->m_end = file->m_start;
     file->m_sought = std::move(*first);
@@ -68,7 +67,7 @@ Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::string &pa
 
 Error RecordingFile::located(const Error &error) const
 {
-    return Error{error.fault, m_path + ": " + error.detail};
+    return error.about(m_path);
 }
 
 /// The next line without its end, valid until the next call; nothing at the end of the file. `cut`: the end came first.
@@ -89,7 +88,7 @@ Result<std::optional<std::string_view>> RecordingFile::line(Cursor &cursor, bool
         const int cause = errno;
         cursor.text.resize(kept + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
         if (got < 0)
-            return fail(Fault::LinkLost, m_path + ": " + causeOf(cause));
+            return fail(Error::fromPhrase(Fault::LinkLost, m_path + ": " + causeOf(cause)));
         if (got == 0) {
             if (kept == 0)
                 return std::optional<std::string_view>();

@@ -111,7 +111,7 @@ void SpiLink::setReady(std::optional<bool> level)
 Task<void> SpiLink::waitReady(Duration timeout)
 {
     if (!m_ready)
-        co_return fail(Fault::Unsupported, "no ready line is wired; add ready=CHIP:LINE to the address");
+        co_return fail(Fault::Unsupported, "no ready line is wired", "add ready=CHIP:LINE to the address");
     struct Waiter {
         explicit Waiter(SpiLink &link)
             : owner(link)

@@ -38,7 +38,7 @@ std::optional<std::uint64_t> number(std::string_view text, int base)
 
 tl::unexpected<Error> malformed(std::string cause)
 {
-    return fail(Fault::OutOfRange, std::move(cause));
+    return fail(Error::fromPhrase(Fault::OutOfRange, cause));
 }
 
 std::string quoted(std::string_view text)

@@ -34,7 +34,7 @@ Error FrameLogParser::malformed(std::uint64_t line, std::string_view cause) cons
     if (!cause.empty())
         text += ": " + std::string(cause);
     text += m_format == LogFormat::Asc ? ascExample : example;
-    return Error{Fault::OutOfRange, std::move(text)};
+    return Error::fromPhrase(Fault::OutOfRange, text);
 }
 
 Error FrameLogParser::tooLong() const
@@ -57,7 +57,7 @@ Result<std::optional<LoggedFrame>> FrameLogParser::parse(std::string_view line)
         else if (AscParser::begins(line))
             m_format = LogFormat::Asc;
         else if (line.starts_with(blfMagic))
-            return fail(Fault::OutOfRange, "it is a Vector BLF log; save it as ASC and take that");
+            return fail(Fault::OutOfRange, "it is a Vector BLF log", "save it as ASC and take that");
         else
             return fail(malformed(m_lines));
     }

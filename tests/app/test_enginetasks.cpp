@@ -68,6 +68,18 @@ protected:
         = core.noticed().add([this](Severity, const std::string &, const std::string &text) { lines.push_back(text); });
 };
 
+TEST_F(BoardCore, AnswersAnOrderWhoseLinkIsClosedMeanwhile)
+{
+    std::optional<Result<void>> written;
+    const auto gain = *findParameter(family.parameters, "ch1.velocity.p");
+    core.writeParameters(id(), {{gain, 120}}, [&written](const Result<void> &result) { written = result; });
+    EXPECT_FALSE(written) << "it is under way";
+    core.closeLink("sim:spi");
+    ASSERT_TRUE(written);
+    ASSERT_FALSE(*written);
+    EXPECT_EQ(written->error().fault, Fault::LinkLost);
+}
+
 TEST_F(BoardCore, ShowsWhatAResetTookAndWritesItAgain)
 {
     write();

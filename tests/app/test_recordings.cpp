@@ -127,11 +127,11 @@ TEST(EngineRecordings, SayOnceWhyTheyFail)
     bench.core.startRecording("socketcan:can7", bench.folder.path("a.log"), keep);
     EXPECT_EQ(started.error().fault, Fault::LinkLost);
     bench.core.startRecording("sim:can", bench.folder.path("none/a.log"), keep);
-    EXPECT_NE(started.error().detail.find("there is no such folder; "), std::string::npos);
+    EXPECT_NE(started.error().text().find("there is no such folder; "), std::string::npos);
     bench.core.startRecording("sim:can", bench.folder.path("a.log"), keep);
     ASSERT_TRUE(started);
     bench.core.startRecording("sim:can", bench.folder.path("b.log"), keep);
-    EXPECT_NE(started.error().detail.find("is being recorded already"), std::string::npos);
+    EXPECT_NE(started.error().text().find("is being recorded already"), std::string::npos);
     const auto damaged = bench.folder.write("damaged.log", "(1.000000) can0 02061405#0040110000000000\nrubbish\n(2.0");
     ASSERT_TRUE(bench.open("replay:" + damaged));
     bench.clock.advance(1min);

@@ -93,7 +93,7 @@ TEST_F(SerialLinks, APortThatIsNotPluggedInFailsWithItsCauseAndIsOpenedOnceItIsT
     open();
     ASSERT_TRUE(opened);
     ASSERT_FALSE(*opened);
-    EXPECT_TRUE(said("there is no")) << opened->error().detail;
+    EXPECT_TRUE(said("there is no")) << opened->error().text();
     clock.advance(5s);
     EXPECT_EQ(lines.size(), 1U) << "told again and again";
     plug();

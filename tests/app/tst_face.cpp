@@ -143,7 +143,7 @@ void FaceTest::badArgumentsGetOneLine()
     const auto options = Options::parse(QStringList(QStringLiteral("motorbench")) + arguments);
     QVERIFY(!options);
     QVERIFY(options.error().fault == Fault::OutOfRange);
-    const QString line = QString::fromStdString(options.error().detail);
+    const QString line = QString::fromStdString(options.error().text());
     QVERIFY(!line.isEmpty());
     QVERIFY2(!line.contains(QLatin1Char('\n')), qPrintable(line));
 }

@@ -46,8 +46,8 @@ TEST(BackgroundFile, SaysWhyAFileCannotBeMade)
     const test::TemporaryFolder folder;
     const auto nowhere = BackgroundFile::create(folder.path("none/a.log"));
     ASSERT_FALSE(nowhere);
-    EXPECT_NE(nowhere.error().detail.find("there is no such folder; "), std::string::npos);
-    EXPECT_NE(BackgroundFile::create(folder.path()).error().detail.find("it is a folder; "), std::string::npos);
+    EXPECT_NE(nowhere.error().text().find("there is no such folder; "), std::string::npos);
+    EXPECT_NE(BackgroundFile::create(folder.path()).error().text().find("it is a folder; "), std::string::npos);
     EXPECT_FALSE(BackgroundFile::create("/proc/motorbench.log"));
 }
 
@@ -61,7 +61,7 @@ TEST(BackgroundFile, SaysOnceThatTheDiskIsFullAndCountsWhatIsMissing)
     (*file)->flush();
     while ((*file)->status().problem.empty())
         std::this_thread::yield();
-    EXPECT_EQ((*file)->status().problem, "/dev/full: the disk is full; make room, or record elsewhere");
+    EXPECT_EQ((*file)->status().problem, "/dev/full: the disk is full; make room, or choose another place");
     EXPECT_EQ((*file)->status().written, 0U);
     EXPECT_FALSE((*file)->append("record\n"));
     EXPECT_EQ((*file)->status().taken, 10U);

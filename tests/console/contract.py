@@ -14,6 +14,7 @@ CIM = "sim:can/dmc60c:5"
 EMPTY = "sim:can/dmc60c:9"
 SCAN_ROW = {"device", "family", "address", "session", "name", "serial", "state", "firmware", "bootloader", "dialect", "detail"}
 LINK_ROW = {"link", "kind", "state", "detail"}
+FAULTS = "timeout refused bad-reply bad-check link-lost out-of-range unsupported cancelled unsafe usage".split()
 SAMPLE = {"t", "channel", "value", "unit"}
 
 
@@ -61,8 +62,21 @@ class ContractTest(unittest.TestCase):
                 self.assertEqual(run.status, status, run.err)
                 self.assertEqual(run.out, "")
                 self.assertEqual(run.err.count("\n"), 1, run.err)
-                self.assertTrue(run.err.endswith("\n") and "; " in run.err, run.err)
-                self.assertIn(says, run.err)
+                self.assertTrue(run.err.endswith("\n"), run.err)
+                line = self.error_of(run, status) if options else run.err
+                self.assertIn("; ", line)
+                self.assertIn(says, line)
+
+    def error_of(self, run, status):
+        """The error that a run with --json ended with, as the line that it is without."""
+        told = json.loads(run.err.splitlines()[-1])
+        self.assertEqual(set(told), {"error"})
+        error = told["error"]
+        self.assertEqual(set(error), {"status", "fault", "cause", "remedy"})
+        self.assertEqual(error["status"], status)
+        self.assertIn(error["fault"], FAULTS)
+        self.assertTrue(error["cause"] and error["remedy"], error)
+        return f"{error['cause']}; {error['remedy']}"
 
     def run_until(self, number, *arguments, lines=20):
         """Sends a signal once so many lines came; yields the status, the objects and standard error."""

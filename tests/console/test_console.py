@@ -6,6 +6,7 @@ import unittest
 import contract
 from test_board import BoardTest  # noqa: F401
 from test_abstractdc import AbstractDc  # noqa: F401
+from hostile import Hostile  # noqa: F401
 from test_devices import DeviceVerbs  # noqa: F401
 from test_motion import Motion  # noqa: F401
 from test_plot import Plot  # noqa: F401

@@ -99,7 +99,9 @@ class DeviceVerbs(ContractTest):
         self.assertEqual((len(got), {value["state"] for value in got.values()} & {"failed", "unknown"}), (55, set()))
 
     def test_a_device_in_its_bootloader_has_no_parameters(self):
-        for call in (("get",), ("set", "slot0.p=1")):
+        path = self.path("saved.json")
+        self.run_text("get", CIM, "--file", path)
+        for call in (("get",), ("set", "slot0.p=1"), ("restore", path), ("drive", "--mode", "duty", "--target", "0.1", "--for", "1")):
             self.assert_error(1, call[0], EMPTY, *call[1:], says="flash")
 
     def test_set_reads_back(self):
@@ -108,7 +110,7 @@ class DeviceVerbs(ContractTest):
         self.assertIs(got["verified"], True)
         self.assertEqual(got["parameters"]["slot0.p"], {"value": 1.5, "raw": 98304, "unit": got["parameters"]["slot0.p"]["unit"], "state": "ram"})
         self.assertIs(got["parameters"]["limit.forward.soft.enabled"]["value"], True)
-        self.assertIn("1.5", self.run_text("set", CIM, "slot0.p=1,5"))
+        self.assert_error(2, "set", CIM, "slot0.p=1,500", says="with a dot")
 
     def test_set_store_proves_that_flash_has_it(self):
         got = self.run_one("set", CIM, "slot0.p=1.5", "--store")
@@ -123,7 +125,7 @@ class DeviceVerbs(ContractTest):
         self.assertEqual(self.run_one("restore", CIM, path), {"changes": []})
         before = saved["parameters"]["slot0.p"]["value"]
         for key, raw in (("slot0.p", 65536), ("encoder.position", 77), ("faults.over_current.count", 3)):
-            saved["parameters"][key].update(raw=raw)
+            saved["parameters"][key] = {"raw": raw}
         with open(path, "w", encoding="utf-8") as file:
             json.dump(saved, file)
         change = {"key": "slot0.p", "from": before, "to": 1}

@@ -198,7 +198,7 @@ class SupermodifiedTest(ContractTest):
         nodes = Nodes(self, "supermodified:4")
         answer = self.run_one("number", f"serial:{nodes.path}?baud=57600/supermodified:4", "9")
         self.assertEqual((answer["old"], answer["new"], answer["verified"]), (4, 9, None))
-        self.assert_error(2, "identify", f"serial:{nodes.path}?baud=57600/supermodified:4", says="cannot blink")
+        self.assert_error(2, "identify", f"serial:{nodes.path}?baud=57600/supermodified:4", says="turn its shaft by hand")
 
     def test_frames_are_named(self):
         text = "(1.0) tty0 tx 55AA040108040028000024\n(1.1) tty0 rx 55AA0104FA0152A9\n"

@@ -5,7 +5,7 @@ import subprocess
 import contract
 from contract import CIM, ContractTest, Run
 
-VERBS = ("links scan info parameters get set restore watch drive flash identify number rename monitor decode plot simulate").split()
+VERBS = "links scan info parameters get set restore watch drive flash identify number rename monitor decode plot simulate help completion".split()
 
 
 class Usage(ContractTest):

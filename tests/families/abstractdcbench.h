@@ -35,7 +35,7 @@ protected:
         m_links.push_back(std::make_unique<VirtualCanLink>(*LinkAddress::parse("sim:can"), bus));
         EXPECT_TRUE(m_links.back()->open());
         auto made = simulate(*m_links.back(), clock, *parsed);
-        EXPECT_TRUE(made) << (made ? "" : made.error().detail);
+        EXPECT_TRUE(made) << (made ? "" : made.error().text());
         m_drives.push_back(std::move(*made));
         m_events.push_back(
             m_drives.back()->events().add([this](const SimulatorEvent &event) { events.push_back(event.what); }));

@@ -43,7 +43,7 @@ public:
         const auto parsed = SimulatedUnit::parse(unit);
         EXPECT_TRUE(parsed);
         auto made = simulate(m_links.back(), clock, *parsed);
-        EXPECT_TRUE(made) << (made ? "" : made.error().detail);
+        EXPECT_TRUE(made) << (made ? "" : made.error().text());
         m_simulators.push_back(std::move(*made));
         return *m_simulators.back();
     }
@@ -63,7 +63,7 @@ public:
         sink.known = std::move(known);
         sink.wanted = extent;
         const auto scanned = mb::test::run(clock, scan(host, clock, sink));
-        EXPECT_TRUE(scanned) << (scanned ? "" : scanned.error().detail);
+        EXPECT_TRUE(scanned) << (scanned ? "" : scanned.error().text());
         return sink.rows;
     }
     std::unique_ptr<Device> connect(int node)

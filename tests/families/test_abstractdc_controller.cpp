@@ -79,7 +79,7 @@ TEST_F(AbstractDcController, AnUnprovenDialectIsWatchedButNotDriven)
     const auto moved = device->command(setPoint(Mode::Duty, 0.5));
     ASSERT_FALSE(moved);
     EXPECT_EQ(moved.error().fault, Fault::Unsafe);
-    EXPECT_NE(moved.error().detail.find("not proven"), std::string::npos);
+    EXPECT_NE(moved.error().text().find("not proven"), std::string::npos);
     EXPECT_FALSE(write("velocity.p", 1));
     clock.advance(500ms);
     EXPECT_TRUE(sentOf("067").empty());
@@ -102,7 +102,7 @@ TEST_F(AbstractDcController, TheOldestDialectIsNeverDriven)
     EXPECT_TRUE(device->liveness().heard);
     const auto allowed = device->mayMove();
     ASSERT_FALSE(allowed);
-    EXPECT_NE(allowed.error().detail.find("only its power stops it"), std::string::npos);
+    EXPECT_NE(allowed.error().text().find("only its power stops it"), std::string::npos);
 }
 
 TEST_F(AbstractDcController, StopsWithBothLengthsAndAgain)
@@ -224,7 +224,7 @@ TEST_F(AbstractDcController, SettingsAreClampedWhereTheDeviceIsNot)
     EXPECT_TRUE(device->mayMove());
     ASSERT_TRUE(write("current.averaging", 10));
     EXPECT_EQ(sentOf("0CB").back(), "0CB#02") << "lowered: saved at once";
-    EXPECT_NE(device->mayMove().error().detail.find("switch it off"), std::string::npos);
+    EXPECT_NE(device->mayMove().error().text().find("switch it off"), std::string::npos);
 }
 
 TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)

@@ -109,15 +109,15 @@ TEST(AbstractDcOpenOcd, EveryKnownFailureIsOneLineWithARemedy)
         reading.take(c.line);
         const Error error = reading.failure({"stlink", "f1", "a.hex", false});
         EXPECT_EQ(error.fault, c.fault) << c.line;
-        EXPECT_NE(error.detail.find(c.says), std::string::npos) << error.detail;
-        EXPECT_NE(error.detail.find("; "), std::string::npos) << "a remedy: " << error.detail;
+        EXPECT_NE(error.text().find(c.says), std::string::npos) << error.text();
+        EXPECT_NE(error.text().find("; "), std::string::npos) << "a remedy: " << error.text();
     }
 }
 
 TEST(AbstractDcFirmware, AnImageIsAProgramForAnStm32)
 {
     const auto good = inspect(imageOf(program()));
-    ASSERT_TRUE(good) << good.error().detail;
+    ASSERT_TRUE(good) << good.error().text();
     EXPECT_EQ(good->parts, std::vector<int>{0});
     EXPECT_FALSE(inspect(imageOf(test::smallApplication()))) << "another family's";
     test::HexText noVectors;
@@ -138,7 +138,7 @@ TEST(AbstractDcFirmware, TheHexFileForOpenOcdHasTheBytesOfTheImage)
     hex.add(0x08010100, {42});
     const FirmwareImage image = imageOf(hex);
     const auto back = FirmwareImage::fromIntelHex(toIntelHex(image));
-    ASSERT_TRUE(back) << back.error().detail;
+    ASSERT_TRUE(back) << back.error().text();
     ASSERT_EQ(back->byteCount(), image.byteCount());
     for (std::size_t i = 0; i < image.segments().size(); ++i) {
         const auto a = image.bytes(image.segments()[i]);
@@ -220,7 +220,7 @@ TEST_F(AbstractDcUpdate, IsDoneWhenTheProgrammerVerifiedAndTheDriveAnswers)
 {
     standIn("echo \"$@\" > '" + folder.path().toStdString() + "/called'\n" + replay(success, 0));
     const auto report = update(by("openocd:stlink"));
-    ASSERT_TRUE(report) << report.error().detail;
+    ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->outcome, UpdateOutcome::Done);
     EXPECT_TRUE(report->verified);
     EXPECT_EQ(report->to, "");
@@ -236,7 +236,7 @@ TEST_F(AbstractDcUpdate, ErasingTheSettingsIsWarnedOfAndForgetsWhatWasAssumed)
 {
     standIn(replay("erased address 0x0800c800 (length 3072) in 0.124s\n" + std::string(success), 0));
     const auto report = update(by("openocd:stlink", true));
-    ASSERT_TRUE(report) << report.error().detail;
+    ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(steps.worst, Severity::Caution);
     const auto divisor = *findParameter(family.parameters, "velocity.divisor");
     EXPECT_EQ(device->parameters().entry(divisor).raw, 0) << "blank flash";
@@ -281,7 +281,7 @@ TEST_F(AbstractDcUpdate, AMissingProgramIsOneLineThatSaysWhatToInstall)
     const auto report = update(by("openocd:stlink"));
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().fault, Fault::LinkLost);
-    EXPECT_EQ(report.error().detail, "openocd is not installed; install it with: sudo apt install openocd");
+    EXPECT_EQ(report.error().text(), "openocd is not installed; install it with: sudo apt install openocd");
 }
 
 TEST_F(AbstractDcUpdate, CancellingEndsTheProgrammer)
@@ -305,15 +305,15 @@ TEST_F(AbstractDcUpdate, TheRealOpenOcdWithoutAProbeIsOneClearLine)
     for (const char *via : {"openocd:kitprog", "openocd:xds110"}) {
         const auto report = update(by(via));
         ASSERT_FALSE(report) << via;
-        EXPECT_EQ(report.error().fault, Fault::LinkLost) << report.error().detail;
-        EXPECT_NE(report.error().detail.find("no debug probe"), std::string::npos) << report.error().detail;
+        EXPECT_EQ(report.error().fault, Fault::LinkLost) << report.error().text();
+        EXPECT_NE(report.error().text().find("no debug probe"), std::string::npos) << report.error().text();
     }
     const auto unknown = update(by("openocd:no-such-thing"));
     ASSERT_FALSE(unknown);
-    EXPECT_EQ(unknown.error().fault, Fault::OutOfRange) << unknown.error().detail;
+    EXPECT_EQ(unknown.error().fault, Fault::OutOfRange) << unknown.error().text();
     const auto jtag = update(by("openocd:ulink"));
     ASSERT_FALSE(jtag);
-    EXPECT_EQ(jtag.error().fault, Fault::OutOfRange) << jtag.error().detail;
+    EXPECT_EQ(jtag.error().fault, Fault::OutOfRange) << jtag.error().text();
 }
 
 } // namespace

@@ -38,7 +38,7 @@ protected:
         });
         const Instant begin = clock.now();
         const auto result = test::run(clock, scan(host, clock, sink));
-        EXPECT_TRUE(result) << result.error().detail;
+        EXPECT_TRUE(result) << result.error().text();
         took = clock.now() - begin;
         for (const std::string &frame : sent)
             EXPECT_TRUE((frame[0] == '3' && frame.size() == 6) && (frame.substr(0, 3) >= "320"))
@@ -86,7 +86,7 @@ TEST_F(AbstractDcScan, TellsTheDialectsApartWhileEveryDriveIsPolledAsOftenAsTheW
         clock.advance(1013us * (phase % 17));
         Found sink;
         const auto result = test::run(clock, scan(host, clock, sink));
-        ASSERT_TRUE(result) << result.error().detail << ", scan " << phase;
+        ASSERT_TRUE(result) << result.error().text() << ", scan " << phase;
         ASSERT_EQ(sink.text(), "3:F 4:L 5:D ") << "scan " << phase;
     }
 }

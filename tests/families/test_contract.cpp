@@ -99,7 +99,7 @@ TEST_P(Contract, EveryWritableParameterWritesAndReadsBackWhereTheDeviceCan)
         const auto outcomes = run(bench->clock, writeParameters(*device, {{{i}, *raw}}, progress));
         ASSERT_TRUE(outcomes) << parameter.key;
         ASSERT_EQ(outcomes->size(), 1U);
-        EXPECT_TRUE(outcomes->front().raw) << parameter.key << ": " << outcomes->front().raw.error().detail;
+        EXPECT_TRUE(outcomes->front().raw) << parameter.key << ": " << outcomes->front().raw.error().text();
         if (parameter.afterRestart) {
             EXPECT_FALSE(outcomes->front().verified) << parameter.key << " is not in force yet";
         } else if (family().capabilities.readback && parameter.access == Access::ReadWrite) {
@@ -127,7 +127,7 @@ TEST_P(Contract, WhatCannotBeReadBackIsNeverCalledStored)
     NoProgress progress;
     ASSERT_TRUE(run(bench->clock, device->write({0}, *raw)));
     const auto proved = run(bench->clock, device->store(progress));
-    ASSERT_TRUE(proved) << proved.error().detail;
+    ASSERT_TRUE(proved) << proved.error().text();
     EXPECT_FALSE(*proved);
     EXPECT_EQ(device->parameters().entry({0}).state, ParameterState::Assumed);
     EXPECT_EQ(run(bench->clock, device->read({0})).error().fault, Fault::Unsupported);
@@ -208,7 +208,7 @@ TEST_P(Contract, WhatAResetTakesIsLostAndCanBeWrittenAgain)
     for (const ParameterChange &change : changes)
         EXPECT_EQ(device->parameters().entry(change.index).state, ParameterState::Unknown);
     const auto written = run(bench->clock, rewriteSettings(*device, progress));
-    ASSERT_TRUE(written) << written.error().detail;
+    ASSERT_TRUE(written) << written.error().text();
     EXPECT_TRUE(lostSettings(family(), device->profile()).empty());
 }
 

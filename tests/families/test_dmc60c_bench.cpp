@@ -44,7 +44,7 @@ protected:
         auto unit = SimulatedUnit::parse(text);
         EXPECT_TRUE(unit);
         auto simulator = family.simulate(link, clock, *unit);
-        EXPECT_TRUE(simulator) << (simulator ? "" : simulator.error().detail);
+        EXPECT_TRUE(simulator) << (simulator ? "" : simulator.error().text());
         return *simulators.emplace_back(std::move(*simulator));
     }
     template <class T> Result<T> run(Task<T> task, Duration limit = 60s)
@@ -102,7 +102,7 @@ TEST_F(Dmc60cBench, ReadsAll55ParametersInATenthOfASecond)
     ASSERT_TRUE(outcomes);
     ASSERT_EQ(outcomes->size(), 55U);
     for (const TransferOutcome &outcome : *outcomes)
-        EXPECT_TRUE(outcome.raw) << outcome.raw.error().detail;
+        EXPECT_TRUE(outcome.raw) << outcome.raw.error().text();
 }
 
 TEST_F(Dmc60cBench, ReadsAndWritesEverythingAtTenPercentLoss)
@@ -115,7 +115,7 @@ TEST_F(Dmc60cBench, ReadsAndWritesEverythingAtTenPercentLoss)
     ASSERT_TRUE(outcomes);
     std::vector<ParameterChange> changes;
     for (const TransferOutcome &outcome : *outcomes) {
-        ASSERT_TRUE(outcome.raw) << outcome.raw.error().detail;
+        ASSERT_TRUE(outcome.raw) << outcome.raw.error().text();
         const Parameter &p = device->parameters().parameter(outcome.index);
         if (p.access == Access::ReadWrite && p.nature == Nature::Setting)
             changes.push_back(
@@ -123,7 +123,7 @@ TEST_F(Dmc60cBench, ReadsAndWritesEverythingAtTenPercentLoss)
     }
     const auto written = run(writeParameters(*device, changes, progress));
     ASSERT_TRUE(written);
-    ASSERT_EQ(written->size(), changes.size()) << written->back().raw.error().detail;
+    ASSERT_EQ(written->size(), changes.size()) << written->back().raw.error().text();
     for (const TransferOutcome &outcome : *written)
         EXPECT_EQ(outcome.verified, true);
 }
@@ -140,7 +140,7 @@ TEST_F(Dmc60cBench, ProvesThatAChangeIsInFlashAndThatItSurvivesThePower)
     const Instant begun = clock.now();
     NoProgress progress;
     const auto stored = run(device->store(progress));
-    ASSERT_TRUE(stored) << stored.error().detail;
+    ASSERT_TRUE(stored) << stored.error().text();
     EXPECT_TRUE(*stored);
     EXPECT_GT(clock.now() - begun, 14s) << "the second change is written 15 s later";
     EXPECT_LE(clock.now() - begun, 20s);
@@ -260,7 +260,7 @@ TEST_F(Dmc60cBench, RenamesAndRenumbersAtTenPercentLoss)
     bus.setLoss(0.1);
     for (int number = 10; number < 30; ++number) {
         const auto moved = run(device->renumber(number));
-        ASSERT_TRUE(moved) << moved.error().detail;
+        ASSERT_TRUE(moved) << moved.error().text();
     }
     EXPECT_TRUE(run(device->rename("Twenty moves")));
 }
@@ -305,7 +305,7 @@ TEST_F(Dmc60cBench, KeepsTheCountsOfClearedFaultsAtThirtyPercentLoss)
     bus.setLoss(0.3);
     const auto cleared = run(device->clearFaults());
     bus.setLoss(0.0);
-    ASSERT_TRUE(cleared) << cleared.error().detail;
+    ASSERT_TRUE(cleared) << cleared.error().text();
     EXPECT_EQ(cleared->at(3).count, before->at(3).count);
     EXPECT_TRUE(cleared->at(3).sticky);
     const auto after = run(device->readFaults());

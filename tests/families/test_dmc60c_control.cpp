@@ -89,7 +89,7 @@ TEST_F(Dmc60cController, SendsNothingForASetPointItRefuses)
     for (const auto &[refused, fault] : rows) {
         const auto result = device->command(refused);
         ASSERT_FALSE(result) << toString(refused.mode) << ' ' << refused.target;
-        EXPECT_EQ(result.error().fault, fault) << result.error().detail;
+        EXPECT_EQ(result.error().fault, fault) << result.error().text();
         EXPECT_FALSE(device->check(refused));
     }
     clock.advance(10ms);

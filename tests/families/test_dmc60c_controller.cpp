@@ -23,7 +23,7 @@ TEST_F(Dmc60cController, AsksEightTimesAndThenSaysTimeout)
     const auto result = run(device->read(index("slot0.p")));
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().fault, Fault::Timeout);
-    EXPECT_NE(result.error().detail.find("slot0.p"), std::string::npos);
+    EXPECT_NE(result.error().text().find("slot0.p"), std::string::npos);
     EXPECT_EQ(unit.count("02061805#34120A"), 8);
     EXPECT_EQ(device->parameters().entry(index("slot0.p")).state, ParameterState::Failed);
 }
@@ -103,7 +103,7 @@ TEST_F(Dmc60cController, SaysTimeoutWhenAClearCannotBeConfirmed)
     const auto result = run(device->write(index("faults.over_current.count"), 1));
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().fault, Fault::Timeout);
-    EXPECT_NE(result.error().detail.find('7'), std::string::npos) << "the count is not lost";
+    EXPECT_NE(result.error().text().find('7'), std::string::npos) << "the count is not lost";
 }
 
 TEST_F(Dmc60cController, ReadsCountersThroughAWriteOfZeroWhereTheyCannotBeRequested)
@@ -134,7 +134,7 @@ TEST_F(Dmc60cController, GathersFaultsWithTheirCounts)
     for (const auto *const number : {"36", "37", "38", "39"})
         unit.answer(std::string("02061805#3412") + number, {{std::string("02061845#") + number + "0000000000"}});
     const auto faults = run(device->readFaults());
-    ASSERT_TRUE(faults) << faults.error().detail;
+    ASSERT_TRUE(faults) << faults.error().text();
     ASSERT_EQ(faults->size(), 5U);
     EXPECT_EQ(faults->at(0).key, "over_current");
     EXPECT_TRUE(!faults->at(0).active && faults->at(0).sticky);

@@ -28,7 +28,7 @@ constexpr const char *referenceFile = ":020000040000FA\n"
 FirmwareImage imageOf(const std::string &text)
 {
     auto image = FirmwareImage::fromIntelHex(text);
-    EXPECT_TRUE(image) << (image ? "" : image.error().detail);
+    EXPECT_TRUE(image) << (image ? "" : image.error().text());
     return image.value_or(FirmwareImage());
 }
 
@@ -38,7 +38,7 @@ std::string refusal(const HexText &hex)
     if (application)
         return "accepted";
     EXPECT_EQ(application.error().fault, Fault::OutOfRange);
-    return application.error().detail;
+    return application.error().text();
 }
 
 std::vector<int> numbers(const Application &application)
@@ -141,7 +141,7 @@ TEST(Dmc60cPages, OfEveryAddressAreTheRightOnes)
 TEST(Dmc60cPreflight, AcceptsTheSmallestApplication)
 {
     const auto application = applicationFrom(imageOf(smallApplication(0x010A).text()));
-    ASSERT_TRUE(application) << application.error().detail;
+    ASSERT_TRUE(application) << application.error().text();
     EXPECT_EQ(numbers(*application), (std::vector<int>{30, 0}));
     EXPECT_EQ(application->version, 0x010A);
 }
@@ -176,9 +176,9 @@ TEST(Dmc60cDemoFirmware, HasAllPagesAndVersion1p25)
 {
     const auto text
         = readTextFile(MOTORBENCH_SOURCE_DIR "/resources/firmware/dmc60c-demo.hex", FirmwareImage::maxTextSize);
-    ASSERT_TRUE(text) << text.error().detail;
+    ASSERT_TRUE(text) << text.error().text();
     const auto application = applicationFrom(imageOf(*text));
-    ASSERT_TRUE(application) << application.error().detail;
+    ASSERT_TRUE(application) << application.error().text();
     EXPECT_EQ(application->version, 0x0119);
     std::vector<int> descending;
     for (int number = 30; number >= 0; --number)

@@ -96,7 +96,7 @@ const FirmwareImage &smallImage()
 
 void expectDone(const Result<UpdateReport> &report, const std::string &what = {})
 {
-    ASSERT_TRUE(report) << what << ": " << report.error().detail;
+    ASSERT_TRUE(report) << what << ": " << report.error().text();
     EXPECT_EQ(report->outcome, UpdateOutcome::Done) << what << ": " << report->evidence;
     EXPECT_TRUE(report->verified) << what;
     EXPECT_EQ(report->to, "1.25") << what;

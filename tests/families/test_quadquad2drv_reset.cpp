@@ -82,7 +82,7 @@ TEST_F(QuadQuad2DrvReset, WritingAgainSendsWhatWasWrittenAndNothingIsLostAnyMore
     ASSERT_TRUE(run(bench.clock, device->refresh()));
     sent.clear();
     const auto written = run(bench.clock, rewriteSettings(*device, progress));
-    ASSERT_TRUE(written) << written.error().detail;
+    ASSERT_TRUE(written) << written.error().text();
     EXPECT_EQ(*written, 4);
     EXPECT_TRUE(hasSent(setPositionGains(1, {250, 500, 700, 600})));
     EXPECT_TRUE(hasSent(setPowerLimit(4, 4096)));
@@ -98,7 +98,7 @@ TEST_F(QuadQuad2DrvReset, ItIsWrittenAgainEvenBeforeAnybodyLookedAtTheBoard)
     bench.clock.advance(1s);
     ASSERT_TRUE(device->liveness().restarted);
     const auto written = run(bench.clock, rewriteSettings(*device, progress));
-    ASSERT_TRUE(written) << written.error().detail;
+    ASSERT_TRUE(written) << written.error().text();
     EXPECT_EQ(lost(), 0U);
 }
 
@@ -197,8 +197,8 @@ TEST_F(QuadQuad2DrvReset, ASecondResetWhileItIsWrittenAgainIsOneClearError)
     if (*result) { // the reset fell behind the last write: then nothing of it is believed either
         EXPECT_TRUE(device->liveness().restarted);
     } else {
-        EXPECT_NE(result->error().detail.find(" of 4 settings were written again"), std::string::npos)
-            << result->error().detail;
+        EXPECT_NE(result->error().text().find(" of 4 settings were written again"), std::string::npos)
+            << result->error().text();
     }
     EXPECT_GE(lost(), 2U);
 }

@@ -112,7 +112,7 @@ TEST_P(QuadQuad2DrvScales, AreFoundWithinTheirTolerance)
     const auto report = bench.find(withPower(0.25, row.axis), operation);
     for (const LogLine &line : operation.status().log)
         std::cout << line.text << '\n';
-    ASSERT_TRUE(report) << report.error().detail;
+    ASSERT_TRUE(report) << report.error().text();
     const auto compare = [&](std::string_view key, double truth, double tolerance) {
         const double error = bench.kept(key) / (truth * row.scale) - 1.0;
         std::cout << row.name << ", " << key << ": " << bench.kept(key) << ", true " << truth * row.scale << ", error "
@@ -221,7 +221,7 @@ TEST(QuadQuad2DrvExperiment, AnEncoderThatCountsBackwardsIsFoundBeforeAnyLoopIsC
     const auto report = bench.find(withPower(0.25), operation);
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().fault, Fault::Unsafe);
-    EXPECT_NE(report.error().detail.find("counts against the power"), std::string::npos) << report.error().detail;
+    EXPECT_NE(report.error().text().find("counts against the power"), std::string::npos) << report.error().text();
     for (const Bytes &packet : bench.sent) {
         if (packet[2] == static_cast<std::uint8_t>(PacketId::SetControlMode)) {
             EXPECT_LE(packet[4], static_cast<std::uint8_t>(ControlMode::Power));
@@ -236,7 +236,7 @@ TEST(QuadQuad2DrvExperiment, AMotorThatDoesNotTurnIsRefused)
     Operation operation(bench.clock, "scales");
     const auto report = bench.find(withPower(0.25), operation);
     ASSERT_FALSE(report);
-    EXPECT_NE(report.error().detail.find("did not turn"), std::string::npos) << report.error().detail;
+    EXPECT_NE(report.error().text().find("did not turn"), std::string::npos) << report.error().text();
 }
 
 TEST(QuadQuad2DrvExperiment, ABoardThatWantsItsVelocityTargetShiftedIsTold)
@@ -245,11 +245,11 @@ TEST(QuadQuad2DrvExperiment, ABoardThatWantsItsVelocityTargetShiftedIsTold)
     Operation operation(bench.clock, "scales");
     const auto report = bench.find(withPower(0.25), operation);
     ASSERT_FALSE(report);
-    EXPECT_NE(report.error().detail.find("times 4096"), std::string::npos) << report.error().detail;
+    EXPECT_NE(report.error().text().find("times 4096"), std::string::npos) << report.error().text();
     ASSERT_TRUE(bench.device->calibrate(calibration::targetShift, calibration::shiftedTarget));
     Operation again(bench.clock, "scales");
     const auto found = bench.find(withPower(0.25), again);
-    ASSERT_TRUE(found) << found.error().detail;
+    ASSERT_TRUE(found) << found.error().text();
     EXPECT_NEAR(bench.kept(calibration::velocityP), simulation::gain::velocityP, 0.02 * simulation::gain::velocityP);
 }
 
@@ -264,7 +264,7 @@ TEST(QuadQuad2DrvExperiment, TheStatusBitTellsWhichReadingOfTheInputsIsRight)
             options.answer = answer;
             NoProgress progress;
             const auto report = run(bench.clock, findInputReading(*bench.device, bench.stream(), options, progress));
-            ASSERT_TRUE(report) << report.error().detail;
+            ASSERT_TRUE(report) << report.error().text();
             EXPECT_EQ(
                 bench.kept(calibration::inputReading), library ? calibration::asLibrary : calibration::asDataSheet);
             bench.clock.advance(100ms);

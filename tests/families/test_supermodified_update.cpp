@@ -31,7 +31,7 @@ constexpr std::string_view imageText = ":060000000C942000FFCF6C\n:00000001FF\n";
 FirmwareImage image(std::string_view text = imageText)
 {
     auto parsed = FirmwareImage::fromIntelHex(text);
-    EXPECT_TRUE(parsed) << (parsed ? "" : parsed.error().detail);
+    EXPECT_TRUE(parsed) << (parsed ? "" : parsed.error().text());
     return parsed.value_or(FirmwareImage{});
 }
 
@@ -103,14 +103,14 @@ TEST(SupermodifiedAvrdude, NamesCauseAndRemedyOfWhatItSays)
         reading.take(row.line, true);
         const Error error = reading.failure(job);
         EXPECT_EQ(error.fault, row.fault) << row.line;
-        EXPECT_NE(error.detail.find_first_of(";'"), std::string::npos) << error.detail;
+        EXPECT_NE(error.text().find_first_of(";'"), std::string::npos) << error.text();
     }
 }
 
 TEST(SupermodifiedFirmware, TakesProgramsOfAnAvrOnly)
 {
     const auto summary = inspect(image());
-    ASSERT_TRUE(summary) << summary.error().detail;
+    ASSERT_TRUE(summary) << summary.error().text();
     EXPECT_EQ(summary->parts, std::vector<int>{0});
     EXPECT_FALSE(inspect(image(":0400000000020400F6\n:00000001FF\n"))) << "vectors of a Cortex";
     EXPECT_FALSE(inspect(image(":028000000C94DE\n:00000001FF\n"))) << "beyond 32 KiB";
@@ -202,7 +202,7 @@ TEST(SupermodifiedUpdate, IsDoneWhenAvrdudeVerifiedAndTheNodeAnswersAgain)
     UpdateBench bench;
     bench.standIn(success);
     const auto report = bench.update("avrdude:usbasp:usb");
-    ASSERT_TRUE(report) << report.error().detail;
+    ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->outcome, UpdateOutcome::Done);
     EXPECT_TRUE(report->verified);
     EXPECT_TRUE(report->to.empty()) << "the wire carries no version";
@@ -231,7 +231,7 @@ TEST(SupermodifiedUpdate, AsksTheBootloaderAtBothOfItsRates)
                   "exit 1;; esac\n"
         + QByteArray(success));
     const auto report = bench.update("avrdude:arduino:/dev/ttyUSB7");
-    ASSERT_TRUE(report) << report.error().detail;
+    ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->outcome, UpdateOutcome::Done);
     EXPECT_EQ(bench.calls().count('\n'), 2);
     EXPECT_TRUE(bench.calls().contains("-b 57600 -D -U flash:w:"));
@@ -244,7 +244,7 @@ TEST(SupermodifiedUpdate, AFailureInTheMiddleSaysWhatTheUnitIsWorth)
     const auto report = bench.update("avrdude:arduino:/dev/ttyUSB7");
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().fault, Fault::BadCheck);
-    EXPECT_NE(report.error().detail.find("half a program"), std::string::npos) << report.error().detail;
+    EXPECT_NE(report.error().text().find("half a program"), std::string::npos) << report.error().text();
     EXPECT_EQ(bench.calls().count('\n'), 1) << "not tried again at another rate";
 }
 
@@ -290,19 +290,19 @@ TEST(SupermodifiedUpdate, TheRealAvrdudeIsUnderstood)
     UpdateBench bench;
     const auto unknown = bench.update("avrdude:nosuchprogrammer:usb");
     ASSERT_FALSE(unknown);
-    EXPECT_EQ(unknown.error().fault, Fault::OutOfRange) << unknown.error().detail;
+    EXPECT_EQ(unknown.error().fault, Fault::OutOfRange) << unknown.error().text();
     for (const Programmer &listed : bench.device->family().routes.front().programmers) {
         const auto result = bench.update("avrdude:" + std::string(listed.name)
             + (listed.port == Programmer::Port::Usb ? ":usb" : ":/dev/ttyNOSUCH9"));
         ASSERT_FALSE(result);
-        EXPECT_NE(result.error().fault, Fault::OutOfRange) << listed.name << ": " << result.error().detail;
+        EXPECT_NE(result.error().fault, Fault::OutOfRange) << listed.name << ": " << result.error().text();
     }
     const auto absent = bench.update("avrdude:arduino:/dev/ttyNOSUCH9");
     ASSERT_FALSE(absent);
-    EXPECT_EQ(absent.error().fault, Fault::LinkLost) << absent.error().detail;
+    EXPECT_EQ(absent.error().fault, Fault::LinkLost) << absent.error().text();
     const auto unplugged = bench.update("avrdude:usbasp:usb");
     ASSERT_FALSE(unplugged);
-    EXPECT_EQ(unplugged.error().fault, Fault::LinkLost) << unplugged.error().detail;
+    EXPECT_EQ(unplugged.error().fault, Fault::LinkLost) << unplugged.error().text();
 }
 
 } // namespace

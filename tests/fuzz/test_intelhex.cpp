@@ -157,10 +157,10 @@ void expectConsistent(const FirmwareImage &image, const Memory &memory, const st
 void expectOneClearLine(const Error &error, const std::string &text)
 {
     EXPECT_EQ(error.fault, Fault::OutOfRange) << text;
-    EXPECT_EQ(error.detail.rfind("line ", 0), 0U) << text;
-    EXPECT_TRUE(std::all_of(error.detail.begin(), error.detail.end(), [](char c) { return c >= 0x20 && c < 0x7F; }))
+    EXPECT_EQ(error.text().rfind("line ", 0), 0U) << text;
+    EXPECT_TRUE(std::all_of(error.text().begin(), error.text().end(), [](char c) { return c >= 0x20 && c < 0x7F; }))
         << text;
-    EXPECT_LT(error.detail.size(), 120U) << text;
+    EXPECT_LT(error.text().size(), 120U) << text;
 }
 
 /// Both readers agree about `text`; true when it was accepted.
@@ -168,7 +168,7 @@ bool expectAgreement(const std::string &text)
 {
     const auto image = FirmwareImage::fromIntelHex(text);
     const auto memory = SimpleReader::read(text);
-    EXPECT_EQ(image.has_value(), memory.has_value()) << text << (image ? "" : image.error().detail);
+    EXPECT_EQ(image.has_value(), memory.has_value()) << text << (image ? "" : image.error().text());
     if (!image) {
         expectOneClearLine(image.error(), text);
         return false;

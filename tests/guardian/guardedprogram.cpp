@@ -83,7 +83,7 @@ int main(int argc, char **argv)
         std::fflush(stdout);
     });
     if (const auto started = stream.start(setPoint, 1h); !started) {
-        std::printf("ended: %s\n", started.error().detail.c_str());
+        std::printf("ended: %s\n", started.error().text().c_str());
         return 1;
     }
     for (const pid_t pid : guardian.processes())

@@ -326,7 +326,7 @@ TEST(GuardianThatIsMissing, IsNamedWithTheRemedy)
     const auto started = startGuardian("/nowhere/motorbench-guardian", {Outlet::Form::Stream, STDIN_FILENO});
     ASSERT_FALSE(started);
     EXPECT_EQ(started.error().fault, Fault::Unsafe);
-    EXPECT_NE(started.error().detail.find("/nowhere/motorbench-guardian is missing"), std::string::npos);
+    EXPECT_NE(started.error().text().find("/nowhere/motorbench-guardian is missing"), std::string::npos);
 }
 
 TEST(GuardianByHand, SaysWhoStartsIt)

@@ -70,7 +70,7 @@ TEST_F(Profiles, AFolderThatCannotBeMadeIsOneClearLine)
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     const auto saved = book.save(selector, {});
     ASSERT_FALSE(saved);
-    EXPECT_NE(saved.error().detail.find("/below/it"), std::string::npos);
+    EXPECT_NE(saved.error().text().find("/below/it"), std::string::npos);
 }
 
 } // namespace

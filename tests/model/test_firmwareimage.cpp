@@ -29,7 +29,7 @@ std::string record(int type, std::initializer_list<std::uint8_t> bytes)
 FirmwareImage read(const std::string &text)
 {
     auto image = FirmwareImage::fromIntelHex(text);
-    EXPECT_TRUE(image) << (image ? "" : image.error().detail);
+    EXPECT_TRUE(image) << (image ? "" : image.error().text());
     return image.value_or(FirmwareImage());
 }
 
@@ -39,7 +39,7 @@ std::string refusal(const std::string &text)
     if (image)
         return "accepted";
     EXPECT_EQ(image.error().fault, Fault::OutOfRange);
-    return image.error().detail;
+    return image.error().text();
 }
 
 TEST(FirmwareImage, IsEmptyWithoutAFile)

@@ -42,8 +42,8 @@ TEST(Selector, RefusesNonsenseWithOneClause)
         const auto selector = DeviceSelector::parse(text);
         ASSERT_FALSE(selector) << text;
         EXPECT_EQ(selector.error().fault, Fault::OutOfRange) << text;
-        EXPECT_FALSE(selector.error().detail.empty());
-        EXPECT_EQ(selector.error().detail.find('\n'), std::string::npos);
+        EXPECT_FALSE(selector.error().text().empty());
+        EXPECT_EQ(selector.error().text().find('\n'), std::string::npos);
     }
 }
 

@@ -58,6 +58,22 @@ Task<int> broken(Clock &clock)
     co_return fail(Fault::Refused, "no");
 }
 
+TEST(Operation, AnswersWhenItIsDismissedEvenInAPartThatMustNotBeCut)
+{
+    Job job;
+    job.start(work(job.clock, *job.operation, job.alive, true));
+    job.clock.advance(500ms);
+    EXPECT_FALSE(job.operation->cancel());
+    job.operation->dismiss({Fault::LinkLost, "the device is gone"});
+    EXPECT_EQ(job.state(), OperationStatus::State::Failed);
+    EXPECT_EQ(job.alive, 0);
+    ASSERT_TRUE(job.result);
+    ASSERT_FALSE(*job.result);
+    EXPECT_EQ(job.result->error().detail, "the device is gone");
+    job.operation->dismiss({Fault::Refused, "again"});
+    EXPECT_EQ(job.operation->status().error.detail, "the device is gone");
+}
+
 TEST(Operation, TellsHowFarItIsAndHowItEnded)
 {
     Job job;
@@ -85,7 +101,7 @@ TEST(Operation, KeepsTheErrorOfAFailure)
     job.clock.advance(2s);
     EXPECT_EQ(job.state(), OperationStatus::State::Failed);
     EXPECT_EQ(job.operation->status().error.fault, Fault::Refused);
-    EXPECT_EQ(job.operation->status().error.detail, "no");
+    EXPECT_EQ(job.operation->status().error.text(), "no");
     EXPECT_FALSE(*job.result);
 }
 

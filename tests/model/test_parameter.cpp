@@ -23,18 +23,26 @@ const Parameter gain = row(WireType::Fixed16x16, 65536.0, -32768.0, 32767.5);
 const Parameter whole = row(WireType::Uint16, 1.0, 10.0, 500.0);
 const Parameter flag = row(WireType::Boolean, 1.0, 0.0, 1.0);
 
-TEST(Parameter, TakesNumbersAsPeopleTypeThem)
+TEST(Parameter, TakesNumbersWithADot)
 {
     EXPECT_EQ(parseRaw(gain, "1.5"), 98304);
-    EXPECT_EQ(parseRaw(gain, " 1,5 "), 98304);
+    EXPECT_EQ(parseRaw(gain, " 1.5 "), 98304);
     EXPECT_EQ(parseRaw(gain, "+1.5"), 98304);
     EXPECT_EQ(parseRaw(gain, "-0.25"), -16384);
-    EXPECT_EQ(parseRaw(gain,
-                  "\xE2\x88\x92"
-                  "0.25"),
-        -16384);
     EXPECT_EQ(parseRaw(gain, "1e-1"), 6554) << "the nearest raw value";
     EXPECT_EQ(parseRaw(whole, "0x1F"), 31);
+}
+
+TEST(Parameter, RefusesACommaBecauseItMayMeanThousands)
+{
+    for (const char *text : {"1,5", "1,500", "1.500,0",
+             "\xE2\x88\x92"
+             "1"}) {
+        const auto raw = parseRaw(gain, text);
+        ASSERT_FALSE(raw) << text;
+        EXPECT_EQ(raw.error().fault, Fault::OutOfRange);
+    }
+    EXPECT_EQ(parseRaw(gain, "1,500").error().remedy, "write it with a dot, like 1.5, and no comma");
 }
 
 TEST(Parameter, TakesEveryWordForOnAndOff)
@@ -49,8 +57,8 @@ TEST(Parameter, TakesEveryWordForOnAndOff)
 
 TEST(Parameter, RefusesWhatIsNoNumber)
 {
-    for (const char *text :
-        {"", " ", "abc", "1.5x", "1 5", "--1", "1.2.3", "nan", "inf", "-inf", "0x", "0xG", "0x1FFFFFFFF", "1e400"}) {
+    for (const char *text : {"", " ", "abc", "1.5x", "1 5", "--1", "1.2.3", "nan", "inf", "-inf", "+-1", "0x", "0xG",
+             "0x1FFFFFFFF", "1e400"}) {
         const auto raw = parseRaw(gain, text);
         ASSERT_FALSE(raw) << text;
         EXPECT_EQ(raw.error().fault, Fault::OutOfRange);
@@ -61,7 +69,7 @@ TEST(Parameter, RefusesWhatIsOutOfRangeAndNamesTheRange)
 {
     const auto above = parseRaw(whole, "501");
     ASSERT_FALSE(above);
-    EXPECT_NE(above.error().detail.find("10 … 500"), std::string::npos) << above.error().detail;
+    EXPECT_NE(above.error().text().find("10 … 500"), std::string::npos) << above.error().text();
     EXPECT_FALSE(parseRaw(whole, "9"));
     EXPECT_FALSE(parseRaw(whole, "20.5")) << "not a whole number";
     EXPECT_EQ(parseRaw(whole, "10"), 10);

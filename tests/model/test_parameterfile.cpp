@@ -38,7 +38,7 @@ TEST(ParameterFile, TakesValuesAndRawValuesInTableOrder)
     const auto parsed = parseParameterFile(
         file("\"slot0.i\":{\"raw\":32768},\"current_limit.enabled\":{\"value\":true},\"slot0.p\":{\"value\":1.5}"),
         family());
-    ASSERT_TRUE(parsed) << parsed.error().detail;
+    ASSERT_TRUE(parsed) << parsed.error().text();
     ASSERT_EQ(parsed->values.size(), 3U);
     EXPECT_TRUE(std::is_sorted(parsed->values.begin(), parsed->values.end(),
         [](const ParameterChange &a, const ParameterChange &b) { return a.index < b.index; }));
@@ -49,11 +49,15 @@ TEST(ParameterFile, TakesValuesAndRawValuesInTableOrder)
     EXPECT_TRUE(parsed->firmware.empty());
 }
 
-TEST(ParameterFile, BelievesTheRawValueWhereBothAreGiven)
+TEST(ParameterFile, RefusesAValueThatWasEditedBesideItsRawValue)
 {
-    const auto parsed = parseParameterFile(file("\"slot0.p\":{\"raw\":1,\"value\":7}"), family());
-    ASSERT_TRUE(parsed);
-    EXPECT_EQ(taken(*parsed, "slot0.p"), 1);
+    const auto parsed = parseParameterFile(file("\"slot0.p\":{\"raw\":65536,\"value\":1.5}"), family());
+    ASSERT_FALSE(parsed);
+    EXPECT_EQ(
+        parsed.error().text(), "slot0.p: its value says 1.5, its raw value 1; delete the one of the two that is old");
+    const auto agreeing = parseParameterFile(file("\"slot0.p\":{\"raw\":98304,\"value\":1.5}"), family());
+    ASSERT_TRUE(agreeing);
+    EXPECT_EQ(taken(*agreeing, "slot0.p"), 98304);
 }
 
 TEST(ParameterFile, NotesWhatItLeavesOut)
@@ -71,12 +75,13 @@ TEST(ParameterFile, RefusesTheWholeFileForOneBadRow)
     for (const char *row : {"\"slot0.p\":{\"value\":1e9}", "\"slot0.p\":{\"raw\":1e300}", "\"slot0.p\":{\"raw\":1.5}",
              "\"slot0.p\":{\"raw\":-99999999999}", "\"slot0.p\":{\"value\":\"1\"}", "\"slot0.p\":{\"value\":true}",
              "\"current_limit.enabled\":{\"value\":1}", "\"current_limit.enabled\":{\"raw\":2}", "\"slot0.p\":7",
-             "\"slot0.p\":[]", "\"slot0.p\":{\"raw\":\"x\",\"value\":{}}"}) {
+             "\"slot0.p\":[]", "\"slot0.p\":{\"raw\":\"abc\",\"value\":1}", "\"slot0.p\":{\"raw\":1,\"value\":\"abc\"}",
+             "\"slot0.p\":{\"raw\":\"x\",\"value\":{}}"}) {
         const auto parsed = parseParameterFile(file(good + row), family());
         ASSERT_FALSE(parsed) << row;
         EXPECT_EQ(parsed.error().fault, Fault::OutOfRange) << row;
-        EXPECT_FALSE(parsed.error().detail.empty());
-        EXPECT_EQ(parsed.error().detail.find('\n'), std::string::npos);
+        EXPECT_FALSE(parsed.error().text().empty());
+        EXPECT_EQ(parsed.error().text().find('\n'), std::string::npos);
     }
 }
 
@@ -89,7 +94,7 @@ TEST(ParameterFile, RefusesWhatIsNoParameterFileOfThisFamily)
         const auto parsed = parseParameterFile(bytes, family());
         ASSERT_FALSE(parsed) << bytes.constData();
         EXPECT_EQ(parsed.error().fault, Fault::OutOfRange);
-        EXPECT_EQ(parsed.error().detail.find('\n'), std::string::npos);
+        EXPECT_EQ(parsed.error().text().find('\n'), std::string::npos);
     }
     EXPECT_EQ(familyOf(file("", "supermodified")), "supermodified");
     EXPECT_FALSE(familyOf("{\"family\":5}"));
@@ -105,7 +110,7 @@ TEST(ParameterFile, ComesBackAsItWasSaved)
     ASSERT_TRUE(test::run(bench.clock, readParameters(device, readable(device), progress)));
     const QByteArray saved = QJsonDocument(parametersToJson(device, readable(device))).toJson();
     const auto parsed = parseParameterFile(saved, device.family());
-    ASSERT_TRUE(parsed) << parsed.error().detail;
+    ASSERT_TRUE(parsed) << parsed.error().text();
     EXPECT_EQ(parsed->values.size(), readable(device).size());
     for (const ParameterChange &change : parsed->values)
         EXPECT_EQ(change.raw, device.parameters().entry(change.index).raw)
@@ -133,6 +138,24 @@ TEST(ParameterFile, RestoresSettingsOnlyThatDifferAndSurviveAPowerCycle)
     }
     device.parameters().setFailed(wanted.front().index);
     EXPECT_FALSE(differences(device, all).front().from) << "what was not read is not known";
+}
+
+TEST(ParameterFile, TellsWhatBelongsToTheUnitThatItWasSavedFrom)
+{
+    test::SimulatedSession bench;
+    bench.scan();
+    Device &device = *bench.device(5);
+    const auto index = *findParameter(device.family().parameters, "current.adc_multiplier");
+    device.parameters().setRead(index, 2070);
+    ParameterFile saved;
+    saved.serial = device.identity().serial;
+    saved.values.push_back({index, 2100});
+    ASSERT_FALSE(saved.serial.empty());
+    EXPECT_FALSE(differences(device, saved).front().ofAnotherUnit) << "a backup of the unit itself";
+    saved.serial = "of another one";
+    EXPECT_TRUE(differences(device, saved).front().ofAnotherUnit);
+    saved.serial.clear();
+    EXPECT_TRUE(differences(device, saved).front().ofAnotherUnit) << "nobody knows from where";
 }
 
 TEST(ParameterFile, SavesAllOrNothing)

@@ -97,10 +97,10 @@ struct Playback {
         : session(clock, families())
     {
         const auto opened = session.openLink(*LinkAddress::parse(address));
-        EXPECT_TRUE(opened) << (opened ? "" : opened.error().detail);
+        EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
         link = Session::replayOf(**opened);
         auto found = test::run(clock, session.scan(*link));
-        EXPECT_TRUE(found) << (found ? "" : found.error().detail);
+        EXPECT_TRUE(found) << (found ? "" : found.error().text());
         devices = found.value_or(std::vector<Device *>{});
     }
     Samples play(Instant from)
@@ -220,7 +220,7 @@ TEST(ReplaySession, LetsNothingBeDrivenOrWritten)
     playback.link->play();
     playback.clock.advance(1s);
     EXPECT_EQ(device.mayMove().error().fault, Fault::Unsupported);
-    EXPECT_NE(device.mayMove().error().detail.find("run.log is a recording"), std::string::npos);
+    EXPECT_NE(device.mayMove().error().text().find("run.log is a recording"), std::string::npos);
     SetPoint setPoint;
     setPoint.mode = Mode::Duty;
     setPoint.target = 0.1;
@@ -265,7 +265,7 @@ TEST(ReplaySession, IsConnectedBySelectorAndRefusesADamagedFile)
     const auto selector = DeviceSelector::parse("replay:" + run.path + "?speed=max/dmc60c:7");
     ASSERT_TRUE(selector);
     const auto connected = test::run(clock, session.connect(*selector));
-    ASSERT_TRUE(connected) << connected.error().detail;
+    ASSERT_TRUE(connected) << connected.error().text();
     EXPECT_EQ((*connected)->identity().address, 7);
     const std::string damaged = run.folder.write("damaged.log", run.folder.read("run.log") + "rubbish\nmore\n");
     const auto broken = session.openLink(*LinkAddress::parse("replay:" + damaged));
@@ -273,7 +273,7 @@ TEST(ReplaySession, IsConnectedBySelectorAndRefusesADamagedFile)
     const auto scanned = test::run(clock, session.scan(**broken));
     ASSERT_FALSE(scanned);
     EXPECT_EQ(scanned.error().fault, Fault::OutOfRange);
-    EXPECT_NE(scanned.error().detail.find("is not a line of candump -L"), std::string::npos);
+    EXPECT_NE(scanned.error().text().find("is not a line of candump -L"), std::string::npos);
 }
 
 TEST(TrafficRecorder, SaysThatTheDiskIsFullAndCountsWhatIsMissing)
@@ -290,7 +290,7 @@ TEST(TrafficRecorder, SaysThatTheDiskIsFullAndCountsWhatIsMissing)
         std::this_thread::yield();
     live.clock.advance(10s);
     const RecordingState state = (*recorder)->state();
-    EXPECT_EQ(state.problem, "/dev/full: the disk is full; make room, or record elsewhere");
+    EXPECT_EQ(state.problem, "/dev/full: the disk is full; make room, or choose another place");
     EXPECT_EQ(told, 1);
     EXPECT_GT(state.frames, 1000U);
     EXPECT_EQ(state.lost, state.frames);

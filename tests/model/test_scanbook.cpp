@@ -106,7 +106,7 @@ struct Program {
     void scan(const std::string &link)
     {
         const auto opened = session.openLink(*LinkAddress::parse(link));
-        ASSERT_TRUE(opened) << opened.error().detail;
+        ASSERT_TRUE(opened) << opened.error().text();
         EXPECT_TRUE(test::run(clock, session.scan(**opened)));
     }
     const std::array<const Family *, 1> only{&quickFamily()};

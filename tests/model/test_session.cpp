@@ -91,7 +91,7 @@ TEST(Session, RefusesALinkThatCannotBe)
              "sim:can?fault=busoff@inf", "sim:can?bitrate=0", "sim:can?seed=x", "socketcan:nosuchcan9"}) {
         const auto opened = bench.session.openLink(*LinkAddress::parse(address));
         ASSERT_FALSE(opened) << address;
-        EXPECT_FALSE(opened.error().detail.empty());
+        EXPECT_FALSE(opened.error().text().empty());
     }
     EXPECT_EQ(bench.session.links().size(), 1U);
 }
@@ -121,9 +121,9 @@ TEST(Session, WantsTheSessionWhereANumberIsTakenTwice)
             continue;
         EXPECT_EQ(device->identity().state, DeviceState::Duplicate);
         EXPECT_FALSE(device->mayMove());
-        EXPECT_NE(refused.error().detail.find(device->selector()), std::string::npos) << "the error names both";
+        EXPECT_NE(refused.error().text().find(device->selector()), std::string::npos) << "the error names both";
         const auto connected = connect(bench, device->selector().c_str());
-        ASSERT_TRUE(connected) << connected.error().detail;
+        ASSERT_TRUE(connected) << connected.error().text();
         EXPECT_EQ(*connected, device);
         found.insert(*connected);
     }

@@ -14,7 +14,7 @@ const std::vector<std::string> names{"a", "b", "d5_velocity"};
 double once(const char *text, std::vector<double> values)
 {
     auto expression = Expression::parse(text, names);
-    EXPECT_TRUE(expression) << text << (expression ? "" : expression.error().detail);
+    EXPECT_TRUE(expression) << text << (expression ? "" : expression.error().text());
     return expression ? expression->evaluate(0.0, values) : 0.0;
 }
 
@@ -69,7 +69,7 @@ TEST(Expression, IntegralAddsTrapezoids)
 TEST(Expression, CallsCanStandInsideEachOther)
 {
     auto expression = Expression::parse("average(derivative(a * 2), 10) + derivative (b)", names);
-    ASSERT_TRUE(expression) << expression.error().detail;
+    ASSERT_TRUE(expression) << expression.error().text();
     (void)expression->evaluate(0.0, std::vector{0.0, 0.0});
     EXPECT_DOUBLE_EQ(expression->evaluate(1.0, std::vector{1.0, 5.0}), 7.0);
     EXPECT_DOUBLE_EQ(expression->evaluate(2.0, std::vector{3.0, 5.0}), 3.0);
@@ -90,7 +90,7 @@ TEST(Expression, SaysWhatIsWrong)
         const auto expression = Expression::parse(wrong, names);
         ASSERT_FALSE(expression) << wrong;
         EXPECT_EQ(expression.error().fault, Fault::OutOfRange);
-        EXPECT_FALSE(expression.error().detail.empty()) << wrong;
+        EXPECT_FALSE(expression.error().text().empty()) << wrong;
     }
     std::string deep = "a";
     for (int i = 0; i < 100; ++i)

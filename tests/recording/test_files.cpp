@@ -101,11 +101,11 @@ TEST(Mcap, WhatWasWrittenReadsBackWithGapsLossAndFacts)
     const Folder folder;
     const Bench bench;
     const auto report = exportMcap(bench.plan(), folder.file("a.mcap"), {});
-    ASSERT_TRUE(report) << report.error().detail;
+    ASSERT_TRUE(report) << report.error().text();
     EXPECT_EQ(report->samples, 2667U);
     EXPECT_EQ(report->lost, 84U);
     const auto loaded = loadRecording(folder.file("a.mcap"));
-    ASSERT_TRUE(loaded) << loaded.error().detail;
+    ASSERT_TRUE(loaded) << loaded.error().text();
     const LoadedRecording &recording = **loaded;
     expectEqual(*recording.telemetry, *bench.recording, unixOffset);
     EXPECT_EQ(recording.telemetry->lost(velocity), 84U);
@@ -156,7 +156,7 @@ TEST(Mcap, AFileThatEndsAnywhereGivesWhatIsWhole)
         std::ofstream(folder.file("cut.mcap"), std::ios::binary) << whole.substr(0, length);
         const auto loaded = loadRecording(folder.file("cut.mcap"));
         if (!loaded) {
-            EXPECT_NE(loaded.error().detail.find("cut.mcap"), std::string::npos);
+            EXPECT_NE(loaded.error().text().find("cut.mcap"), std::string::npos);
             continue;
         }
         const std::size_t samples = (*loaded)->telemetry->size(velocity);
@@ -191,7 +191,7 @@ TEST(Csv, WhatWasWrittenReadsBackWithGaps)
     const Bench bench;
     ASSERT_TRUE(exportCsv(bench.plan(), folder.file("a.csv"), {}));
     const auto loaded = loadRecording(folder.file("a.csv"));
-    ASSERT_TRUE(loaded) << loaded.error().detail;
+    ASSERT_TRUE(loaded) << loaded.error().text();
     expectEqual(*(*loaded)->telemetry, *bench.recording, unixOffset);
     EXPECT_TRUE((*loaded)->hasClock);
     EXPECT_TRUE((*loaded)->simulated);
@@ -236,7 +236,7 @@ TEST(Table, WhatWatchPrintsCanBeRead)
     std::ofstream(folder.file("w.csv"))
         << "t,channel,value,unit\n0.001,velocity,5,counts/s\n0.002,current,1.5,A\n0.003,velocity,6,counts/s\n";
     const auto loaded = loadRecording(folder.file("w.csv"));
-    ASSERT_TRUE(loaded) << loaded.error().detail;
+    ASSERT_TRUE(loaded) << loaded.error().text();
     EXPECT_EQ((*loaded)->table.size(), 2U);
     EXPECT_EQ((*loaded)->telemetry->size({0}), 2U);
     EXPECT_FALSE((*loaded)->hasClock);
@@ -252,7 +252,7 @@ TEST(Table, SaysInWhichLineWhatIsWrong)
         std::ofstream(folder.file("x.csv")) << text;
         const auto loaded = loadRecording(folder.file("x.csv"));
         ASSERT_FALSE(loaded) << text;
-        EXPECT_NE(loaded.error().detail.find(says), std::string::npos) << loaded.error().detail;
+        EXPECT_NE(loaded.error().text().find(says), std::string::npos) << loaded.error().text();
     }
     EXPECT_FALSE(loadRecording(folder.path.string()));
 }
@@ -294,7 +294,7 @@ TEST(RollingRecorder, TheLastSecondsAreAlwaysThere)
     RollingRecorder recorder(rolling(folder, "run"));
     bench.run(recorder, 60);
     const auto report = recorder.save(folder.file("kept.mcap"), {});
-    ASSERT_TRUE(report) << report.error().detail;
+    ASSERT_TRUE(report) << report.error().text();
     const auto loaded = loadRecording(folder.file("kept.mcap"));
     ASSERT_TRUE(loaded);
     const double seconds = std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count();
@@ -344,7 +344,7 @@ TEST(RollingRecorder, SurvivesAKilledProcess)
     Running bench;
     bench.run(other, 4);
     const auto recovered = recoverRecordings(folder.path.string());
-    ASSERT_TRUE(recovered) << recovered.error().detail;
+    ASSERT_TRUE(recovered) << recovered.error().text();
     ASSERT_EQ(recovered->size(), 1U); // the one that runs is left alone
     const auto loaded = loadRecording(recovered->front());
     ASSERT_TRUE(loaded);
@@ -376,7 +376,7 @@ TEST(RollingRecorder, AFolderThatCannotBeWrittenIsTold)
     recorder.follow({{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "", {}, true}}, {});
     const auto written = recorder.write(ms(0), unixOffset);
     ASSERT_FALSE(written);
-    EXPECT_NE(written.error().detail.find("/proc/nonexistent"), std::string::npos);
+    EXPECT_NE(written.error().text().find("/proc/nonexistent"), std::string::npos);
 }
 
 } // namespace

@@ -82,7 +82,7 @@ protected:
     {
         auto link = std::make_unique<SocketCanLink>(can(name), loop.clock());
         const auto result = link->open();
-        EXPECT_TRUE(result) << result.error().detail;
+        EXPECT_TRUE(result) << result.error().text();
         subscriptions.push_back(link->received().add([this](const CanFrame &frame) { frames.push_back(frame); }));
         return link;
     }
@@ -208,10 +208,10 @@ TEST_F(SocketCan, AnInterfaceThatIsSwitchedOffIsLostAndComesBack)
     EXPECT_EQ(sent.error(), (Error{Fault::LinkLost, "vcan1 was switched off"}));
     const auto refused = link->open();
     ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().detail, "vcan1 is switched off; bring it up: sudo ip link set vcan1 up");
+    EXPECT_EQ(refused.error().text(), "vcan1 is switched off; bring it up: sudo ip link set vcan1 up");
     shell("ip link set vcan1 up");
     const auto again = link->open();
-    ASSERT_TRUE(again) << again.error().detail;
+    ASSERT_TRUE(again) << again.error().text();
     Peer("vcan1").send(7);
     EXPECT_TRUE(loop.runUntil([this] { return frames.size() == 1; }));
 }
@@ -236,7 +236,7 @@ TEST_F(SocketCan, AnInterfaceThatIsUnpluggedIsGone)
     EXPECT_EQ(link->reason(), "vcan9 is gone");
     const auto again = link->open();
     ASSERT_FALSE(again);
-    EXPECT_EQ(again.error().detail, "there is no CAN interface vcan9");
+    EXPECT_EQ(again.error().text(), "there is no CAN interface vcan9");
 }
 
 TEST_F(SocketCan, ErrorFramesArriveAndBusOffLosesTheLink)
@@ -293,7 +293,7 @@ TEST_F(SocketCan, QtPluginsCarryFramesBothWays)
     ASSERT_TRUE(made);
     auto &link = static_cast<CanLink &>(**made);
     const auto result = link.open();
-    ASSERT_TRUE(result) << result.error().detail;
+    ASSERT_TRUE(result) << result.error().text();
     const auto native = opened("vcan0");
     std::vector<CanFrame> heard;
     subscriptions.push_back(link.received().add([&heard](const CanFrame &frame) { heard.push_back(frame); }));
@@ -317,5 +317,5 @@ TEST_F(SocketCan, QtPluginsThatAreNotThereAreNamed)
     const auto result = (*made)->open();
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().fault, Fault::LinkLost);
-    EXPECT_EQ(result.error().detail.substr(0, 51), "there is no CAN plugin nosuch; installed are: passt");
+    EXPECT_EQ(result.error().text().substr(0, 51), "there is no CAN plugin nosuch; installed are: passt");
 }

@@ -158,7 +158,7 @@ private:
     void tell(const mb::Result<void> &begun)
     {
         if (!begun) {
-            std::fprintf(stderr, "windowdriver: %s\n", begun.error().detail.c_str());
+            std::fprintf(stderr, "windowdriver: %s\n", begun.error().text().c_str());
             return QCoreApplication::exit(5);
         }
         std::puts("recording");
@@ -210,7 +210,7 @@ int main(int argc, char **argv)
     engine.openLink(*link, [](const mb::Result<void> &opened) {
         if (opened)
             return;
-        std::fprintf(stderr, "windowdriver: %s\n", opened.error().detail.c_str());
+        std::fprintf(stderr, "windowdriver: %s\n", opened.error().text().c_str());
         QCoreApplication::exit(5);
     });
     window.show();

@@ -29,13 +29,13 @@ struct SimulatedSession {
         const auto parsed = LinkAddress::parse(address);
         EXPECT_TRUE(parsed);
         const auto opened = session.openLink(*parsed);
-        EXPECT_TRUE(opened) << (opened ? "" : opened.error().detail);
+        EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
         link = opened ? *opened : nullptr;
     }
     std::vector<Device *> scan()
     {
         auto found = run(clock, session.scan(*link));
-        EXPECT_TRUE(found) << (found ? "" : found.error().detail);
+        EXPECT_TRUE(found) << (found ? "" : found.error().text());
         return found.value_or(std::vector<Device *>{});
     }
     /// Several families may have a unit of this address; the tests of the session itself use this one's.

@@ -90,7 +90,7 @@ TEST(ExternalProgram, AMissingProgramIsOneClearLine)
     ASSERT_TRUE(task.isFinished());
     ASSERT_FALSE(task.result());
     EXPECT_EQ(task.result().error().fault, Fault::LinkLost);
-    EXPECT_NE(task.result().error().detail.find("no-such-program-here is not installed"), std::string::npos);
+    EXPECT_NE(task.result().error().text().find("no-such-program-here is not installed"), std::string::npos);
 }
 
 TEST(ExternalProgram, OneThatIsEndedByASignalHasCrashed)

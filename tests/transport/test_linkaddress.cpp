@@ -60,9 +60,9 @@ TEST(LinkAddress, RefusesWhatIsNoLinkAndQuotesIt)
         const auto address = LinkAddress::parse(text);
         ASSERT_FALSE(address) << text;
         EXPECT_EQ(address.error().fault, Fault::OutOfRange) << text;
-        EXPECT_FALSE(address.error().detail.empty()) << text;
+        EXPECT_FALSE(address.error().text().empty()) << text;
     }
-    EXPECT_NE(LinkAddress::parse("usb:can0").error().detail.find("'usb'"), std::string::npos);
+    EXPECT_NE(LinkAddress::parse("usb:can0").error().text().find("'usb'"), std::string::npos);
 }
 
 TEST(LinkAddress, OptionsMakeADifferentLink)

@@ -58,7 +58,7 @@ TEST(LinkCatalog, AnInterfaceThatIsNotThereFailsToOpenWithItsCause)
     const auto opened = (*link)->open();
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().fault, Fault::LinkLost);
-    const std::string &detail = opened.error().detail;
+    const std::string &detail = opened.error().text();
     EXPECT_TRUE(detail == "there is no CAN interface nosuchcan7" || detail.find("CAN s") != std::string::npos)
         << detail;
     EXPECT_EQ((*link)->state(), LinkState::Closed);

@@ -115,7 +115,7 @@ TEST_F(PtyLines, WhatIsNoLinkToATerminalStays)
     const auto line = make();
     const auto opened = line->open();
     ASSERT_FALSE(opened);
-    EXPECT_EQ(opened.error().detail, path + " is there already and no link to a terminal; choose another path");
+    EXPECT_EQ(opened.error().text(), path + " is there already and no link to a terminal; choose another path");
     EXPECT_EQ(fs::file_size(path), 8U);
     fs::remove(path);
     fs::create_symlink(folder, path);
@@ -138,7 +138,7 @@ TEST_F(PtyLines, AFolderThatIsNotThereAndOptionsThatItDoesNotHaveAreNamed)
     path = (folder / "nowhere" / "tty0").string();
     const auto opened = make()->open();
     ASSERT_FALSE(opened);
-    EXPECT_NE(opened.error().detail.find("cannot be made"), std::string::npos);
+    EXPECT_NE(opened.error().text().find("cannot be made"), std::string::npos);
     for (const char *text : {"pty:x?baud=x", "pty:x?baud=5", "pty:x?rs485=1"})
         EXPECT_EQ(PtyLine::create(LinkAddress::parse(text).value(), loop.clock()).error().fault, Fault::OutOfRange)
             << text;

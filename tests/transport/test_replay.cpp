@@ -144,7 +144,7 @@ TEST(Replay, PlaysOneInterfaceWhenAsked)
     Replay none(log, "?interface=can7");
     ASSERT_FALSE(none.opened);
     EXPECT_EQ(none.opened.error().fault, Fault::OutOfRange);
-    EXPECT_NE(none.opened.error().detail.find("no frame of can7"), std::string::npos);
+    EXPECT_NE(none.opened.error().text().find("no frame of can7"), std::string::npos);
 }
 
 TEST(Replay, RefusesToSend)
@@ -154,7 +154,7 @@ TEST(Replay, RefusesToSend)
     const auto sent = replay.link->send(extendedFrame(0x240, {}), Priority::Urgent);
     ASSERT_FALSE(sent);
     EXPECT_EQ(sent.error().fault, Fault::Unsupported);
-    EXPECT_NE(sent.error().detail.find("run.log is a recording"), std::string::npos);
+    EXPECT_NE(sent.error().text().find("run.log is a recording"), std::string::npos);
     EXPECT_EQ(replay.link->counters().tx, 0U);
     EXPECT_TRUE(replay.passed.empty());
 }
@@ -165,7 +165,7 @@ TEST(Replay, ReadsAscLogsWithRelativeTimesAndSeeksInThem)
     for (int i = 0; i < 100'000; ++i)
         text += "0.001000 1 " + std::string(i % 2 == 0 ? "123" : "2061405x") + " Rx d 2 AB CD\n";
     Replay replay(text, "?speed=max");
-    ASSERT_TRUE(replay.opened) << replay.opened.error().detail;
+    ASSERT_TRUE(replay.opened) << replay.opened.error().text();
     ASSERT_TRUE(replay.survey());
     EXPECT_EQ(replay.link->replay().length, 99'999ms);
     ASSERT_TRUE(replay.link->seek(77'777ms));
@@ -194,19 +194,19 @@ TEST(Replay, SaysWhyAFileCannotBePlayed)
     };
     const std::string here = "replay:" + replay.folder.path();
     EXPECT_EQ(refusal(here + "/none.log").fault, Fault::LinkLost);
-    EXPECT_NE(refusal(here + "/none.log").detail.find("no such file; "), std::string::npos);
+    EXPECT_NE(refusal(here + "/none.log").text().find("no such file; "), std::string::npos);
     EXPECT_EQ(refusal(here).fault, Fault::OutOfRange);
     replay.folder.write("empty.log", "");
-    EXPECT_NE(refusal(here + "/empty.log").detail.find("has no frame in it; "), std::string::npos);
+    EXPECT_NE(refusal(here + "/empty.log").text().find("has no frame in it; "), std::string::npos);
     replay.folder.write("text.log", "Dear diary\n");
-    EXPECT_NE(refusal(here + "/text.log").detail.find("line 1 is neither"), std::string::npos);
+    EXPECT_NE(refusal(here + "/text.log").text().find("line 1 is neither"), std::string::npos);
     replay.folder.write("zeros.log", std::string(1 << 20, '\0'));
-    EXPECT_NE(refusal(here + "/zeros.log").detail.find("line 1 is neither"), std::string::npos);
+    EXPECT_NE(refusal(here + "/zeros.log").text().find("line 1 is neither"), std::string::npos);
     for (const char *option : {"?speed=-1", "?speed=fast", "?speed=0.001", "?speed=1e9", "?pace=1"})
         EXPECT_EQ(refusal("replay:" + replay.path + option).fault, Fault::OutOfRange) << option;
     if (::geteuid() != 0) {
         std::filesystem::permissions(replay.path, std::filesystem::perms::none);
-        EXPECT_NE(refusal("replay:" + replay.path).detail.find("no permission"), std::string::npos);
+        EXPECT_NE(refusal("replay:" + replay.path).text().find("no permission"), std::string::npos);
     }
 }
 
@@ -221,7 +221,7 @@ TEST(Replay, NamesADamagedLineAndEndsThere)
     const auto surveyed = damaged.link->survey([](const LoggedFrame &) {});
     ASSERT_FALSE(surveyed);
     EXPECT_EQ(surveyed.error().fault, Fault::OutOfRange);
-    EXPECT_NE(surveyed.error().detail.find("run.log: line 2 is not a line of candump -L"), std::string::npos);
+    EXPECT_NE(surveyed.error().text().find("run.log: line 2 is not a line of candump -L"), std::string::npos);
     damaged.link->play();
     damaged.clock.advance(1s);
     EXPECT_EQ(damaged.frames.size(), 1U);

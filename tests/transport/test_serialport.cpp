@@ -31,7 +31,7 @@ struct SerialPort : public ::testing::Test {
     {
         auto link = make(options);
         const auto opened = link->open();
-        EXPECT_TRUE(opened) << opened.error().detail;
+        EXPECT_TRUE(opened) << opened.error().text();
         std::unique_ptr<SerialLink> serial(static_cast<SerialLink *>(link.release()));
         received = serial->received().add(
             [this](std::span<const std::uint8_t> bytes) { heard.insert(heard.end(), bytes.begin(), bytes.end()); });
@@ -151,10 +151,10 @@ TEST_F(SerialPort, APortThatGoesAwayInMidFrameIsLostWithItsRemedyAndWhatCameBefo
     const auto refused = link->send(Bytes{1});
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().fault, Fault::LinkLost);
-    EXPECT_EQ(refused.error().detail, link->reason());
+    EXPECT_EQ(refused.error().text(), link->reason());
     const auto again = link->open();
     ASSERT_FALSE(again);
-    EXPECT_NE(again.error().detail.find("there is no"), std::string::npos) << again.error().detail;
+    EXPECT_NE(again.error().text().find("there is no"), std::string::npos) << again.error().text();
 }
 
 TEST_F(SerialPort, MayBeClosedAndOpenedAgainWhileItReceives)
@@ -180,8 +180,8 @@ TEST_F(SerialPort, ASecondProgramIsToldThatItIsInUse)
     const auto opened = second->open();
     ASSERT_FALSE(opened);
     EXPECT_EQ(opened.error().fault, Fault::LinkLost);
-    EXPECT_NE(opened.error().detail.find("in use by another program; close that one first"), std::string::npos)
-        << opened.error().detail;
+    EXPECT_NE(opened.error().text().find("in use by another program; close that one first"), std::string::npos)
+        << opened.error().text();
     link->close();
     EXPECT_TRUE(second->open());
 }
@@ -213,7 +213,7 @@ TEST(SerialPortCauses, NameWhatIsMissingAndWhatHelps)
         const auto opened = (*link)->open();
         EXPECT_FALSE(opened) << path;
         EXPECT_EQ((*link)->state(), LinkState::Closed);
-        return opened ? std::string() : opened.error().detail;
+        return opened ? std::string() : opened.error().text();
     };
     EXPECT_EQ(causeOf("ttyNOSUCH7"), "there is no ttyNOSUCH7; plug in the adapter, or name another port");
     EXPECT_EQ(causeOf("/etc/passwd"), "/etc/passwd is no serial port; name one such as /dev/ttyUSB0");

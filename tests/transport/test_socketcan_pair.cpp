@@ -368,7 +368,7 @@ TEST_F(SocketCanPair, MayBeClosedWhileItDelivers)
     EXPECT_EQ(link->descriptor(), -1);
     const auto sent = link->send(standardFrame(1, {}));
     ASSERT_FALSE(sent);
-    EXPECT_EQ(sent.error().detail, "pair0 is not open");
+    EXPECT_EQ(sent.error().text(), "pair0 is not open");
 }
 
 TEST_F(SocketCanPair, ClosingLeavesNoTimer)

@@ -423,7 +423,7 @@ void BusModelsTest::exportThatFailsSaysWhy()
     const auto written = exportTraffic(
         QStringLiteral("/nonexistent/bus.log"), 0, [](int) -> const TrafficRecord & { abort(); }, "can0", {});
     QVERIFY(!written);
-    QVERIFY(written.error().detail.starts_with("/nonexistent/bus.log cannot be written: "));
+    QVERIFY(written.error().text().starts_with("/nonexistent/bus.log cannot be written: "));
 }
 
 MB_WINDOW_TEST(BusModelsTest);

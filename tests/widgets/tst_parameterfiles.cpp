@@ -86,7 +86,7 @@ void TestParameterFiles::aDamagedFileIsRefused()
         QVERIFY2(says(bench, QStringLiteral("Nothing was changed.")), text);
     }
     bench.page->importFrom(folder.filePath(QStringLiteral("missing.json")));
-    QVERIFY(says(bench, QStringLiteral("does not exist")));
+    QVERIFY(says(bench, QStringLiteral("no such file")));
 }
 
 void TestParameterFiles::comparisonShowsAFileBesideTheValues()

@@ -40,7 +40,7 @@ std::vector<LoggedFrame> read(const std::vector<std::string> &lines)
     std::vector<LoggedFrame> frames;
     for (const std::string &line : lines) {
         const auto frame = parser.parse(line);
-        EXPECT_TRUE(frame) << line << ": " << (frame ? "" : frame.error().detail);
+        EXPECT_TRUE(frame) << line << ": " << (frame ? "" : frame.error().text());
         if (frame && *frame)
             frames.push_back(**frame);
     }
@@ -113,9 +113,9 @@ TEST(AscLog, NamesTheLineAndWhatIsWrongWithIt)
         const auto parsed = parser.parse(line);
         ASSERT_FALSE(parsed) << line;
         EXPECT_EQ(parsed.error().fault, Fault::OutOfRange);
-        EXPECT_NE(parsed.error().detail.find("line 3 is not a line of a Vector ASC log: "), std::string::npos);
-        EXPECT_NE(parsed.error().detail.find(says), std::string::npos) << line << ": " << parsed.error().detail;
-        EXPECT_NE(parsed.error().detail.find("; such a line reads"), std::string::npos);
+        EXPECT_NE(parsed.error().text().find("line 3 is not a line of a Vector ASC log: "), std::string::npos);
+        EXPECT_NE(parsed.error().text().find(says), std::string::npos) << line << ": " << parsed.error().text();
+        EXPECT_NE(parsed.error().text().find("; such a line reads"), std::string::npos);
     }
 }
 
@@ -223,8 +223,8 @@ TEST(FrameLog, KnowsTheFormatByContent)
         LogFormat::Asc);
     EXPECT_EQ(formatOf({}), std::nullopt);
     FrameLogParser parser;
-    EXPECT_NE(parser.parse("LOGG\x90").error().detail.find("BLF"), std::string::npos);
-    EXPECT_NE(FrameLogParser().parse("rubbish").error().detail.find("line 1 is neither"), std::string::npos);
+    EXPECT_NE(parser.parse("LOGG\x90").error().text().find("BLF"), std::string::npos);
+    EXPECT_NE(FrameLogParser().parse("rubbish").error().text().find("line 1 is neither"), std::string::npos);
     FrameLogParser long1;
     ASSERT_TRUE(long1.parse(candump[0]));
     EXPECT_FALSE(long1.parse(std::string(5000, 'x')));

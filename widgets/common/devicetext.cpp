@@ -24,14 +24,15 @@ QString tableText(std::string_view english)
 
 QString errorText(const Error &error)
 {
-    const QString detail = tableText(error.detail);
+    const QString detail = tableText(error.text());
     switch (error.fault) {
     case Fault::Timeout: return DeviceText::tr("No answer: %1").arg(detail);
     case Fault::Refused: return DeviceText::tr("The device refused: %1").arg(detail);
     case Fault::BadReply: return DeviceText::tr("Unexpected answer: %1").arg(detail);
     case Fault::BadCheck: return DeviceText::tr("Differs: %1").arg(detail);
     case Fault::LinkLost: return DeviceText::tr("Link lost: %1").arg(detail);
-    case Fault::OutOfRange: return detail;
+    case Fault::OutOfRange:
+    case Fault::Usage: return detail;
     case Fault::Unsupported: return DeviceText::tr("Not possible: %1").arg(detail);
     case Fault::Cancelled: return DeviceText::tr("Cancelled");
     case Fault::Unsafe: return DeviceText::tr("Not done: %1").arg(detail);

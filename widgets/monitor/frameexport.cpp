@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/frameexport.h"
 
+#include "async/outputfile.h"
 #include "model/trafficline.h"
 #include "wire/candumplog.h"
-
-#include <QSaveFile>
 
 #include <algorithm>
 
@@ -21,21 +20,12 @@ std::string trafficLine(const TrafficRecord &record, const std::string &link, Du
 Result<void> exportTraffic(const QString &path, int count, const std::function<const TrafficRecord &(int)> &at,
     const std::string &link, Duration shift)
 {
-    QSaveFile file(path);
-    const auto failed = [&] {
-        return fail(Fault::Refused,
-            path.toStdString() + " cannot be written: " + file.errorString().toStdString() + "; choose another place");
-    };
-    if (!file.open(QIODevice::WriteOnly))
-        return failed();
-    for (int i = 0; i < count; ++i) {
-        const std::string line = trafficLine(at(i), link, shift) + '\n';
-        if (file.write(line.data(), static_cast<qint64>(line.size())) < 0)
-            return failed();
-    }
-    if (!file.commit())
-        return failed();
-    return {};
+    OutputFile file(path.toStdString());
+    if (auto opened = file.open(); !opened)
+        return opened;
+    for (int i = 0; i < count; ++i)
+        file.write(trafficLine(at(i), link, shift) + '\n');
+    return file.commit();
 }
 
 } // namespace mb

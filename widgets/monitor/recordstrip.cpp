@@ -94,7 +94,7 @@ void RecordStrip::recordTo(const QString &path)
     m_dismissed.clear();
     m_workbench.startRecording(m_link, path, [to = &m_workbench, name](const Result<void> &begun) {
         if (!begun)
-            to->report(Severity::Danger, name, tr("nothing is recorded: %1").arg(tableText(begun.error().detail)));
+            to->report(Severity::Danger, name, tr("nothing is recorded: %1").arg(tableText(begun.error().text())));
     });
 }
 

@@ -77,15 +77,20 @@ void ParametersPage::importFrom(const QString &path)
     if (!shown || !m_model->edits() || m_fileEdits)
         return;
     m_banners->clear(QLatin1String(importKey));
-    const auto file = loadParameterFile(path, *shown->family, titleOf(*shown));
+    auto file = loadParameterFile(path, *shown->family, titleOf(*shown));
     if (!file) {
         m_banners->post(QLatin1String(importKey), BannerKind::Danger, file.error().cause, file.error().remedy);
         return;
     }
     const ParameterSource source{*shown->family, shown->identity, shown->selector, m_model->edits()->entries()};
     std::vector<ParameterChange> changes;
-    for (const ParameterDifference &difference : differences(source, *file))
-        changes.push_back({difference.index, difference.to});
+    for (const ParameterDifference &difference : differences(source, *file)) {
+        if (!difference.ofAnotherUnit)
+            changes.push_back({difference.index, difference.to});
+        else
+            file->notes.push_back(std::string(shown->family->parameters[difference.index.value].key)
+                + " belongs to the unit that the file was saved from");
+    }
     if (changes.empty()) {
         m_banners->post(QLatin1String(importKey), BannerKind::Info,
             tr("%1 says what the device has.").arg(fileNameOf(path)), tr("Nothing is staged."));

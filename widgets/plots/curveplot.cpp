@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/curveplot.h"
 
+#include "model/parameterfile.h"
+#include "widgets/plots/picturefile.h"
 #include "widgets/plots/plotdecor.h"
 
 #include <QKeyEvent>
-#include <QPdfWriter>
-#include <QSvgGenerator>
 #include <QVBoxLayout>
 
 namespace mb {
@@ -162,20 +162,13 @@ QPixmap CurvePlot::picture()
 bool CurvePlot::exportTo(const QString &path)
 {
     const QString kind = QFileInfo(path).suffix().toLower();
-    if (kind == QLatin1String("png"))
-        return m_plot->savePng(path, 0, 0, 2.0);
-    if (kind == QLatin1String("pdf"))
-        return m_plot->savePdf(path);
-    if (kind != QLatin1String("svg"))
-        return false;
-    QSvgGenerator svg;
-    svg.setFileName(path);
-    svg.setSize(m_plot->size());
-    svg.setViewBox(QRect(QPoint(), m_plot->size()));
-    QCPPainter painter(&svg);
-    painter.setMode(QCPPainter::pmVectorized);
-    m_plot->toPainter(&painter, m_plot->width(), m_plot->height());
-    return painter.end();
+    const QSize size = m_plot->size();
+    const QByteArray content = kind == QLatin1String("png")
+        ? pngOf(picture().toImage())
+        : drawingAs(kind, {size, accessibleName(), {}, [&](QCPPainter &painter) {
+                               m_plot->toPainter(&painter, size.width(), size.height());
+                           }});
+    return !content.isEmpty() && saveFile(path.toStdString(), content);
 }
 
 } // namespace mb

@@ -83,7 +83,7 @@ QString PlotBoard::whatIsWrong(const QString &name, const QString &formula) cons
     for (const Variable &variable : variables())
         names.push_back(variable.name.toStdString());
     const auto expression = Expression::parse(formula.toStdString(), names);
-    return expression ? QString() : qt(expression.error().detail);
+    return expression ? QString() : qt(expression.error().text());
 }
 
 void PlotBoard::ensureDerived(const QString &name, const QString &unit, const QString &formula)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/parameterfile.h"
+#include "widgets/plots/picturefile.h"
 #include "widgets/plots/plotcursors.h"
 #include "widgets/plots/plotstack.h"
 
@@ -7,9 +9,6 @@
 #include <QContextMenuEvent>
 #include <QFileDialog>
 #include <QMenu>
-#include <QPdfWriter>
-#include <QSaveFile>
-#include <QSvgGenerator>
 #include <QTextStream>
 #include <cmath>
 #include <set>
@@ -38,7 +37,8 @@ QString csvNumber(double value)
 bool PlotStack::exportTo(const QString &path)
 {
     const QString kind = QFileInfo(path).suffix().toLower();
-    const bool written = kind == QLatin1String("csv") ? exportTable(path) : exportPicture(path, kind);
+    const QByteArray content = kind == QLatin1String("csv") ? table() : pictureAs(kind);
+    const bool written = !content.isEmpty() && saveFile(path.toStdString(), content);
     if (written)
         Q_EMIT exported(path);
     else
@@ -46,39 +46,17 @@ bool PlotStack::exportTo(const QString &path)
     return written;
 }
 
-bool PlotStack::exportPicture(const QString &path, const QString &kind)
+QByteArray PlotStack::pictureAs(const QString &kind)
 {
     const QSize size = m_plot->size();
     if (kind == QLatin1String("png"))
-        return m_plot->picture(size, PictureScale).save(path, "PNG");
-    const auto paint = [&](QPaintDevice &device) {
-        QCPPainter painter(&device);
-        if (!painter.isActive())
-            return false;
-        painter.setMode(QCPPainter::pmVectorized);
-        m_plot->toPainter(&painter, size.width(), size.height());
-        return painter.end();
-    };
-    if (kind == QLatin1String("svg")) {
-        QSvgGenerator svg;
-        svg.setFileName(path);
-        svg.setSize(size);
-        svg.setViewBox(QRect(QPoint(), size));
-        svg.setTitle(windowTitle().isEmpty() ? accessibleName() : windowTitle());
-        svg.setDescription(summary());
-        return paint(svg);
-    }
-    if (kind != QLatin1String("pdf"))
-        return false;
-    QPdfWriter pdf(path);
-    pdf.setCreator(QApplication::applicationName());
-    pdf.setResolution(72); // one unit of the plot is one point of the page
-    pdf.setPageSize(QPageSize(QSizeF(size), QPageSize::Point));
-    pdf.setPageMargins({});
-    return paint(pdf);
+        return pngOf(m_plot->picture(size, PictureScale));
+    return drawingAs(kind,
+        {size, windowTitle().isEmpty() ? accessibleName() : windowTitle(), summary(),
+            [&](QCPPainter &painter) { m_plot->toPainter(&painter, size.width(), size.height()); }});
 }
 
-bool PlotStack::exportTable(const QString &path)
+QByteArray PlotStack::table() const
 {
     struct Column {
         std::vector<PlotPoint> points;
@@ -100,10 +78,8 @@ bool PlotStack::exportTable(const QString &path)
                 keys.insert(point.key);
         }
     }
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly))
-        return false;
-    QTextStream out(&file);
+    QByteArray content;
+    QTextStream out(&content);
     out.setCodec("UTF-8");
     out << head.join(QLatin1Char(',')) << '\n';
     for (const double key : keys) {
@@ -117,7 +93,7 @@ bool PlotStack::exportTable(const QString &path)
         out << '\n';
     }
     out.flush();
-    return file.commit();
+    return content;
 }
 
 QString PlotStack::numbers() const

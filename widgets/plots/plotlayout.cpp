@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotlayout.h"
 
+#include "model/parameterfile.h"
+
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 #include <QUrl>
 
 namespace mb {
@@ -95,12 +96,7 @@ Result<void> PlotLayouts::save(const QString &name, const PlotLayout &layout) co
     if (m_folder.isEmpty())
         return fail(Fault::Unsupported, "a demo remembers no layouts");
     QDir().mkpath(m_folder);
-    QSaveFile file(fileOf(name));
-    const QByteArray json = layout.toJson();
-    if (!file.open(QIODevice::WriteOnly) || file.write(json) != json.size() || !file.commit())
-        return fail(
-            Fault::LinkLost, fileOf(name).toStdString() + " cannot be written: " + file.errorString().toStdString());
-    return {};
+    return saveFile(fileOf(name).toStdString(), layout.toJson());
 }
 
 void PlotLayouts::remove(const QString &name) const

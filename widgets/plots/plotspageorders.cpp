@@ -88,7 +88,7 @@ void PlotsPage::finished(const QString &path, const Result<ExportReport> &report
     else if (report.error().fault == Fault::Cancelled)
         m_workbench.report(Severity::Info, {}, tr("export cancelled, nothing was written"));
     else
-        m_workbench.report(Severity::Danger, {}, qt(report.error().detail));
+        m_workbench.report(Severity::Danger, {}, qt(report.error().text()));
 }
 
 void PlotsPage::setLayoutFolder(const QString &folder)

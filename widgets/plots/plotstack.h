@@ -128,6 +128,8 @@ public:
     /// Writes the picture, or the visible data as a table. The kind follows from the suffix: png, svg, pdf, csv.
     /// False when the file cannot be written or the suffix is another.
     bool exportTo(const QString &path);
+    /// The content of such a file of a picture: png, svg, pdf. Empty when it cannot be painted.
+    [[nodiscard]] QByteArray pictureAs(const QString &kind);
     /// Adds the entries of the context menu.
     void fillMenu(QMenu &menu);
     /// Everything that is seen, in words: for a screen reader, for copying.
@@ -234,8 +236,7 @@ private:
     int stripAt(const QPoint &position) const;
     double keyAt(int x) const;
     // plotexport.cpp
-    bool exportPicture(const QString &path, const QString &kind);
-    bool exportTable(const QString &path);
+    [[nodiscard]] QByteArray table() const;
     void chooseExport(const QString &suffix, const QString &filter);
     void announce();
 

@@ -100,7 +100,7 @@ void Recorder::work()
         m_state.samples = recorder.samples();
         m_state.since = recorder.since() ? plotKey(*recorder.since()) : 0.0;
         if (due)
-            m_state.failure = written ? QString() : qt(written.error().detail);
+            m_state.failure = written ? QString() : qt(written.error().text());
     }
 }
 
@@ -128,7 +128,7 @@ void Recorder::save(const QString &path)
     }
     post([this, path](RollingRecorder &recorder) {
         const auto report = recorder.save(path.toStdString(), {});
-        const QString error = report ? QString() : qt(report.error().detail);
+        const QString error = report ? QString() : qt(report.error().text());
         {
             const std::lock_guard lock(m_mutex);
             m_state.saving = false;

@@ -88,8 +88,8 @@ int spawn(pid_t &pid, const std::string &program, const char *form, int socket, 
 Result<GuardianProcess> startGuardian(const std::string &program, const Outlet &outlet)
 {
     if (::access(program.c_str(), X_OK) != 0)
-        return fail(Fault::Unsafe,
-            program + " is missing; without it nothing would stop this motor if the program died: install it there");
+        return fail(Fault::Unsafe, program + " is missing",
+            "without it nothing would stop this motor if the program died: install it there");
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return fail(Fault::Unsafe, std::string("no guardian can be started: ") + std::strerror(errno));

@@ -66,21 +66,21 @@ void Controller::doProfileChanged()
 Result<void> Controller::doMayMove() const
 {
     if (!m_dialect)
-        return fail(Fault::Unsafe,
+        return fail(Error::fromPhrase(Fault::Unsafe,
             QT_TRANSLATE_NOOP("table",
                 "it is not proven which codes this drive speaks, and the wrong ones start it at full power; scan "
                 "again, or "
-                "choose its dialect by hand"));
+                "choose its dialect by hand")));
     if (!m_dialect->canStop())
-        return fail(Fault::Unsafe,
-            QT_TRANSLATE_NOOP("table", "a drive of dialect LL has no code for stop; only its power stops it"));
+        return fail(Error::fromPhrase(Fault::Unsafe,
+            QT_TRANSLATE_NOOP("table", "a drive of dialect LL has no code for stop; only its power stops it")));
     if (m_needsPowerCycle)
-        return fail(Fault::Unsafe,
+        return fail(Error::fromPhrase(Fault::Unsafe,
             QT_TRANSLATE_NOOP("table",
                 "its averaging was lowered, and until it has lost its power once it overwrites its own memory; switch "
                 "it "
                 "off "
-                "and on"));
+                "and on")));
     return {};
 }
 
@@ -110,13 +110,13 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     if (!command)
         return fail(command.error());
     if (m_wrapped)
-        return fail(Fault::Unsafe,
+        return fail(Error::fromPhrase(Fault::Unsafe,
             QT_TRANSLATE_NOOP("table",
-                "the output of its loop passed 32767, where it turns to full reverse; lower the gains or the steps"));
+                "the output of its loop passed 32767, where it turns to full reverse; lower the gains or the steps")));
     if (command->loop == Loop::Position && !m_sense.position())
-        return fail(Fault::Unsafe,
+        return fail(Error::fromPhrase(Fault::Unsafe,
             QT_TRANSLATE_NOOP(
-                "table", "its position is not known yet; a step from the wrong place could be far too large"));
+                "table", "its position is not known yet; a step from the wrong place could be far too large")));
     const Instant now = clock().now();
     if (m_loop != command->loop || !m_ours)
         m_lead.reset();

@@ -90,19 +90,21 @@ Task<std::int64_t> Controller::doRead(ParameterIndex)
 Result<void> Controller::mayWrite(const Parameter &parameter, std::int64_t raw) const
 {
     if (!m_dialect)
-        return fail(Fault::Unsafe,
-            QT_TRANSLATE_NOOP("table", "it is not proven which codes this drive speaks; nothing was written"));
+        return fail(Error::fromPhrase(Fault::Unsafe,
+            QT_TRANSLATE_NOOP("table", "it is not proven which codes this drive speaks; nothing was written")));
     const Field field = fieldOf(parameter);
     if (field == Field::Divisor && raw == 0)
-        return fail(Fault::OutOfRange, QT_TRANSLATE_NOOP("table", "0 is no divisor; the loop would be undefined"));
+        return fail(Error::fromPhrase(
+            Fault::OutOfRange, QT_TRANSLATE_NOOP("table", "0 is no divisor; the loop would be undefined")));
     if (field == Field::Divisor && m_loop == loopOf(parameter))
-        return fail(
-            Fault::Unsafe, QT_TRANSLATE_NOOP("table", "a divisor changes all gains at once; stop the motor first"));
+        return fail(Error::fromPhrase(
+            Fault::Unsafe, QT_TRANSLATE_NOOP("table", "a divisor changes all gains at once; stop the motor first")));
     if (field != Field::Averaging)
         return {};
     if (raw < 1 || raw > averagingMost)
-        return fail(Fault::OutOfRange,
-            QT_TRANSLATE_NOOP("table", "legal is 1 … 500; the drive does not check it and would overwrite its memory"));
+        return fail(Error::fromPhrase(Fault::OutOfRange,
+            QT_TRANSLATE_NOOP(
+                "table", "legal is 1 … 500; the drive does not check it and would overwrite its memory")));
     const auto before = parameters().entry(*parameterOf(Loop::Current, Field::Averaging)).raw;
     if (before && raw < *before && isDriven())
         return fail(Fault::Unsafe, QT_TRANSLATE_NOOP("table", "lowering it needs a stopped motor"));
@@ -142,9 +144,9 @@ Task<void> Controller::save(Loop loop, Progress &progress)
     const std::int64_t saves = counted == profile().counters.end() ? 0 : counted->second;
     if (saves >= savesPerPage)
         co_return fail(Fault::Unsafe,
-            "the settings of the " + nameOf(loop) + " loop were saved " + std::to_string(saves)
-                + " times; one more would make the drive load something else. Erase its settings pages with a firmware "
-                  "update (erase settings), then save again");
+            "the settings of the " + nameOf(loop) + " loop were saved " + std::to_string(saves) + " times",
+            "one more would make the drive load something else. Erase its settings pages with a firmware "
+            "update (erase settings), then save again");
     if (saves + 1 >= savesUntilWarning)
         progress.log(Severity::Caution,
             "the " + nameOf(loop) + " loop was saved " + std::to_string(saves + 1) + " times; after "
@@ -161,8 +163,8 @@ Task<void> Controller::save(Loop loop, Progress &progress)
 Task<bool> Controller::doStore(Progress &progress)
 {
     if (!m_dialect)
-        co_return fail(Fault::Unsafe,
-            QT_TRANSLATE_NOOP("table", "it is not proven which codes this drive speaks; nothing was saved"));
+        co_return fail(Error::fromPhrase(Fault::Unsafe,
+            QT_TRANSLATE_NOOP("table", "it is not proven which codes this drive speaks; nothing was saved")));
     if (isDriven())
         co_return fail(Fault::Unsafe,
             QT_TRANSLATE_NOOP("table", "stop the motor first: the drive stands still while it writes its flash"));

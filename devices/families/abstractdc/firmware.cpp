@@ -59,8 +59,8 @@ Result<std::unique_ptr<QTemporaryFile>> written(const FirmwareImage &image)
     if (!file->open() || file->write(text.data(), static_cast<qint64>(text.size())) != static_cast<qint64>(text.size())
         || !file->flush())
         return fail(Fault::LinkLost,
-            "a temporary file for OpenOCD cannot be written: " + file->errorString().toStdString() + "; make room in "
-                + QDir::tempPath().toStdString());
+            "a temporary file for OpenOCD cannot be written: " + file->errorString().toStdString(),
+            "make room in " + QDir::tempPath().toStdString());
     return file;
 }
 
@@ -74,8 +74,8 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
     mark(PartState::Waiting);
     ExternalProgram openocd(clock);
     if (!ExternalProgram::locate("openocd"))
-        co_return fail(Fault::LinkLost,
-            QT_TRANSLATE_NOOP("table", "openocd is not installed; install it with: sudo apt install openocd"));
+        co_return fail(Error::fromPhrase(Fault::LinkLost,
+            QT_TRANSLATE_NOOP("table", "openocd is not installed; install it with: sudo apt install openocd")));
     if (auto started = openocd.start(openocd::commandOf(job)); !started)
         co_return fail(started.error());
     openocd::Reading reading;
@@ -84,8 +84,8 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
         progress.step(std::string(titleOf(reading.stage())), static_cast<int>(reading.stage()), total);
         const auto piece = co_await openocd.next(patience);
         if (!piece)
-            co_return fail(
-                piece.error().fault, "OpenOCD said nothing for a minute and was ended; check the probe and try again");
+            co_return fail(piece.error().fault, "OpenOCD said nothing for a minute and was ended",
+                "check the probe and try again");
         if (!*piece)
             break;
         if (!(*piece)->complete)
@@ -123,10 +123,10 @@ Result<void> preflight(const Device &device, const FirmwareImage &image, const U
     if (auto summary = inspect(image); !summary)
         return fail(summary.error());
     if (device.liveness().moving)
-        return fail(Fault::Unsafe, QT_TRANSLATE_NOOP("table", "its motor moves; stop it first"));
+        return fail(Error::fromPhrase(Fault::Unsafe, QT_TRANSLATE_NOOP("table", "its motor moves; stop it first")));
     if (options.eraseSettings && touchesSettings(image))
-        return fail(Fault::OutOfRange,
-            QT_TRANSLATE_NOOP("table", "the image itself writes the settings pages; leave out erasing them"));
+        return fail(Error::fromPhrase(Fault::OutOfRange,
+            QT_TRANSLATE_NOOP("table", "the image itself writes the settings pages; leave out erasing them")));
     return {};
 }
 

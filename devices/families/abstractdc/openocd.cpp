@@ -107,17 +107,16 @@ Result<Job> jobOf(std::string_view via, std::string_view target)
 {
     constexpr std::string_view scheme = "openocd:";
     if (via.substr(0, scheme.size()) != scheme || !isName(via.substr(scheme.size())))
-        return fail(Fault::OutOfRange,
-            via.empty()
-                ? std::string("an Abstract DC Drive is written through a debug probe; add --via openocd:INTERFACE "
-                              "--target f1|f4, such as --via openocd:stlink --target f1")
-                : "--via: '" + std::string(via)
-                    + "' is no way into an Abstract DC Drive; write openocd:INTERFACE, "
-                      "such as openocd:stlink");
+        return via.empty()
+            ? fail(Fault::OutOfRange, "an Abstract DC Drive is written through a debug probe",
+                "add --via openocd:INTERFACE --target f1|f4, such as --via openocd:stlink --target f1")
+            : fail(Fault::OutOfRange, "--via: '" + std::string(via) + "' is no way into an Abstract DC Drive",
+                "write openocd:INTERFACE, such as openocd:stlink");
     if (!targetOf(target))
         return fail(Fault::OutOfRange,
-            (target.empty() ? std::string("--target is missing") : "--target: '" + std::string(target) + "' is unknown")
-                + "; the microcontroller of the drive is f1 (STM32F1) or f4 (STM32F4)");
+            (target.empty() ? std::string("--target is missing")
+                            : "--target: '" + std::string(target) + "' is unknown"),
+            "the microcontroller of the drive is f1 (STM32F1) or f4 (STM32F4)");
     return Job{std::string(via.substr(scheme.size())), std::string(target), {}, false};
 }
 
@@ -183,8 +182,8 @@ Error Reading::failure(const Job &job) const
     if (const auto meaning = meaningOf(meanings, m_all))
         return *meaning;
     if (m_firstError.empty())
-        return {Fault::BadReply, "OpenOCD ended without saying why; run it by hand with interface " + job.interface};
-    return {Fault::BadReply, "OpenOCD: " + m_firstError + "; run it by hand to see all it says"};
+        return {Fault::BadReply, "OpenOCD ended without saying why", "run it by hand with interface " + job.interface};
+    return {Fault::BadReply, "OpenOCD: " + m_firstError, "run it by hand to see all it says"};
 }
 
 } // namespace mb::abstractdc::openocd

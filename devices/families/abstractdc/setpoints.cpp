@@ -45,9 +45,9 @@ Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile
     if (!scale)
         return fail(scale.error());
     if (setPoint.reverseMotor || setPoint.reverseSensor)
-        return fail(Fault::Unsupported,
+        return fail(Error::fromPhrase(Fault::Unsupported,
             QT_TRANSLATE_NOOP("table",
-                "an Abstract DC Drive cannot exchange directions; exchange the wires, or the sign of the divisor"));
+                "an Abstract DC Drive cannot exchange directions; exchange the wires, or the sign of the divisor")));
     if (!std::isfinite(setPoint.target))
         return fail(Fault::OutOfRange, std::string(toString(setPoint.mode)) + " needs a number");
     if (!std::isfinite(setPoint.ramp) || setPoint.ramp < 0.0)

@@ -48,7 +48,7 @@ Task<std::int64_t> Controller::readId(std::uint8_t parameter)
     if (!response) {
         if (response.error().fault == Fault::Timeout)
             enumerate();
-        co_return fail(response.error().fault, std::string(row.key) + ": " + response.error().detail);
+        co_return fail(response.error().about(row.key));
     }
     if (auto checked = dmc60c::check(*response, row.key); !checked)
         co_return fail(checked.error());
@@ -64,7 +64,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &row = parameters().parameter(index);
     if (row.id == param::encoderPosition && (liveness().moving || m_lastGeneral.duty != 0))
-        co_return fail(Fault::Unsafe, "the position is written only while the output is off; stop the motor first");
+        co_return fail(Fault::Unsafe, "the position is written only while the output is off", "stop the motor first");
     if (row.nature == Nature::Counter && raw != 0) {
         auto clearing = clearCounter(row, raw);
         const std::int64_t before = co_await std::move(clearing);
@@ -93,7 +93,7 @@ Task<std::int64_t> Controller::writeSetting(const Parameter &parameter, std::int
     auto setting = m_exchange.set(target(), number, fieldOf(parameter.type, raw));
     const Result<ParamResponse> response = co_await std::move(setting).attempt();
     if (!response)
-        co_return fail(response.error().fault, std::string(parameter.key) + ": " + response.error().detail);
+        co_return fail(response.error().about(parameter.key));
     if (auto checked = dmc60c::check(*response, parameter.key); !checked)
         co_return fail(checked.error());
     co_return rawOf(parameter.type, response->field);
@@ -129,7 +129,7 @@ Task<bool> Controller::doStore(Progress &progress)
 {
     if (std::exchange(m_flashLost, false))
         co_return fail(
-            Fault::BadCheck, "the device restarted before its flash was proved to be written; read it again");
+            Fault::BadCheck, "the device restarted before its flash was proved to be written", "read it again");
     const Instant begun = clock().now();
     const Instant end = std::max(m_flash.deadline(), begun + 1s);
     bool advanced = false;
@@ -156,7 +156,7 @@ Task<bool> Controller::doStore(Progress &progress)
     }
     if (std::exchange(m_flashLost, false))
         co_return fail(
-            Fault::BadCheck, "the device restarted before its flash was proved to be written; read it again");
+            Fault::BadCheck, "the device restarted before its flash was proved to be written", "read it again");
     m_flash.settle();
     parameters().setAllStored();
     co_return true;

@@ -97,6 +97,12 @@ constexpr Parameter period(std::string_view key, std::uint16_t id, double longes
     return {key, id, WireType::Uint32, 1.0, "ms", 1.0, longest, fallback, Access::ReadWrite, false, Nature::Setting,
         statusFrames, label, help, {}};
 }
+/// Calibrated at the factory for this one.
+constexpr Parameter ofUnit(Parameter row)
+{
+    row.belongsToUnit = true;
+    return row;
+}
 
 // One row per line, whatever its length.
 // clang-format off
@@ -109,7 +115,7 @@ constexpr std::array<Parameter, 55> table {{
     toggle("limit.forward.soft.enabled", 6, true, softLimits, QT_TRANSLATE_NOOP("table", "Forward soft limit enabled"), QT_TRANSLATE_NOOP("table", "On switches the limit ON: the sense is the opposite of the switches' Disabled.")),
     integer("limit.reverse.soft.threshold", 7, WireType::Int32, "counts", intLow, intHigh, 0.0, softLimits, QT_TRANSLATE_NOOP("table", "Reverse soft limit"), QT_TRANSLATE_NOOP("table", "At or below this position reverse output is blocked, if enabled.")),
     toggle("limit.reverse.soft.enabled", 8, true, softLimits, QT_TRANSLATE_NOOP("table", "Reverse soft limit enabled"), QT_TRANSLATE_NOOP("table", "On switches the limit ON: the sense is the opposite of the switches' Disabled.")),
-    fixed("current.adc_multiplier", 9, "A/LSB", 2070.0 / fixedOne, limiter, QT_TRANSLATE_NOOP("table", "Current scale"), QT_TRANSLATE_NOOP("table", "Calibrated at the factory. All current limiting depends on it: change it only to trim the reading.")),
+    ofUnit(fixed("current.adc_multiplier", 9, "A/LSB", 2070.0 / fixedOne, limiter, QT_TRANSLATE_NOOP("table", "Current scale"), QT_TRANSLATE_NOOP("table", "Calibrated at the factory. All current limiting depends on it: change it only to trim the reading."))),
     fixed("slot0.p", 10, "throttle/error", 0.0, slot0, "P", pHelp),
     fixed("slot0.i", 11, "throttle/error/loop", 0.0, slot0, "I", iHelp),
     fixed("slot0.d", 12, "throttle·loop/error", 0.0, slot0, "D", dHelp),

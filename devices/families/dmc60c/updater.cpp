@@ -44,7 +44,7 @@ UpdateReport Updater::failed(const Error &error) const
     report.outcome = m_touched         ? UpdateOutcome::Failed
         : error.fault == Fault::Unsafe ? UpdateOutcome::Refused
                                        : UpdateOutcome::Failed;
-    report.evidence = error.detail;
+    report.evidence = error.text();
     if (m_touched)
         report.evidence += "; the unit waits in its bootloader, run the update again";
     return report;
@@ -163,8 +163,8 @@ Task<void> Updater::preflight(bool force)
     if (unit.productId && (*unit.productId >> 20U) != productDmc60c)
         co_return fail(Fault::Unsafe,
             "the image is for product 602, this unit is product " + std::to_string(*unit.productId >> 28U)
-                + std::to_string((*unit.productId >> 24U) & 0xFU) + std::to_string((*unit.productId >> 20U) & 0xFU)
-                + "; nothing was written");
+                + std::to_string((*unit.productId >> 24U) & 0xFU) + std::to_string((*unit.productId >> 20U) & 0xFU),
+            "nothing was written");
     auto asking = versions();
     const FirmwareVersions now = co_await std::move(asking);
     m_report.from = versionText(now.application);
@@ -233,12 +233,12 @@ Task<void> Updater::awaitLink(Error lost)
     const std::string name = m_link.address().shortName();
     const std::string limit = std::to_string(linkPatience.count()) + " s";
     m_progress.log(
-        Severity::Caution, name + " is lost: " + lost.detail + "; waiting up to " + limit + " for it to come back");
+        Severity::Caution, name + " is lost: " + lost.text() + "; waiting up to " + limit + " for it to come back");
     m_progress.step("Wait for " + name, m_report.pages, static_cast<int>(m_application.pages.size()));
     auto waiting = linkReturn(m_link, m_clock, linkPatience);
     const Result<void> back = co_await std::move(waiting).attempt();
     if (!back)
-        co_return fail(back.error().fault, name + " did not come back within " + limit + ": " + back.error().detail);
+        co_return fail(back.error().about(name + " did not come back within " + limit));
     m_progress.log(Severity::Info, name + " is back");
     co_return {};
 }

@@ -66,7 +66,7 @@ Task<void> Controller::tellEverything()
         auto judging = checkReset();
         co_await std::move(judging);
         if (m_restarted)
-            co_return fail(Fault::Unsafe, "the board was reset since its settings were written; look at it again");
+            co_return fail(Fault::Unsafe, "the board was reset since its settings were written", "look at it again");
     }
     auto masks = m_port.request(setDataMask(allAxes, datamask::everything));
     co_await std::move(masks);
@@ -174,7 +174,7 @@ Result<Bytes> Controller::writeRequest(ParameterIndex index, std::int64_t raw)
     case AxisParameter::DataMask: return setDataMask(maskOf(axis), static_cast<std::uint8_t>(bits));
     case AxisParameter::Counter:
         if (m_drives[static_cast<std::size_t>(axis)].mode == ControlMode::Position)
-            return fail(Fault::Unsafe, "in position mode a new counter would make the motor jump; stop it first");
+            return fail(Fault::Unsafe, "in position mode a new counter would make the motor jump", "stop it first");
         return setPosition(maskOf(axis), 3, static_cast<std::int32_t>(raw));
     default: return groupRequest(axis, which, raw);
     }
@@ -200,7 +200,7 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
     auto writing = m_port.request(std::move(*request));
     const Result<Packet> reply = co_await std::move(writing).attempt();
     if (!reply)
-        co_return fail(reply.error().fault, std::string(row.key) + ": " + reply.error().detail);
+        co_return fail(reply.error().about(row.key));
     if (!isBoard(index) && static_cast<AxisParameter>(index.value % parametersPerAxis) == AxisParameter::DataMask) {
         DataMasks masks = m_port.masks(); // told, and so no sign of a reset
         masks[index.value / parametersPerAxis] = static_cast<std::uint8_t>(raw);
@@ -217,8 +217,8 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 
 Task<bool> Controller::doStore(Progress &)
 {
-    co_return fail(Fault::Unsupported,
-        "the board keeps nothing without power; the values stay with this program and are written again after a reset");
+    co_return fail(Fault::Unsupported, "the board keeps nothing without power",
+        "the values stay with this program and are written again after a reset");
 }
 
 Task<std::vector<FaultRecord>> Controller::doReadFaults()

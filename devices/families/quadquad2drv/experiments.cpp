@@ -114,8 +114,8 @@ Task<ExperimentReport> findInputReading(Device &device, SetPointStream &, Experi
                 + (active[static_cast<std::size_t>(bit)] ? "active" : "not active"));
     }
     if (active[0] == active[1])
-        co_return fail(Fault::Refused,
-            "the status bit is the same with both polarities, so it tells nothing; look at the wiring of the input");
+        co_return fail(Fault::Refused, "the status bit is the same with both polarities, so it tells nothing",
+            "look at the wiring of the input");
     const bool high = options.answer == 0;
     const bool bitZeroIsHigh = active[0] == high;
     const int reading = bitZeroIsHigh ? calibration::asLibrary : calibration::asDataSheet;

@@ -103,7 +103,7 @@ UpdateReport refused(const Error &error)
 {
     UpdateReport report;
     report.outcome = UpdateOutcome::Refused;
-    report.evidence = error.detail;
+    report.evidence = error.text();
     report.fault = error.fault;
     return report;
 }
@@ -145,7 +145,7 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
 Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress)
 {
     if (!options.target.empty())
-        co_return fail(Fault::Unsupported, "a QuadQuad2Drv has one kind of chip; leave the target out");
+        co_return fail(Fault::Unsupported, "a QuadQuad2Drv has one kind of chip", "leave the target out");
     if (options.via.empty())
         co_return refused({Fault::OutOfRange, std::string(noWay)});
     auto address = LinkAddress::parse(options.via);

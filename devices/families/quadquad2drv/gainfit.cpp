@@ -98,12 +98,12 @@ Result<Plant> fitPlant(const std::vector<PowerStep> &steps)
     const auto line = lineThrough(powers, speeds);
     if (!line || line->slope <= 0.0)
         return fail(
-            Fault::Refused, "the motor did not turn at two of the powers; allow it more power, or free its shaft");
+            Fault::Refused, "the motor did not turn at two of the powers", "allow it more power, or free its shaft");
     const double fastestSeen = *std::max_element(speeds.begin(), speeds.end());
     for (std::size_t i = 0; i < powers.size(); ++i) {
         if (std::abs(speeds[i] - line->slope * powers[i] - line->offset) > straight * fastestSeen)
-            return fail(Fault::Refused,
-                "the speed does not grow evenly with the power; look whether something brakes or limits the motor");
+            return fail(Fault::Refused, "the speed does not grow evenly with the power",
+                "look whether something brakes or limits the motor");
     }
     return Plant{line->slope, -line->offset / line->slope, std::max(0.0, lag / static_cast<double>(powers.size()))};
 }

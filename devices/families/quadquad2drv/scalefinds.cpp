@@ -90,8 +90,8 @@ Task<PowerStep> ScaleSearch::powerStep(double power)
             break;
     }
     if (m_track.way() < -10.0 && step.speed < 0.0)
-        co_return fail(Fault::Unsafe,
-            "the encoder counts against the power; exchange the wires of the motor or the phases of the encoder before "
+        co_return fail(Fault::Unsafe, "the encoder counts against the power",
+            "exchange the wires of the motor or the phases of the encoder before "
             "any "
             "loop is closed");
     if (m_track.way() < 10.0)
@@ -115,8 +115,8 @@ Task<void> ScaleSearch::measurePlant()
         say("power " + numberText(std::round(level * m_most)) + ": " + numberText(std::round(there.speed)) + " and "
             + numberText(std::round(back.speed)) + " counts/s");
         if (std::abs(there.speed - back.speed) > sameBothWays * speed)
-            co_return fail(Fault::Refused,
-                "the motor turns differently in both directions; the shaft must be free, without load on one side");
+            co_return fail(Fault::Refused, "the motor turns differently in both directions",
+                "the shaft must be free, without load on one side");
         steps.push_back({level * m_most, speed, (there.lag + back.lag) / 2.0});
     }
     const auto plant = fitPlant(steps);
@@ -140,11 +140,10 @@ Task<int> ScaleSearch::firstGain(Run run, std::size_t which, double way)
         if (gain == greatestGain)
             break;
     }
-    co_return fail(Fault::Refused,
-        run.loop == Loop::Velocity ? "no gain of the velocity loop turns the motor; the board may want velocity "
-                                     "targets times 4096: choose that "
-                                     "setting, and try again"
-                                   : "no gain of the position loop turns the motor");
+    if (run.loop != Loop::Velocity)
+        co_return fail(Fault::Refused, "no gain of the position loop turns the motor");
+    co_return fail(Fault::Refused, "no gain of the velocity loop turns the motor",
+        "the board may want velocity targets times 4096: choose that setting, and try again");
 }
 
 Task<double> ScaleSearch::velocityP(int gain, double aim)

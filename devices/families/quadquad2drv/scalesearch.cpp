@@ -154,10 +154,10 @@ Result<void> ScaleSearch::look() const
     const double fast = m_plant.speedAt(m_most);
     const double now = m_track.speed(m_track.end() - 0.06, m_track.end());
     if (std::abs(now) > runaway * fast)
-        return fail(Fault::Unsafe, "the motor ran faster than the power limit allows; it was stopped");
+        return fail(Fault::Unsafe, "the motor ran faster than the power limit allows", "it was stopped");
     if (m_track.way() < -std::max(50.0, wrongWay * fast) && now < 0.0)
-        return fail(Fault::Unsafe,
-            "the loop drives the motor the wrong way; exchange the wires of the motor or the phases of the encoder");
+        return fail(Fault::Unsafe, "the loop drives the motor the wrong way",
+            "exchange the wires of the motor or the phases of the encoder");
     return {};
 }
 

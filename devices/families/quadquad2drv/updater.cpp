@@ -87,7 +87,7 @@ UpdateReport Updater::failed(const Error &error) const
     UpdateReport report = m_report;
     report.outcome = UpdateOutcome::Failed;
     report.fault = error.fault;
-    report.evidence = error.detail;
+    report.evidence = error.text();
     if (m_sent > 0)
         report.evidence += "; " + std::to_string(m_sent) + " of " + std::to_string(m_image.lines().size())
             + " lines were confirmed. The bootloader keeps waiting: leave the jumper in and run the update again";
@@ -160,8 +160,8 @@ Task<void> Updater::awaitBanner()
             co_return {};
         }
     }
-    co_return fail(Fault::Timeout,
-        "the bootloader did not announce itself; check the jumper AUX1–AUX2, the crossed wires TX and RX, and the 3.3 "
+    co_return fail(Fault::Timeout, "the bootloader did not announce itself",
+        "check the jumper AUX1–AUX2, the crossed wires TX and RX, and the 3.3 "
         "V "
         "levels, then reset the board");
 }
@@ -263,8 +263,8 @@ Task<void> Updater::verify()
             co_return fail(answered.error());
         co_await Sleep(m_clock, verifyPeriod);
     }
-    co_return fail(Fault::Timeout,
-        "every line was confirmed, but the board does not answer over SPI; take the jumper out and reset it");
+    co_return fail(Fault::Timeout, "every line was confirmed, but the board does not answer over SPI",
+        "take the jumper out and reset it");
 }
 
 } // namespace mb::quadquad2drv

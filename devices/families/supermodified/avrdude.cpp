@@ -65,11 +65,11 @@ Result<Job> jobOf(std::string_view via)
     const auto colon = via.find(':');
     const auto second = colon == std::string_view::npos ? colon : via.find(':', colon + 1);
     if (via.empty())
-        return fail(Fault::OutOfRange, "a Supermodified is written by avrdude; add --via " + std::string(usage));
+        return fail(Fault::OutOfRange, "a Supermodified is written by avrdude", "add --via " + std::string(usage));
     if (via.substr(0, colon) != scheme || second == std::string_view::npos || second + 1 == via.size()
         || !isName(via.substr(colon + 1, second - colon - 1)) || via[second + 1] == '-')
-        return fail(Fault::OutOfRange,
-            "--via: '" + std::string(via) + "' is no way into a Supermodified; write " + std::string(usage));
+        return fail(Fault::OutOfRange, "--via: '" + std::string(via) + "' is no way into a Supermodified",
+            "write " + std::string(usage));
     Job job;
     job.programmer = via.substr(colon + 1, second - colon - 1);
     job.port = via.substr(second + 1);
@@ -130,8 +130,8 @@ Error Reading::failure(const Job &job) const
     if (const auto meaning = meaningOf(meanings, m_all))
         return *meaning;
     if (m_lastError.empty())
-        return {Fault::BadReply, "avrdude ended without saying why; run it by hand with -c " + job.programmer};
-    return {Fault::BadReply, m_lastError + "; run avrdude by hand to see all it says"};
+        return {Fault::BadReply, "avrdude ended without saying why", "run it by hand with -c " + job.programmer};
+    return {Fault::BadReply, m_lastError, "run avrdude by hand to see all it says"};
 }
 
 } // namespace mb::supermodified::avrdude

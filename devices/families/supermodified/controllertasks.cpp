@@ -39,7 +39,7 @@ Task<void> Controller::doRefresh()
 
 Error Controller::about(const Parameter &parameter, const Error &error) const
 {
-    return {error.fault, std::string(parameter.key) + ": " + error.detail};
+    return error.about(parameter.key);
 }
 
 Task<std::int64_t> Controller::readNumber(Command command)
@@ -104,7 +104,7 @@ Task<void> Controller::writeDuration(std::int64_t raw)
     if (!restored)
         co_return fail(restored.error().fault,
             "written, but the current limit, which this firmware overwrites with it, could not be put back to "
-                + std::to_string(limit) + " mA: " + restored.error().detail);
+                + std::to_string(limit) + " mA: " + restored.error().text());
     co_return {};
 }
 

@@ -60,8 +60,8 @@ Result<std::unique_ptr<QTemporaryFile>> written(const FirmwareImage &image)
     const auto size = static_cast<qint64>(text.size());
     if (!file->open() || file->write(text.data(), size) != size || !file->flush())
         return fail(Fault::LinkLost,
-            "a temporary file for avrdude cannot be written: " + file->errorString().toStdString() + "; make room in "
-                + QDir::tempPath().toStdString());
+            "a temporary file for avrdude cannot be written: " + file->errorString().toStdString(),
+            "make room in " + QDir::tempPath().toStdString());
     return file;
 }
 
@@ -119,8 +119,8 @@ Task<avrdude::Reading> runOnce(Clock &clock, avrdude::Job job, Progress &progres
         show(reading, progress);
         const auto piece = co_await program.next(patience);
         if (!piece)
-            co_return fail(
-                piece.error().fault, "avrdude said nothing for a minute and was ended; check the cables and try again");
+            co_return fail(piece.error().fault, "avrdude said nothing for a minute and was ended",
+                "check the cables and try again");
         if (!*piece)
             break;
         reading.take((*piece)->text, (*piece)->complete);
@@ -131,7 +131,8 @@ Task<avrdude::Reading> runOnce(Clock &clock, avrdude::Job job, Progress &progres
         co_return reading;
     Error error = reading.failure(job);
     if (reading.hasBegun())
-        error.detail += "; the controller may hold half a program, and runs again once an update has succeeded";
+        error.remedy += (error.remedy.empty() ? std::string() : std::string("; "))
+            + "the controller may hold half a program, and runs again once an update has succeeded";
     co_return fail(error);
 }
 
@@ -139,7 +140,7 @@ Task<avrdude::Reading> runOnce(Clock &clock, avrdude::Job job, Progress &progres
 Task<avrdude::Reading> program(Clock &clock, avrdude::Job job, Progress &progress)
 {
     if (!ExternalProgram::locate("avrdude"))
-        co_return fail(Fault::LinkLost, "avrdude is not installed; install it with: sudo apt install avrdude");
+        co_return fail(Fault::LinkLost, "avrdude is not installed", "install it with: sudo apt install avrdude");
     if (!job.isBootloader()) {
         auto run = runOnce(clock, job, progress);
         co_return co_await std::move(run).attempt();
@@ -152,7 +153,7 @@ Task<avrdude::Reading> program(Clock &clock, avrdude::Job job, Progress &progres
         if (reading)
             co_return std::move(*reading);
         last = reading.error();
-        if (last.fault != Fault::Timeout || last.detail.find("half a program") != std::string::npos)
+        if (last.fault != Fault::Timeout || last.remedy.find("half a program") != std::string::npos)
             break;
         progress.log(Severity::Caution, "no bootloader answers at " + std::to_string(rate) + " bit/s");
     }
@@ -178,10 +179,10 @@ Result<void> preflight(const Controller &device, const FirmwareImage &image, con
     if (auto summary = inspect(image); !summary)
         return fail(summary.error());
     if (job.isBootloader() && image.hasAny(avrdude::bootloaderStart, avrdude::flashSize - 1))
-        return fail(Fault::OutOfRange,
-            "this image holds a bootloader too, which cannot write itself; use a programmer on the pins");
+        return fail(Fault::OutOfRange, "this image holds a bootloader too, which cannot write itself",
+            "use a programmer on the pins");
     if (device.isLineDriving())
-        return fail(Fault::Unsafe, "a motor is driven on this line; stop it first");
+        return fail(Fault::Unsafe, "a motor is driven on this line", "stop it first");
     return {};
 }
 
@@ -252,7 +253,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     if (!job)
         co_return fail(job.error());
     if (!options.target.empty())
-        co_return fail(Fault::OutOfRange, "a Supermodified has one kind of microcontroller; leave out --target");
+        co_return fail(Fault::OutOfRange, "a Supermodified has one kind of microcontroller", "leave out --target");
     if (auto ready = preflight(controller, image, *job); !ready)
         co_return fail(ready.error());
     if (options.dryRun) {

@@ -150,7 +150,8 @@ Result<void> Line::changeRate(const Request &request)
     if (isDriving() && request.rank != Rank::Stop && request.baudrate != m_link.baudrate())
         return fail(Fault::Unsafe,
             "a motor is driven on this line at " + std::to_string(m_link.baudrate())
-                + " bit/s, and this node has another rate; stop it first");
+                + " bit/s, and this node has another rate",
+            "stop it first");
     return m_link.setBaudrate(request.baudrate);
 }
 

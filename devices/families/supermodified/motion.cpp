@@ -115,8 +115,8 @@ Result<void> Motion::checkReach(const SetPoint &setPoint) const
     if (std::abs(distance) <= farthest)
         return {};
     return mb::fail(Fault::OutOfRange,
-        "a step of " + numberText(distance) + " counts overflows the loop of this firmware; at most "
-            + numberText(farthest) + " with its P: use a profiled mode or several moves");
+        "a step of " + numberText(distance) + " counts overflows the loop of this firmware",
+        "at most " + numberText(farthest) + " with its P: use a profiled mode or several moves");
 }
 
 // Set-points
@@ -183,7 +183,7 @@ void Motion::send(Step step)
 {
     auto request = requestFor(step);
     if (!request) {
-        fail(request.error().detail);
+        fail(request.error().text());
         return;
     }
     request->rank = Line::Rank::Move;
@@ -205,7 +205,7 @@ void Motion::answered(Step step, const Result<Frame> &reply)
         return;
     }
     if (reply.error().fault != Fault::Timeout) {
-        fail(reply.error().detail);
+        fail(reply.error().text());
         return;
     }
     if (step == Step::Move && m_orders.front().relative && !isHold(m_orders.front()))
@@ -261,7 +261,7 @@ void Motion::done(Step step, const Frame &reply)
 Result<void> Motion::release()
 {
     if (isBusy())
-        return mb::fail(Fault::Unsafe, "a buffered move is not acknowledged yet; try again");
+        return mb::fail(Fault::Unsafe, "a buffered move is not acknowledged yet", "try again");
     Line::Request tell = telling(m_node, Command::DoMove);
     tell.rank = Line::Rank::Move;
     m_releaseTicket = m_line.submit(std::move(tell), [](const Result<Frame> &) {});

@@ -14,7 +14,7 @@ Error refusal(std::span<const std::uint8_t> codes, bool reading)
 {
     Error error{Fault::Refused, codesText(codes)};
     if (reading && codes.back() == code::invalidGetCount)
-        error.detail += "; its error level is 1, which makes every reading fail: set error.level to 0";
+        error.remedy = "its error level is 1, which makes every reading fail: set error.level to 0";
     return error;
 }
 
@@ -34,7 +34,7 @@ Line::Request asking(const Node &node, Command command)
 Result<Line::Request> setting(const Node &node, Command command, std::int64_t value)
 {
     if (!node.dialect)
-        return fail(Fault::Unsupported, "its dialect is not known yet; read it first");
+        return fail(Fault::Unsupported, "its dialect is not known yet", "read it first");
     const auto frame = request(node.id, 0, command, *node.dialect, value);
     if (!frame)
         return fail(frame.error());

@@ -32,6 +32,11 @@ constexpr Parameter later(Parameter row)
     row.afterRestart = true;
     return row;
 }
+constexpr Parameter ofUnit(Parameter row)
+{
+    row.belongsToUnit = true;
+    return row;
+}
 constexpr Parameter writeOnly(Parameter row, bool persistent)
 {
     row.access = Access::WriteOnly;
@@ -51,7 +56,7 @@ constexpr std::array<Parameter, 15> table{{
     later(setting("limit.current.duration", id::currentLimitDuration, WireType::Uint16, "ms", 0.0, uint16High, 5000.0, limit, QT_TRANSLATE_NOOP("table", "Time above the limit"), QT_TRANSLATE_NOOP("table", "In force after a restart. D1 and D2 take it for the current limit until then; the limit is therefore written again behind it."))),
     setting("io.direction", 0x13, WireType::Uint8, "", 0.0, 15.0, 0.0, io, QT_TRANSLATE_NOOP("table", "Outputs among the lines"), QT_TRANSLATE_NOOP("table", "1, 2, 4, 8 for DIO1 to DIO4; a set bit makes an output. DIO1 and DIO3 low for 3 s start the analog programming of the device, DIO2 and DIO4 low restore its factory settings.")),
     writeOnly(setting("io.outputs", 0x14, WireType::Uint8, "", 0.0, 15.0, 0.0, io, QT_TRANSLATE_NOOP("table", "Levels of the outputs"), QT_TRANSLATE_NOOP("table", "Bits as for the directions; inputs ignore theirs. Cannot be read back and is lost at power-off.")), false),
-    later(setting("node.id", id::nodeId, WireType::Uint8, "", lowestNode, highestNode, factoryNode, bus, QT_TRANSLATE_NOOP("table", "Node id"), QT_TRANSLATE_NOOP("table", "Its address on the line. In force after a restart; until then it answers under the old one."))),
+    ofUnit(later(setting("node.id", id::nodeId, WireType::Uint8, "", lowestNode, highestNode, factoryNode, bus, QT_TRANSLATE_NOOP("table", "Node id"), QT_TRANSLATE_NOOP("table", "Its address on the line. In force after a restart; until then it answers under the old one.")))),
     later(setting("node.mask", id::nodeMask, WireType::Uint8, "", 1.0, 255.0, 255.0, bus, QT_TRANSLATE_NOOP("table", "Acceptance mask"), QT_TRANSLATE_NOOP("table", "Bits of an address that count. 255: only its own; less makes a group that acts on what is sent to any of its members, and on their answers. In force after a restart."))),
     later(setting("uart.baud", id::baudrate, WireType::Uint32, "bit/s", slowestRate, fastestRate, 115200.0, bus, QT_TRANSLATE_NOOP("table", "Bit rate"), QT_TRANSLATE_NOOP("table", "In force after a restart. Reads as the rate at which it answers. 115200 is really 119048: prefer 57600."))),
     writeOnly(setting("error.level", id::errorLevel, WireType::Uint8, "", 0.0, 0.0, 0.0, errors, QT_TRANSLATE_NOOP("table", "Error level"), QT_TRANSLATE_NOOP("table", "D1 and D2. Level 1 would make every reading fail, so only 0 is offered: write it where another program set 1.")), true),

@@ -48,7 +48,7 @@ Result<OpenedCan> bindTo(const std::string &name, unsigned index)
     OpenedCan opened;
     opened.descriptor = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
     if (opened.descriptor < 0)
-        return fail(Fault::LinkLost, socketFailure(name, errno));
+        return fail(Error::fromPhrase(Fault::LinkLost, socketFailure(name, errno)));
     opened.receiveBuffer = prepareCanSocket(opened.descriptor); // before bind: no frame comes unstamped
     sockaddr_can where{};
     where.can_family = AF_CAN;
@@ -57,7 +57,7 @@ Result<OpenedCan> bindTo(const std::string &name, unsigned index)
         return opened;
     const int cause = errno;
     ::close(opened.descriptor);
-    return fail(Fault::LinkLost, socketFailure(name, cause));
+    return fail(Error::fromPhrase(Fault::LinkLost, socketFailure(name, cause)));
 }
 
 } // namespace
@@ -80,7 +80,7 @@ std::optional<Diagnosis> whyNoCan()
 Result<OpenedCan> openCanSocket(const std::string &name)
 {
     if (const auto cause = whyNoCan())
-        return fail(Fault::LinkLost, cause->text());
+        return fail(Error::fromPhrase(Fault::LinkLost, cause->text()));
     const unsigned index = name.size() < IFNAMSIZ ? ::if_nametoindex(name.c_str()) : 0;
     if (index == 0)
         return fail(Fault::LinkLost, "there is no CAN interface " + name);
@@ -92,7 +92,7 @@ Result<OpenedCan> openCanSocket(const std::string &name)
             return fail(Fault::LinkLost, name + " is a network interface, but not one for CAN");
         interface = *found;
         if (const Diagnosis cause = diagnose(interface); !cause.isHealthy())
-            return fail(Fault::LinkLost, cause.text());
+            return fail(Error::fromPhrase(Fault::LinkLost, cause.text()));
     }
     auto opened = bindTo(name, index);
     if (opened)

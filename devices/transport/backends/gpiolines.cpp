@@ -29,10 +29,10 @@ std::optional<unsigned> lineNumber(std::string_view text)
 Error causeOf(int error, const std::string &name)
 {
     switch (error) {
-    case ENOENT: return {Fault::LinkLost, "there is no GPIO chip for " + name + "; gpiodetect lists those there are"};
+    case ENOENT: return {Fault::LinkLost, "there is no GPIO chip for " + name, "gpiodetect lists those there are"};
     case EACCES:
-        return {Fault::LinkLost,
-            "no permission to use " + name + "; become a member of its group: sudo usermod -aG gpio $USER"};
+        return {Fault::LinkLost, "no permission to use " + name,
+            "become a member of its group: sudo usermod -aG gpio $USER"};
     case EBUSY: return {Fault::LinkLost, "GPIO line " + name + " is used by another program or driver"};
     default: return {Fault::LinkLost, "GPIO line " + name + ": " + std::strerror(error)};
     }

@@ -9,11 +9,15 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <functional>
 
 #include <fcntl.h>
+#include <sys/socket.h>
+#include <sys/un.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -63,10 +67,34 @@ PtyLine::~PtyLine()
     m_notifier.reset();
     if (m_master >= 0)
         ::close(m_master);
+    if (m_claim >= 0)
+        ::close(m_claim);
+}
+
+/// An abstract socket ends with its process, however that ends. The number of a terminal is given to others again, so the
+/// link alone does not tell whether it is still served.
+Result<void> PtyLine::claimPath()
+{
+    std::error_code failed;
+    const fs::path folder = fs::canonical(fs::absolute(m_address.path).parent_path(), failed);
+    const std::string place = (folder / fs::path(m_address.path).filename()).string();
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const std::string name = "motorbench-pty-" + std::to_string(std::hash<std::string>()(place));
+    std::copy(name.begin(), name.end(), address.sun_path + 1);
+    const auto size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+    m_claim = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
+    void *const generic = &address;
+    if (m_claim >= 0 && ::bind(m_claim, static_cast<sockaddr *>(generic), size) != 0 && errno == EADDRINUSE)
+        return fail(Fault::LinkLost, m_address.path + " is served by another simulator",
+            "end that one first, or choose another path");
+    return {};
 }
 
 Result<void> PtyLine::open()
 {
+    if (auto claimed = claimPath(); !claimed)
+        return claimed;
     if (auto opened = openTerminal(); !opened)
         return opened;
     if (auto put = putLink(); !put)
@@ -106,7 +134,7 @@ Result<void> PtyLine::putLink()
     fs::create_symlink(m_terminal, path, failed);
     if (failed == std::errc::file_exists)
         return fail(
-            Fault::LinkLost, m_address.path + " is there already and no link to a terminal; choose another path");
+            Fault::LinkLost, m_address.path + " is there already and no link to a terminal", "choose another path");
     if (failed)
         return fail(Fault::LinkLost, m_address.path + " cannot be made: " + failed.message());
     m_linked = true;

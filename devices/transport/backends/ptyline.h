@@ -29,6 +29,7 @@ public:
 
 private:
     PtyLine(LinkAddress address, Clock &clock);
+    [[nodiscard]] Result<void> claimPath();
     [[nodiscard]] Result<void> openTerminal();
     [[nodiscard]] Result<void> putLink();
     void readTerminal();
@@ -40,6 +41,7 @@ private:
     VirtualSerialLink m_bridge;
     Subscription m_received;
     int m_master = -1;
+    int m_claim = -1; ///< holds the path as long as this lives
     std::string m_terminal; ///< /dev/pts/N
     bool m_linked = false;
     std::unique_ptr<QSocketNotifier> m_notifier;

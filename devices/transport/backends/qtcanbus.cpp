@@ -77,8 +77,8 @@ Result<void> QtCanLink::doOpen()
     QCanBus &known = *QCanBus::instance();
     if (!known.plugins().contains(plugin)) {
         const QString names = known.plugins().join(QStringLiteral(", "));
-        return fail(Fault::LinkLost,
-            "there is no CAN plugin " + plugin.toStdString() + "; installed are: " + names.toStdString());
+        return fail(
+            Fault::LinkLost, "there is no CAN plugin " + plugin.toStdString(), "installed are: " + names.toStdString());
     }
     QString cause;
     m_device.reset(known.createDevice(plugin, path.section(QLatin1Char(':'), 1), &cause));

@@ -15,7 +15,7 @@ bool isPace(double pace)
 
 tl::unexpected<Error> wrongPace(const std::string &text)
 {
-    return fail(Fault::OutOfRange, "speed=" + text + " is no speed; legal is 0.01 … 1000, or max");
+    return fail(Fault::OutOfRange, "speed=" + text + " is no speed", "legal is 0.01 … 1000, or max");
 }
 
 Result<double> parsePace(std::string_view text)
@@ -53,7 +53,8 @@ Result<std::unique_ptr<ReplayLink>> ReplayLink::create(const LinkAddress &addres
         } else if (key == "interface") {
             interface = value;
         } else {
-            return fail(Fault::OutOfRange, "replay links have no option '" + key + "'; they have speed and interface");
+            return fail(
+                Fault::OutOfRange, "replay links have no option '" + key + "'", "they have speed and interface");
         }
     }
     return std::unique_ptr<ReplayLink>(new ReplayLink(address, clock, pace, std::move(interface)));
@@ -82,8 +83,8 @@ void ReplayLink::doClose()
 Result<void> ReplayLink::doSend(const CanFrame &, Priority)
 {
     return fail(Fault::Unsupported,
-        address().shortName()
-            + " is a recording: it can be watched, not written to or driven; open the link that it was made on");
+        address().shortName() + " is a recording: it can be watched, not written to or driven",
+        "open the link that it was made on");
 }
 
 ReplayState ReplayLink::replay() const

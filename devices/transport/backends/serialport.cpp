@@ -49,7 +49,7 @@ Result<void> SerialPortLink::doOpen()
 {
     m_path = deviceFile(address().path);
     if (const auto cause = whyUnusable(address().path, m_path))
-        return fail(Fault::LinkLost, cause->text());
+        return fail(Error::fromPhrase(Fault::LinkLost, cause->text()));
     m_port = std::make_unique<QSerialPort>();
     m_port->setPortName(QString::fromStdString(m_path));
     m_port->setBaudRate(baudrate());
@@ -58,13 +58,13 @@ Result<void> SerialPortLink::doOpen()
         const std::string text = m_port->errorString().toStdString();
         m_port.reset();
         if (error == QSerialPort::PermissionError)
-            return fail(Fault::LinkLost,
-                name() + " is in use by another program; close that one first ('fuser " + m_path + "' names it)");
+            return fail(Fault::LinkLost, name() + " is in use by another program",
+                "close that one first ('fuser " + m_path + "' names it)");
         return fail(Fault::LinkLost, name() + " cannot be opened: " + text);
     }
     if (auto dressed = dress(); !dressed) {
         m_port.reset();
-        return fail(Fault::LinkLost, dressed.error().detail);
+        return fail(Fault::LinkLost, dressed.error().detail, dressed.error().remedy);
     }
     m_sentAt = m_heardAt = m_lookedAt = clock().now();
     m_driverErrors = driverErrors(m_port->handle());
@@ -100,9 +100,8 @@ Result<void> SerialPortLink::applyRate(int baudrate)
             name() + " cannot do " + std::to_string(baudrate) + " bit/s: " + m_port->errorString().toStdString());
     const auto real = driverBaudrate(m_port->handle());
     if (real && std::abs(*real - baudrate) > baudrate / 50)
-        return fail(Fault::OutOfRange,
-            name() + " cannot do " + std::to_string(baudrate) + " bit/s; the nearest it can is "
-                + std::to_string(*real));
+        return fail(Fault::OutOfRange, name() + " cannot do " + std::to_string(baudrate) + " bit/s",
+            "the nearest it can is " + std::to_string(*real));
     return {};
 }
 
@@ -242,8 +241,8 @@ Result<std::unique_ptr<Link>> makeSerialPortLink(const LinkAddress &address, Clo
         else if (key == "echo")
             options.echo = number == 1;
         else
-            return fail(Fault::OutOfRange,
-                "unknown option '" + key + "' of a serial link; baud, format, rs485 and echo are known");
+            return fail(Fault::OutOfRange, "unknown option '" + key + "' of a serial link",
+                "baud, format, rs485 and echo are known");
         if (!good)
             return fail(Fault::OutOfRange, "link option " + key + "=" + value + " is out of range");
     }

@@ -288,8 +288,8 @@ Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
     auto &queue = priority == Priority::Urgent ? m_urgent : m_normal;
     if (queue.size() >= mostWaiting)
         return fail(Fault::LinkLost,
-            address().path + " takes no frames: " + std::to_string(queue.size())
-                + " wait to be sent; check that somebody else is on the bus");
+            address().path + " takes no frames: " + std::to_string(queue.size()) + " wait to be sent",
+            "check that somebody else is on the bus");
     if (priority == Priority::Urgent)
         std::erase_if(m_normal, [&frame](const CanFrame &waiting) { return sameIdentifier(waiting, frame); });
     const bool first = m_urgent.empty() && (priority == Priority::Urgent || m_normal.empty());
@@ -301,7 +301,7 @@ Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
             setStuckSince(clock().now());
         if (!tryLater(cause)) {
             failLater(cause);
-            return fail(Fault::LinkLost, socketFailure(address().path, cause));
+            return fail(Error::fromPhrase(Fault::LinkLost, socketFailure(address().path, cause)));
         }
     }
     queue.push_back(frame);

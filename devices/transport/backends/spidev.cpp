@@ -35,7 +35,7 @@ std::string causeOf(int error, const std::string &path)
 
 tl::unexpected<Error> lost(int error, const std::string &path)
 {
-    return fail(Fault::LinkLost, causeOf(error, path));
+    return fail(Error::fromPhrase(Fault::LinkLost, causeOf(error, path)));
 }
 
 } // namespace
@@ -48,7 +48,7 @@ Result<std::unique_ptr<SpidevLink>> SpidevLink::make(const LinkAddress &address,
             continue;
         if (key != "speed")
             return fail(
-                Fault::OutOfRange, "spidev links have no option '" + key + "'; speed, ready and reset are known");
+                Fault::OutOfRange, "spidev links have no option '" + key + "'", "speed, ready and reset are known");
         const auto parsed = std::from_chars(value.data(), value.data() + value.size(), hertz);
         const bool whole = parsed.ec == std::errc{} && parsed.ptr == value.data() + value.size();
         if (!whole || hertz < slowest || hertz > quickest)
@@ -187,7 +187,7 @@ void SpidevLink::transferred(Bytes miso, int error)
 Result<void> SpidevLink::doPulseReset()
 {
     if (!m_resetLine.isOpen())
-        return fail(Fault::Unsupported, "no reset line is wired; add reset=CHIP:LINE to the address");
+        return fail(Fault::Unsupported, "no reset line is wired", "add reset=CHIP:LINE to the address");
     m_resetLine.set(false);
     m_released.startIn(resetPulse, [this] { m_resetLine.set(true); });
     return {};

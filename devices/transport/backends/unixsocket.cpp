@@ -43,7 +43,7 @@ std::string causeOf(int error, const std::string &path)
 
 tl::unexpected<Error> lost(int error, const std::string &path)
 {
-    return fail(Fault::LinkLost, causeOf(error, path));
+    return fail(Error::fromPhrase(Fault::LinkLost, causeOf(error, path)));
 }
 
 tl::unexpected<Error> tooLong(const std::string &path)
@@ -69,6 +69,20 @@ Result<int> connectUnixSocket(const std::string &path)
     return descriptor;
 }
 
+namespace {
+
+/// Only a socket that refuses is left over from somebody who has gone; one that is full has a server that is busy.
+bool isServed(const sockaddr_un &address)
+{
+    const int descriptor = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+    const bool refused = descriptor < 0
+        || (::connect(descriptor, generic(address), sizeof address) != 0 && (errno == ECONNREFUSED || errno == ENOENT));
+    ::close(descriptor);
+    return !refused;
+}
+
+} // namespace
+
 Result<int> listenOnUnixSocket(const std::string &path)
 {
     const auto address = addressOf(path);
@@ -77,11 +91,9 @@ Result<int> listenOnUnixSocket(const std::string &path)
     struct stat there { };
     if (::lstat(path.c_str(), &there) == 0) {
         if (!S_ISSOCK(there.st_mode))
-            return fail(Fault::LinkLost, path + " exists and is no socket; choose another path");
-        if (auto served = connectUnixSocket(path); served) {
-            ::close(*served);
+            return fail(Fault::LinkLost, path + " exists and is no socket", "choose another path");
+        if (isServed(*address))
             return lost(EADDRINUSE, path);
-        }
         ::unlink(path.c_str());
     }
     const int descriptor = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);

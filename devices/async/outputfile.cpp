@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/outputfile.h"
+
+#include <cerrno>
+#include <filesystem>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace mb {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t enough = 64 * 1024;
+constexpr int mostLinks = 40;
+constexpr int mostNames = 1000;
+
+int writeAll(int descriptor, std::string_view bytes)
+{
+    while (!bytes.empty()) {
+        const ssize_t done = ::write(descriptor, bytes.data(), bytes.size());
+        if (done < 0 && errno != EINTR)
+            return errno;
+        if (done > 0)
+            bytes.remove_prefix(static_cast<std::size_t>(done));
+    }
+    return 0;
+}
+
+/// Where a chain of symbolic links ends, whether or not there is something.
+std::string followed(const std::string &path)
+{
+    fs::path at(path);
+    std::error_code error;
+    for (int i = 0; i < mostLinks && fs::is_symlink(at, error); ++i) {
+        const fs::path next = fs::read_symlink(at, error);
+        at = next.is_absolute() ? next : at.parent_path() / next;
+    }
+    return at.string();
+}
+
+/// The rename is on the disk as well. A file system that cannot do that has done what it can.
+void syncFolder(const std::string &file)
+{
+    const fs::path folder = fs::path(file).parent_path();
+    const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    (void)::fsync(descriptor);
+    ::close(descriptor);
+}
+
+} // namespace
+
+std::string writeFailure(int systemError)
+{
+    switch (systemError) {
+    case ENOSPC:
+    case EDQUOT: return "the disk is full; make room, or choose another place";
+    case EACCES:
+    case EPERM:
+    case EROFS: return "no permission to write there; choose another folder";
+    case ENOENT:
+    case ENOTDIR: return "there is no such folder; choose another one";
+    case EISDIR: return "it is a folder; name a file";
+    case EFBIG: return "the file has reached the greatest size there; choose another place";
+    case ENXIO: return "nobody reads from this pipe; start the reader first";
+    case EPIPE: return "its reader has gone; start it again";
+    case ENOTBLK: return "it is a disk; name a file";
+    default: return "it cannot be written (system error " + std::to_string(systemError) + "); check the disk";
+    }
+}
+
+OutputFile::OutputFile(std::string path)
+    : m_path(std::move(path))
+{
+}
+
+OutputFile::~OutputFile()
+{
+    closeFile();
+    if (!m_temporary.empty())
+        ::unlink(m_temporary.c_str());
+}
+
+tl::unexpected<Error> OutputFile::failure(int number) const
+{
+    return fail(Error::fromPhrase(Fault::OutOfRange, m_path + " cannot be written: " + writeFailure(number)));
+}
+
+Result<void> OutputFile::open()
+{
+    struct stat status { };
+    const bool exists = ::stat(m_path.c_str(), &status) == 0;
+    if (m_path.empty() || (!exists && errno != ENOENT))
+        return failure(m_path.empty() ? ENOENT : errno);
+    if (exists && S_ISDIR(status.st_mode))
+        return failure(EISDIR);
+    if (exists && S_ISBLK(status.st_mode))
+        return failure(ENOTBLK);
+    if (!exists || S_ISREG(status.st_mode))
+        return openBeside();
+    m_descriptor = ::open(m_path.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
+    if (m_descriptor < 0)
+        return failure(errno);
+    (void)::fcntl(m_descriptor, F_SETFL, O_WRONLY); // only the opening must not wait
+    return {};
+}
+
+Result<void> OutputFile::openBeside()
+{
+    m_target = followed(m_path);
+    struct stat old { };
+    const bool exists = ::stat(m_target.c_str(), &old) == 0;
+    if (exists && ::access(m_target.c_str(), W_OK) != 0)
+        return failure(errno);
+    for (int i = 0; i < mostNames && m_descriptor < 0; ++i) {
+        const std::string name = m_target + '.' + std::to_string(::getpid()) + '-' + std::to_string(i) + ".part";
+        m_descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (m_descriptor >= 0)
+            m_temporary = name;
+        else if (errno != EEXIST)
+            return failure(errno);
+    }
+    if (m_descriptor < 0)
+        return failure(EEXIST);
+    if (exists)
+        (void)::fchmod(m_descriptor, old.st_mode & 07777U);
+    return {};
+}
+
+void OutputFile::write(std::string_view bytes)
+{
+    m_buffer += bytes;
+    if (m_buffer.size() >= enough)
+        drain();
+}
+
+void OutputFile::drain()
+{
+    if (m_error == 0)
+        m_error = writeAll(m_descriptor, m_buffer);
+    m_buffer.clear();
+}
+
+int OutputFile::closeFile()
+{
+    const int descriptor = std::exchange(m_descriptor, -1);
+    return descriptor < 0 || ::close(descriptor) == 0 ? 0 : errno;
+}
+
+Result<void> OutputFile::commit()
+{
+    drain();
+    const bool syncs = !m_temporary.empty();
+    if (m_error == 0 && syncs && ::fsync(m_descriptor) != 0)
+        m_error = errno;
+    if (const int error = closeFile(); m_error == 0)
+        m_error = error;
+    if (m_error != 0)
+        return failure(m_error);
+    return syncs ? replace() : Result<void>();
+}
+
+Result<void> OutputFile::replace()
+{
+    if (::rename(m_temporary.c_str(), m_target.c_str()) != 0)
+        return failure(errno);
+    m_temporary.clear();
+    syncFolder(m_target);
+    return {};
+}
+
+Result<void> writeFile(const std::string &path, std::string_view bytes)
+{
+    OutputFile file(path);
+    if (auto opened = file.open(); !opened)
+        return opened;
+    file.write(bytes);
+    return file.commit();
+}
+
+} // namespace mb

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/result.h"
+
+#include <string>
+#include <string_view>
+
+namespace mb {
+
+/// The door through which whole files are written. What is written goes to a file beside the one that is named, and takes its
+/// place in commit() only: after a full disk, a crash or without commit() the old file is there as it was. A symbolic link
+/// stays one and its target is written, the mode of an existing file is kept, and what is no regular file (`/dev/null`, a
+/// pipe) is written to directly. Nothing counts as written before commit() has said so. Any thread, one at a time.
+///
+/// Streams that must be readable while they grow (recordings) are BackgroundFile and McapWriter.
+class OutputFile {
+public:
+    explicit OutputFile(std::string path);
+    OutputFile(const OutputFile &) = delete;
+    OutputFile &operator=(const OutputFile &) = delete;
+    ~OutputFile();
+
+    /// OutOfRange with cause and remedy when nothing can be written there. Nothing is changed by it.
+    [[nodiscard]] Result<void> open();
+    /// The first failure is kept for commit().
+    void write(std::string_view bytes);
+    /// Everything is on the disk and under its name, or it fails and the old file stands.
+    [[nodiscard]] Result<void> commit();
+
+    [[nodiscard]] const std::string &path() const { return m_path; }
+    /// For who writes through a descriptor of its own, between open() and commit(). Owned by this.
+    [[nodiscard]] int descriptor() const { return m_descriptor; }
+
+private:
+    [[nodiscard]] Result<void> openBeside();
+    [[nodiscard]] Result<void> replace();
+    [[nodiscard]] tl::unexpected<Error> failure(int number) const;
+    void drain();
+    int closeFile();
+
+    std::string m_path;
+    std::string m_target;    ///< the path without symbolic links
+    std::string m_temporary; ///< empty when it is written to directly
+    std::string m_buffer;
+    int m_descriptor = -1;
+    int m_error = 0; ///< of the first write that failed
+};
+
+/// All of it or nothing, by an OutputFile.
+[[nodiscard]] Result<void> writeFile(const std::string &path, std::string_view bytes);
+
+/// Why a file cannot be written and what helps, in English whatever the locale: "the disk is full; make room, or …".
+[[nodiscard]] std::string writeFailure(int systemError);
+
+} // namespace mb

@@ -1,0 +1,222 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Full disks, pipes that nobody reads, paths that somebody else uses, files that are none."""
+import array
+import fcntl
+import json
+import os
+import resource
+import select
+import signal
+import stat
+import subprocess
+import tempfile
+import termios
+import threading
+
+import contract
+from contract import CIM, ContractTest, Run
+
+SMALL = 4096  # of a pipe; the kernel's least
+
+
+def filled(pipe, enough):
+    """Waits until so many bytes wait in a pipe."""
+    count = array.array("i", [0])
+    while count[0] < enough:
+        select.select([pipe], [], [], contract.LIMIT)
+        fcntl.ioctl(pipe, termios.FIONREAD, count)
+
+
+def contents(path):
+    with open(path, encoding="utf-8") as file:
+        return file.read()
+
+
+class Hostile(ContractTest):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, name, text=None):
+        path = os.path.join(self.folder.name, name)
+        if text is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        return path
+
+    def start(self, *arguments, json_too=False):
+        """A program whose standard output is a small pipe; nobody reads it yet."""
+        process = subprocess.Popen([contract.PROGRAM, *(["--json"] if json_too else []), *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        fcntl.fcntl(process.stdout, fcntl.F_SETPIPE_SZ, SMALL)
+        return process
+
+    def test_a_motor_is_driven_to_its_end_though_nobody_reads_the_samples(self):
+        process = self.start("drive", CIM, "--mode", "duty", "--target", "0.2", "--for", "2")
+        filled(process.stdout, SMALL - 512)
+        self.assertRegex(process.stderr.readline(), r"\d+ samples, stopped, done")
+        out, err = process.communicate(timeout=contract.LIMIT)
+        self.assertEqual((process.returncode, err), (0, ""))
+        self.assertGreater(len(out), 2 * SMALL)
+        self.assertTrue(out.startswith("t,channel,value,unit\n") and out.endswith("\n"))
+
+    def test_a_signal_ends_what_nobody_reads(self):
+        for number in (signal.SIGTERM, signal.SIGINT):
+            process = self.start("watch", CIM, "--rate", "100")
+            filled(process.stdout, SMALL - 512)
+            process.send_signal(number)
+            self.assertIn(process.wait(timeout=contract.LIMIT), (0, 1))
+
+    def test_output_that_was_not_read_to_its_end_is_no_success(self):
+        process = self.start("parameters", "dmc60c")  # more than the pipe holds, at once
+        filled(process.stdout, SMALL)
+        process.terminate()
+        self.assertEqual(process.wait(timeout=contract.LIMIT), 1)
+        self.assertIn("standard output was not read", process.stderr.read())
+
+    def test_a_motor_stops_on_a_signal_though_nobody_reads_the_samples(self):
+        process = self.start("drive", CIM, "--mode", "duty", "--target", "0.2", "--for", "60")
+        filled(process.stdout, SMALL - 512)
+        process.send_signal(signal.SIGTERM)
+        self.assertRegex(process.stderr.readline(), r"\d+ samples, stopped, interrupted")
+        process.communicate(timeout=contract.LIMIT)
+
+    def test_an_old_backup_survives_a_full_disk(self):
+        path = self.path("backup.json", "precious")
+
+        def small():
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1024, 1024))
+
+        done = subprocess.run([contract.PROGRAM, "get", CIM, "--file", path], capture_output=True, text=True, check=False, preexec_fn=small)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertNotIn("saved", done.stderr)
+        self.assertIn("greatest size", done.stderr)
+        with open(path, encoding="utf-8") as file:
+            self.assertEqual(file.read(), "precious")
+        self.assertEqual(os.listdir(self.folder.name), ["backup.json"])
+
+    def test_a_disk_that_is_full_at_once_is_told(self):
+        run = Run(["get", CIM, "slot0.p", "--file", "/dev/full"])
+        self.assertEqual((run.status, run.out), (1, ""))
+        self.assertIn("the disk is full", run.err)
+
+    def test_special_files_are_written_to_and_stay(self):
+        self.run_text("get", CIM, "slot0.p", "--file", "/dev/null")
+        self.assertTrue(stat.S_ISCHR(os.stat("/dev/null").st_mode))
+        pipe = self.path("pipe")
+        os.mkfifo(pipe)
+        heard = []
+        reader = threading.Thread(target=lambda: heard.append(contents(pipe)))
+        reader.start()
+        with open(pipe, "w", encoding="utf-8"):  # the reader is there
+            self.run_text("get", CIM, "slot0.p", "--file", pipe)
+        reader.join()
+        self.assertIn("slot0.p", json.loads(heard[0])["parameters"])
+
+    def test_a_file_named_minus_is_standard_output(self):
+        text = self.run_text("get", CIM, "slot0.p", "--file", "-")
+        self.assertIn("slot0.p", json.loads(text)["parameters"])
+        self.assertFalse(os.path.exists("-"))
+
+    def test_help_that_cannot_be_written_is_no_success(self):
+        for words in (["--help"], ["--version"], ["scan", "--help"], ["help"], ["completion", "bash"]):
+            with open("/dev/full", "w", encoding="utf-8") as full:
+                done = subprocess.run([contract.PROGRAM, *words], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), words)
+
+    def test_files_that_are_none_are_refused_at_once(self):
+        pipe = self.path("pipe")
+        os.mkfifo(pipe)
+        for name in (pipe, "/dev/zero", self.folder.name):
+            self.assert_error(2, "restore", CIM, name, says=name)
+            self.assert_error(2, "flash", CIM, name, says=name)
+        self.assert_error(2, "plot", "/dev/zero", "--out", self.path("a.png"), says="/dev/zero")
+
+    def test_plot_listens_to_signals(self):
+        pipe = self.path("pipe.csv")
+        os.mkfifo(pipe)
+        process = self.start("plot", pipe, "--out", self.path("a.png"))
+        with open(pipe, "w", encoding="utf-8"):  # it has begun to read
+            process.terminate()
+            self.assertEqual(process.wait(timeout=contract.LIMIT), -signal.SIGTERM)
+
+    def test_a_good_link_is_shown_though_another_fails(self):
+        run = Run(["--json", "scan", "sim:can", "socketcan:nosuchcan0"])
+        self.assertEqual(run.status, 5, run.err)
+        self.error_of(run, 5)
+        (found,) = run.objects()
+        self.assertIn(CIM, [row["device"] for row in found["devices"]])
+        self.assertIn("socketcan:nosuchcan0", [row["link"] for row in found["links"]])
+
+    def test_a_path_that_is_served_is_not_stolen(self):
+        for link, device in ((f"pty:{self.path('tty')}", "supermodified:4"), (f"unix:{self.path('board')}", "quadquad2drv:0")):
+            first = subprocess.Popen([contract.PROGRAM, "simulate", "--on", link, device], stdout=subprocess.PIPE, text=True)
+            try:
+                self.assertIn("ready", first.stdout.readline())
+                self.assert_error(5, "simulate", "--on", link, device, "--for", "1", says="served")
+            finally:
+                first.kill()
+                first.communicate()
+            again = Run(["simulate", "--on", link, device, "--for", "0.1"])
+            self.assertEqual(again.status, 0, f"what a killed one left is replaced: {again.err}")
+
+    def test_a_socket_carries_one_board(self):
+        link = f"unix:{self.path('board')}"
+        self.assert_error(2, "simulate", "--on", link, "quadquad2drv:0", "quadquad2drv:0", says="one board")
+        self.assert_error(2, "simulate", "--on", link, "quadquad2drv:0", "--on", link, "quadquad2drv:0", says="one board")
+
+    def test_an_edited_value_beside_its_raw_value_is_not_overlooked(self):
+        path = self.path("saved.json")
+        self.run_text("get", CIM, "slot0.p", "--file", path)
+        with open(path, encoding="utf-8") as file:
+            saved = json.load(file)
+        for edit in ({"value": 1.5}, {"raw": "abc"}, {"value": "abc"}):
+            row = dict(saved["parameters"]["slot0.p"], **edit)
+            self.path("saved.json", json.dumps(dict(saved, parameters={"slot0.p": row})))
+            self.assert_error(2, "restore", CIM, path, says="slot0.p")
+
+    def test_what_belongs_to_another_unit_is_left_out_unless_asked_for(self):
+        path = self.path("saved.json")
+        self.run_text("get", "sim:can/dmc60c:7", "current.adc_multiplier", "slot0.p", "--file", path)
+        with open(path, encoding="utf-8") as file:
+            saved = json.load(file)
+        saved["serial"] = "of another unit"
+        saved["parameters"]["current.adc_multiplier"] = {"raw": 2100}
+        self.path("saved.json", json.dumps(saved))
+        run = Run(["--json", "restore", CIM, path, "--dry-run"])
+        self.assertEqual(run.status, 0, run.err)
+        self.assertNotIn("current.adc_multiplier", [row["key"] for row in run.objects()[0]["changes"]])
+        self.assertIn("of another unit", run.err)
+        self.assertIn("current.adc_multiplier belongs", run.err)
+        asked = self.run_one("restore", CIM, path, "--dry-run", "--unit-values")
+        self.assertIn("current.adc_multiplier", [row["key"] for row in asked["changes"]])
+
+    def test_bash_completes_from_the_tables_of_the_program(self):
+        script = self.run_text("completion", "bash")
+
+        def words(line):
+            text = script + 'COMP_LINE=$1 COMP_POINT=${#1}\nCOMP_WORDBREAKS=" "\n_motorbenchctl\nprintf "%s\\n" "${COMPREPLY[@]}"\n'
+            done = subprocess.run(["bash", "-c", text, "bash", line], capture_output=True, text=True, check=True)
+            self.assertEqual(done.stderr, "")
+            return done.stdout.split()
+
+        self.assertEqual(words("motorbenchctl sca"), ["scan"])
+        self.assertEqual(words("motorbenchctl --timeout 2 comp"), ["completion"])
+        self.assertEqual(words("motorbenchctl parameters d"), ["dmc60c"])
+        self.assertIn("slot0.p", words(f"motorbenchctl get {CIM} slot0."))
+        self.assertIn("velocity", words(f"motorbenchctl drive {CIM} --mode "))
+        self.assertEqual(words("motorbenchctl set --sto"), ["--store"])
+        for shell in ("zsh", "fish"):
+            text = self.run_text("completion", shell)
+            for word in ("simulate", "velocity", "slot0.p", "dry-run"):
+                self.assertIn(word, text)
+        self.assert_error(2, "completion", "tcsh", says="bash, zsh and fish")
+
+    def test_how_long_and_how_often_a_device_is_looked_for(self):
+        nobody = "sim:can/dmc60c:60"
+        self.assert_error(3, "--timeout", "0.05", "info", nobody, says="within 0.05 s")
+        self.assert_error(3, "info", nobody, "--timeout=0.05", "--retries", "1", says="within 0.05 s")
+        self.assertEqual(Run(["--timeout=30", "--retries=2", "get", CIM, "slot0.p"]).status, 0)
+        for wrong in (["--timeout", "0"], ["--timeout=soon"], ["--retries", "-1"], ["--retries", "1.5"], ["--timeout"]):
+            self.assert_error(2, *wrong, "info", nobody)

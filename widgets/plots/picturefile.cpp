@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/picturefile.h"
+
+#include "widgets/plots/qcustomplotkeywords.h"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QPdfWriter>
+#include <QSvgGenerator>
+
+namespace mb {
+namespace {
+
+bool paintOn(QPaintDevice &device, const Drawing &drawing)
+{
+    QCPPainter painter(&device);
+    if (!painter.isActive())
+        return false;
+    painter.setMode(QCPPainter::pmVectorized);
+    drawing.paint(painter);
+    return painter.end();
+}
+
+bool paintSvg(QIODevice &content, const Drawing &drawing)
+{
+    QSvgGenerator svg;
+    svg.setOutputDevice(&content);
+    svg.setSize(drawing.size);
+    svg.setViewBox(QRect(QPoint(), drawing.size));
+    svg.setTitle(drawing.title);
+    svg.setDescription(drawing.description);
+    return paintOn(svg, drawing);
+}
+
+bool paintPdf(QIODevice &content, const Drawing &drawing)
+{
+    QPdfWriter pdf(&content);
+    pdf.setCreator(QApplication::applicationName());
+    pdf.setTitle(drawing.title);
+    pdf.setResolution(72); // one unit of the plot is one point of the page
+    pdf.setPageSize(QPageSize(QSizeF(drawing.size), QPageSize::Point));
+    pdf.setPageMargins({});
+    return paintOn(pdf, drawing);
+}
+
+} // namespace
+
+QByteArray pngOf(const QImage &picture)
+{
+    QBuffer content;
+    content.open(QIODevice::WriteOnly);
+    return picture.save(&content, "PNG") ? content.data() : QByteArray();
+}
+
+QByteArray drawingAs(const QString &kind, const Drawing &drawing)
+{
+    QBuffer content;
+    content.open(QIODevice::WriteOnly);
+    const bool painted = kind == QLatin1String("svg") ? paintSvg(content, drawing)
+        : kind == QLatin1String("pdf")                ? paintPdf(content, drawing)
+                                                      : false;
+    return painted ? content.data() : QByteArray();
+}
+
+} // namespace mb

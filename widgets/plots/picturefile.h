@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QImage>
+#include <QString>
+
+#include <functional>
+
+class QCPPainter;
+
+namespace mb {
+
+/// What a vector drawing is made of.
+struct Drawing {
+    QSize size; ///< pixels of the screen, points of a page
+    QString title;
+    QString description;
+    std::function<void(QCPPainter &)> paint;
+};
+
+// The bytes of a file, which saveFile() writes whole or not at all; empty when it cannot be made.
+
+[[nodiscard]] QByteArray pngOf(const QImage &picture);
+/// `kind`: svg or pdf.
+[[nodiscard]] QByteArray drawingAs(const QString &kind, const Drawing &drawing);
+
+} // namespace mb
