@@ -170,7 +170,7 @@ TEST_F(Core, ShowsAStopUntilItIsSeenAndThenThatItWas)
 
 TEST_F(Core, SaysThatAMotorMayStillTurnWhenItsLineWasCutUntilItIsSeen)
 {
-    open("sim:can?fault=busoff@3");
+    open("sim:can?fault=busoff@3.4");
     Device *drive = nullptr;
     for (Device *candidate : core.session().devices())
         drive = candidate->selector().ends_with("abstractdc:3") ? candidate : drive;
