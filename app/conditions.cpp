@@ -12,6 +12,7 @@ namespace mb {
 namespace {
 
 constexpr auto resetKey = "reset ";
+constexpr auto mayTurnKey = "may turn";
 
 QString resetKeyOf(DeviceId device)
 {
@@ -57,6 +58,12 @@ void Conditions::follow()
         if (!m_workbench.snapshot().device(gone))
             endReset(gone);
     }
+    if (const QString names = m_arming.mayTurn(); !names.isEmpty())
+        m_banners.post(QLatin1String(mayTurnKey), BannerKind::Danger, tr("%1 may still turn: cut its power").arg(names),
+            tr("Its stop was not confirmed. It is sent again, and first of all when its line is back."),
+            tr("I have looked: it stands"));
+    else
+        m_banners.clear(QLatin1String(mayTurnKey));
     if (m_arming.state() == LampState::Stopped)
         m_banners.post(QStringLiteral("stopped"), BannerKind::Danger, tr("Stopped: %1").arg(m_arming.reason()),
             tr("Hold the lamp for 1 s to arm again."));
@@ -136,6 +143,8 @@ void Conditions::endReset(DeviceId device)
 
 void Conditions::act(const QString &key)
 {
+    if (key == QLatin1String(mayTurnKey))
+        m_workbench.dismissStops();
     if (!key.startsWith(QLatin1String(resetKey)))
         return;
     const DeviceId device{key.midRef(static_cast<int>(qstrlen(resetKey))).toUInt()};

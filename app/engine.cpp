@@ -47,6 +47,8 @@ struct Engine::Room {
             });
         });
         core.session().keepHistoriesIn(store);
+        core.session().setStopGate(&engine.m_stopLane.isPressed());
+        changed = core.session().changed().add([this] { engine.m_stopLane.follow(core.session()); });
         plugged = watch.changed().add([this] { look(); });
         look();
         publish();
@@ -89,6 +91,7 @@ struct Engine::Room {
     Timer list;
     Subscription noticed;
     Subscription plugged;
+    Subscription changed;
 };
 
 /// The engine thread: its body is the room's event loop.
@@ -129,7 +132,7 @@ Engine::Engine(std::span<const Family *const> families, bool opensByItself, QObj
 Engine::~Engine()
 {
     m_toEngine.post([this] {
-        m_room->core.stopAll();
+        m_room->core.stopAll(StopCause::Program);
         QThread::currentThread()->exit();
     });
     m_thread->wait();
@@ -288,9 +291,21 @@ void Engine::zeroPosition(DeviceId device, Finished finished)
     post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.zeroPosition(device, back); });
 }
 
-void Engine::stopAll()
+/// Before every other order; past the engine thread where that does not come to it.
+void Engine::stopAll(StopCause cause)
 {
-    post([](EngineCore &core) { core.stopAll(); });
+    if (cause == StopCause::User)
+        m_stopLane.press();
+    m_toEngine.postUrgent([this, cause] {
+        m_room->core.stopAll(cause);
+        if (cause == StopCause::User)
+            m_stopLane.served();
+    });
+}
+
+void Engine::dismissStops()
+{
+    post([](EngineCore &core) { core.dismissStops(); });
 }
 
 void Engine::update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options)

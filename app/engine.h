@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/enginecore.h"
+#include "app/stoplane.h"
 #include "async/mailbox.h"
 #include "transport/qtclock.h"
 #include "widgets/common/workbench.h"
@@ -52,7 +53,8 @@ public:
     void stopMotion(DeviceId device) override;
     void releaseMoves(DeviceId device, Finished finished) override;
     void zeroPosition(DeviceId device, Finished finished) override;
-    void stopAll() override;
+    void stopAll(StopCause cause) override;
+    void dismissStops() override;
     void update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options) override;
     void cancel(OperationId operation) override;
     void sendFrame(const std::string &link, const CanFrame &frame, Finished finished) override;
@@ -74,6 +76,7 @@ private:
     void takeSnapshot(Snapshot snapshot, std::vector<LinkListing> listings);
 
     QtClock m_clock;
+    StopLane m_stopLane;
     Mailbox m_toEngine;
     Mailbox m_toWindow;
     std::unique_ptr<QSocketNotifier> m_arrivals;

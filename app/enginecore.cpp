@@ -31,15 +31,20 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
           m_session.profileTrouble().add([this](const std::string &text) { notice(Severity::Danger, {}, text); }))
     , m_memoryTrouble(
           m_session.memoryTrouble().add([this](const std::string &text) { notice(Severity::Caution, {}, text); }))
+    , m_stopChanged(m_session.stopChanged().add([this](const Device &device) { followStop(device); }))
     , m_ratesAgain(clock)
     , m_look(clock)
+    , m_returned(clock)
 {
+    if (guard)
+        m_guardianActed
+            = guard->acted().add([this](const std::string &name, bool confirmed) { guardianActed(name, confirmed); });
     m_look.startIn(Duration::zero(), [this] { look(); });
 }
 
 EngineCore::~EngineCore()
 {
-    m_session.stopAll();
+    m_session.stopAll(StopCause::Program);
     for (auto &[link, watched] : m_watched)
         watched.scan.reset();
     m_operations.clear();
@@ -81,6 +86,8 @@ Snapshot EngineCore::snapshot()
     });
     for (const Running &running : m_operations)
         shot.operations.push_back({running.id, running.device, running.operation->status(), running.update});
+    for (const OwedStop &owed : m_session.owedStops())
+        shot.owedStops.push_back(owed.device);
     return shot;
 }
 
@@ -145,8 +152,12 @@ void EngineCore::watch(Link &link)
         return;
     keepTraffic(link);
     entry->second.state = link.stateChanged().add([this, &link](LinkState state) {
-        if (state == LinkState::Lost)
+        if (state == LinkState::Lost) {
+            m_watched[&link].wasLost = true;
             notice(Severity::Danger, link.address().shortName(), link.reason());
+        } else if (state == LinkState::Open) { // whoever opened it; first all who listen have their turn
+            m_returned.startIn(Duration::zero(), [this] { welcomeReturned(); });
+        }
         touch();
     });
 }
@@ -207,21 +218,22 @@ void EngineCore::prune()
 }
 
 template <class T>
-void EngineCore::begin(DeviceId id, const char *title, const std::function<Task<T>(Device &, Progress &)> &make,
-    std::function<void(Running &, Result<T>)> finished, const Finished &refused)
+EngineCore::Running *EngineCore::begin(DeviceId id, const char *title,
+    const std::function<Task<T>(Device &, Progress &)> &make, std::function<void(Running &, Result<T>)> finished,
+    const Finished &refused)
 {
     Device *device = m_session.find(id);
     if (!device) {
         answer(refused, fail(Fault::Timeout, "the device is gone"));
-        return;
+        return nullptr;
     }
     if (hasOperation(id)) {
         answer(refused, fail(Fault::Unsafe, "the device is busy with something else"));
-        return;
+        return nullptr;
     }
     prune();
     m_operations.push_back(
-        {OperationId{++m_lastOperation}, id, std::make_unique<Operation>(m_clock, title), std::nullopt, 0});
+        {OperationId{++m_lastOperation}, id, std::make_unique<Operation>(m_clock, title), std::nullopt, 0, false});
     Running &running = m_operations.back();
     running.operation->run<T>(
         make(*device, *running.operation), [this, &running, finished = std::move(finished)](Result<T> result) {
@@ -229,12 +241,13 @@ void EngineCore::begin(DeviceId id, const char *title, const std::function<Task<
             touch();
         });
     touch();
+    return &running;
 }
 
-void EngineCore::beginSimple(
+EngineCore::Running *EngineCore::beginSimple(
     DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished)
 {
-    begin<void>(
+    return begin<void>(
         id, title, make,
         [this, id, title = std::string(title), finished](Running &, const Result<void> &result) {
             if (const Device *device = m_session.find(id); device && !result)
@@ -411,12 +424,6 @@ void EngineCore::stopMotion(DeviceId id)
     touch();
 }
 
-void EngineCore::releaseMoves(DeviceId id, const Finished &finished)
-{
-    Device *device = m_session.find(id);
-    answer(finished, device ? device->releaseMoves() : Result<void>(fail(Fault::Timeout, "the device is gone")));
-}
-
 /// A set-point that goes on would start it again.
 void EngineCore::zeroPosition(DeviceId id, Finished finished)
 {
@@ -424,12 +431,6 @@ void EngineCore::zeroPosition(DeviceId id, Finished finished)
         m_session.stream(*device).stop();
     beginSimple(
         id, "Count from 0", [](Device &device, Progress &) { return device.zeroPosition(); }, std::move(finished));
-}
-
-void EngineCore::stopAll()
-{
-    m_session.stopAll();
-    touch();
 }
 
 void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image, const UpdateOptions &options)

@@ -69,7 +69,9 @@ public:
     void stopMotion(DeviceId id);
     void releaseMoves(DeviceId id, const Finished &finished);
     void zeroPosition(DeviceId id, Finished finished);
-    void stopAll();
+    void stopAll(StopCause cause);
+    /// The user has looked at the motors that were not seen to stand.
+    void dismissStops();
 
     void update(DeviceId id, std::shared_ptr<const FirmwareImage> image, const UpdateOptions &options);
     /// From now on the log of each update is kept in this folder, one file an update.
@@ -90,6 +92,7 @@ private:
         std::unique_ptr<Operation> operation;
         std::optional<UpdateReport> update;
         std::uint64_t shown = 0;
+        bool isExperiment = false; ///< STOP ends it, whatever it is doing
     };
     struct Watched {
         bool scanning = false;
@@ -97,6 +100,7 @@ private:
         int done = 0;
         int total = 0;
         bool byItself = false; ///< nobody asked for it
+        bool wasLost = false;  ///< and its return was not told yet
         bool played = false;   ///< a recording, let go for the first time
         std::shared_ptr<TrafficLog> traffic;
         std::unique_ptr<TrafficRecorder> recorder;
@@ -108,11 +112,12 @@ private:
         std::unique_ptr<Scope> scan; ///< last: its task uses everything above
     };
 
-    /// Starts a job that has the device for itself; refuses when another one has it. The maker runs at once.
+    /// Starts a job that has the device for itself; refuses when another one has it, and yields nullptr. The maker runs at
+    /// once.
     template <class T>
-    void begin(DeviceId id, const char *title, const std::function<Task<T>(Device &, Progress &)> &make,
+    Running *begin(DeviceId id, const char *title, const std::function<Task<T>(Device &, Progress &)> &make,
         std::function<void(Running &, Result<T>)> finished, const Finished &refused);
-    void beginSimple(
+    Running *beginSimple(
         DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished);
     void watch(Link &link);
     void keepTraffic(Link &link);
@@ -128,6 +133,9 @@ private:
     void refreshRestarted();
     void openByItself();
     void reopenLost();
+    void welcomeReturned();
+    void followStop(const Device &device);
+    void guardianActed(const std::string &name, bool confirmed);
     [[nodiscard]] bool hasOperationOn(const Link &link) const;
     void dropVanished();
     void removeLink(Link &link);
@@ -167,10 +175,14 @@ private:
     Subscription m_remarked;
     Subscription m_profileTrouble;
     Subscription m_memoryTrouble;
+    Subscription m_stopChanged;
+    Subscription m_guardianActed;
     std::map<std::pair<DeviceId, ChannelIndex>, double> m_rates; ///< asked for while the device was busy
     Timer m_ratesAgain;
     Timer m_look;
+    Timer m_returned;
     Instant m_lastScan{};
+    std::set<DeviceId> m_mayTurn; ///< told so
 };
 
 } // namespace mb

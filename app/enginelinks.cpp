@@ -9,11 +9,21 @@ namespace mb {
 void EngineCore::reopenLost()
 {
     for (Link *link : m_session.links()) {
-        if (link->state() == LinkState::Lost && !link->address().isRecording() && link->open()) {
-            notice(Severity::Good, link->address().shortName(), "is back");
-            if (!hasOperationOn(*link)) // an update that waited for it must be alone with its unit
-                scan(*link);
-        }
+        if (link->state() == LinkState::Lost && !link->address().isRecording())
+            (void)link->open();
+    }
+}
+
+void EngineCore::welcomeReturned()
+{
+    for (Link *link : m_session.links()) {
+        Watched &watched = m_watched[link];
+        if (!watched.wasLost || link->state() != LinkState::Open)
+            continue;
+        watched.wasLost = false;
+        notice(Severity::Good, link->address().shortName(), "is back");
+        if (!hasOperationOn(*link)) // an update that waited for it must be alone with its unit
+            scan(*link);
     }
 }
 

@@ -100,11 +100,13 @@ void EngineCore::experiment(
             finished(fail(Fault::Unsafe, "stop the motor before an experiment begins"));
         return;
     }
-    beginSimple(
+    Running *const running = beginSimple(
         id, found->title.data(),
         [&stream, &experiment = *found, options](
             Device &unit, Progress &progress) { return tryOut(unit, stream, experiment, options, progress); },
         finished);
+    if (running)
+        running->isExperiment = true;
 }
 
 /// Pages of one image between those of another, on one bus: neither would end, and no log could tell why.

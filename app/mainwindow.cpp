@@ -400,8 +400,8 @@ void MainWindow::showFootprint()
 
 void MainWindow::whenDeactivated()
 {
-    if (m_arming->isMoving())
-        m_arming->stopAll(tr("the window lost the focus"));
+    if (m_arming->hasMotion())
+        m_arming->stopMoved(tr("the window lost the focus"));
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

@@ -44,7 +44,7 @@ endfunction()
 
 function(enforce_layers)
   set(_screen Qt5::Gui Qt5::Widgets Qt5::PrintSupport QCustomPlot)
-  foreach(_target async wire)
+  foreach(_target async wire place)
     forbid_links(${_target} Qt5::Core ${_screen} transport model ${FAMILIES} devices widgets)
   endforeach()
   forbid_links(transport ${_screen} model ${FAMILIES} devices widgets)

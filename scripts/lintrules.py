@@ -101,7 +101,7 @@ def operands(path, _text, code):
             yield line, "error", "name the operand before co_await: GCC 12 destroys some temporaries twice"
 
 
-ROOTS = ("async", "wire", "transport", "model", "recording", "tuning", "families", "widgets", "app", "support", "tests")
+ROOTS = ("async", "wire", "place", "transport", "model", "recording", "tuning", "families", "widgets", "app", "support", "tests")
 SCREEN = re.compile(
     r"Qt(?:Gui|Widgets|Svg|PrintSupport|OpenGL)(?:/|$)|qcustomplot|Q(?:GuiApplication|Application|Widget|MainWindow|Dialog|Color|"
     r"Painter|PaintDevice|Pixmap|Image|Icon|Font|Brush|Pen|Action|Window|Palette|Style|Cursor|KeyEvent|MouseEvent|Screen)$",
@@ -110,7 +110,8 @@ SCREEN = re.compile(
 LAYERS = [
     ("devices/async/", ("async",), False),
     ("devices/wire/", ("async", "wire"), False),
-    ("devices/transport/", ("async", "wire", "transport"), True),
+    ("devices/place/", ("place",), False),
+    ("devices/transport/", ("async", "wire", "place", "transport"), True),
     ("devices/model/", ("async", "wire", "transport", "model"), True),
     ("devices/recording/", ("async", "wire", "transport", "model", "recording"), True),
     ("devices/tuning/", ("async", "wire", "transport", "model", "tuning"), True),
@@ -118,7 +119,7 @@ LAYERS = [
     ("widgets/", ("async", "wire", "transport", "model", "recording", "tuning", "widgets"), True),
     ("app/console/", ("async", "wire", "transport", "model", "tuning", "app/console", "app/folders", "app/guardian"), True),
     ("app/guardian/client/", ("async", "wire", "transport", "model", "app/guardian"), True),
-    ("app/guardian/", ("app/guardian",), False),
+    ("app/guardian/", ("app/guardian", "place"), False),
     ("app/", ("async", "wire", "transport", "model", "recording", "tuning", "widgets", "app"), True),
 ]
 

@@ -913,6 +913,26 @@
         <source>experiment</source>
         <translation>Experiment</translation>
     </message>
+    <message>
+        <source>%1: cut its power</source>
+        <translation>%1: Strom abschalten</translation>
+    </message>
+    <message>
+        <source>until it is seen</source>
+        <translation>bis es zu sehen ist</translation>
+    </message>
+    <message>
+        <source>not sent to %1</source>
+        <translation>nicht an %1</translation>
+    </message>
+    <message>
+        <source>%1 may still turn</source>
+        <translation>%1 läuft vielleicht noch</translation>
+    </message>
+    <message>
+        <source>STOP: %1; not sent to %2</source>
+        <translation>STOP: %1; nicht an %2 gesendet</translation>
+    </message>
 </context>
 <context>
     <name>mb::AxesPanel</name>
@@ -1395,6 +1415,18 @@
     <message>
         <source>%1 of %2. It must not be cut now.</source>
         <translation>%1 von %2. Jetzt nicht unterbrechen.</translation>
+    </message>
+    <message>
+        <source>%1 may still turn: cut its power</source>
+        <translation>%1 läuft vielleicht noch: Strom abschalten</translation>
+    </message>
+    <message>
+        <source>Its stop was not confirmed. It is sent again, and first of all when its line is back.</source>
+        <translation>Sein Stopp wurde nicht bestätigt. Er wird wiederholt, und als Erstes gesendet, wenn die Leitung wieder da ist.</translation>
+    </message>
+    <message>
+        <source>I have looked: it stands</source>
+        <translation>Nachgesehen: er steht</translation>
     </message>
 </context>
 <context>
@@ -2649,6 +2681,22 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>#88 velocity</source>
         <translation>#88 Drehzahl</translation>
+    </message>
+    <message>
+        <source>STOPPING</source>
+        <translation>STOPPT</translation>
+    </message>
+    <message>
+        <source>MAY STILL TURN</source>
+        <translation>LÄUFT VIELLEICHT</translation>
+    </message>
+    <message>
+        <source>cut its power</source>
+        <translation>Strom abschalten</translation>
+    </message>
+    <message>
+        <source>A motor was told to stop and was not seen to. Cut its power, or look at it.</source>
+        <translation>Ein Motor sollte stoppen, und niemand hat ihn stehen sehen. Strom abschalten oder nachsehen.</translation>
     </message>
 </context>
 <context>
@@ -7933,6 +7981,46 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>one update a bus: %1 is being written; nothing was sent</source>
         <translation>eine Aktualisierung je Bus: %1 wird gerade beschrieben; nichts wurde gesendet</translation>
+    </message>
+    <message>
+        <source>it is not proven which codes it speaks, and a stop of others may start it</source>
+        <translation>es ist nicht erwiesen, welche Codes er spricht, und ein Stopp mit anderen kann ihn starten</translation>
+    </message>
+    <message>
+        <source>dialect LL has no code for stop</source>
+        <translation>Dialekt LL hat keinen Code für Stopp</translation>
+    </message>
+    <message>
+        <source>the motors that were not seen to stand were looked at; their stops are dismissed</source>
+        <translation>nach den Motoren, die niemand stehen sah, wurde gesehen; ihr Stopp ist erledigt</translation>
+    </message>
+    <message>
+        <source>the stop could not be sent, and is the first thing that goes out when the line is back; cut its power</source>
+        <translation>der Stopp konnte nicht gesendet werden und geht als Erstes hinaus, wenn die Leitung wieder da ist; Strom abschalten</translation>
+    </message>
+    <message>
+        <source>was not seen to stop: the motor may still turn, cut its power</source>
+        <translation>wurde nicht stehen gesehen: der Motor läuft vielleicht noch, Strom abschalten</translation>
+    </message>
+    <message>
+        <source>gave no sign after the stop; its own watchdog switches it off</source>
+        <translation>gab nach dem Stopp kein Zeichen; sein eigener Watchdog schaltet ihn ab</translation>
+    </message>
+    <message>
+        <source>gave no sign after the stop</source>
+        <translation>gab nach dem Stopp kein Zeichen</translation>
+    </message>
+    <message>
+        <source>was seen to stand</source>
+        <translation>wurde stehen gesehen</translation>
+    </message>
+    <message>
+        <source>the guardian has stopped the motor</source>
+        <translation>der Wächter hat den Motor gestoppt</translation>
+    </message>
+    <message>
+        <source>the guardian tried in vain to stop the motor; it may still turn: cut its power</source>
+        <translation>der Wächter wollte den Motor stoppen, vergeblich; er läuft vielleicht noch: Strom abschalten</translation>
     </message>
 </context>
 </TS>

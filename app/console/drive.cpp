@@ -195,7 +195,7 @@ Task<bool> confirmStop(Console &console, Device &device)
 Task<Outcome> move(Console &console, Device &device, SetPoint setPoint, Duration time)
 {
     SetPointStream &stream = console.session().stream(device);
-    const Subscription signal = console.interrupted().add([&stream] { stream.stop(); });
+    const Subscription signal = console.interrupted().add([&console] { console.session().stopAll(StopCause::User); });
     if (!console.isInterrupted()) {
         if (auto started = stream.start(setPoint, leaseTerm); !started)
             co_return fail(started.error());

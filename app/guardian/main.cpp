@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The guardian of one link (docs/architecture.md, Guardian). Started by the program that drives motors there, with the packet socket
-// to it as descriptor 0 and a duplicate of the link's as 3:   motorbench-guardian packet|stream|spi
-#include "app/guardian/port.h"
+// to it as descriptor 0 and a duplicate of the link's as 3:   motorbench-guardian packet|stream|spi FOLDER IDENTITY NAME
+// The last three say where debts are kept, and how the line is found again.
+#include "app/guardian/debts.h"
+#include "app/guardian/line.h"
 #include "app/guardian/watchman.h"
 
 #include <algorithm>
@@ -9,6 +11,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <optional>
+#include <utility>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -25,7 +29,11 @@ namespace {
 using namespace mb::guardian;
 
 constexpr int program = 0;
-constexpr int line = 3;
+constexpr int lineDescriptor = 3;
+constexpr Time tryEvery = std::chrono::milliseconds(50); ///< whether the line is back: within 100 ms
+constexpr Time againEvery = std::chrono::seconds(1);     ///< on a line that is there
+
+bool hasLeftTerminal = false;
 
 Time now()
 {
@@ -38,8 +46,16 @@ void log(const std::string &text)
 {
     const std::string whole = "motorbench-guardian: " + text + "\n";
     pollfd terminal{STDERR_FILENO, POLLOUT, 0}; // one that is held must not hold us
-    if (::poll(&terminal, 1, 0) != 1 || ::write(STDERR_FILENO, whole.data(), whole.size()) < 0)
+    if (hasLeftTerminal || ::poll(&terminal, 1, 0) != 1 || ::write(STDERR_FILENO, whole.data(), whole.size()) < 0)
         ::syslog(LOG_USER | LOG_WARNING, "%s", text.c_str());
+}
+
+/// Whoever waits for the end of the program's output must not wait for what is owed, too: from here on the system's log has it.
+void leaveTerminal()
+{
+    const int nothing = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    ::dup2(nothing, STDERR_FILENO);
+    ::close(nothing);
 }
 
 void report(const Report &said)
@@ -55,7 +71,7 @@ void takePost()
         {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGTSTP, SIGTTIN, SIGTTOU, SIGUSR1, SIGUSR2, SIGALRM})
         std::signal(number, SIG_IGN);
     ::setsid();
-    ::close_range(line + 1, ~0U, 0);
+    ::close_range(lineDescriptor + 1, ~0U, 0);
     if (::chdir("/") != 0) { } // only so that no disk is kept busy
     // As far as an ordinary user may.
     sched_param urgent{};
@@ -80,12 +96,11 @@ bool listen(Watchman &watchman)
     }
 }
 
-void waitFor(const Watchman &watchman, bool hungUp)
+void waitFor(const Watchman &watchman, const Line &line, std::optional<Time> due, bool hungUp)
 {
     // A negative descriptor is not looked at.
     std::array<pollfd, 2> sources{
-        {{hungUp ? -1 : program, POLLIN, 0}, {watchman.isListening() ? line : -1, POLLIN, 0}}};
-    const auto due = watchman.due();
+        {{hungUp ? -1 : program, POLLIN, 0}, {watchman.isListening() ? line.descriptor() : -1, POLLIN, 0}}};
     const Time left = due ? std::max(*due - now(), Time::zero()) : Time::zero();
     const auto whole = std::chrono::duration_cast<std::chrono::seconds>(left);
     const timespec limit{whole.count(), static_cast<long>((left - whole).count())};
@@ -94,26 +109,93 @@ void waitFor(const Watchman &watchman, bool hungUp)
         ::usleep(1000); // a dead line is always ready
 }
 
+/// Tries what is owed whenever the line is there and is nobody else's business.
+class Paymaster {
+public:
+    Paymaster(Watchman &watchman, Line &line, DebtBook &book)
+        : m_watchman(watchman)
+        , m_line(line)
+        , m_book(book)
+    {
+    }
+    [[nodiscard]] std::optional<Time> due() const
+    {
+        return m_watchman.isOwing() ? std::optional(next()) : std::nullopt;
+    }
+    void proceed(Time present)
+    {
+        if (!m_watchman.isIdle())
+            return;
+        m_book.disown(); // between two tries whoever opens the link takes over
+        if (!m_watchman.isOwing() || present < next())
+            return;
+        m_triedAt = present;
+        if (m_isKept && !m_book.exists()) {
+            m_watchman.handOver();
+        } else if (m_book.own() || !m_isKept) {
+            if (!m_line.reopen())
+                return;
+            m_watchman.pay(present);
+            m_watchman.proceed(present);
+        }
+    }
+    void note(const Watchman::Owed &owed, bool isOwed)
+    {
+        using namespace std::chrono;
+        if (!isOwed) {
+            m_book.remove(owed.name);
+            return;
+        }
+        m_isKept = m_book.add(
+            {owed.name, owed.script, duration_cast<seconds>(system_clock::now().time_since_epoch()).count()});
+    }
+
+private:
+    [[nodiscard]] Time next() const { return m_triedAt + (m_watchman.isCut() ? tryEvery : againEvery); }
+
+    Watchman &m_watchman;
+    Line &m_line;
+    DebtBook &m_book;
+    bool m_isKept = true; ///< where others find it
+    Time m_triedAt{};
+};
+
+std::optional<Time> earlier(std::optional<Time> a, std::optional<Time> b)
+{
+    return a && b ? std::min(a, b) : a ? a : b;
+}
+
 } // namespace
 
 int main(int argc, char **argv)
 {
-    const auto port = argc == 2 ? makePort(argv[1], line) : nullptr;
-    if (!port || ::fcntl(line, F_GETFD) < 0) {
+    if (argc != 5 || ::fcntl(lineDescriptor, F_GETFD) < 0) {
         std::fputs("motorbench-guardian is started by motorbench and motorbenchctl, not by hand\n", stderr);
         return 2;
     }
+    Line line({argv[1], argv[3], argv[4]}, lineDescriptor);
+    if (!line.isLegal())
+        return 2;
     takePost();
-    Watchman watchman(*port, {report, log});
+    DebtBook book(argv[2], argv[3]);
+    Paymaster *teller = nullptr;
+    Watchman watchman(
+        line, {report, log, [&teller](const Watchman::Owed &owed, bool isOwed) { teller->note(owed, isOwed); }});
+    Paymaster paymaster(watchman, line, book);
+    teller = &paymaster;
     bool hungUp = false;
     while (!watchman.isDone()) {
-        waitFor(watchman, hungUp);
+        waitFor(watchman, line, earlier(watchman.due(), paymaster.due()), hungUp);
         // First what was said in time, then what the time says: a delay of ours is no silence of the program.
+        line.remember();
         if (!hungUp && !listen(watchman)) {
             hungUp = true;
             watchman.hangUp(now());
         }
         watchman.proceed(now());
+        paymaster.proceed(now());
+        if (hungUp && watchman.isOwing() && !std::exchange(hasLeftTerminal, true))
+            leaveTerminal();
     }
     return 0;
 }

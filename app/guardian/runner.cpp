@@ -10,7 +10,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Time retryAfter = 1ms;
-constexpr Time patience = 10s; // an interface that is off may come back: a CAN controller after bus-off
 constexpr std::size_t keptBytes = 4096;
 
 bool contains(const Bytes &heard, const Step &step)
@@ -27,7 +26,7 @@ bool contains(const Bytes &heard, const Step &step)
 
 } // namespace
 
-void Runner::add(std::uint32_t id, const Script &script, Time now)
+void Runner::add(std::uint32_t id, const Script &script, Time now, Time patience)
 {
     m_patientUntil = now + patience;
     Job job;
@@ -117,7 +116,7 @@ bool Runner::attempt(Time now)
 void Runner::giveUp()
 {
     for (const Job &job : m_jobs)
-        m_ended.push_back({job.id, false});
+        m_ended.push_back({job.id, false, false});
     m_jobs.clear();
     m_blockedUntil.reset();
 }

@@ -35,13 +35,17 @@ public:
     struct Outcome {
         std::uint32_t id = 0;
         bool confirmed = false; ///< all was sent, and every answer came
+        bool sent = true;       ///< false: the line takes nothing
     };
 
     explicit Runner(Port &port)
         : m_port(port)
     {
     }
-    void add(std::uint32_t id, const Script &script, Time now);
+    /// How long an interface that is off may take to come back, such as a CAN controller after bus-off.
+    static constexpr std::chrono::seconds usualPatience{10};
+
+    void add(std::uint32_t id, const Script &script, Time now, Time patience = usualPatience);
     /// Does what is due. Yields what came to its end.
     [[nodiscard]] std::vector<Outcome> proceed(Time now);
     /// When to proceed at the latest; nothing when there is nothing to do.

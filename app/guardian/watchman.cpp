@@ -25,7 +25,7 @@ void Watchman::obey(const Order &order, Time now)
 {
     switch (order.kind) {
     case Order::Kind::Watch:
-        if (m_stopping.count(order.id) > 0) { // an id is used once
+        if (m_stopping.count(order.id) > 0 || m_owed.count(order.id) > 0) { // an id is used once
             m_voice.report({Report::Kind::Refused, order.id, false});
             break;
         }
@@ -51,12 +51,57 @@ void Watchman::proceed(Time now)
 {
     if (!m_watched.empty() && now - m_heardAt >= silenceLimit)
         stopAll("the program that drove it fell silent", now);
-    for (const Runner::Outcome &outcome : m_runner.proceed(now)) {
-        const std::string what = std::exchange(m_stopping[outcome.id], {});
-        m_voice.log((outcome.confirmed ? "stopped " : "TRIED IN VAIN to stop, cut its power: ") + what);
-        m_stopping.erase(outcome.id);
-        m_voice.report({Report::Kind::Acted, outcome.id, outcome.confirmed});
+    for (const Runner::Outcome &outcome : m_runner.proceed(now))
+        ended(outcome, now);
+    dropOldDebts(now);
+}
+
+void Watchman::ended(const Runner::Outcome &outcome, Time now)
+{
+    m_isCut = !outcome.sent;
+    if (const auto owed = m_owed.find(outcome.id); owed != m_owed.end()) {
+        if (!outcome.confirmed)
+            return;
+        m_voice.log("stopped at last " + owed->second.name + owed->second.cause);
+        if (m_voice.debt)
+            m_voice.debt(owed->second, false);
+        m_owed.erase(owed);
+        return;
     }
+    Owed stopped = std::exchange(m_stopping[outcome.id], {});
+    m_stopping.erase(outcome.id);
+    m_voice.log(
+        (outcome.confirmed ? "stopped " : "TRIED IN VAIN to stop, cut its power: ") + stopped.name + stopped.cause);
+    m_voice.report({Report::Kind::Acted, outcome.id, outcome.confirmed});
+    if (outcome.confirmed)
+        return;
+    stopped.since = now;
+    if (m_voice.debt)
+        m_voice.debt(stopped, true);
+    m_owed[outcome.id] = std::move(stopped);
+}
+
+void Watchman::dropOldDebts(Time now)
+{
+    if (m_owed.empty() || !m_runner.isIdle() || now - m_owed.begin()->second.since < debtLimit)
+        return;
+    for (const auto &[id, owed] : std::exchange(m_owed, {})) {
+        m_voice.log("GAVE UP after ten minutes, cut its power: " + owed.name + owed.cause);
+        if (m_voice.debt)
+            m_voice.debt(owed, false);
+    }
+}
+
+void Watchman::pay(Time now)
+{
+    for (const auto &[id, owed] : m_owed)
+        m_runner.add(id, owed.script, now, Time::zero());
+}
+
+void Watchman::handOver()
+{
+    if (m_runner.isIdle())
+        m_owed.clear();
 }
 
 std::optional<Time> Watchman::due() const
@@ -73,7 +118,7 @@ void Watchman::stop(std::uint32_t id, const char *why, Time now)
     const auto watched = m_watched.find(id);
     if (watched == m_watched.end())
         return;
-    m_stopping[id] = watched->second.name + " (" + why + ")";
+    m_stopping[id] = {watched->second.name, watched->second.script, std::string(" (") + why + ")", now};
     m_runner.add(id, watched->second.script, now);
     m_watched.erase(watched);
 }

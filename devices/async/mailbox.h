@@ -19,6 +19,8 @@ public:
 
     /// Any thread. False after close(): the work was not taken.
     bool post(std::function<void()> work);
+    /// Any thread: a lane of its own, for STOP. Goes before everything that waits, also before the rest of a drain() under way.
+    bool postUrgent(std::function<void()> work);
     /// The owner's thread: runs what was posted before this call, in order.
     void drain();
     /// Any thread: nothing is taken any more, and what waits is dropped, the rest of a drain() under way too.
@@ -27,9 +29,13 @@ public:
     [[nodiscard]] int descriptor() const { return m_event; }
 
 private:
+    bool put(std::vector<std::function<void()>> &lane, std::function<void()> work);
+    void drainUrgent();
+
     int m_event = -1;
     std::mutex m_mutex;
     std::vector<std::function<void()>> m_waiting;
+    std::vector<std::function<void()>> m_urgent;
     std::atomic<bool> m_closed = false;
 };
 

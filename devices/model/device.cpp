@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mb {
 
@@ -18,6 +19,7 @@ Device::Device(const Family &family, Link &link, Clock &clock, Identity identity
     , m_parameters(family.parameters)
     , m_telemetry(std::make_shared<Telemetry>(family.channels))
     , m_guard(*this)
+    , m_stop(*this)
 {
 }
 
@@ -153,6 +155,7 @@ void Device::setCounter(const std::string &key, std::int64_t value)
 
 void Device::setLiveness(const Liveness &liveness)
 {
+    m_keepsMove = m_keepsMove && (m_liveness.restarted || !liveness.restarted);
     if (liveness == m_liveness)
         return;
     m_liveness = liveness;
@@ -229,16 +232,43 @@ Result<void> Device::command(const SetPoint &setPoint)
         return allowed;
     if (!m_guard.stands())
         return fail(Fault::Unsafe, m_guard.reason());
+    if (isStopPressed())
+        return fail(Fault::Unsafe, "STOP was pressed");
     if (auto checked = doCheck(setPoint); !checked)
         return checked;
-    return doCommand(setPoint);
+    if (auto sent = doCommand(setPoint); !sent)
+        return sent;
+    m_keepsMove = m_keepsMove || setPoint.buffered;
+    m_stop.driven();
+    return {};
 }
 
 Result<void> Device::releaseMoves()
 {
     if (auto allowed = mayMove(); !allowed)
         return allowed;
+    if (!m_guard.stands())
+        return fail(Fault::Unsafe, m_guard.reason());
+    if (isStopPressed())
+        return fail(Fault::Unsafe, "STOP was pressed");
     return doReleaseMoves();
+}
+
+void Device::moveReleased()
+{
+    if (std::exchange(m_keepsMove, false))
+        m_stop.driven();
+}
+
+Result<void> Device::mayStop() const
+{
+    if (m_link.address().isRecording())
+        return fail(Fault::Unsafe, "it is a recording");
+    if (!m_busy.empty())
+        return fail(Fault::Unsafe, m_busy);
+    if (m_identity.state == DeviceState::Bootloader)
+        return fail(Fault::Unsafe, "bootloader");
+    return doMayStop();
 }
 
 Result<void> Device::doReleaseMoves()
@@ -257,6 +287,7 @@ void Device::stop()
         return; // what moves there moved when it was recorded
     m_stoppedAt = m_clock.now();
     doStop();
+    m_stop.told();
 }
 
 } // namespace mb

@@ -4,6 +4,7 @@
 #include "async/task.h"
 #include "model/deviceguard.h"
 #include "model/deviceprofile.h"
+#include "model/devicestop.h"
 #include "model/identity.h"
 #include "model/parameterstore.h"
 #include "model/progress.h"
@@ -12,6 +13,7 @@
 #include "model/telemetry.h"
 #include "transport/link.h"
 
+#include <atomic>
 #include <memory>
 
 namespace mb {
@@ -92,8 +94,8 @@ public:
     /// Asks for this many samples per second of a channel, as near as the device can; 0 returns to what it was.
     [[nodiscard]] Task<void> setRate(ChannelIndex channel, double hertz) { return doSetRate(channel, hertz); }
 
-    /// What stops this device when this process cannot: sent by the guardian (docs/architecture.md). Empty for devices with
-    /// a watchdog; must not be empty for the others.
+    /// What stops this device when this process, or its engine thread, cannot: sent by the guardian and by the stop lane
+    /// (docs/architecture.md).
     [[nodiscard]] StopScript stopScript() const { return doStopScript(); }
     /// Who stops the motor if this program dies. A device without a watchdog takes commands only while it stands.
     [[nodiscard]] DeviceGuard &guard() { return m_guard; }
@@ -115,10 +117,26 @@ public:
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const { return doCheck(setPoint); }
     /// One control frame, now. Unsafe while a guard is needed and does not stand. Must be repeated within the device's watchdog time: SetPointStream does.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
-    /// Starts the buffered moves of every device on this link at the same moment (Capabilities::bufferedMoves).
+    /// Starts the buffered moves of every device on this link at the same moment (Capabilities::bufferedMoves). Unsafe while a
+    /// guard is needed and does not stand. It knows of this device only: Session::releaseMoves() looks at the others.
     [[nodiscard]] Result<void> releaseMoves();
-    /// Stop, now, without waiting for anything; before everything that is queued on the link. Always allowed.
+    /// It keeps a move that has not begun; a stop does not take it away.
+    [[nodiscard]] bool keepsMove() const { return m_keepsMove; }
+    /// For Session: the moves of the link have begun, this one's with them.
+    void moveReleased();
+    /// Stop, now, without waiting for anything; before everything that is queued on the link. Always allowed. stopping() follows
+    /// it up.
     void stop();
+    /// Whether STOP does it no harm even when it does not move: Unsafe with the reason for a unit in its bootloader or under
+    /// update, a recording, and where what stops others of the family may start this one.
+    [[nodiscard]] Result<void> mayStop() const;
+    [[nodiscard]] DeviceStop &stopping() { return m_stop; }
+    [[nodiscard]] const DeviceStop &stopping() const { return m_stop; }
+    /// The same stop once more; telemetry that is younger than the first counts.
+    void repeatStop() { doRepeatStop(); }
+    /// While it is true nothing drives the device: STOP was pressed, and this thread has not come to it yet. Outlives the device.
+    void setStopGate(const std::atomic<bool> *gate) { m_stopGate = gate; }
+    [[nodiscard]] bool isStopPressed() const { return m_stopGate && *m_stopGate; }
     /// Seen by telemetry that is younger than the call to stop(): output off.
     [[nodiscard]] bool isSeenStopped() const { return doIsSeenStopped(); }
 
@@ -168,6 +186,10 @@ private:
     virtual Result<void> doReleaseMoves();
     virtual Task<void> doZeroPosition();
     virtual void doStop() = 0;
+    /// Families that repeat a stop by themselves do nothing here.
+    virtual void doRepeatStop() { doStop(); }
+    /// A family's own reasons why a stop may do harm.
+    [[nodiscard]] virtual Result<void> doMayStop() const { return {}; }
     [[nodiscard]] virtual StopScript doStopScript() const { return {}; }
     [[nodiscard]] virtual bool doIsSeenStopped() const = 0;
 
@@ -185,7 +207,10 @@ private:
     Listeners<> m_profileChanged;
     std::string m_busy;
     Instant m_stoppedAt{};
+    bool m_keepsMove = false;
+    const std::atomic<bool> *m_stopGate = nullptr;
     DeviceGuard m_guard;
+    DeviceStop m_stop;
 };
 
 } // namespace mb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/clock.h"
 #include "async/listeners.h"
 #include "async/result.h"
 #include "model/stopscript.h"
@@ -8,8 +9,17 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace mb {
+
+/// A stop that a link still owes to a device that is not there to be told.
+struct OwedStop {
+    std::string line;   ///< linkIdentity()
+    std::string device; ///< selector, as of when it was driven
+    StopScript script;
+    Instant since{};
+};
 
 /// A guardian's watch over one device. Destroying it without release() makes the guardian stop the motor.
 class GuardWatch {
@@ -59,6 +69,21 @@ public:
     [[nodiscard]] virtual Result<std::unique_ptr<GuardWatch>> watch(
         Link &link, const StopScript &script, const std::string &name)
         = 0;
+    /// Before the first frame on a link that was just opened: what guardians of programs that are gone still owe there. They
+    /// leave the line to this program until it leaves it. Nothing while another program has it.
+    [[nodiscard]] virtual std::vector<OwedStop> takeOver(Link & /*link*/, Instant /*now*/) { return {}; }
+    /// The link was closed: what is owed there is the guardians' again.
+    virtual void leave(const std::string & /*line*/) { }
+    /// A device was seen to stand, or is not to be told any more: its stop is not owed on this line.
+    virtual void settle(const std::string & /*line*/, const std::string & /*device*/) { }
+    /// What became of a watch that was given up without release(): name of the device, whether its stop was confirmed.
+    [[nodiscard]] Listeners<const std::string &, bool> &acted() { return m_acted; }
+
+protected:
+    void tellActed(const std::string &name, bool confirmed) { m_acted.notify(name, confirmed); }
+
+private:
+    Listeners<const std::string &, bool> m_acted;
 };
 
 } // namespace mb

@@ -124,6 +124,7 @@ Session::Session(Clock &clock, std::span<const Family *const> families, MotionGu
     : m_clock(clock)
     , m_families(families)
     , m_guard(guard)
+    , m_retry(clock)
     , m_commit(clock)
 {
 }
@@ -169,10 +170,12 @@ Result<Link *> Session::openLink(const LinkAddress &address)
         return fail(made.error());
     if (auto opened = made->link->open(); !opened)
         return fail(opened.error());
-    made->state = made->link->stateChanged().add([this](LinkState) { m_changed.notify(); });
-    made->batch = made->link->batchEnded().add([this] { scheduleCommit(); });
     m_links.push_back(std::move(*made));
-    Link &link = *m_links.back().link;
+    OpenLink &open = m_links.back();
+    Link &link = *open.link;
+    payStops(open); // nothing was sent there yet
+    open.state = link.stateChanged().add([this, &open](LinkState state) { linkChanged(open, state); });
+    open.batch = link.batchEnded().add([this] { scheduleCommit(); });
     m_changed.notify();
     remark(link);
     return &link;
@@ -189,10 +192,15 @@ void Session::remark(const Link &link)
 void Session::closeLink(Link &link)
 {
     for (Entry &entry : m_devices) {
-        if (&entry.device->link() == &link && entry.stream)
+        if (&entry.device->link() != &link)
+            continue;
+        if (entry.stream)
             entry.stream->stop();
+        passOnStop(entry);
     }
     std::erase_if(m_devices, [&link](const Entry &entry) { return &entry.device->link() == &link; });
+    if (const OpenLink *open = openLinkOf(link); open && m_guard)
+        m_guard->leave(open->line);
     std::erase_if(m_links, [&link](const OpenLink &open) { return open.link.get() == &link; });
     m_changed.notify();
 }
@@ -245,6 +253,7 @@ Session::Entry &Session::addEntry(Link &link, const Family &family, const Identi
     Entry &entry = m_devices.emplace_back();
     entry.id = DeviceId{++m_lastId};
     openDevice(entry, link, family, identity);
+    inheritStop(entry);
     m_changed.notify();
     return entry;
 }
@@ -253,11 +262,13 @@ void Session::openDevice(Entry &entry, Link &link, const Family &family, const I
 {
     entry.device = family.open(link, clockOf(link), identity);
     entry.device->guard().setSource(m_guard);
+    entry.device->setStopGate(m_stopGate);
     if (m_store)
         entry.device->telemetry()->keepIn(m_store);
     recall(*entry.device);
     entry.changed = entry.device->changed().add([this] { m_changed.notify(); });
     entry.profileChanged = entry.device->profileChanged().add([this, device = entry.device.get()] { keep(*device); });
+    entry.stopChanged = entry.device->stopping().changed().add([this, &entry] { followStop(entry); });
 }
 
 Device &Session::adopt(Link &link, const Family &family, const Identity &identity, std::vector<Device *> &seen)
@@ -350,16 +361,6 @@ SetPointStream &Session::stream(Device &device)
     if (!entry->stream)
         entry->stream = std::make_unique<SetPointStream>(device, m_clock);
     return *entry->stream;
-}
-
-void Session::stopAll()
-{
-    for (Entry &entry : m_devices) {
-        if (entry.stream && entry.stream->isRunning())
-            entry.stream->stop();
-        else if (entry.device->liveness().moving && entry.device->link().state() == LinkState::Open)
-            entry.device->stop();
-    }
 }
 
 void Session::scheduleCommit()

@@ -7,6 +7,7 @@
 #include "model/setpointstream.h"
 #include "transport/backends/replay.h"
 
+#include <atomic>
 #include <functional>
 #include <list>
 #include <memory>
@@ -85,8 +86,22 @@ public:
     [[nodiscard]] DeviceId idOf(const Device &device) const;
     /// One per device, made when first asked for.
     [[nodiscard]] SetPointStream &stream(Device &device);
-    /// Stops every stream, and sends a stop to every device that reports motion. Waits for nothing.
-    void stopAll();
+    /// Stops every stream. By the user also every device for which its family has a harmless stop (Device::mayStop), moving or
+    /// not; by the program only what it has moved. Each is followed up (Device::stopping), also over a link that is lost: that is
+    /// opened again as soon as it can be, and its first frames are the stops. Waits for nothing.
+    void stopAll(StopCause cause);
+    /// A device's stop reached another state (DeviceStop).
+    [[nodiscard]] Listeners<const Device &> &stopChanged() { return m_stopChanged; }
+    /// Stops that are owed to devices nobody sees now: their link was closed before they were seen to stand, or another run of
+    /// the program left them. Sent when the link is opened; they end when the device is found and seen to stand.
+    [[nodiscard]] const std::list<OwedStop> &owedStops() const { return m_owed; }
+    /// The user has looked at the motors: nothing is owed any more.
+    void dismissStops();
+    /// While it is true nothing is driven (Device::setStopGate); for devices found from now on. Outlives the session.
+    void setStopGate(const std::atomic<bool> *gate) { m_stopGate = gate; }
+    /// Starts the buffered moves of every device on the link of `lead` at the same moment. Unsafe when one of them is not
+    /// guarded, or keeps a move whose motion was stopped before it began.
+    [[nodiscard]] Result<void> releaseMoves(Device &lead);
 
     /// A link was opened, and its user should know something about it, told in one clause.
     [[nodiscard]] Listeners<const Link &, const std::string &> &remarked() { return m_remarked; }
@@ -100,10 +115,12 @@ private:
         std::unique_ptr<SetPointStream> stream;
         Subscription changed;
         Subscription profileChanged;
+        Subscription stopChanged;
     };
     struct OpenLink {
         std::unique_ptr<Bench> bench;
         std::unique_ptr<Link> link;
+        std::string line; ///< linkIdentity() when it was opened last
         Subscription state;
         Subscription batch;
     };
@@ -123,6 +140,14 @@ private:
     [[nodiscard]] std::vector<Identity> rememberedOn(const Link &link, const Family &family);
     void remember(const Link &link, const std::vector<Device *> &seen, bool complete);
     void tellMemoryTrouble(const Link &link, const Error &error);
+    void linkChanged(OpenLink &open, LinkState state);
+    void payStops(OpenLink &open);
+    void passOnStop(Entry &entry);
+    void inheritStop(Entry &entry);
+    void followStop(Entry &entry);
+    void retryOwing();
+    [[nodiscard]] bool isOwing(const Link &link) const;
+    [[nodiscard]] const OpenLink *openLinkOf(const Link &link) const;
 
     Clock &m_clock;
     std::span<const Family *const> m_families;
@@ -134,7 +159,11 @@ private:
     std::optional<ProfileBook> m_profiles;
     std::optional<ScanBook> m_scans;
     std::set<std::string> m_toldOfMemory; ///< links and causes
-    std::list<OpenLink> m_links;          // lists: an element is destroyed whole, in the reverse order of its members
+    Listeners<const Device &> m_stopChanged;
+    std::list<OwedStop> m_owed;
+    const std::atomic<bool> *m_stopGate = nullptr;
+    Timer m_retry;
+    std::list<OpenLink> m_links; // lists: an element is destroyed whole, in the reverse order of its members
     std::list<Entry> m_devices;
     std::uint32_t m_lastId = 0;
     std::shared_ptr<ChunkStore> m_store;

@@ -145,7 +145,9 @@ bool SetPointStream::checkDevice()
     if (!m_running)
         return false;
     const Liveness &liveness = m_device.liveness();
-    if (m_device.link().state() != LinkState::Open)
+    if (m_device.isStopPressed())
+        finish(End::Stopped, "stopped");
+    else if (m_device.link().state() != LinkState::Open)
         finish(End::LinkLost, m_device.link().address().shortName() + ": " + m_device.link().reason());
     else if (m_device.guard().hasFailed())
         finish(End::Unguarded, m_device.guard().reason());

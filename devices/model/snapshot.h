@@ -65,6 +65,11 @@ struct DeviceView {
     std::uint64_t parameterRevision = 0;
     DeviceProfile profile;
     std::string mayNotMove; ///< empty when it may be driven
+    StopState stop = StopState::None;
+    bool stopsMotion = false;    ///< somebody knew of a motion when it was told to stop (DeviceStop::isForMotion)
+    bool mayTurn = false;        ///< nobody has seen it stand, and nothing of its own stops it
+    std::string mayNotBeStopped; ///< why STOP leaves it out; empty: it does not
+    bool keepsMove = false;      ///< a buffered move that has not begun
 };
 
 struct OperationId {
@@ -91,6 +96,8 @@ struct Snapshot {
     std::vector<FailedLink> failed;
     std::vector<DeviceView> devices;       ///< grouped by link, in order of address
     std::vector<OperationView> operations; ///< oldest first
+    /// Selectors of devices that are in no list, because their link is closed or they were not found again, and that are owed a stop.
+    std::vector<std::string> owedStops;
 
     [[nodiscard]] const DeviceView *device(DeviceId id) const;
     [[nodiscard]] const LinkView *link(std::string_view address) const;

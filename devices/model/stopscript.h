@@ -10,6 +10,8 @@
 
 namespace mb {
 
+class Link;
+
 /// One message that a guardian sends, and the answer that proves it.
 ///
 /// Without a `reply` it is sent `attempts` times. With one it is sent until the answer came, `attempts` times at most, and then
@@ -32,5 +34,8 @@ struct StopScript {
 
     [[nodiscard]] bool isEmpty() const { return steps.empty(); }
 };
+
+/// Every message once, now, before what waits on the link. Waits for no answer.
+void sendScript(Link &link, const StopScript &script);
 
 } // namespace mb

@@ -148,9 +148,55 @@ TEST_F(Core, ScansAgainOnlyWhileNothingMoves)
     ASSERT_TRUE(*opened);
     clock.advance(500ms);
     EXPECT_EQ(scansWithin(20s), 0);
-    core.stopAll();
+    core.stopAll(StopCause::User);
     clock.advance(10s);
     EXPECT_GE(scansWithin(20s), 3);
+}
+
+TEST_F(Core, ShowsAStopUntilItIsSeenAndThenThatItWas)
+{
+    open("sim:can");
+    core.startMotion(id(5), duty(0.3), 60s, into(opened));
+    clock.advance(500ms);
+    core.stopAll(StopCause::User);
+    const auto view = [this] { return *core.snapshot().device(id(5)); };
+    EXPECT_EQ(view().stop, StopState::Stopping);
+    EXPECT_TRUE(view().stopsMotion);
+    clock.advance(200ms);
+    EXPECT_EQ(view().stop, StopState::Seen);
+    EXPECT_FALSE(view().mayTurn);
+    EXPECT_FALSE(core.snapshot().device(id(9))->mayNotBeStopped.empty()) << "it waits in its bootloader";
+}
+
+TEST_F(Core, SaysThatAMotorMayStillTurnWhenItsLineWasCutUntilItIsSeen)
+{
+    open("sim:can?fault=busoff@3.4");
+    Device *drive = nullptr;
+    for (Device *candidate : core.session().devices())
+        drive = candidate->selector().ends_with("abstractdc:3") ? candidate : drive;
+    ASSERT_NE(drive, nullptr);
+    const DeviceId driven = core.session().idOf(*drive);
+    core.startMotion(driven, duty(0.3), 60s, into(opened));
+    ASSERT_TRUE(*opened);
+    ASSERT_TRUE(clock.runUntil([&] { return core.session().links().front()->state() == LinkState::Lost; }, 5s));
+    clock.advance(20ms);
+    EXPECT_TRUE(core.snapshot().device(driven)->mayTurn);
+    EXPECT_TRUE(said("cut its power"));
+    ASSERT_TRUE(clock.runUntil([&] { return !core.snapshot().device(driven)->mayTurn; }, 10s));
+    ASSERT_TRUE(clock.runUntil([&] { return said("was seen to stand"); }, 10s));
+    EXPECT_FALSE(unit("abstractdc:3")->isOutputOn());
+    EXPECT_TRUE(said("is back"));
+}
+
+TEST_F(Core, DismissesWhatMayStillTurnByOrder)
+{
+    open("sim:can");
+    core.startMotion(id(5), duty(0.3), 60s, into(opened));
+    clock.advance(200ms);
+    device(5)->stopping().told();
+    core.dismissStops();
+    EXPECT_FALSE(core.snapshot().device(id(5))->mayTurn);
+    EXPECT_TRUE(said("dismissed"));
 }
 
 TEST_F(Core, RefusesASecondJobWhileOneHasTheDevice)

@@ -124,6 +124,25 @@ TEST_F(BoardCore, AnExperimentThatIsNotKnownOrComesInMotionIsRefused)
     EXPECT_EQ(moving->error().fault, Fault::Unsafe);
 }
 
+TEST_F(BoardCore, StopEndsAnExperimentWhereverItIs)
+{
+    for (const Duration moment : {0ms, 1ms, 5ms, 20ms, 100ms, 500ms}) {
+        std::optional<Result<void>> end;
+        ExperimentOptions options;
+        options.power = 0.25;
+        core.experiment(id(), "gain-scales", options, [&end](const Result<void> &result) { end = result; });
+        clock.advance(moment);
+        ASSERT_FALSE(end) << "it runs: " << (*end ? "" : end->error().detail) << ' ' << moment.count();
+        core.stopAll(StopCause::User);
+        clock.advance(5ms);
+        ASSERT_TRUE(end) << moment.count();
+        EXPECT_EQ(end->error().fault, Fault::Cancelled);
+        clock.advance(3s);
+        EXPECT_FALSE(core.session().stream(*device()).isRunning());
+        EXPECT_FALSE(board().isOutputOn());
+    }
+}
+
 TEST_F(BoardCore, AnExperimentTellsInItsLogWhatItFound)
 {
     std::optional<Result<void>> end;

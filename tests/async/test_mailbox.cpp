@@ -49,6 +49,25 @@ TEST(Mailbox, RunsWorkInOrderAndWorkPostedMeanwhileNextTime)
     EXPECT_EQ(log, (std::vector{1, 2, 3}));
 }
 
+TEST(Mailbox, RunsUrgentWorkBeforeEverythingThatWaitsAndInTheMiddleOfADrain)
+{
+    Mailbox mailbox;
+    std::vector<int> log;
+    mailbox.post([&] {
+        log.push_back(2);
+        mailbox.postUrgent([&log] { log.push_back(3); });
+    });
+    mailbox.post([&log] { log.push_back(4); });
+    mailbox.postUrgent([&log] { log.push_back(1); });
+    EXPECT_TRUE(isReadable(mailbox));
+    mailbox.drain();
+    EXPECT_EQ(log, (std::vector{1, 2, 3, 4}));
+    EXPECT_TRUE(mailbox.postUrgent([&log] { log.push_back(5); }));
+    EXPECT_TRUE(isReadable(mailbox)) << "alone, too";
+    mailbox.close();
+    EXPECT_FALSE(mailbox.postUrgent([] {}));
+}
+
 TEST(Mailbox, ClosedTakesNothingAndDropsWhatWaits)
 {
     Mailbox mailbox;

@@ -55,7 +55,8 @@ class Guarded(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
 
     def spawn(self, *command):
-        environment = dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_DATA_HOME=self.folder.name)
+        environment = dict(os.environ, QT_QPA_PLATFORM="offscreen", XDG_DATA_HOME=self.folder.name,
+                           XDG_RUNTIME_DIR=self.folder.name)
         process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)

@@ -32,6 +32,24 @@ using Instant = SteadyClock::time_point;
 constexpr auto limit = 700ms;
 constexpr auto patience = 30s; // a program that hangs fails, a slow machine does not
 
+/// Where guardians leave what they owe. They end when it is gone: the lines of these tests do not come back.
+class DebtFolder final : public testing::Environment {
+public:
+    void SetUp() override
+    {
+        std::string pattern = testing::TempDir() + "/guardiansXXXXXX";
+        ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
+        m_path = pattern;
+        ::setenv("XDG_RUNTIME_DIR", m_path.c_str(), 1);
+    }
+    void TearDown() override { std::filesystem::remove_all(m_path); }
+
+private:
+    std::string m_path;
+};
+
+const auto *const guardianLeavings = testing::AddGlobalTestEnvironment(new DebtFolder);
+
 /// Both ends of the line to the motor; `theirs` goes to the program.
 struct Line {
     int ours = -1;
@@ -323,7 +341,8 @@ TEST(GuardianOnATerminal, RepeatsTheStopUntilItIsAnswered)
 
 TEST(GuardianThatIsMissing, IsNamedWithTheRemedy)
 {
-    const auto started = startGuardian("/nowhere/motorbench-guardian", {Outlet::Form::Stream, STDIN_FILENO});
+    const auto started
+        = startGuardian("/nowhere/motorbench-guardian", {{Outlet::Form::Stream, STDIN_FILENO}, {}, {}, {}});
     ASSERT_FALSE(started);
     EXPECT_EQ(started.error().fault, Fault::Unsafe);
     EXPECT_NE(started.error().text().find("/nowhere/motorbench-guardian is missing"), std::string::npos);

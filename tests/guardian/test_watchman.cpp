@@ -31,9 +31,11 @@ protected:
     test::FakePort port;
     std::vector<Report> reports;
     std::vector<std::string> lines;
+    std::map<std::string, bool> debts; ///< device: owed now
     Watchman watchman{port,
         {[this](const Report &report) { reports.push_back(report); },
-            [this](const std::string &line) { lines.push_back(line); }}};
+            [this](const std::string &line) { lines.push_back(line); },
+            [this](const Watchman::Owed &owed, bool isOwed) { debts[owed.name] = isOwed; }}};
 };
 
 TEST_F(Watching, ConfirmsAWatchAndEveryRenewal)
@@ -147,7 +149,56 @@ TEST_F(Watching, TellsWhenTheStopWasNotConfirmed)
     EXPECT_EQ(takeReports().back(), (Report{Report::Kind::Acted, 4, false}));
     EXPECT_EQ(lines,
         std::vector<std::string>{"TRIED IN VAIN to stop, cut its power: motor 4 (the program that drove it ended)"});
+}
+
+TEST_F(Watching, AStopThatFailedStaysOwedAndGoesOutWhenTheLineIsBack)
+{
+    hear(Kind::Watch, 4);
+    port.state = Port::Sent::Lost;
+    watchman.hangUp(port.now);
+    run(10ms);
+    EXPECT_TRUE(watchman.isOwing());
+    EXPECT_TRUE(watchman.isCut());
+    EXPECT_FALSE(watchman.isDone()) << "it waits for the line";
+    EXPECT_TRUE(debts.at("motor 4"));
+    watchman.pay(port.now);
+    run(10ms);
+    EXPECT_TRUE(watchman.isOwing()) << "still cut";
+    port.state = Port::Sent::All;
+    watchman.pay(port.now);
+    run(100ms);
+    EXPECT_EQ(port.texts(), "aa");
+    EXPECT_FALSE(debts.at("motor 4"));
     EXPECT_TRUE(watchman.isDone());
+    EXPECT_EQ(lines.back(), "stopped at last motor 4 (the program that drove it ended)");
+    EXPECT_EQ(reports.size(), 2U) << "Standing and Acted, once each";
+}
+
+TEST_F(Watching, AStopIsOwedForTenMinutes)
+{
+    hear(Kind::Watch, 4);
+    port.state = Port::Sent::Lost;
+    watchman.hangUp(port.now);
+    run(10ms);
+    port.now += 9min;
+    watchman.proceed(port.now);
+    EXPECT_TRUE(watchman.isOwing());
+    port.now += 61s;
+    watchman.proceed(port.now);
+    EXPECT_TRUE(watchman.isDone());
+    EXPECT_FALSE(debts.at("motor 4"));
+    EXPECT_EQ(lines.back(), "GAVE UP after ten minutes, cut its power: motor 4 (the program that drove it ended)");
+}
+
+TEST_F(Watching, AStopThatAnotherProcessHasTakenOverIsNotItsBusinessAnyMore)
+{
+    hear(Kind::Watch, 4);
+    port.state = Port::Sent::Lost;
+    watchman.hangUp(port.now);
+    run(10ms);
+    watchman.handOver();
+    EXPECT_TRUE(watchman.isDone());
+    EXPECT_EQ(lines.size(), 1U);
 }
 
 TEST_F(Watching, RefusesWhatMakesNoSense)

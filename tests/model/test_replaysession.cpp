@@ -229,7 +229,7 @@ TEST(ReplaySession, LetsNothingBeDrivenOrWritten)
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().fault, Fault::Unsupported);
     const auto sent = playback.link->counters().tx; // what the recorder had sent
-    playback.session.stopAll();
+    playback.session.stopAll(StopCause::User);
     EXPECT_FALSE(device.command(setPoint));
     EXPECT_EQ(playback.link->counters().tx, sent);
 }

@@ -148,7 +148,7 @@ protected:
 
 TEST_F(Driven, StopsEverythingWithoutWaiting)
 {
-    bench.session.stopAll();
+    bench.session.stopAll(StopCause::User);
     EXPECT_FALSE(bench.session.stream(*bench.device(5)).isRunning());
     bench.clock.advance(3ms);
     EXPECT_FALSE(bench.simulator("dmc60c:5")->isOutputOn());

@@ -139,7 +139,8 @@ public:
     {
         note({"zeroPosition", device}, std::move(finished));
     }
-    void stopAll() override { note({"stopAll"}); }
+    void stopAll(StopCause cause) override { note({"stopAll", {}, cause == StopCause::User ? "user" : "program"}); }
+    void dismissStops() override { note({"dismissStops"}); }
     void update(DeviceId device, std::shared_ptr<const FirmwareImage>, UpdateOptions) override
     {
         note({"update", device});

@@ -54,7 +54,7 @@ void renderAll(const Theme &theme, const QString &prefix, double zoom)
     applyTheme(*qApp, theme);
     const ThemeSource source(theme);
     const auto size = [zoom](int w, int h) { return QSize(static_cast<int>(w * zoom), static_cast<int>(h * zoom)); };
-    render(chromePage(source), size(1440, 640), prefix + s("-chrome.png"));
+    render(chromePage(source), size(1440, 760), prefix + s("-chrome.png"));
     render(controlsPage(source), size(1440, 700), prefix + s("-controls.png"));
     render(statesPage(source), size(1000, 560), prefix + s("-states.png"));
     render(doctorPage(source, false), size(1280, 560), prefix + s("-doctor.png"));
@@ -84,6 +84,8 @@ QWidget *chromePage(const ThemeSource &theme)
     column->addWidget(header(theme, {LampState::Moving, s("4 motors"), {}, true}, 1, true));
     auto *stopped = header(theme, {LampState::Stopped, {}, {}, true}, 0, false);
     column->addWidget(stopped);
+    column->addWidget(header(theme, {LampState::Stopping, s("until it is seen"), {}, true}, 0, false));
+    column->addWidget(header(theme, {LampState::MayTurn, s("#3: cut its power"), {}, false}, 1, false));
     auto *folded = header(theme, {LampState::Safe, {}, {}, true}, 2, false);
     folded->setFixedWidth(theme.theme().u(860));
     column->addWidget(folded);

@@ -24,6 +24,9 @@ private Q_SLOTS:
     void becomingMovingEndsTheHold();
     void assistivePressFillsAndASecondOneCancels();
     void theLampKeepsItsWidth();
+    void whatMayStillTurnIsSaidOnTwoLinesInTheSameWidth();
+    void whatMayStillTurnCannotBeArmed();
+    void stoppingIsNotStopped();
     void stopActsOnPressWithEveryButton();
     void stopCannotBeDisabled();
     void stopIsNotInTheTabOrder();
@@ -165,6 +168,33 @@ void LampTest::theLampKeepsItsWidth()
         m_lamp->setStatus(status);
         QCOMPARE(m_lamp->sizeHint().width(), width);
     }
+}
+
+void LampTest::whatMayStillTurnIsSaidOnTwoLinesInTheSameWidth()
+{
+    const QSize size = m_lamp->sizeHint();
+    m_lamp->setStatus({LampState::MayTurn, QStringLiteral("#3: cut its power"), {}, false});
+    QCOMPARE(m_lamp->sizeHint(), size);
+    QVERIFY(m_lamp->accessibleName().contains(QStringLiteral("MAY STILL TURN")));
+    QVERIFY(m_lamp->accessibleDescription().contains(QStringLiteral("cut its power")));
+}
+
+void LampTest::whatMayStillTurnCannotBeArmed()
+{
+    m_lamp->setStatus({LampState::MayTurn, {}, {}, false});
+    QSignalSpy holding(m_lamp, &Lamp::holdingChanged);
+    QSignalSpy disarm(m_lamp, &Lamp::disarmRequested);
+    QTest::mousePress(m_lamp, Qt::LeftButton);
+    QCOMPARE(holding.count(), 0);
+    QCOMPARE(disarm.count(), 1);
+}
+
+void LampTest::stoppingIsNotStopped()
+{
+    m_lamp->setStatus({LampState::Stopping, {}, {}, true});
+    QVERIFY(m_lamp->accessibleName().contains(QStringLiteral("STOPPING")));
+    m_lamp->setStatus({LampState::Stopped, {}, {}, true});
+    QVERIFY(m_lamp->accessibleName().contains(QStringLiteral("STOPPED")));
 }
 
 void LampTest::stopActsOnPressWithEveryButton()

@@ -252,9 +252,10 @@ void HeaderBar::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.fillRect(rect(), theme.head);
     const LampState state = m_lamp->status().state;
-    const bool energy = state == LampState::Armed || state == LampState::Moving;
-    const int edge = energy ? theme.u(3) : 1;
-    painter.fillRect(0, height() - edge, width(), edge, energy ? theme.armed : theme.line);
+    const bool energy = state == LampState::Armed || state == LampState::Moving || state == LampState::Stopping;
+    const bool danger = state == LampState::MayTurn;
+    const int edge = energy || danger ? theme.u(3) : 1;
+    painter.fillRect(0, height() - edge, width(), edge, danger ? theme.stop : energy ? theme.armed : theme.line);
 }
 
 } // namespace mb

@@ -50,6 +50,8 @@ QString Lamp::word() const
     case LampState::Armed: return tr("ARMED");
     case LampState::Moving: return tr("MOVING");
     case LampState::Stopped: return tr("STOPPED");
+    case LampState::Stopping: return tr("STOPPING");
+    case LampState::MayTurn: return tr("MAY STILL TURN");
     }
     return {};
 }
@@ -71,8 +73,10 @@ QString Lamp::detail() const
     switch (m_status.state) {
     case LampState::Safe: return m_status.armable ? tr("hold to arm") : tr("nothing to arm");
     case LampState::Stopped: return tr("hold to re-arm");
+    case LampState::MayTurn: return tr("cut its power");
     case LampState::Armed:
-    case LampState::Moving: break;
+    case LampState::Moving:
+    case LampState::Stopping: break;
     }
     return {};
 }
@@ -81,7 +85,10 @@ void Lamp::updateAccessibleText(LampState before)
 {
     setAccessibleName(tr("Arming lamp: %1").arg(word()));
     setAccessibleDescription(clock().isEmpty() ? detail() : clock() + QLatin1Char(' ') + detail());
-    setToolTip(live() ? tr("Press to make it safe again") : tr("Hold for one second to arm"));
+    setToolTip(m_status.state == LampState::MayTurn ? detail() + QLatin1Char('\n')
+                + tr("A motor was told to stop and was not seen to. Cut its power, or look at it.")
+            : live() ? tr("Press to make it safe again")
+                     : tr("Hold for one second to arm"));
     if (before != m_status.state) {
         QAccessibleEvent event(this, QAccessible::Alert);
         QAccessible::updateAccessibility(&event);
@@ -90,7 +97,7 @@ void Lamp::updateAccessibleText(LampState before)
 
 void Lamp::press()
 {
-    if (live())
+    if (live() || m_status.state == LampState::MayTurn)
         Q_EMIT disarmRequested();
     else if (m_status.armable)
         beginHold();
@@ -166,6 +173,8 @@ int Lamp::textWidth(const QString &word, const QString &time, const QString &det
     const QFontMetrics bold(theme.font(TextRole::Emphasis, font()));
     const QFontMetrics caption(theme.font(TextRole::Caption, font()));
     int width = theme.u(12 + 16 + 8 + 12) + bold.horizontalAdvance(word);
+    if (hasTwoLines() && word == this->word())
+        return std::max(width, theme.u(12 + 16 + 8 + 12) + caption.horizontalAdvance(detail));
     if (!time.isEmpty())
         width += theme.u(8) + bold.horizontalAdvance(time);
     if (!detail.isEmpty())
@@ -192,7 +201,7 @@ QSize Lamp::minimumSizeHint() const
     const QFontMetrics bold(theme.font(TextRole::Emphasis, font()));
     const QFontMetrics caption(theme.font(TextRole::Caption, font()));
     const int words = std::max({bold.horizontalAdvance(tr("SAFE")), bold.horizontalAdvance(tr("MOVING")),
-        bold.horizontalAdvance(tr("STOPPED")),
+        bold.horizontalAdvance(tr("STOPPED")), bold.horizontalAdvance(tr("STOPPING")),
         bold.horizontalAdvance(tr("ARMED")) + theme.u(8) + bold.horizontalAdvance(QStringLiteral("8:88")),
         caption.horizontalAdvance(tr("hold to arm")), caption.horizontalAdvance(tr("hold to re-arm")),
         caption.horizontalAdvance(tr("nothing to arm")), caption.horizontalAdvance(tr("keep holding"))});
@@ -205,15 +214,23 @@ void Lamp::paintFace(QPainter &painter) const
     const QRectF box = QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5);
     QPainterPath face;
     face.addRoundedRect(box, theme.u(4), theme.u(4));
-    const bool stopped = m_status.state == LampState::Stopped;
-    painter.fillPath(face, live() ? theme.armed : m_status.armable ? theme.control : theme.head);
+    const bool stopped = m_status.state == LampState::Stopped || m_status.state == LampState::Stopping;
+    painter.fillPath(face,
+        live()                                     ? theme.armed
+            : m_status.state == LampState::MayTurn ? theme.stop
+            : m_status.armable                     ? theme.control
+                                                   : theme.head);
     if (m_holding) {
         painter.save();
         painter.setClipRect(QRectF(0, 0, width() * holdProgress(), height()));
         painter.fillPath(face, theme.armed);
         painter.restore();
     }
-    const QColor edge = live() ? theme.armed : stopped ? theme.danger : m_status.armable ? theme.outline : theme.line;
+    const QColor edge = live()                 ? theme.armed
+        : m_status.state == LampState::MayTurn ? theme.stop
+        : stopped                              ? theme.danger
+        : m_status.armable                     ? theme.outline
+                                               : theme.line;
     painter.strokePath(face, QPen(edge, stopped ? 2 : 1));
 }
 
@@ -221,12 +238,14 @@ void Lamp::paintMark(QPainter &painter, int x, const QColor &color) const
 {
     const double side = m_theme.theme().u(16);
     const QRectF mark(x, (height() - side) / 2.0, side, side);
-    if (m_status.state == LampState::Moving)
-        paintGlyph(painter, mark, GlyphState::Moving, color);
-    else if (m_status.state == LampState::Stopped)
-        paintGlyph(painter, mark, GlyphState::Fault, color);
-    else
-        paintSymbol(painter, mark, live() ? Symbol::Arm : Symbol::Lock, color);
+    switch (m_status.state) {
+    case LampState::Moving:
+    case LampState::Stopping: paintGlyph(painter, mark, GlyphState::Moving, color); break;
+    case LampState::Stopped: paintGlyph(painter, mark, GlyphState::Fault, color); break;
+    case LampState::MayTurn: paintGlyph(painter, mark, GlyphState::Warning, color); break;
+    case LampState::Safe:
+    case LampState::Armed: paintSymbol(painter, mark, live() ? Symbol::Arm : Symbol::Lock, color); break;
+    }
 }
 
 /// Where one line is too narrow. The word is always whole; a longer detail is in the tooltip and in what is read aloud.
@@ -244,6 +263,10 @@ void Lamp::paintLines(QPainter &painter, const QColor &color, const QColor &deta
     const int top = (height() - tall - low) / 2;
     painter.setFont(bold);
     painter.setPen(color);
+    if (QFontMetrics(bold).horizontalAdvance(head) > room) { // the long word takes both lines
+        painter.drawText(QRect(x, 0, room, height()), Qt::AlignVCenter | Qt::TextWordWrap, head);
+        return;
+    }
     painter.drawText(QRect(x, top, room, tall), Qt::AlignVCenter, head);
     painter.setFont(caption);
     painter.setPen(detailColor);
@@ -286,7 +309,11 @@ void Lamp::paintEvent(QPaintEvent *)
         paintContent(painter, theme.onArmed, theme.onArmed);
         return;
     }
-    const bool stopped = m_status.state == LampState::Stopped;
+    if (m_status.state == LampState::MayTurn) {
+        paintContent(painter, theme.onFill, theme.onFill);
+        return;
+    }
+    const bool stopped = m_status.state == LampState::Stopped || m_status.state == LampState::Stopping;
     const QColor word = stopped ? theme.danger : m_status.armable ? theme.text : theme.faint;
     paintContent(painter, word, m_status.armable ? theme.dim : theme.faint);
     if (!m_holding)

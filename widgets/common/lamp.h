@@ -12,11 +12,12 @@
 
 namespace mb {
 
-/// Whether energy may flow. Stopped means: was stopped, motion needs a new arming.
-enum class LampState { Safe, Armed, Moving, Stopped };
+/// Whether energy may flow. Stopped means: was stopped, motion needs a new arming. Stopping: told, and not seen to stand yet.
+/// MayTurn: told, nobody has seen it stand, and nothing of its own stops it.
+enum class LampState { Safe, Armed, Moving, Stopped, Stopping, MayTurn };
 
 /// What the lamp says. `detail` is the small text behind the word ("#5 velocity", "4 motors", "nothing to arm");
-/// empty gives the instruction "hold to arm". `remaining` is shown while armed, as m:ss.
+/// empty gives the instruction "hold to arm"; of MayTurn it stands below the word. `remaining` is shown while armed, as m:ss.
 struct LampStatus {
     LampState state = LampState::Safe;
     QString detail;
@@ -73,7 +74,9 @@ private:
     QString detail() const;
     int textWidth(const QString &word, const QString &time, const QString &detail) const;
     int contentWidth() const;
-    bool isNarrow() const { return width() < contentWidth(); }
+    /// "May still turn" is too long for one line beside its detail.
+    bool hasTwoLines() const { return m_status.state == LampState::MayTurn; }
+    bool isNarrow() const { return hasTwoLines() || width() < contentWidth(); }
     void paintMark(QPainter &painter, int x, const QColor &color) const;
     void paintLines(QPainter &painter, const QColor &color, const QColor &detailColor) const;
     void paintFace(QPainter &painter) const;

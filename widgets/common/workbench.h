@@ -81,8 +81,10 @@ public:
     virtual void releaseMoves(DeviceId device, Finished finished) = 0;
     /// Stops the motor, and lets its position count from 0 (Device::zeroPosition). An operation of the device.
     virtual void zeroPosition(DeviceId device, Finished finished) = 0;
-    /// STOP: every motor on every link, before anything else that waits.
-    virtual void stopAll() = 0;
+    /// Every motor on every link, before anything else that waits, whatever the engine is busy with; of whom `cause` decides.
+    virtual void stopAll(StopCause cause) = 0;
+    /// The user has looked at the motors that may still turn: no stop is owed to them any more.
+    virtual void dismissStops() = 0;
 
     /// An operation of the device; its report is in the snapshot.
     virtual void update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options) = 0;

@@ -56,16 +56,68 @@ const DeviceView *Arming::experimentedWith() const
     return found == shot.devices.end() ? nullptr : &*found;
 }
 
+QString Arming::mayTurn() const
+{
+    const Snapshot &shot = m_workbench.snapshot();
+    QStringList names;
+    for (const DeviceView &device : shot.devices) {
+        if (device.mayTurn)
+            names += nameOf(device.id);
+    }
+    for (const std::string &selector : shot.owedStops)
+        names += QString::fromStdString(selector).section(QLatin1Char('/'), -1);
+    return names.join(QStringLiteral(", "));
+}
+
+bool Arming::isStopping() const
+{
+    const auto &all = m_workbench.snapshot().devices;
+    return std::any_of(all.begin(), all.end(),
+        [](const DeviceView &device) { return device.stop == StopState::Stopping && device.stopsMotion; });
+}
+
+/// Whom STOP leaves out, because it could do harm there.
+QString Arming::leftOut() const
+{
+    QStringList names;
+    for (const DeviceView &device : m_workbench.snapshot().devices) {
+        if (!device.mayNotBeStopped.empty())
+            names += nameOf(device.id);
+    }
+    return names.join(QStringLiteral(", "));
+}
+
+bool Arming::hasMotion() const
+{
+    const auto &all = m_workbench.snapshot().devices;
+    return isMoving()
+        || std::any_of(all.begin(), all.end(), [](const DeviceView &device) { return device.motion.running; });
+}
+
+/// The lamp never says safe or stopped while a motor turns, or may.
 LampStatus Arming::status(DeviceId candidate) const
+{
+    LampStatus status = statusOf(m_workbench.snapshot().device(candidate));
+    if (const QString names = mayTurn(); !names.isEmpty()) {
+        status.state = LampState::MayTurn;
+        status.detail = tr("%1: cut its power").arg(names);
+        status.remaining.reset();
+        status.armable = false;
+    } else if (const DeviceView *other = m_state == LampState::Moving ? nullptr : experimentedWith()) {
+        status.state = LampState::Moving;
+        status.detail = nameOf(other->id) + QLatin1Char(' ') + tr("experiment");
+    } else if (m_state != LampState::Moving && isStopping()) {
+        status.state = LampState::Stopping;
+        status.detail = tr("until it is seen");
+        status.remaining.reset();
+    }
+    return status;
+}
+
+LampStatus Arming::statusOf(const DeviceView *view) const
 {
     LampStatus status;
     status.state = m_state;
-    if (const DeviceView *other = m_state == LampState::Moving ? nullptr : experimentedWith()) {
-        status.state = LampState::Moving; // the lamp never says safe while a motor turns
-        status.detail = nameOf(other->id) + QLatin1Char(' ') + tr("experiment");
-        return status;
-    }
-    const DeviceView *view = m_workbench.snapshot().device(candidate);
     status.armable = view && view->mayNotMove.empty() && view->liveness.heard;
     switch (m_state) {
     case LampState::Safe:
@@ -74,7 +126,7 @@ LampStatus Arming::status(DeviceId candidate) const
         else if (!view->busy.empty())
             status.detail = tr("arming off while busy");
         else if (!status.armable)
-            status.detail = tr("%1 cannot be armed").arg(nameOf(candidate));
+            status.detail = tr("%1 cannot be armed").arg(nameOf(view->id));
         break;
     case LampState::Armed:
         status.remaining = std::chrono::duration_cast<std::chrono::seconds>(
@@ -82,7 +134,14 @@ LampStatus Arming::status(DeviceId candidate) const
         status.detail = nameOf(m_device);
         break;
     case LampState::Moving: status.detail = nameOf(m_device) + QLatin1Char(' ') + whatMoves(); break;
-    case LampState::Stopped: status.detail = status.armable ? QString() : tr("nothing to arm"); break;
+    case LampState::Stopped:
+        if (!m_leftOut.isEmpty())
+            status.detail = tr("not sent to %1").arg(m_leftOut);
+        else if (!status.armable)
+            status.detail = tr("nothing to arm");
+        break;
+    case LampState::Stopping:
+    case LampState::MayTurn: break; // what becomes of a stop, never where the arming stands
     }
     return status;
 }
@@ -106,8 +165,11 @@ void Arming::arm(DeviceId device)
     const DeviceView *view = m_workbench.snapshot().device(device);
     if (!view)
         return;
-    if (!view->mayNotMove.empty() || !view->liveness.heard) {
-        const QString why = view->mayNotMove.empty() ? tr("it is not heard") : tableText(view->mayNotMove);
+    const QString turning = mayTurn();
+    if (!view->mayNotMove.empty() || !view->liveness.heard || !turning.isEmpty()) {
+        const QString why = !view->mayNotMove.empty() ? tableText(view->mayNotMove)
+            : !view->liveness.heard                   ? tr("it is not heard")
+                                                      : tr("%1 may still turn").arg(turning);
         m_workbench.report(Severity::Caution, titleOf(*view), tr("not armed: %1").arg(why));
         return;
     }
@@ -172,9 +234,21 @@ void Arming::haltAxis(int axis)
 
 void Arming::stopAll(const QString &reason)
 {
-    m_workbench.stopAll(); // first, before anything that could take time
+    stop(StopCause::User, reason);
+}
+
+void Arming::stopMoved(const QString &reason)
+{
+    stop(StopCause::Program, reason);
+}
+
+void Arming::stop(StopCause cause, const QString &reason)
+{
+    m_workbench.stopAll(cause); // first, before anything that could take time
     const bool live = m_state == LampState::Armed || m_state == LampState::Moving;
-    m_workbench.report(Severity::Caution, {}, tr("STOP: %1").arg(reason));
+    m_leftOut = cause == StopCause::User ? leftOut() : QString();
+    m_workbench.report(Severity::Caution, {},
+        m_leftOut.isEmpty() ? tr("STOP: %1").arg(reason) : tr("STOP: %1; not sent to %2").arg(reason, m_leftOut));
     if (live)
         enter(LampState::Stopped, reason);
 }

@@ -40,6 +40,12 @@ public:
     void haltAxis(int axis);
     /// STOP: everything, everywhere, latched until armed again.
     void stopAll(const QString &reason);
+    /// The same for what this program has moved, for a cause that is not the user's STOP.
+    void stopMoved(const QString &reason);
+    /// Something is moved by this program, an experiment's motor too.
+    [[nodiscard]] bool hasMotion() const;
+    /// Devices that were told to stop, were not seen to, and have nothing that stops them: "#3, #5"; empty for none.
+    [[nodiscard]] QString mayTurn() const;
 
     /// How long arming lasts without motion. For tests.
     void setArmedTime(std::chrono::seconds time) { m_armedTime = time; }
@@ -53,6 +59,10 @@ private:
     void enter(LampState state, const QString &reason = {});
     /// A device that an experiment moves, which was not begun here.
     [[nodiscard]] const DeviceView *experimentedWith() const;
+    void stop(StopCause cause, const QString &reason);
+    [[nodiscard]] LampStatus statusOf(const DeviceView *candidate) const;
+    [[nodiscard]] bool isStopping() const;
+    [[nodiscard]] QString leftOut() const;
     [[nodiscard]] QString nameOf(DeviceId device) const;
     [[nodiscard]] QString whatMoves() const;
 
@@ -61,6 +71,7 @@ private:
     DeviceId m_device;
     SetPoint m_setPoint;
     QString m_reason;
+    QString m_leftOut;      ///< of the last STOP
     bool m_started = false; ///< a snapshot has shown the motion running
     Instant m_runAt{};
     Instant m_armedUntil{};

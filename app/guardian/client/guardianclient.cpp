@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/guardian/client/guardianclient.h"
 
+#include "app/guardian/client/wirescript.h"
 #include "app/guardian/message.h"
+#include "transport/linkidentity.h"
 
 #include <QSocketNotifier>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
+#include <chrono>
+#include <functional>
 #include <map>
 
-#include <linux/can.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -20,45 +22,19 @@ namespace {
 
 constexpr int mostUnanswered = 10; // renewals, ten a second
 
-guardian::Bytes rawFrame(const CanFrame &frame)
-{
-    can_frame raw{};
-    raw.can_id = frame.id | (frame.extended ? CAN_EFF_FLAG : 0U) | (frame.remote ? CAN_RTR_FLAG : 0U);
-    raw.can_dlc = frame.size;
-    std::memcpy(raw.data, frame.data.data(), frame.size);
-    guardian::Bytes bytes(sizeof raw);
-    std::memcpy(bytes.data(), &raw, sizeof raw);
-    return bytes;
-}
-
-/// As it is written to the descriptor.
-guardian::Step stepOf(const StopStep &step, Outlet::Form form)
-{
-    guardian::Step made{step.bytes, step.reply, step.replyMask, step.wait, step.attempts};
-    if (made.mask.empty())
-        made.mask.assign(made.reply.size(), 0xFF);
-    if (form == Outlet::Form::CanSocket && step.frame)
-        made.bytes = rawFrame(*step.frame);
-    if (form == Outlet::Form::SpiSocket) { // product.md, `unix:`: as many bytes and the ready line come back
-        const std::size_t size = step.bytes.size();
-        made.bytes.insert(
-            made.bytes.begin(), {static_cast<std::uint8_t>(size & 0xFFU), static_cast<std::uint8_t>(size >> 8U)});
-        made.reply.assign(size + 1, 0);
-        made.mask.assign(size + 1, 0);
-    }
-    return made;
-}
-
 } // namespace
 
 /// One guardian process, and the link it can send on. Lives as long as a watch of it.
 class GuardianClient::Post : public std::enable_shared_from_this<Post> {
 public:
-    Post(Link &link, const GuardianProcess &process, std::shared_ptr<std::vector<pid_t>> ended)
+    using Acted = std::function<void(const Post &, const std::string &name, bool confirmed)>;
+
+    Post(Link &link, const GuardianProcess &process, std::shared_ptr<std::vector<pid_t>> ended, Acted acted)
         : m_link(link)
         , m_form(link.outlet().form)
         , m_process(process)
         , m_ended(std::move(ended))
+        , m_acted(std::move(acted))
         , m_readable(std::make_unique<QSocketNotifier>(process.socket, QSocketNotifier::Read))
         , m_state(link.stateChanged().add([this](LinkState) { m_serves = false; })) // another descriptor from now on
     {
@@ -78,6 +54,9 @@ public:
     [[nodiscard]] pid_t pid() const { return m_process.pid; }
     void add(std::uint32_t id, Watch &watch) { m_watches[id] = &watch; }
     void remove(std::uint32_t id) { m_watches.erase(id); }
+    /// The guardian stops this device now, and will say how that went.
+    void await(std::uint32_t id, const std::string &name) { m_awaited[id] = name; }
+    [[nodiscard]] bool isAwaiting() const { return !m_awaited.empty(); }
     /// Nobody else is put under its guard.
     void distrust() { m_serves = false; }
     void say(const guardian::Order &order) const
@@ -97,15 +76,19 @@ private:
     std::shared_ptr<std::vector<pid_t>> m_ended;
     bool m_serves = true;
     std::map<std::uint32_t, Watch *> m_watches;
+    std::map<std::uint32_t, std::string> m_awaited;
+    Acted m_acted;
     std::unique_ptr<QSocketNotifier> m_readable;
     Subscription m_state;
 };
 
 class GuardianClient::Watch final : public GuardWatch {
 public:
-    Watch(std::shared_ptr<Post> post, std::uint32_t id)
-        : m_post(std::move(post))
+    Watch(GuardianClient &client, std::shared_ptr<Post> post, std::uint32_t id, std::string name)
+        : m_client(client)
+        , m_post(std::move(post))
         , m_id(id)
+        , m_name(std::move(name))
     {
         m_post->add(id, *this);
     }
@@ -113,6 +96,10 @@ public:
     {
         m_post->remove(m_id);
         m_post->say({m_released ? guardian::Order::Kind::Forget : guardian::Order::Kind::Stop, m_id, {}, {}});
+        if (m_released || state() != State::Standing)
+            return;
+        m_post->await(m_id, m_name);
+        m_client.m_acting.push_back(m_post);
     }
     void renew() override
     {
@@ -143,8 +130,10 @@ public:
     void mourn() { enter(State::Gone, "the guardian ended unexpectedly"); }
 
 private:
+    GuardianClient &m_client;
     std::shared_ptr<Post> m_post;
     std::uint32_t m_id;
+    std::string m_name;
     int m_unanswered = 0;
     bool m_released = false;
 };
@@ -168,14 +157,24 @@ void GuardianClient::Post::receive()
 
 void GuardianClient::Post::hear(const guardian::Report &report)
 {
-    if (const auto watch = m_watches.find(report.id); watch != m_watches.end())
+    if (const auto watch = m_watches.find(report.id); watch != m_watches.end()) {
         watch->second->hear(report);
+        return;
+    }
+    const auto awaited = m_awaited.find(report.id);
+    if (awaited == m_awaited.end() || report.kind != guardian::Report::Kind::Acted)
+        return;
+    const std::string name = awaited->second;
+    m_awaited.erase(awaited);
+    m_acted(*this, name, report.confirmed);
 }
 
 void GuardianClient::Post::mourn()
 {
     m_serves = false;
     m_readable->setEnabled(false);
+    for (const auto &[id, name] : std::exchange(m_awaited, {}))
+        m_acted(*this, name, false);
     while (!m_watches.empty()) {
         Watch *const watch = m_watches.begin()->second;
         m_watches.erase(m_watches.begin());
@@ -183,14 +182,16 @@ void GuardianClient::Post::mourn()
     }
 }
 
-GuardianClient::GuardianClient(std::string program)
+GuardianClient::GuardianClient(std::string program, std::string folder)
     : m_program(std::move(program))
+    , m_folder(std::move(folder))
     , m_ended(std::make_shared<std::vector<pid_t>>())
 {
 }
 
 GuardianClient::~GuardianClient()
 {
+    m_acting.clear(); // their guardians act all the same
     reap(*m_ended);
 }
 
@@ -200,12 +201,11 @@ Result<std::unique_ptr<GuardWatch>> GuardianClient::watch(Link &link, const Stop
     if (!post)
         return fail(post.error());
     guardian::Order order{guardian::Order::Kind::Watch, ++m_lastId, name, {}};
-    for (const StopStep &step : script.steps)
-        order.script.push_back(stepOf(step, (*post)->form()));
+    order.script = wireScript(script, (*post)->form());
     const guardian::Bytes packet = guardian::encode(order);
     if (packet.size() > guardian::largestMessage || guardian::decodeOrder(packet) != order)
         return fail(Fault::Unsafe, "the stop script of this device is not one that a guardian can carry out");
-    auto watch = std::make_unique<Watch>(*post, order.id);
+    auto watch = std::make_unique<Watch>(*this, *post, order.id, name);
     (*post)->say(order);
     return watch;
 }
@@ -218,12 +218,51 @@ Result<std::shared_ptr<GuardianClient::Post>> GuardianClient::postAt(Link &link)
         if (auto post = known.lock(); post && post->serves(link))
             return post;
     }
-    const auto process = startGuardian(m_program, link.outlet());
+    const std::string line = linkIdentity(link.address());
+    if (const auto book = m_books.find(line); book != m_books.end())
+        (void)book->second->own(); // a guardian may have been about to pay when the link was opened
+    // a terminal or socket by its whole path: the guardian has another working directory
+    const std::string name = line.starts_with('/') ? link.address().path : line.substr(line.find(':') + 1);
+    const auto process = startGuardian(m_program, {link.outlet(), m_folder, line, name});
     if (!process)
         return fail(process.error());
-    auto post = std::make_shared<Post>(link, *process, m_ended);
+    auto post = std::make_shared<Post>(link, *process, m_ended,
+        [this](const Post &from, const std::string &device, bool confirmed) { acted(from, device, confirmed); });
     m_posts.push_back(post);
     return post;
+}
+
+void GuardianClient::acted(const Post &post, const std::string &name, bool confirmed)
+{
+    tellActed(name, confirmed);
+    std::erase_if(
+        m_acting, [&post](const std::shared_ptr<Post> &one) { return one.get() == &post && !one->isAwaiting(); });
+}
+
+std::vector<OwedStop> GuardianClient::takeOver(Link &link, Instant now)
+{
+    std::vector<OwedStop> owed;
+    if (!link.outlet().isInheritable())
+        return owed;
+    const std::string line = linkIdentity(link.address());
+    auto &book = m_books[line];
+    if (!book)
+        book = std::make_unique<guardian::DebtBook>(m_folder, line);
+    if (!book->own())
+        return owed;
+    const auto present = std::chrono::duration_cast<std::chrono::seconds>(
+        std::chrono::system_clock::now().time_since_epoch()); // books outlive every other clock
+    for (const guardian::Debt &debt : book->read()) {
+        const auto age = std::max(present - std::chrono::seconds(debt.since), std::chrono::seconds(0));
+        owed.push_back({line, debt.name, scriptFromWire(debt.script, link.outlet().form), now - age});
+    }
+    return owed;
+}
+
+void GuardianClient::settle(const std::string &line, const std::string &device)
+{
+    if (const auto book = m_books.find(line); book != m_books.end() && book->second->exists())
+        book->second->remove(device);
 }
 
 std::vector<pid_t> GuardianClient::processes() const

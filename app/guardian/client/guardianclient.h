@@ -2,8 +2,10 @@
 #pragma once
 
 #include "app/guardian/client/guardianprocess.h"
+#include "app/guardian/debts.h"
 #include "model/motionguard.h"
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -13,11 +15,16 @@ namespace mb {
 /// their session. Needs the event loop of the thread that uses it.
 class GuardianClient final : public MotionGuard {
 public:
-    explicit GuardianClient(std::string program = guardianBesideThisProgram());
+    /// `folder` is where guardians leave what they owe.
+    explicit GuardianClient(
+        std::string program = guardianBesideThisProgram(), std::string folder = guardian::debtFolder());
     ~GuardianClient() override;
 
     [[nodiscard]] Result<std::unique_ptr<GuardWatch>> watch(
         Link &link, const StopScript &script, const std::string &name) override;
+    [[nodiscard]] std::vector<OwedStop> takeOver(Link &link, Instant now) override;
+    void leave(const std::string &line) override { m_books.erase(line); }
+    void settle(const std::string &line, const std::string &device) override;
 
     /// Processes that serve a link now. For tests.
     [[nodiscard]] std::vector<pid_t> processes() const;
@@ -27,8 +34,12 @@ private:
     class Watch;
 
     [[nodiscard]] Result<std::shared_ptr<Post>> postAt(Link &link);
+    void acted(const Post &post, const std::string &name, bool confirmed);
 
     std::string m_program;
+    std::string m_folder;
+    std::map<std::string, std::unique_ptr<guardian::DebtBook>> m_books; ///< of the lines that are open, by identity
+    std::vector<std::shared_ptr<Post>> m_acting; ///< kept until they have said what became of a watch that was given up
     std::vector<std::weak_ptr<Post>> m_posts;
     std::shared_ptr<std::vector<pid_t>> m_ended; ///< to be reaped
     std::uint32_t m_lastId = 0;

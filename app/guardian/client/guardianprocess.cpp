@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/guardian/client/guardianprocess.h"
 
+#include "app/guardian/client/wirescript.h"
+
 #include <array>
 #include <cerrno>
 #include <climits>
@@ -21,19 +23,6 @@ namespace {
 constexpr int childSocket = 0;
 constexpr int childLine = 3;
 constexpr int aboveTheirs = 10; // no number that is given out in the child is one that is still to be copied there
-
-const char *wordOf(Outlet::Form form)
-{
-    switch (form) {
-    case Outlet::Form::CanSocket: return "packet";
-    case Outlet::Form::Stream:
-    case Outlet::Form::SpiSocket: return "stream";
-    case Outlet::Form::SpiDevice: return "spi";
-    case Outlet::Form::None:
-    case Outlet::Form::InProcess: break;
-    }
-    return "";
-}
 
 /// A descriptor that is closed at the end of its scope.
 class Owned {
@@ -56,7 +45,7 @@ private:
     int m_descriptor;
 };
 
-int spawn(pid_t &pid, const std::string &program, const char *form, int socket, int line)
+int spawn(pid_t &pid, const std::string &program, const GuardedLine &guarded, int socket, int line)
 {
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
@@ -74,9 +63,10 @@ int spawn(pid_t &pid, const std::string &program, const char *form, int socket, 
     ::posix_spawnattr_setsigdefault(&attributes, &all);
     ::posix_spawnattr_setflags(
         &attributes, static_cast<short>(POSIX_SPAWN_SETSID | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF));
-    std::string name = program;
-    std::string word = form;
-    std::array<char *, 3> arguments{name.data(), word.data(), nullptr};
+    std::array<std::string, 5> words{
+        program, wordOf(guarded.outlet.form), guarded.folder, guarded.identity, guarded.name};
+    std::array<char *, 6> arguments{
+        words[0].data(), words[1].data(), words[2].data(), words[3].data(), words[4].data(), nullptr};
     const int cause = ::posix_spawn(&pid, program.c_str(), &actions, &attributes, arguments.data(), environ);
     ::posix_spawnattr_destroy(&attributes);
     ::posix_spawn_file_actions_destroy(&actions);
@@ -85,7 +75,7 @@ int spawn(pid_t &pid, const std::string &program, const char *form, int socket, 
 
 } // namespace
 
-Result<GuardianProcess> startGuardian(const std::string &program, const Outlet &outlet)
+Result<GuardianProcess> startGuardian(const std::string &program, const GuardedLine &guarded)
 {
     if (::access(program.c_str(), X_OK) != 0)
         return fail(Fault::Unsafe, program + " is missing",
@@ -96,11 +86,10 @@ Result<GuardianProcess> startGuardian(const std::string &program, const Outlet &
     Owned ours(ends[0]);
     const Owned theirs(ends[1]);
     const Owned socket(::fcntl(theirs.get(), F_DUPFD_CLOEXEC, aboveTheirs));
-    const Owned line(::fcntl(outlet.descriptor, F_DUPFD_CLOEXEC, aboveTheirs));
+    const Owned line(::fcntl(guarded.outlet.descriptor, F_DUPFD_CLOEXEC, aboveTheirs));
     GuardianProcess process;
-    const int cause = socket.get() < 0 || line.get() < 0
-        ? errno
-        : spawn(process.pid, program, wordOf(outlet.form), socket.get(), line.get());
+    const int cause
+        = socket.get() < 0 || line.get() < 0 ? errno : spawn(process.pid, program, guarded, socket.get(), line.get());
     if (cause != 0)
         return fail(Fault::Unsafe, std::string("no guardian can be started: ") + std::strerror(cause));
     process.socket = ours.give();

@@ -18,9 +18,17 @@ struct GuardianProcess {
     int socket = -1; ///< packets; closing it is the end of the guardian, after it has stopped what it watches
 };
 
+/// How the guardian finds its line again, and where it leaves what it owes.
+struct GuardedLine {
+    Outlet outlet;
+    std::string folder;   ///< of guardian::DebtBook
+    std::string identity; ///< linkIdentity()
+    std::string name;     ///< of today: can0, /dev/ttyUSB0, the path of a socket
+};
+
 /// Starts `program` for what this outlet leads to, in a session of its own, so that no key of the terminal reaches it. It
 /// inherits standard error, its socket, a duplicate of the outlet's descriptor, and nothing else. Fails with Unsafe.
-[[nodiscard]] Result<GuardianProcess> startGuardian(const std::string &program, const Outlet &outlet);
+[[nodiscard]] Result<GuardianProcess> startGuardian(const std::string &program, const GuardedLine &line);
 
 /// motorbench-guardian in the folder of the running program.
 [[nodiscard]] std::string guardianBesideThisProgram();

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <span>
 
 namespace mb::abstractdc {
 namespace {
@@ -142,11 +143,13 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
 void Controller::doStop()
 {
     const auto frames = stopFrames(identity().address);
-    const std::size_t own = m_dialect && m_dialect->wide ? 1 : 0;
+    const std::size_t own = m_dialect && m_dialect->wide && m_dialect->canStop() ? 1 : 0;
     // Its own length first. The drive ignores the other one, which is for a dialect that was mistaken. Twice (trap 11): the
     // first overtakes what waits, the last comes behind a set-point that the kernel may still hold.
+    // A drive of dialect LL takes the long one for a set-point; the short one it ignores.
     (void)m_can.send(frames.at(own), Priority::Urgent);
-    (void)m_can.send(frames.at(1 - own), Priority::Urgent);
+    if (doMayStop())
+        (void)m_can.send(frames.at(1 - own), Priority::Urgent);
     (void)m_can.send(frames.at(own));
     m_wrapped = false;
     m_lead.reset();
@@ -155,10 +158,21 @@ void Controller::doStop()
     m_ours = false;
 }
 
+Result<void> Controller::doMayStop() const
+{
+    if (!m_dialect)
+        return fail(Fault::Unsafe,
+            QT_TRANSLATE_NOOP("table", "it is not proven which codes it speaks, and a stop of others may start it"));
+    if (!m_dialect->canStop())
+        return fail(Fault::Unsafe, QT_TRANSLATE_NOOP("table", "dialect LL has no code for stop"));
+    return {};
+}
+
 StopScript Controller::doStopScript() const
 {
     StopScript script;
-    for (const CanFrame &frame : stopFrames(identity().address)) {
+    const auto frames = stopFrames(identity().address);
+    for (const CanFrame &frame : std::span(frames).first(doMayStop() ? 2 : 1)) {
         StopStep step;
         step.frame = frame;
         step.wait = std::chrono::milliseconds(10);

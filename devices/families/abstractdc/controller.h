@@ -44,6 +44,7 @@ private:
     [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;
+    [[nodiscard]] Result<void> doMayStop() const override;
     [[nodiscard]] StopScript doStopScript() const override;
     [[nodiscard]] bool doIsSeenStopped() const override;
 

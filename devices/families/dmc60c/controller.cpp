@@ -67,6 +67,15 @@ void Controller::doStop()
     telemetry()->breakLine(channel::setPoint);
 }
 
+StopScript Controller::doStopScript() const
+{
+    StopStep step;
+    step.frame = encodeControl(identity().address, Control{});
+    step.wait = std::chrono::milliseconds(10);
+    step.attempts = 2; // 6.1
+    return {{std::move(step)}};
+}
+
 bool Controller::doIsSeenStopped() const
 {
     if (!m_generalAt || *m_generalAt <= stoppedAt() || m_lastGeneral.duty != 0)

@@ -55,6 +55,7 @@ private:
     [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;
+    [[nodiscard]] StopScript doStopScript() const override;
     [[nodiscard]] bool doIsSeenStopped() const override;
 
     // What the bus tells

@@ -51,6 +51,7 @@ private:
     Result<void> doCommand(const SetPoint &setPoint) override;
     Result<void> doReleaseMoves() override;
     void doStop() override;
+    void doRepeatStop() override { } // Motion repeats it until it is acknowledged
     [[nodiscard]] StopScript doStopScript() const override;
     [[nodiscard]] bool doIsSeenStopped() const override;
 

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/guardian/debts.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace mb::guardian {
+namespace {
+
+constexpr std::size_t largestBook = 1U << 20U;
+
+/// Names of lines have slashes; all that matters is that another line has another name (FNV-1a).
+std::string fileName(std::string_view line)
+{
+    std::uint64_t hash = 14695981039346656037U;
+    for (const char letter : line)
+        hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211U;
+    std::array<char, 17> text{};
+    std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+    return text.data();
+}
+
+template <class T> void put(Bytes &bytes, T value)
+{
+    const std::size_t at = bytes.size();
+    bytes.resize(at + sizeof value);
+    std::memcpy(bytes.data() + at, &value, sizeof value);
+}
+
+template <class T> bool take(std::span<const std::uint8_t> &rest, T &value)
+{
+    if (rest.size() < sizeof value)
+        return false;
+    std::memcpy(&value, rest.data(), sizeof value);
+    rest = rest.subspan(sizeof value);
+    return true;
+}
+
+bool isOurs(const std::string &folder)
+{
+    struct stat state { };
+    return ::lstat(folder.c_str(), &state) == 0 && S_ISDIR(state.st_mode) && state.st_uid == ::geteuid()
+        && (state.st_mode & (S_IWGRP | S_IWOTH)) == 0;
+}
+
+} // namespace
+
+std::string debtFolder()
+{
+    if (const char *runtime = std::getenv("XDG_RUNTIME_DIR"); runtime && *runtime != '\0')
+        return std::string(runtime) + "/motorbench";
+    return P_tmpdir "/motorbench-" + std::to_string(::geteuid());
+}
+
+DebtBook::DebtBook(std::string folder, std::string_view line)
+    : m_folder(std::move(folder))
+    , m_path(m_folder + '/' + fileName(line))
+{
+}
+
+DebtBook::~DebtBook()
+{
+    disown();
+}
+
+bool DebtBook::own()
+{
+    if (m_lock >= 0)
+        return true;
+    ::mkdir(m_folder.c_str(), 0700);
+    if (!isOurs(m_folder))
+        return false;
+    m_lock = ::open((m_path + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (m_lock >= 0 && ::flock(m_lock, LOCK_EX | LOCK_NB) != 0)
+        disown();
+    return m_lock >= 0;
+}
+
+void DebtBook::disown()
+{
+    if (m_lock >= 0)
+        ::close(m_lock);
+    m_lock = -1;
+}
+
+bool DebtBook::exists() const
+{
+    return ::access((m_path + ".stops").c_str(), F_OK) == 0;
+}
+
+std::vector<Debt> DebtBook::read() const
+{
+    std::vector<Debt> debts;
+    Bytes bytes;
+    if (!isOurs(m_folder))
+        return debts;
+    const int file = ::open((m_path + ".stops").c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+    if (file < 0)
+        return debts;
+    std::array<std::uint8_t, 4096> part{};
+    for (ssize_t got = 1; got > 0 && bytes.size() < largestBook;) {
+        got = ::read(file, part.data(), part.size());
+        bytes.insert(bytes.end(), part.begin(), part.begin() + std::max<ssize_t>(got, 0));
+    }
+    ::close(file);
+    std::span<const std::uint8_t> rest(bytes);
+    std::int64_t since = 0;
+    std::uint32_t size = 0;
+    while (take(rest, since) && take(rest, size) && size <= rest.size()) {
+        const auto order = decodeOrder(rest.first(size));
+        rest = rest.subspan(size);
+        if (order && order->kind == Order::Kind::Watch)
+            debts.push_back({order->name, order->script, since});
+    }
+    return debts;
+}
+
+/// A new file in place of the old one, so that nobody reads half of it.
+bool DebtBook::write(const std::vector<Debt> &debts) const
+{
+    if (debts.empty())
+        return ::unlink((m_path + ".stops").c_str()) == 0;
+    Bytes bytes;
+    for (const Debt &debt : debts) {
+        const Bytes packet = encode(Order{Order::Kind::Watch, 0, debt.name, debt.script});
+        put(bytes, debt.since);
+        put(bytes, static_cast<std::uint32_t>(packet.size()));
+        bytes.insert(bytes.end(), packet.begin(), packet.end());
+    }
+    const std::string fresh = m_path + ".new" + std::to_string(::getpid());
+    const int file = ::open(fresh.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600);
+    if (file < 0)
+        return false;
+    const bool whole = ::write(file, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
+    ::close(file);
+    if (whole && ::rename(fresh.c_str(), (m_path + ".stops").c_str()) == 0)
+        return true;
+    ::unlink(fresh.c_str());
+    return false;
+}
+
+bool DebtBook::add(const Debt &debt)
+{
+    ::mkdir(m_folder.c_str(), 0700);
+    if (!isOurs(m_folder))
+        return false;
+    std::vector<Debt> debts = read();
+    std::erase_if(debts, [&debt](const Debt &known) { return known.name == debt.name; });
+    debts.push_back(debt);
+    return write(debts);
+}
+
+void DebtBook::remove(std::string_view name)
+{
+    std::vector<Debt> debts = read();
+    if (std::erase_if(debts, [name](const Debt &known) { return known.name == name; }) > 0)
+        (void)write(debts);
+}
+
+} // namespace mb::guardian

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/guardian/message.h"
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mb::guardian {
+
+/// A stop that could not be sent, or was not confirmed.
+struct Debt {
+    std::string name; ///< of the device
+    Script script;
+    std::int64_t since = 0; ///< Unix seconds
+};
+
+/// What is owed on one line, kept where every guardian and every program of this user finds it, and the lock that says whose
+/// business the line is. Whoever has the lock pays: a program as long as it has the link open, else a guardian while it tries. A
+/// lock goes with its process, however that ends.
+class DebtBook {
+public:
+    /// `line` is the identity of a link; the folder is made when it is needed.
+    DebtBook(std::string folder, std::string_view line);
+    DebtBook(const DebtBook &) = delete;
+    DebtBook &operator=(const DebtBook &) = delete;
+    ~DebtBook();
+
+    /// Takes the lock without waiting; true also when it is held already.
+    bool own();
+    void disown();
+    /// Something is owed. Cheap.
+    [[nodiscard]] bool exists() const;
+    [[nodiscard]] std::vector<Debt> read() const;
+    /// One of this name is replaced. False when it cannot be kept.
+    bool add(const Debt &debt);
+    void remove(std::string_view name);
+
+private:
+    bool write(const std::vector<Debt> &debts) const;
+
+    std::string m_folder;
+    std::string m_path;
+    int m_lock = -1;
+};
+
+/// Of this user and this run of the machine: below XDG_RUNTIME_DIR, or a private folder for temporary files.
+[[nodiscard]] std::string debtFolder();
+
+} // namespace mb::guardian

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/guardian/line.h"
+
+#include "app/guardian/port.h"
+#include "place/place.h"
+
+#include <cstring>
+
+#include <asm/termbits.h>
+#include <fcntl.h>
+#include <linux/can.h>
+#include <linux/can/raw.h>
+#include <linux/spi/spidev.h>
+#include <net/if.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+namespace mb::guardian {
+namespace {
+
+int openCan(const std::string &name)
+{
+    const unsigned index = ::if_nametoindex(name.c_str());
+    const int made = index == 0 ? -1 : ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
+    if (made < 0)
+        return -1;
+    ::setsockopt(made, SOL_CAN_RAW, CAN_RAW_FILTER, nullptr, 0); // nothing is to be received
+    sockaddr_can address{};
+    address.can_family = AF_CAN;
+    address.can_ifindex = static_cast<int>(index);
+    if (::bind(made, reinterpret_cast<const sockaddr *>(&address), sizeof address) == 0)
+        return made;
+    ::close(made);
+    return -1;
+}
+
+int openSocket(const std::string &path)
+{
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    const int made
+        = path.size() < sizeof address.sun_path ? ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0) : -1;
+    if (made < 0)
+        return -1;
+    std::memcpy(address.sun_path, path.data(), path.size());
+    if (::connect(made, reinterpret_cast<const sockaddr *>(&address), sizeof address) == 0)
+        return made;
+    ::close(made);
+    return -1;
+}
+
+PlaceKind kindOf(const Whereabouts &where)
+{
+    return where.form == "packet" ? PlaceKind::CanInterface
+        : where.form == "spi"     ? PlaceKind::SpiDevice
+                                  : PlaceKind::SerialPort;
+}
+
+} // namespace
+
+struct Line::Setup {
+    bool isTerminal = false;
+    termios2 terminal{};
+    bool isSpi = false;
+    std::uint32_t spiMode = 0;
+    std::uint32_t spiSpeed = 0;
+    std::uint8_t spiBits = 8;
+};
+
+Line::Line(Whereabouts where, int descriptor)
+    : m_where(std::move(where))
+    , m_descriptor(descriptor)
+    , m_port(makePort(m_where.form, descriptor))
+    , m_setup(std::make_unique<Setup>())
+{
+}
+
+Line::~Line() = default;
+
+void Line::remember()
+{
+    Setup now;
+    now.isTerminal = ::ioctl(m_descriptor, TCGETS2, &now.terminal) == 0;
+    now.isSpi = ::ioctl(m_descriptor, SPI_IOC_RD_MODE32, &now.spiMode) == 0
+        && ::ioctl(m_descriptor, SPI_IOC_RD_MAX_SPEED_HZ, &now.spiSpeed) == 0
+        && ::ioctl(m_descriptor, SPI_IOC_RD_BITS_PER_WORD, &now.spiBits) == 0;
+    if (now.isTerminal || now.isSpi)
+        *m_setup = now;
+}
+
+int Line::openNow() const
+{
+    const bool isPlace = m_where.identity.starts_with('/');
+    const std::string name = isPlace ? nameAt(kindOf(m_where), m_where.identity) : m_where.name;
+    if (name.empty())
+        return -1;
+    if (m_where.form == "packet")
+        return openCan(name);
+    if (m_where.identity.starts_with("unix:"))
+        return openSocket(name);
+    return ::open(name.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+}
+
+bool Line::reopen()
+{
+    if (m_port)
+        return true;
+    const int opened = openNow();
+    if (opened < 0)
+        return false;
+    const Setup &setup = *m_setup;
+    const bool dressed = (!setup.isTerminal || ::ioctl(opened, TCSETS2, &setup.terminal) == 0)
+        && (!setup.isSpi
+            || (::ioctl(opened, SPI_IOC_WR_MODE32, &setup.spiMode) == 0
+                && ::ioctl(opened, SPI_IOC_WR_MAX_SPEED_HZ, &setup.spiSpeed) == 0
+                && ::ioctl(opened, SPI_IOC_WR_BITS_PER_WORD, &setup.spiBits) == 0));
+    if (!dressed) {
+        ::close(opened);
+        return false;
+    }
+    m_descriptor = opened;
+    m_port = makePort(m_where.form, opened);
+    return true;
+}
+
+void Line::close()
+{
+    ::close(m_descriptor);
+    m_descriptor = -1;
+    m_port.reset();
+}
+
+Port::Sent Line::send(std::span<const std::uint8_t> bytes)
+{
+    const Sent sent = m_port ? m_port->send(bytes) : Sent::Lost;
+    if (sent == Sent::Lost && m_port)
+        close();
+    return sent;
+}
+
+Bytes Line::read()
+{
+    return m_port ? m_port->read() : Bytes();
+}
+
+} // namespace mb::guardian

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/guardian/runner.h"
+
+#include <memory>
+#include <string>
+
+namespace mb::guardian {
+
+/// Which line a guardian serves, as its program tells it on the command line.
+struct Whereabouts {
+    std::string form;     ///< of makePort()
+    std::string identity; ///< of the link: a place of hardware, or scheme and name
+    std::string name;     ///< of today: can0, /dev/ttyUSB0, the path of a socket
+};
+
+/// The line behind the inherited descriptor. Once that is dead it is closed at once, so that what is plugged in again gets its old
+/// name, and the line can be opened anew, under whatever name the same hardware has then.
+class Line final : public Port {
+public:
+    Line(Whereabouts where, int descriptor);
+    ~Line() override;
+
+    [[nodiscard]] bool isLegal() const { return m_port != nullptr; }
+    /// −1 while it is closed.
+    [[nodiscard]] int descriptor() const { return m_descriptor; }
+    /// Keeps how the program has set the line up: rate and format of a terminal, mode and speed of SPI.
+    void remember();
+    /// False while it is not there. Opening an open one does nothing.
+    bool reopen();
+
+    Sent send(std::span<const std::uint8_t> bytes) override;
+    Bytes read() override;
+
+private:
+    struct Setup;
+    [[nodiscard]] int openNow() const;
+    void close();
+
+    Whereabouts m_where;
+    int m_descriptor;
+    std::unique_ptr<Port> m_port;
+    std::unique_ptr<Setup> m_setup;
+};
+
+} // namespace mb::guardian

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/devicestop.h"
+
+#include "model/device.h"
+#include "model/family.h"
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration confirmEvery = 10ms;
+constexpr Duration confirmRarely = 250ms;
+constexpr Duration stopAgain = 250ms; ///< longer than a family's own confirmation of one stop
+constexpr Duration stopRarely = 1s;
+constexpr Duration noSignLimit = 1s;
+constexpr Duration coastLimit = 10s;      ///< of a device that is heard: a heavy load runs out
+constexpr Duration watchdogLimit = 250ms; ///< every family's with a margin; 104 ms of a DMC60C
+
+} // namespace
+
+DeviceStop::DeviceStop(Device &device)
+    : m_device(device)
+    , m_look(device.clock())
+{
+}
+
+bool DeviceStop::mayTurn() const
+{
+    return m_forMotion && (m_state == StopState::Owed || m_state == StopState::Unconfirmed);
+}
+
+bool DeviceStop::isDue() const
+{
+    return m_state == StopState::Stopping || m_state == StopState::Owed
+        || (m_state == StopState::Unconfirmed && m_isOurLine && m_device.clock().now() - m_toldAt < debtLimit);
+}
+
+void DeviceStop::driven()
+{
+    m_moved = true;
+    m_look.stop();
+    enter(StopState::None);
+    m_forMotion = false;
+}
+
+void DeviceStop::told()
+{
+    m_forMotion = m_forMotion || m_moved || m_device.liveness().moving;
+    m_isOurLine = true;
+    m_toldAt = m_sentAt = m_device.clock().now();
+    const bool cut = m_device.link().state() != LinkState::Open && !m_device.family().capabilities.watchdog;
+    m_look.startIn(confirmEvery, [this] { look(); });
+    enter(cut ? StopState::Owed : StopState::Stopping);
+}
+
+void DeviceStop::inherit()
+{
+    m_forMotion = true;
+    m_device.stop();
+}
+
+void DeviceStop::dismiss()
+{
+    m_look.stop();
+    m_moved = m_forMotion = false;
+    enter(StopState::None);
+}
+
+void DeviceStop::linkIsBack(bool sameLine)
+{
+    if (!isDue())
+        return;
+    m_isOurLine = sameLine;
+    if (!sameLine) {
+        enter(StopState::Unconfirmed);
+        return;
+    }
+    if (!m_device.mayStop())
+        return;
+    sendScript(m_device.link(), m_device.stopScript()); // before what the family waits for, such as a quiet line
+    m_device.stop();
+}
+
+void DeviceStop::look()
+{
+    if (m_device.isSeenStopped()) {
+        m_moved = m_forMotion = false;
+        enter(StopState::Seen);
+    } else if (m_device.link().state() != LinkState::Open) {
+        lookAtCutLine();
+    } else {
+        lookAtOpenLine();
+    }
+}
+
+void DeviceStop::lookAtCutLine()
+{
+    const Duration since = m_device.clock().now() - m_toldAt;
+    m_look.startIn(m_state == StopState::Stopping ? confirmEvery : confirmRarely, [this] { look(); });
+    if (!m_device.family().capabilities.watchdog)
+        enter(since < debtLimit ? StopState::Owed : StopState::Unconfirmed);
+    else if (since >= watchdogLimit)
+        enter(StopState::ByWatchdog);
+}
+
+void DeviceStop::lookAtOpenLine()
+{
+    const Instant now = m_device.clock().now();
+    const Duration since = now - m_toldAt;
+    const bool heard = m_device.liveness().heard;
+    if (m_state == StopState::Stopping && since >= (heard ? coastLimit : noSignLimit)) {
+        if (!m_forMotion) {
+            enter(StopState::Silent);
+            return;
+        }
+        enter(!heard && m_device.family().capabilities.watchdog ? StopState::ByWatchdog : StopState::Unconfirmed);
+    }
+    const Duration pause = m_state == StopState::Stopping ? stopAgain : stopRarely;
+    if (isDue() && now - m_sentAt >= pause && m_device.mayStop()) {
+        m_sentAt = now;
+        m_device.repeatStop();
+    }
+    m_look.startIn(m_state == StopState::Stopping ? confirmEvery : confirmRarely, [this] { look(); });
+}
+
+void DeviceStop::enter(StopState state)
+{
+    if (state == m_state)
+        return;
+    m_state = state;
+    m_changed.notify();
+}
+
+} // namespace mb

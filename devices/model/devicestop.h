@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/clock.h"
+#include "async/listeners.h"
+
+namespace mb {
+
+class Device;
+
+/// Why motors are stopped; it decides which.
+enum class StopCause {
+    User,    ///< STOP: every device for which its family has a harmless stop, moving or not
+    Program, ///< lost focus, the end of the program: what this program has moved, nothing else
+};
+
+/// Where the last stop of a device stands.
+enum class StopState {
+    None,        ///< it was not told to stop, or was driven since
+    Stopping,    ///< told, and told again until it is seen to stand
+    Owed,        ///< its link is gone: the first thing that is sent there when it is back
+    Seen,        ///< seen to stand, later than it was told
+    ByWatchdog,  ///< not heard of, but its own watchdog has switched its output off
+    Silent,      ///< told several times and not heard of; nobody knows of a motion
+    Unconfirmed, ///< told for as long as makes sense, and not seen to stand: it may still turn
+};
+
+/// Follows each stop of a device until it is seen to stand: repeats it, keeps it while the link is gone, and says when nobody
+/// knows. One for all families: what is sent is the family's. Engine thread.
+class DeviceStop {
+public:
+    /// No stop is owed for longer.
+    static constexpr Duration debtLimit = std::chrono::minutes(10);
+
+    explicit DeviceStop(Device &device);
+    DeviceStop(const DeviceStop &) = delete;
+    DeviceStop &operator=(const DeviceStop &) = delete;
+
+    [[nodiscard]] StopState state() const { return m_state; }
+    /// This program has set the device in motion and has not seen it stand since.
+    [[nodiscard]] bool hasMoved() const { return m_moved; }
+    /// The stop was for a motion that somebody knows of: of this program, or seen.
+    [[nodiscard]] bool isForMotion() const { return m_forMotion; }
+    /// Somebody must look at the motor, or cut its power: nobody has seen it stand, and nothing of its own stops it.
+    [[nodiscard]] bool mayTurn() const;
+    /// The device is still to be told: on a link that comes back, before anything else.
+    [[nodiscard]] bool isDue() const;
+    [[nodiscard]] Listeners<> &changed() { return m_changed; }
+
+    /// The user has looked: nothing more is sent or shown.
+    void dismiss();
+
+    // For Device: it was told to stop; it is driven.
+    void told();
+    void driven();
+    // For Session: the link is open again. With the same line behind it the stop goes out at once; another one gets none.
+    void linkIsBack(bool sameLine);
+    /// For Session: a stop that an earlier opening of the link, or an earlier run of the program, has left.
+    void inherit();
+
+private:
+    void look();
+    void lookAtCutLine();
+    void lookAtOpenLine();
+    void enter(StopState state);
+
+    Device &m_device;
+    StopState m_state = StopState::None;
+    bool m_moved = false;
+    bool m_forMotion = false;
+    bool m_isOurLine = true;
+    Instant m_toldAt{};
+    Instant m_sentAt{};
+    Timer m_look;
+    Listeners<> m_changed;
+};
+
+} // namespace mb

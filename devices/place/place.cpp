@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "place/place.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace mb {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string firstLine(const fs::path &file)
+{
+    std::ifstream stream(file);
+    std::string line;
+    std::getline(stream, line);
+    return line;
+}
+
+fs::path realPath(const fs::path &path)
+{
+    std::error_code failed;
+    const fs::path real = fs::canonical(path, failed);
+    return failed ? fs::path() : real;
+}
+
+/// With `absolute` below the root of a test.
+fs::path below(const std::string &root, const fs::path &absolute)
+{
+    return root.empty() ? absolute : fs::path(root) / absolute.relative_path();
+}
+
+const char *listOf(PlaceKind kind)
+{
+    switch (kind) {
+    case PlaceKind::CanInterface: return "/sys/class/net";
+    case PlaceKind::SerialPort: return "/sys/class/tty";
+    case PlaceKind::SpiDevice: return "/sys/class/spidev";
+    }
+    return "";
+}
+
+/// Of the USB device that this one belongs to; empty elsewhere.
+std::string usbSerial(fs::path device)
+{
+    for (; device.has_relative_path(); device = device.parent_path()) {
+        std::error_code failed;
+        if (fs::exists(device / "idVendor", failed))
+            return firstLine(device / "serial");
+    }
+    return {};
+}
+
+/// Of a row of the list, such as /sys/class/net/can0.
+std::string placeOfRow(const fs::path &row, const std::string &root)
+{
+    fs::path device = realPath(row / "device");
+    if (device.empty())
+        return {};
+    if (device.filename() == row.filename()) // ttyUSB0 once more: the name of today
+        device = device.parent_path();
+    const std::string top = root.empty() ? std::string() : realPath(root).string();
+    std::string place = device.string().substr(top.size());
+    for (const char *channel : {"dev_id", "dev_port"}) { // several channels of one adapter
+        if (const std::string number = firstLine(row / channel); !number.empty())
+            place += '/' + number;
+    }
+    if (const std::string serial = usbSerial(device); !serial.empty())
+        place += '#' + serial;
+    return place;
+}
+
+} // namespace
+
+std::string placeOf(PlaceKind kind, const std::string &name, const std::string &root)
+{
+    if (kind == PlaceKind::CanInterface)
+        return placeOfRow(below(root, listOf(kind)) / name, root);
+    const fs::path node = name.find('/') == std::string::npos ? fs::path("/dev") / name : fs::path(name);
+    const fs::path real = realPath(node.is_absolute() ? below(root, node) : node);
+    return real.empty() ? std::string() : placeOfRow(below(root, listOf(kind)) / real.filename(), root);
+}
+
+std::string nameAt(PlaceKind kind, const std::string &place, const std::string &root)
+{
+    std::error_code failed;
+    for (const auto &row : fs::directory_iterator(below(root, listOf(kind)), failed)) {
+        if (placeOfRow(row.path(), root) == place)
+            return (kind == PlaceKind::CanInterface ? "" : "/dev/") + row.path().filename().string();
+    }
+    return {};
+}
+
+} // namespace mb

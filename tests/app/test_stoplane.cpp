@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// STOP while the engine thread is blocked: the real engine, on a real terminal.
+#include "app/engine.h"
+#include "support/eventloop.h"
+#include "support/pseudoterminal.h"
+#include "support/textmotor.h"
+
+#include <gtest/gtest.h>
+
+#include <future>
+
+#include <poll.h>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+class BlockedEngine : public testing::Test {
+protected:
+    BlockedEngine()
+    {
+        engine.openLink(*LinkAddress::parse("serial:" + terminal.path()), {});
+        EXPECT_TRUE(loop.runUntil([this] { return !engine.snapshot().devices.empty(); }));
+        block();
+    }
+    ~BlockedEngine() override { release(); }
+    void block()
+    {
+        auto begun = std::make_shared<std::promise<void>>();
+        engine.post([begun, until = m_released.get_future().share()](EngineCore &) {
+            begun->set_value();
+            until.wait();
+        });
+        begun->get_future().wait();
+    }
+    void release()
+    {
+        if (!std::exchange(m_isReleased, true))
+            m_released.set_value();
+    }
+    /// Waits for a line; false when none came for twenty seconds.
+    [[nodiscard]] bool hears(std::string_view line)
+    {
+        while (m_heard.find(line) == std::string::npos) {
+            pollfd source{terminal.descriptor(), POLLIN, 0};
+            if (::poll(&source, 1, 20'000) != 1)
+                return false;
+            const auto bytes = terminal.read();
+            m_heard.append(bytes.begin(), bytes.end());
+        }
+        return true;
+    }
+
+    test::EventLoop loop;
+    test::PseudoTerminal terminal;
+    Engine engine{test::textFamilies, false};
+
+private:
+    std::promise<void> m_released;
+    bool m_isReleased = false;
+    std::string m_heard;
+};
+
+TEST_F(BlockedEngine, StopOfTheUserReachesTheLineAllTheSame)
+{
+    engine.stopAll(StopCause::User);
+    EXPECT_TRUE(hears(test::textStop)) << "although the engine has not come to it";
+    release();
+}
+
+TEST_F(BlockedEngine, StopIsServedBeforeOrdersThatWaitedLonger)
+{
+    std::vector<int> order;
+    engine.post([&order](EngineCore &) { order.push_back(1); });
+    engine.stopAll(StopCause::User);
+    bool stopped = false;
+    engine.post([&](EngineCore &core) {
+        stopped = core.session().devices().front()->stopping().state() == StopState::Stopping;
+        order.push_back(2);
+    });
+    std::promise<void> done;
+    engine.post([&done](EngineCore &) { done.set_value(); });
+    release();
+    done.get_future().wait();
+    EXPECT_TRUE(stopped);
+    EXPECT_EQ(order, (std::vector{1, 2})) << "the others keep their order";
+}
+
+TEST_F(BlockedEngine, ALinkThatIsClosedIsNotHeldByTheStopLane)
+{
+    release();
+    const std::string address = "serial:" + terminal.path();
+    engine.closeLink(address);
+    EXPECT_TRUE(loop.runUntil([this] { return engine.snapshot().links.empty(); }));
+    pollfd source{terminal.descriptor(), POLLIN, 0};
+    EXPECT_EQ(::poll(&source, 1, 20'000), 1);
+    EXPECT_NE(source.revents & POLLHUP, 0) << "nobody has the other end open";
+}
+
+} // namespace
+} // namespace mb

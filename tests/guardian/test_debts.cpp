@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stops that could not be sent: where they are kept, whose business they are, and the real guardian on a line that was cut and is
+// back. Prints how long that took; product.md allows 100 ms.
+#include "app/guardian/client/guardianprocess.h"
+#include "app/guardian/debts.h"
+#include "place/place.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <unistd.h>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using guardian::Debt;
+using guardian::DebtBook;
+using guardian::Order;
+using SteadyClock = std::chrono::steady_clock;
+
+constexpr auto patience = 30s;
+
+/// A folder of its own, gone afterwards.
+class Folder {
+public:
+    Folder()
+    {
+        std::string pattern = testing::TempDir() + "/debtsXXXXXX";
+        EXPECT_NE(::mkdtemp(pattern.data()), nullptr);
+        m_path = pattern;
+    }
+    Folder(const Folder &) = delete;
+    Folder &operator=(const Folder &) = delete;
+    ~Folder() { std::filesystem::remove_all(m_path); }
+    [[nodiscard]] std::string path(const std::string &name = {}) const { return m_path + "/" + name; }
+
+private:
+    std::string m_path;
+};
+
+Debt debt(const std::string &name)
+{
+    return {name, {{{'S', 'T', 'O', 'P'}, {'o', 'k'}, {0xFF, 0xFF}, 20ms, 3}}, 1234};
+}
+
+TEST(DebtBook, KeepsWhatIsOwedForEveryProcessOfTheUser)
+{
+    const Folder folder;
+    DebtBook book(folder.path("run"), "/devices/usb1/1-2");
+    EXPECT_FALSE(book.exists());
+    EXPECT_TRUE(book.add(debt("a")));
+    EXPECT_TRUE(book.add(debt("b")));
+    EXPECT_TRUE(book.add(debt("a"))) << "once a device";
+    const DebtBook other(folder.path("run"), "/devices/usb1/1-2");
+    ASSERT_EQ(other.read().size(), 2U);
+    EXPECT_EQ(other.read()[0].script, debt("a").script);
+    EXPECT_EQ(other.read()[0].since, 1234);
+    EXPECT_TRUE(DebtBook(folder.path("run"), "/devices/usb1/1-3").read().empty()) << "another line";
+    book.remove("a");
+    book.remove("b");
+    EXPECT_FALSE(other.exists());
+}
+
+TEST(DebtBook, HasOneOwnerWhoseLockEndsWithIt)
+{
+    const Folder folder;
+    DebtBook second(folder.path("run"), "line");
+    {
+        DebtBook first(folder.path("run"), "line");
+        EXPECT_TRUE(first.own());
+        EXPECT_TRUE(first.own());
+        EXPECT_FALSE(second.own());
+        DebtBook elsewhere(folder.path("run"), "another line");
+        EXPECT_TRUE(elsewhere.own());
+    }
+    EXPECT_TRUE(second.own());
+}
+
+TEST(DebtBook, DoesNotTrustAFolderThatOthersMayWriteTo)
+{
+    const Folder folder;
+    std::filesystem::create_directory(folder.path("run"));
+    std::filesystem::permissions(folder.path("run"), std::filesystem::perms::all);
+    DebtBook book(folder.path("run"), "line");
+    EXPECT_FALSE(book.own());
+    EXPECT_FALSE(book.add(debt("a")));
+    EXPECT_TRUE(book.read().empty());
+}
+
+TEST(DebtBook, ABrokenFileIsNoDebt)
+{
+    const Folder folder;
+    DebtBook book(folder.path("run"), "line");
+    ASSERT_TRUE(book.add(debt("a")));
+    for (const auto &entry : std::filesystem::directory_iterator(folder.path("run"))) {
+        for (std::uintmax_t size = entry.file_size(); size-- > 0;) {
+            std::filesystem::resize_file(entry.path(), size);
+            EXPECT_TRUE(book.read().empty()) << size;
+        }
+    }
+}
+
+// Places
+
+TEST(Place, IsThatOfTheHardwareWhateverItIsCalledToday)
+{
+    const Folder folder;
+    const std::string usb = folder.path("sys/devices/usb1/1-2");
+    std::filesystem::create_directories(usb + "/1-2:1.0/ttyUSB3");
+    std::filesystem::create_directories(folder.path("sys/class/tty/ttyUSB3"));
+    std::filesystem::create_directories(folder.path("dev"));
+    std::ofstream(usb + "/idVendor") << "0403\n";
+    std::ofstream(usb + "/serial") << "A10K\n";
+    std::ofstream(folder.path("dev/ttyUSB3")) << "";
+    std::filesystem::create_symlink(usb + "/1-2:1.0/ttyUSB3", folder.path("sys/class/tty/ttyUSB3/device"));
+    const std::string root = folder.path();
+    const std::string place = placeOf(PlaceKind::SerialPort, "/dev/ttyUSB3", root);
+    EXPECT_EQ(place, "/sys/devices/usb1/1-2/1-2:1.0#A10K");
+    EXPECT_EQ(nameAt(PlaceKind::SerialPort, place, root), "/dev/ttyUSB3");
+    EXPECT_EQ(nameAt(PlaceKind::SerialPort, "/sys/devices/usb1/1-2/1-2:1.0#OTHER", root), "")
+        << "another adapter there";
+    EXPECT_EQ(placeOf(PlaceKind::SerialPort, "/dev/ttyUSB4", root), "");
+}
+
+TEST(Place, TellsTheChannelsOfOneAdapterApart)
+{
+    const Folder folder;
+    for (const char *channel : {"0", "1"}) {
+        const std::string row = folder.path("sys/class/net/can") + channel;
+        std::filesystem::create_directories(row);
+        std::filesystem::create_directories(folder.path("sys/devices/pci0/0000:02"));
+        std::filesystem::create_symlink(folder.path("sys/devices/pci0/0000:02"), row + "/device");
+        std::ofstream(row + "/dev_port") << channel << '\n';
+    }
+    const std::string root = folder.path();
+    EXPECT_NE(placeOf(PlaceKind::CanInterface, "can0", root), placeOf(PlaceKind::CanInterface, "can1", root));
+    EXPECT_EQ(nameAt(PlaceKind::CanInterface, placeOf(PlaceKind::CanInterface, "can1", root), root), "can1");
+}
+
+// The real process
+
+/// The far end of a terminal, under a name that stays.
+class Terminal {
+public:
+    explicit Terminal(const std::string &name)
+        : m_master(::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC))
+    {
+        EXPECT_TRUE(m_master >= 0 && ::grantpt(m_master) == 0 && ::unlockpt(m_master) == 0);
+        std::filesystem::remove(name);
+        termios raw{};
+        const int slave = open();
+        ::tcgetattr(slave, &raw);
+        ::cfmakeraw(&raw);
+        ::tcsetattr(slave, TCSANOW, &raw);
+        ::close(slave);
+        std::filesystem::create_symlink(::ptsname(m_master), name);
+    }
+    Terminal(const Terminal &) = delete;
+    Terminal &operator=(const Terminal &) = delete;
+    ~Terminal() { ::close(m_master); }
+    [[nodiscard]] int open() const { return ::open(::ptsname(m_master), O_RDWR | O_NOCTTY | O_CLOEXEC); }
+    /// What comes first, at most that long; empty for nothing.
+    [[nodiscard]] std::string hear(std::chrono::milliseconds time) const
+    {
+        const auto end = SteadyClock::now() + time;
+        while (SteadyClock::now() < end) {
+            pollfd source{m_master, POLLIN, 0};
+            std::array<char, 64> part{};
+            if (::poll(&source, 1, 5) == 1 && (source.revents & POLLIN) != 0) {
+                const ssize_t got = ::read(m_master, part.data(), part.size());
+                if (got > 0)
+                    return {part.data(), static_cast<std::size_t>(got)};
+            }
+        }
+        return {};
+    }
+    void answer() const { EXPECT_EQ(::write(m_master, "ok", 2), 2); }
+
+private:
+    int m_master;
+};
+
+class CutLine : public testing::Test {
+protected:
+    CutLine()
+    {
+        terminal = std::make_unique<Terminal>(name);
+        const int slave = terminal->open();
+        auto started = startGuardian(
+            guardianBesideThisProgram(), {{Outlet::Form::Stream, slave}, folder.path("run"), "serial:" + name, name});
+        ::close(slave);
+        EXPECT_TRUE(started);
+        process = *started;
+        const guardian::Bytes packet = encode(Order{Order::Kind::Watch, 1, "motor", debt("motor").script});
+        EXPECT_GT(::send(process.socket, packet.data(), packet.size(), 0), 0);
+        std::array<std::uint8_t, 64> standing{};
+        EXPECT_GT(::recv(process.socket, standing.data(), standing.size(), 0), 0);
+    }
+    ~CutLine() override
+    {
+        ::kill(process.pid, SIGKILL);
+        ::waitpid(process.pid, nullptr, 0);
+    }
+    /// The cable comes out, then the program dies.
+    void cutAndKill()
+    {
+        terminal.reset();
+        std::filesystem::remove(name);
+        ::close(process.socket);
+        const auto end = SteadyClock::now() + patience;
+        while (!book.exists() && SteadyClock::now() < end)
+            ::usleep(2000);
+        ASSERT_TRUE(book.exists()) << "the stop is written down";
+    }
+    [[nodiscard]] bool isGone() const
+    {
+        const auto end = SteadyClock::now() + patience;
+        while (::waitpid(process.pid, nullptr, WNOHANG) == 0) {
+            if (SteadyClock::now() > end)
+                return false;
+            ::usleep(2000);
+        }
+        return true;
+    }
+
+    Folder folder;
+    std::string name = folder.path("tty");
+    DebtBook book{folder.path("run"), "serial:" + name};
+    std::unique_ptr<Terminal> terminal;
+    GuardianProcess process;
+};
+
+TEST_F(CutLine, ThatIsBackGetsItsStopFirst)
+{
+    cutAndKill();
+    const auto at = SteadyClock::now();
+    terminal = std::make_unique<Terminal>(name);
+    EXPECT_EQ(terminal->hear(patience), "STOP");
+    const auto taken = SteadyClock::now() - at;
+    std::printf("a line that is back: stop after %.1f ms (limit 100)\n",
+        std::chrono::duration<double, std::milli>(taken).count());
+    EXPECT_LE(taken, 100ms);
+    terminal->answer();
+    EXPECT_TRUE(isGone()) << "the guardian ends with its work";
+    EXPECT_FALSE(book.exists());
+}
+
+TEST_F(CutLine, IsTheBusinessOfAProgramThatOpensItAndTheGuardiansAgainIfThatDies)
+{
+    cutAndKill();
+    {
+        DebtBook ofProgram(folder.path("run"), "serial:" + name);
+        const auto end = SteadyClock::now() + patience;
+        while (!ofProgram.own() && SteadyClock::now() < end)
+            ::usleep(1000);
+        ASSERT_EQ(ofProgram.read().size(), 1U);
+        EXPECT_EQ(ofProgram.read().front().name, "motor");
+        terminal = std::make_unique<Terminal>(name);
+        EXPECT_EQ(terminal->hear(300ms), "") << "nobody but the program talks there";
+    }
+    EXPECT_EQ(terminal->hear(patience), "STOP");
+}
+
+TEST_F(CutLine, IsForgottenWhenAProgramHasSettledIt)
+{
+    cutAndKill();
+    book.remove("motor");
+    EXPECT_TRUE(isGone());
+}
+
+} // namespace
+} // namespace mb
