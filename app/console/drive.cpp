@@ -268,6 +268,8 @@ Task<int> drive(Console &console, Arguments arguments)
     co_await listening;
     if (auto allowed = device->mayMove(); !allowed)
         co_return fail(allowed.error());
+    if (const std::string caution = device->caution(plan->setPoint); !caution.empty())
+        console.note(device->selector() + ": " + caution);
     if (plan->zero) {
         auto zeroing = device->zeroPosition();
         co_await std::move(zeroing);
