@@ -268,6 +268,8 @@ Task<int> drive(Console &console, Arguments arguments)
     co_await listening;
     if (auto allowed = device->mayMove(); !allowed)
         co_return fail(allowed.error());
+    if (auto legal = plan->setPoint.mode == Mode::Off ? Result<void>() : device->check(plan->setPoint); !legal)
+        co_return fail(legal.error()); // now that the device itself is known
     if (const std::string caution = device->caution(plan->setPoint); !caution.empty())
         console.note(device->selector() + ": " + caution);
     if (plan->zero) {

@@ -245,3 +245,10 @@ class SupermodifiedTest(ContractTest):
                          [("supermodified", "absolute move", 4), ("supermodified", "error", 4)])
         self.assertEqual(rows[0]["fields"]["position"], 10240)
         self.assertEqual(rows[1]["fields"]["c1"], 82)
+
+    def test_the_error_reaction_of_d3_is_not_the_error_level_of_d1(self):
+        reactions = "02" + "00" * 19
+        text = f"(1.0) tty0 tx 55AA04771C0101{0x1C:02X}\n(1.1) tty0 tx 55AA04771C14{reactions}0A\n(1.2) tty0 rx 55AA77047314{reactions}65\n"
+        rows = self.run_json("decode", text=text)
+        self.assertEqual([row["message"] for row in rows], ["error-reporting level", "error reaction", "get error reaction"])
+        self.assertEqual((rows[0]["fields"]["level"], rows[1]["fields"]["r0"], rows[2]["address"]), (1, 2, 4))

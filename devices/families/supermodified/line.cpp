@@ -19,8 +19,6 @@ constexpr Duration openingSilence = answerTime + 5ms;
 /// Between the bytes of one piece, as adapters hand them out, and at least so many byte times.
 constexpr Duration pieceGap = 3ms;
 constexpr int pieceGapBytes = 3;
-/// A line that is never silent is talked on all the same.
-constexpr Duration longestListening = 300ms;
 /// An answer this late belongs to no question any more.
 constexpr Duration forgottenAfter = 1s;
 /// A deadline that is served later than this says that the machine was busy: what came meanwhile is still to be read.
@@ -61,13 +59,13 @@ Line::Line(SerialLink &link, Clock &clock)
     , m_reader([this](const Frame &frame) { onFrame(frame); })
     , m_roster(link.kept<Roster>())
     , m_timeout(clock)
-    , m_silence(clock)
+    , m_silence(clock, [this] { pump(); })
     , m_pollTimer(clock)
     , m_kick(clock)
     , m_received(link.received().add([this](std::span<const std::uint8_t> bytes) { onBytes(bytes); }))
     , m_state(link.stateChanged().add([this](LinkState) { onLinkState(); }))
 {
-    awaitSilence(openingSilence);
+    m_silence.await(openingSilence);
 }
 
 // Requests
@@ -137,8 +135,8 @@ void Line::expired(Instant deadline)
         finish(question.entry.request.frame);
     } else if (late > punctual && !std::exchange(question.excused, true)) {
         armTimeoutAt(now + std::clamp(late, Duration(answerTime), AnswerTime::ceiling));
-    } else if (const Instant pause = m_heardAt + gapOf(m_link);
-               m_heardAt > question.sentEnd && pause > now && now < question.sentEnd + longestListening) {
+    } else if (const Instant pause = m_silence.heardAt() + gapOf(m_link);
+               m_silence.heardAt() > question.sentEnd && pause > now && now < question.sentEnd + Silence::longest) {
         armTimeoutAt(pause);
     } else {
         giveUp();
@@ -157,25 +155,14 @@ void Line::giveUp()
 
 // Silence
 
-void Line::awaitSilence(Duration time)
-{
-    m_silentAt = m_clock.now() + time;
-    m_silentLimit = m_clock.now() + longestListening;
-}
-
 bool Line::isSilent()
 {
-    if (!m_silentAt)
-        return true;
-    const Instant end = std::min(*m_silentAt, m_silentLimit);
-    if (end <= m_clock.now()) {
-        m_silentAt.reset();
-        m_silence.stop();
+    const bool waited = m_silence.isAwaited();
+    if (!m_silence.look())
+        return false;
+    if (waited)
         repeatStops();
-        return true;
-    }
-    m_silence.start(end, [this] { pump(); });
-    return false;
+    return true;
 }
 
 bool Line::stopWaits() const
@@ -199,9 +186,7 @@ void Line::repeatStops()
 void Line::onBytes(std::span<const std::uint8_t> bytes)
 {
     const auto self = weak_from_this().lock();
-    m_heardAt = m_clock.now();
-    if (m_silentAt)
-        m_silentAt = std::max(*m_silentAt, m_heardAt + gapOf(m_link));
+    m_silence.interrupt(gapOf(m_link));
     m_reader.feed(bytes);
 }
 
@@ -247,7 +232,7 @@ void Line::transmit(Entry entry)
     if (sent)
         sent = m_link.send(bytes, request.rank == Rank::Stop ? Priority::Urgent : Priority::Normal);
     const Duration patience = patienceFor(request);
-    if (m_silentAt && request.rank == Rank::Stop)
+    if (m_silence.isAwaited() && request.rank == Rank::Stop)
         keepEarly(request);
     const Duration replyTime = request.answered ? timeOf(m_link, frameOverhead + request.replySize) : Duration::zero();
     m_inFlight = InFlight{std::move(entry), m_clock.now() + timeOf(m_link, bytes.size()), replyTime};
@@ -331,7 +316,7 @@ void Line::onLinkState()
         m_failUpTo = m_lastId;
         m_early.clear();
     } else {
-        awaitSilence(openingSilence);
+        m_silence.await(openingSilence);
     }
     // told from the clock: whoever listens to the link must not be surprised by the end of its own tasks
     m_kick.startIn(Duration::zero(), [this] {

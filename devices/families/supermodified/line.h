@@ -6,6 +6,7 @@
 #include "families/supermodified/codec.h"
 #include "families/supermodified/pollschedule.h"
 #include "families/supermodified/roster.h"
+#include "families/supermodified/silence.h"
 #include "transport/seriallink.h"
 
 #include <list>
@@ -134,7 +135,6 @@ private:
     void expired(Instant deadline);
     void giveUp();
     void hurry();
-    void awaitSilence(Duration time);
     [[nodiscard]] bool isSilent();
     [[nodiscard]] bool stopWaits() const;
     void keepEarly(const Request &stop);
@@ -158,9 +158,6 @@ private:
     std::optional<Missed> m_missed;
     std::map<int, int> m_misses; ///< of a node, in a row
     AnswerTime m_answerTimes;
-    Instant m_heardAt{};
-    std::optional<Instant> m_silentAt; ///< until then only stops are sent; nothing: the line is silent
-    Instant m_silentLimit{};
     std::vector<Request> m_early; ///< stops that did not wait for silence
     std::uint64_t m_lastId = 0;
     std::uint64_t m_failUpTo = 0;
@@ -169,7 +166,7 @@ private:
     Roster &m_roster;
     std::set<int> m_driving;
     Timer m_timeout;
-    Timer m_silence;
+    Silence m_silence; ///< while it is awaited only stops are sent
     Timer m_pollTimer;
     Timer m_kick;
     Listeners<const Frame &> m_overheard;

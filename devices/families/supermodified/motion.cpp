@@ -10,31 +10,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int hurriedStops = 20;             ///< without a pause
-constexpr Duration stopPeriod = 100ms;       ///< after that
-constexpr Duration stopPatience = 10ms;      ///< shorter than usual: a stop may be repeated at any time
-constexpr double unreachable = 2147483648.0; ///< D1, D2: 32-bit arithmetic of the loop overflows at this P·e (4)
-constexpr double fastestProfile = 46340.0;   ///< D1, D2: its square must fit 32 bits (4)
-constexpr double surestProfile = 2500.0;     ///< D1, D2: beyond it the knee of the profile may be missed (trap 19)
-constexpr double leastOverrun = 100.0;       ///< ticks that a loop may swing past its target
-
-bool isPosition(Mode mode)
-{
-    return mode == Mode::Position || mode == Mode::RampPosition;
-}
-bool isProfiled(Mode mode)
-{
-    return mode == Mode::RampPosition || mode == Mode::RampVelocity;
-}
-
-Result<void> checkNumber(std::string_view name, double value, double low, double high, std::string_view unit)
-{
-    if (std::isfinite(value) && value >= low && value <= high)
-        return {};
-    return mb::fail(Fault::OutOfRange,
-        std::string(name) + ' ' + numberText(value) + " is outside " + numberText(low) + " … " + numberText(high) + ' '
-            + std::string(unit));
-}
+constexpr int hurriedStops = 20;        ///< without a pause
+constexpr Duration stopPeriod = 100ms;  ///< after that
+constexpr Duration stopPatience = 10ms; ///< shorter than usual: a stop may be repeated at any time
 
 } // namespace
 
@@ -95,84 +73,11 @@ Result<void> Motion::check(const SetPoint &setPoint) const
         return good;
     if (auto fits = request(m_node.id, usualHostId, *command, dialect(), valueFor(setPoint)); !fits)
         return mb::fail(fits.error());
-    const bool narrow = dialect() == Dialect::D1;
-    const double fastest = narrow || dialect() == Dialect::D2 ? fastestProfile : 4294967295.0;
-    if (auto good = checkNumber("--velocity", setPoint.velocity, 0.0, fastest, "counts/s"); !good)
+    if (auto good = bounds().checkProfile(setPoint); !good)
         return good;
-    if (auto good
-        = checkNumber("--acceleration", setPoint.acceleration, 0.0, narrow ? 65535.0 : 4294967295.0, "counts/s²");
-        !good)
-        return good;
-    if (auto good = checkProfile(setPoint); !good)
-        return good;
-    return m_position || setPoint.relative ? checkReach(setPoint) : Result<void>(); // a move looks before it goes
-}
-
-/// What stops a move that passes its target must be known before it goes.
-Result<void> Motion::checkProfile(const SetPoint &setPoint) const
-{
-    if (setPoint.mode != Mode::RampPosition || !isNarrow()
-        || (profileVelocity(setPoint) && profileAcceleration(setPoint)))
-        return {};
-    return mb::fail(Fault::Unsafe,
-        "its profile is not known, so a move that passes its target could not be told; read profile.velocity and "
-        "profile.acceleration");
-}
-
-std::optional<double> Motion::profileVelocity(const SetPoint &setPoint) const
-{
-    if (setPoint.velocity > 0.0)
-        return setPoint.velocity;
-    return known().profileVelocity ? std::optional(static_cast<double>(*known().profileVelocity)) : std::nullopt;
-}
-
-std::optional<double> Motion::profileAcceleration(const SetPoint &setPoint) const
-{
-    if (setPoint.acceleration > 0.0)
-        return setPoint.acceleration;
-    return known().profileAcceleration ? std::optional(static_cast<double>(*known().profileAcceleration))
-                                       : std::nullopt;
-}
-
-std::string Motion::caution(const SetPoint &setPoint) const
-{
-    if (!isProfiled(setPoint.mode) || !m_node.dialect)
-        return {};
-    std::string text;
-    const auto changes = [&text](std::string_view key, double wanted, std::optional<std::int64_t> stands) {
-        if (wanted <= 0.0 || stands == std::llround(wanted))
-            return;
-        text += (text.empty() ? "" : "; ") + std::string(key) + " becomes " + numberText(std::round(wanted))
-            + (stands ? ", it was " + std::to_string(*stands) : std::string()) + ": the device stores it";
-    };
-    changes("profile.velocity", setPoint.velocity, known().profileVelocity);
-    changes("profile.acceleration", setPoint.acceleration, known().profileAcceleration);
-    if (isNarrow() && setPoint.mode == Mode::RampPosition && profileVelocity(setPoint).value_or(0.0) > surestProfile)
-        text += (text.empty() ? "" : "; ")
-            + std::string(
-                "this firmware may pass the target of a profiled move above 2500 counts/s; it is stopped then");
-    return text;
-}
-
-/// An un-profiled move is one step of the error, which the loop of D1 and D2 multiplies by P in 32 bits.
-Result<void> Motion::checkReach(const SetPoint &setPoint) const
-{
-    if (setPoint.mode != Mode::Position || !isNarrow())
-        return {};
-    if (!known().gainP || (!m_position && !setPoint.relative))
-        return mb::fail(Fault::Unsafe,
-            "its P or its position is not known, so whether this step overflows its loop is not either; read gain.p");
-    if (*known().gainP == 0)
-        return {};
-    const double distance = setPoint.relative
-        ? setPoint.target
-        : setPoint.target - static_cast<double>(m_position.value_or(0) + m_origin);
-    const double farthest = std::floor(unreachable / static_cast<double>(*known().gainP)) - 1.0;
-    if (std::abs(distance) <= farthest)
-        return {};
-    return mb::fail(Fault::OutOfRange,
-        "a step of " + numberText(distance) + " counts overflows the loop of this firmware; at most "
-            + numberText(farthest) + " with its P: use a profiled mode or several moves");
+    const auto where = position();
+    return where || setPoint.relative ? bounds().checkReach(setPoint, where)
+                                      : Result<void>(); // a move looks before it goes
 }
 
 // Set-points
@@ -227,7 +132,7 @@ Result<Line::Request> Motion::requestFor(Step step) const
 {
     const SetPoint &order = m_orders.front();
     if (step == Step::Start || step == Step::Move) { // the position is known now
-        if (auto reachable = checkReach(order); !reachable)
+        if (auto reachable = bounds().checkReach(order, position()); !reachable)
             return mb::fail(reachable.error());
     }
     switch (step) {
@@ -351,18 +256,12 @@ void Motion::stored(Step step)
 void Motion::beginRun(const SetPoint &setPoint)
 {
     m_run.reset();
-    const auto velocity = profileVelocity(setPoint);
-    const auto acceleration = profileAcceleration(setPoint);
-    if (setPoint.mode != Mode::RampPosition || !isNarrow() || !velocity || !acceleration || !m_position)
+    if (!m_position)
         return;
     const auto from = static_cast<double>(*m_position);
-    Run run;
-    run.target = static_cast<double>(valueFor(setPoint)) + (setPoint.relative ? from : 0.0);
-    const double distance = std::abs(run.target - from);
-    run.direction = run.target < from ? -1.0 : 1.0;
-    const double stopping = *velocity * *velocity / (2.0 * std::max(*acceleration, 1.0));
-    run.overrun = std::max(std::min(stopping, distance / 2.0), leastOverrun); // a short move never gets that fast
-    m_run = run;
+    const double target = static_cast<double>(valueFor(setPoint)) + (setPoint.relative ? from : 0.0);
+    if (const auto overrun = bounds().overrun(setPoint, target - from))
+        m_run = Run{target, target < from ? -1.0 : 1.0, *overrun};
 }
 
 void Motion::watchRun()

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "families/supermodified/node.h"
+#include "families/supermodified/movebounds.h"
 #include "model/setpoint.h"
 
 #include <deque>
@@ -31,7 +31,7 @@ public:
     /// Whether the node could do it: Unsupported, OutOfRange. A node of unknown dialect is taken for the widest.
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const;
     /// What is worth knowing of one that is legal: settings that it changes for good, targets that it may pass.
-    [[nodiscard]] std::string caution(const SetPoint &setPoint) const;
+    [[nodiscard]] std::string caution(const SetPoint &setPoint) const { return bounds().caution(setPoint); }
     /// Takes a set-point; what it needs is sent one after the other. Fails with why the motion before it ended (stall, no
     /// answer) until stop() was called, and while a stop is not acknowledged.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
@@ -76,12 +76,13 @@ private:
 
     [[nodiscard]] Result<Command> commandFor(const SetPoint &setPoint) const;
     [[nodiscard]] std::int64_t valueFor(const SetPoint &setPoint) const;
-    [[nodiscard]] Result<void> checkReach(const SetPoint &setPoint) const;
-    [[nodiscard]] Result<void> checkProfile(const SetPoint &setPoint) const;
-    [[nodiscard]] bool isNarrow() const { return m_node.dialect && m_node.dialect != Dialect::D3; }
     [[nodiscard]] const Roster::Entry &known() const { return m_line.roster().entry(m_node.id); }
-    [[nodiscard]] std::optional<double> profileVelocity(const SetPoint &setPoint) const;
-    [[nodiscard]] std::optional<double> profileAcceleration(const SetPoint &setPoint) const;
+    [[nodiscard]] MoveBounds bounds() const { return {m_node, known()}; }
+    /// As set-points count.
+    [[nodiscard]] std::optional<std::int64_t> position() const
+    {
+        return m_position ? std::optional(*m_position + m_origin) : std::nullopt;
+    }
     void beginRun(const SetPoint &setPoint);
     void watchRun();
     void abort(std::string why);
