@@ -6663,10 +6663,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Die Antworten passen zu keinem bekannten Dialekt.</translation>
     </message>
     <message>
-        <source>What is sent to it is also done by node %1, because of an acceptance mask. Set node.mask to 255 and restart them.</source>
-        <translation>Was an dieses Gerät geht, führt wegen einer Akzeptanzmaske auch Knoten %1 aus. node.mask auf 255 setzen und beide neu starten.</translation>
-    </message>
-    <message>
         <source>%1, and the device switched its output off</source>
         <translation>%1, und das Gerät hat seinen Ausgang abgeschaltet</translation>
     </message>
@@ -7313,10 +7309,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Of profiled moves. D1: at most 65535.</source>
         <translation>Bei Bewegungen mit Profil. D1: höchstens 65535.</translation>
-    </message>
-    <message>
-        <source>Of profiled moves. D1: at most 65535; D1 and D2 compute wrongly from 46340 on.</source>
-        <translation>Bei Bewegungen mit Profil. D1: höchstens 65535; D1 und D2 rechnen ab 46340 falsch.</translation>
     </message>
     <message>
         <source>Firmware of D1 and D2 stores it and does not limit anything.</source>
@@ -8021,6 +8013,54 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the guardian tried in vain to stop the motor; it may still turn: cut its power</source>
         <translation>der Wächter wollte den Motor stoppen, vergeblich; er läuft vielleicht noch: Strom abschalten</translation>
+    </message>
+    <message>
+        <source>It is not driven: %1.</source>
+        <translation>Dieses Gerät wird nicht angetrieben: %1.</translation>
+    </message>
+    <message>
+        <source>what is sent to node %1 is also done by node %2, now or after a restart, because of an acceptance mask; set its node.mask to 255 and restart it</source>
+        <translation>was an Knoten %1 geht, führt wegen einer Akzeptanzmaske auch Knoten %2 aus, jetzt oder nach einem Neustart; dessen node.mask auf 255 setzen und ihn neu starten</translation>
+    </message>
+    <message>
+        <source>every id that this program could use on the line belongs to the group of a node, so answers would be taken for commands; set node.mask to 255 and restart the nodes</source>
+        <translation>jede Nummer, die dieses Programm auf der Leitung haben könnte, gehört zur Gruppe eines Knotens, der Antworten für Befehle hielte; node.mask auf 255 setzen und die Knoten neu starten</translation>
+    </message>
+    <message>
+        <source>its profile is not known, so a move that passes its target could not be told; read profile.velocity and profile.acceleration</source>
+        <translation>sein Profil ist nicht bekannt, eine Fahrt über das Ziel hinaus wäre nicht zu erkennen; profile.velocity und profile.acceleration lesen</translation>
+    </message>
+    <message>
+        <source>its P or its position is not known, so whether this step overflows its loop is not either; read gain.p</source>
+        <translation>P oder Position sind nicht bekannt, also auch nicht, ob dieser Sprung den Regler überlaufen lässt; gain.p lesen</translation>
+    </message>
+    <message>
+        <source>the profiled move passed its target by more than its stopping distance, as this firmware may above 2500 counts/s; use a lower profile.velocity</source>
+        <translation>die Bewegung mit Profil ist um mehr als ihren Bremsweg über das Ziel hinausgegangen, was bei dieser Firmware über 2500 counts/s vorkommt; profile.velocity kleiner wählen</translation>
+    </message>
+    <message>
+        <source>somebody may have started it again, so the position was not reset</source>
+        <translation>jemand kann es wieder gestartet haben, deshalb wurde die Position nicht zurückgesetzt</translation>
+    </message>
+    <message>
+        <source>the position was not reset: %1</source>
+        <translation>die Position wurde nicht zurückgesetzt: %1</translation>
+    </message>
+    <message>
+        <source>Of profiled moves. D1: at most 65535. D1 and D2 may pass their target above 2500, and compute wrongly from 46340 on.</source>
+        <translation>Bei Bewegungen mit Profil. D1: höchstens 65535. D1 und D2 können über 2500 ihr Ziel überfahren und rechnen ab 46340 falsch.</translation>
+    </message>
+    <message>
+        <source>%1 becomes %2, it was %3: the device stores it</source>
+        <translation>%1 wird %2, bisher %3: das Gerät speichert es</translation>
+    </message>
+    <message>
+        <source>%1 becomes %2: the device stores it</source>
+        <translation>%1 wird %2: das Gerät speichert es</translation>
+    </message>
+    <message>
+        <source>this firmware may pass the target of a profiled move above 2500 counts/s; it is stopped then</source>
+        <translation>diese Firmware kann bei einer Bewegung mit Profil über 2500 counts/s das Ziel überfahren; sie wird dann gestoppt</translation>
     </message>
 </context>
 </TS>

@@ -264,6 +264,10 @@ Task<int> drive(Console &console, Arguments arguments)
         co_return fail(ready.error());
     if (auto allowed = device->mayMove(); !allowed)
         co_return fail(allowed.error());
+    if (auto legal = plan->setPoint.mode == Mode::Off ? Result<void>() : device->check(plan->setPoint); !legal)
+        co_return fail(legal.error()); // now that the device itself is known
+    if (const std::string caution = device->caution(plan->setPoint); !caution.empty())
+        console.note(device->selector() + ": " + caution);
     if (plan->zero) {
         auto zeroing = device->zeroPosition();
         co_await std::move(zeroing);

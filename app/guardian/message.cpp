@@ -60,8 +60,8 @@ private:
 bool isLegal(const Step &step)
 {
     using std::chrono::milliseconds;
-    return !step.bytes.empty() && step.mask.size() == step.reply.size() && step.wait >= milliseconds(1)
-        && step.wait <= milliseconds(500) && step.attempts >= 1 && step.attempts <= 100;
+    return (!step.bytes.empty() || step.reply.empty()) && step.mask.size() == step.reply.size()
+        && step.wait >= milliseconds(1) && step.wait <= milliseconds(500) && step.attempts >= 1 && step.attempts <= 100;
 }
 
 Step takeStep(Reader &reader)

@@ -17,6 +17,8 @@ public:
     void advance(Duration time);
     /// Steps until `done()`; false when the queue ran dry or `limit` of virtual time passed first.
     bool runUntil(const std::function<bool()> &done, Duration limit = std::chrono::hours(1));
+    /// The machine stands still: time passes, and what falls due meanwhile runs late.
+    void stall(Duration time) { m_now += time; }
 
 private:
     Instant m_now{};

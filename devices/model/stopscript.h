@@ -19,7 +19,7 @@ class Link;
 /// message was sent does not count.
 struct StopStep {
     std::optional<CanFrame> frame;       ///< on a CAN link
-    std::vector<std::uint8_t> bytes;     ///< on the others: a packet, or one transfer
+    std::vector<std::uint8_t> bytes;     ///< on the others: a packet, or one transfer; neither: only the wait
     std::vector<std::uint8_t> reply;     ///< bytes of the answer; empty: none is waited for. Serial links only
     std::vector<std::uint8_t> replyMask; ///< bits of `reply` that count; empty: all, else as long as it
     std::chrono::milliseconds wait{50};  ///< for the answer, or between two sends without one; 1 … 500

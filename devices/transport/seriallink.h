@@ -68,6 +68,14 @@ public:
             known = held = make();
         return held;
     }
+    /// What is known of who is on this line: made when first asked for, kept for as long as the link.
+    template <class T> [[nodiscard]] T &kept()
+    {
+        std::shared_ptr<void> &known = m_kept[std::type_index(typeid(T))];
+        if (!known)
+            known = std::make_shared<T>();
+        return *std::static_pointer_cast<T>(known);
+    }
 
 protected:
     /// A rate that the address fixes is taken; otherwise 115200.
@@ -93,6 +101,7 @@ private:
     std::optional<Duration> m_roundTrip;
     LineLoad m_load;
     std::map<std::type_index, std::weak_ptr<void>> m_shared;
+    std::map<std::type_index, std::shared_ptr<void>> m_kept;
     Listeners<std::span<const std::uint8_t>> m_received;
     Listeners<> m_lineErrors;
 };

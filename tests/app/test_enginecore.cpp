@@ -105,6 +105,28 @@ TEST_F(Core, TellsWhyALinkDoesNotOpen)
     EXPECT_TRUE(core.snapshot().links.empty());
 }
 
+TEST_F(Core, SaysWhatAMoveStoresAndMayPassBeforeItGoes)
+{
+    open("sim:serial");
+    clock.advance(5s);
+    for (const DeviceView &view : core.snapshot().devices) {
+        if (view.identity.dialect != "D1")
+            continue;
+        SetPoint ramp;
+        ramp.mode = Mode::RampPosition;
+        ramp.target = 100.0;
+        ramp.velocity = 800.0;
+        core.startMotion(view.id, ramp, 500ms, into(opened));
+        EXPECT_FALSE(said("the device stores it")) << "it has this already";
+        core.stopMotion(view.id);
+        clock.advance(1s);
+        ramp.velocity = 3000.0;
+        core.startMotion(view.id, ramp, 500ms, into(opened));
+    }
+    EXPECT_TRUE(said("profile.velocity becomes 3000, it was 800: the device stores it"));
+    EXPECT_TRUE(said("may pass the target"));
+}
+
 TEST_F(Core, KeepsTheDiagnosisOfALinkThatDoesNotOpenUntilItIsClosed)
 {
     core.openLink(*LinkAddress::parse("socketcan:nosuchcan9"), into(opened));

@@ -104,12 +104,50 @@ class SupermodifiedTest(ContractTest):
     def test_moves_reach_their_targets(self):
         nodes = Nodes(self, "supermodified:4,dialect=D2")
         node = f"serial:{nodes.path}?baud=115200/supermodified:4"
-        for mode, more in (("position", []), ("ramp-position", ["--velocity", "4000", "--acceleration", "20000"])):
+        for mode, more in (("position", []), ("ramp-position", ["--velocity", "2000", "--acceleration", "20000"])):
             lines = self.run_json("drive", node, "--mode", mode, "--target", "2000", *more, "--for", "3")
             positions = [line["value"] for line in lines if line.get("channel") == "position"]
             self.assertAlmostEqual(positions[-1], 2000, delta=60, msg=mode)
         self.assert_error(2, "drive", node, "--mode", "duty", "--target", "0.1", "--for", "1", says="has no mode")
         self.assert_error(2, "drive", node, "--mode", "velocity", "--target", "1e11", "--for", "1")
+
+    def test_driving_one_node_starts_nobody_else(self):
+        nodes = Nodes(self, "supermodified:4,mask=240", "supermodified:5")
+        link = f"serial:{nodes.path}?baud=57600"
+        self.assert_error(4, "drive", f"{link}/supermodified:5", "--mode", "velocity", "--target", "200", "--for", "1", says="node 4")
+        self.assertEqual([event["event"] for _, event in nodes.events], [])
+        self.assertEqual(self.run_one("info", f"{link}/supermodified:5")["state"], "online")
+
+    def test_a_step_that_overflows_is_refused_before_anything_moves(self):
+        nodes = Nodes(self, "supermodified:4")
+        node = f"serial:{nodes.path}?baud=57600/supermodified:4"
+        for device in (node, "sim:serial/supermodified:4"):
+            self.assert_error(2, "drive", device, "--mode", "position", "--target", "3000000", "--for", "1", says="overflows")
+        self.assertEqual([event["event"] for _, event in nodes.events], [])
+
+    def test_what_a_profile_stores_and_may_pass_is_said(self):
+        nodes = Nodes(self, "supermodified:4")
+        node = f"serial:{nodes.path}?baud=57600/supermodified:4"
+        first = contract.Run(["--json", "drive", node, "--mode", "ramp-position", "--target", "100", "--velocity", "3000", "--for", "0.2"])
+        self.assertEqual(first.status, 0, first.err)
+        self.assertIn("profile.velocity becomes 3000, it was 800: the device stores it", first.err)
+        self.assertIn("may pass the target", first.err)
+        again = contract.Run(["--json", "drive", node, "--mode", "ramp-position", "--target", "100", "--velocity", "3000", "--for", "0.2"])
+        self.assertNotIn("stores it", again.err)
+        self.assertEqual(self.run_one("get", node, "profile.velocity")["parameters"]["profile.velocity"]["value"], 3000)
+
+    def test_short_runs_one_after_the_other_lock_nobody_up(self):
+        nodes = Nodes(self, "supermodified:4,dialect=D1", "supermodified:5,dialect=D2")
+        for turn in range(12):
+            node = f"serial:{nodes.path}?baud=57600/supermodified:{4 + turn % 2}"
+            begin = time.monotonic()
+            drive = self.spawn("drive", node, "--mode", "velocity", "--target", "800", "--for", "60")
+            self.assertIsNotNone(nodes.when("output-on", after=begin), turn)
+            at = time.monotonic()
+            drive.send_signal(signal.SIGKILL)
+            self.assertIsNotNone(nodes.when("output-off", after=at), turn)
+            self.run_one("get", node, "gain.p")
+        self.assertEqual([event for _, event in nodes.events if event["event"] in ("crashed", "hung")], [])
 
     def timed_scan(self, *arguments):
         begin = time.monotonic()
@@ -207,3 +245,10 @@ class SupermodifiedTest(ContractTest):
                          [("supermodified", "absolute move", 4), ("supermodified", "error", 4)])
         self.assertEqual(rows[0]["fields"]["position"], 10240)
         self.assertEqual(rows[1]["fields"]["c1"], 82)
+
+    def test_the_error_reaction_of_d3_is_not_the_error_level_of_d1(self):
+        reactions = "02" + "00" * 19
+        text = f"(1.0) tty0 tx 55AA04771C0101{0x1C:02X}\n(1.1) tty0 tx 55AA04771C14{reactions}0A\n(1.2) tty0 rx 55AA77047314{reactions}65\n"
+        rows = self.run_json("decode", text=text)
+        self.assertEqual([row["message"] for row in rows], ["error-reporting level", "error reaction", "get error reaction"])
+        self.assertEqual((rows[0]["fields"]["level"], rows[1]["fields"]["r0"], rows[2]["address"]), (1, 2, 4))

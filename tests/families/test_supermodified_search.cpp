@@ -61,7 +61,7 @@ TEST(SupermodifiedMemory, WhoWentIsNotFoundAndWhoCameIs)
     const auto known = first.scan({});
     ProgramRun second{"supermodified:5", "supermodified:6", "supermodified:77"};
     EXPECT_EQ(idsOf(second.scan(known)), (std::vector<int>{5, 6, 77}));
-    EXPECT_FALSE(Line::of(second.bench.host, second.bench.clock)->nodes().contains(4));
+    EXPECT_FALSE(second.bench.host.kept<Roster>().nodes().contains(4));
     ProgramRun moved{"supermodified:4,baud=115200"};
     const auto rows = moved.scan(known);
     ASSERT_EQ(idsOf(rows), (std::vector<int>{4})) << "at another rate now";

@@ -70,7 +70,7 @@ constexpr std::array messageTable{
     Message{Command::GetIoDirection, "get DIO direction", "direction", "", u8},
     Message{Command::GetNodeMask, "get local acceptance mask", "mask", "", u8},
     Message{Command::GetInputs, "get digital inputs", "inputs", "", u8},
-    Message{Command::GetAnalog, "get analogFormats inputs", "", "1/1024 of 5 V", analogFormats},
+    Message{Command::GetAnalog, "get analog inputs", "", "1/1024 of 5 V", analogFormats},
     Message{Command::GetPosition, "get position", "position", "ticks", placeFormats},
     Message{Command::GetAbsolutePosition, "get absolute position", "position", "ticks", u16},
     Message{Command::GetVelocity, "get velocity", "velocity", "ticks/s", speed},
@@ -178,6 +178,13 @@ std::size_t sizeOf(Format format)
     return formatSizes.at(static_cast<std::size_t>(format));
 }
 
+std::string_view Message::nameOf(Format format) const
+{
+    if (format != Format::Reactions)
+        return name;
+    return isGet(static_cast<std::uint8_t>(command)) ? "get error reaction" : "error reaction";
+}
+
 std::span<const Message> messages()
 {
     return messageTable;
@@ -215,8 +222,9 @@ Result<Frame> request(int node, int host, Command command, Dialect dialect, std:
     frame.size = static_cast<std::uint8_t>(sizeOf(format));
     if (value < low || value > high || (format == Format::Reactions && !writeReactions(frame, value)))
         return fail(Fault::OutOfRange,
-            std::string(message->name) + ' ' + std::to_string(value) + " is outside " + std::to_string(low) + " … "
-                + std::to_string(high) + ", what firmware of dialect " + std::string(toString(dialect)) + " takes");
+            std::string(message->nameOf(format)) + ' ' + std::to_string(value) + " is outside " + std::to_string(low)
+                + " … " + std::to_string(high) + ", what firmware of dialect " + std::string(toString(dialect))
+                + " takes");
     if (format != Format::Reactions)
         writeInteger(frame, value, frame.size);
     return frame;

@@ -42,6 +42,8 @@ struct Message {
     bool stored = false;             ///< writes EEPROM before it answers
 
     [[nodiscard]] Format formatIn(Dialect dialect) const { return formats.at(static_cast<std::size_t>(dialect)); }
+    /// D3 uses two ids of D1 and D2 for something else.
+    [[nodiscard]] std::string_view nameOf(Format format) const;
 };
 [[nodiscard]] std::span<const Message> messages();
 /// nullptr for a command that no dialect has.

@@ -15,6 +15,10 @@ using namespace std::chrono_literals;
 constexpr int missesOfSilence = 3;
 constexpr Duration foreignMemory = 500ms;
 constexpr std::size_t stopExchange = 2 * frameOverhead; ///< bytes
+constexpr std::size_t longestExchange = 2 * frameOverhead + sizeof(std::int64_t);
+constexpr std::chrono::milliseconds turnaround{2};
+constexpr std::chrono::milliseconds longestPause{100};
+constexpr std::size_t fillerSize = mostDataD1D2 + 2; ///< of a frame whose count or rest is missing
 constexpr int stopAttempts = 20;
 
 /// Codes that say that the bridge is off.
@@ -32,7 +36,8 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
     , m_node(nodeOf(this->identity(), link))
     , m_motion(*m_line, m_node,
           {[this] { onMotion(); }, [this](std::span<const std::uint8_t> codes) { onCodes(codes); },
-              [this](const Frame &reply) { m_polls.takePosition(reply); }})
+              [this](const Frame &reply) { m_polls.takePosition(reply); },
+              [this](Command command, std::int64_t raw) { onStored(command, raw); }})
     , m_polls(*m_line, m_node, *telemetry(),
           {[this](const Result<Frame> &reply) { onAnswer(reply); }, [this](std::int64_t raw) { onPosition(raw); }})
     , m_foreignTimer(clock)
@@ -41,8 +46,7 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
     , m_identityChanged(changed().add([this] { identityChanged(); }))
 {
     doProfileChanged();
-    m_line->note(m_node.id,
-        m_line->nodes().contains(m_node.id) ? m_line->nodes().at(m_node.id) : Line::Known{m_node.baudrate, exactMask});
+    m_line->roster().note(m_node.id, m_node.baudrate);
 }
 
 /// Whoever destroys it while the motor may turn cannot wait for an acknowledgement; on real links the guardian sees to it.
@@ -50,7 +54,7 @@ Controller::~Controller()
 {
     m_line->setDriving(m_node.id, false);
     if ((m_motion.isEnergized() || m_motion.isStopping()) && m_serial.state() == LinkState::Open) {
-        Frame stop = request(m_node.id, m_line->hostId(), Command::Stop);
+        Frame stop = request(m_node.id, m_line->roster().hostId(), Command::Stop);
         (void)m_serial.send(uartBytes(stop), Priority::Urgent);
     }
 }
@@ -65,6 +69,19 @@ bool Controller::doOffers(ParameterIndex index) const
 Result<void> Controller::doCheck(const SetPoint &setPoint) const
 {
     return m_motion.check(setPoint);
+}
+
+/// A node that follows this one would move too, unwatched, and one that takes answers for commands might.
+Result<void> Controller::doMayMove() const
+{
+    if (const std::string lock = m_line->roster().lockOf(m_node.id); !lock.empty())
+        return fail(Fault::Unsafe, lock);
+    return {};
+}
+
+std::string Controller::doCaution(const SetPoint &setPoint) const
+{
+    return m_motion.caution(setPoint);
 }
 
 Result<void> Controller::doCommand(const SetPoint &setPoint)
@@ -95,19 +112,31 @@ bool Controller::doIsSeenStopped() const
     return !m_motion.isStopping() && acknowledged && *acknowledged >= stoppedAt();
 }
 
+/// What was asked last is answered first, because bytes that collide can lock D1 and D2 up; then zeros end the half of a frame
+/// that a dying program left there: else the node would take the stop for the rest of it.
 StopScript Controller::doStopScript() const
 {
-    const auto onWire = std::chrono::nanoseconds(std::chrono::seconds(10)) * stopExchange / m_node.baudrate;
-    const auto wait = std::chrono::ceil<std::chrono::milliseconds>(onWire) + answerTime;
+    const auto onWire = [this](std::size_t bytes) {
+        const auto time = std::chrono::nanoseconds(std::chrono::seconds(10)) * bytes / m_node.baudrate;
+        return std::chrono::ceil<std::chrono::milliseconds>(time);
+    };
+    const auto legal
+        = [](std::chrono::milliseconds wait) { return std::clamp<std::chrono::milliseconds>(wait, 1ms, 500ms); };
+    const int host = m_line->roster().hostId();
+    StopStep pause;
+    pause.wait = legal(std::min(onWire(longestExchange) + turnaround, longestPause));
+    StopStep filler;
+    filler.bytes.assign(fillerSize, 0);
+    filler.wait = legal(onWire(fillerSize));
     StopStep step;
-    step.bytes = uartBytes(request(m_node.id, m_line->hostId(), Command::Stop));
-    step.reply = uartBytes(request(m_line->hostId(), m_node.id, Command::Stop));
-    step.wait = std::clamp<std::chrono::milliseconds>(wait, 1ms, 500ms);
+    step.bytes = uartBytes(request(m_node.id, host, Command::Stop));
+    step.reply = uartBytes(request(host, m_node.id, Command::Stop));
+    step.wait = legal(onWire(stopExchange) + answerTime);
     step.attempts = stopAttempts;
     StopStep everybody;
-    everybody.bytes = uartBytes(request(broadcastId, m_line->hostId(), Command::GlobalStop));
+    everybody.bytes = uartBytes(request(broadcastId, host, Command::GlobalStop));
     everybody.wait = 1ms;
-    return StopScript{{std::move(step), std::move(everybody)}};
+    return StopScript{{std::move(pause), std::move(filler), std::move(step), std::move(everybody)}};
 }
 
 // What the node says
@@ -155,8 +184,10 @@ void Controller::onPosition(std::int64_t raw)
 void Controller::onOverheard(const Frame &frame)
 {
     const Message *const message = messageOf(frame.command);
-    if (frame.to != m_node.id || frame.from == m_line->hostId() || message == nullptr || !message->control)
+    const bool forUs = frame.to == m_node.id || frame.to == broadcastId;
+    if (!forUs || frame.from == m_line->roster().hostId() || message == nullptr || !message->control)
         return;
+    m_motion.doubt();
     m_foreignAt = clock().now();
     m_foreignTimer.startIn(foreignMemory, [this] {
         m_foreignAt.reset();
@@ -186,7 +217,14 @@ void Controller::onMotion()
     m_energized = energized;
     m_polls.setOrigin(m_motion.origin());
     m_polls.setDriven(energized);
+    m_polls.setKnownOff(m_motion.isKnownOff());
     updateLiveness();
+}
+
+void Controller::onStored(Command command, std::int64_t raw)
+{
+    if (const auto index = parameterWithId(static_cast<std::uint16_t>(command)))
+        parameters().setRead(*index, raw);
 }
 
 void Controller::identityChanged()
@@ -209,7 +247,8 @@ void Controller::doProfileChanged()
 
 void Controller::setHeard(bool heard)
 {
-    m_heard = heard;
+    if (std::exchange(m_heard, heard) && !heard)
+        m_motion.doubt(); // whatever happens to it now is not seen
     m_polls.setHeard(heard);
     updateLiveness();
 }

@@ -42,12 +42,16 @@ private:
     [[nodiscard]] Task<std::int64_t> readNumber(Command command);
     [[nodiscard]] Task<void> writeNumber(Command command, std::int64_t raw);
     [[nodiscard]] Task<void> writeDuration(std::int64_t raw);
+    void noteWritten(const Parameter &row, std::int64_t raw);
+    void noteRead(const Parameter &row, std::int64_t raw);
     [[nodiscard]] std::vector<FaultRecord> faultRecords() const;
     [[nodiscard]] Error about(const Parameter &parameter, const Error &error) const;
 
     // Device, at once
+    [[nodiscard]] Result<void> doMayMove() const override;
     [[nodiscard]] bool doOffers(ParameterIndex index) const override;
     [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
+    [[nodiscard]] std::string doCaution(const SetPoint &setPoint) const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     Result<void> doReleaseMoves() override;
     void doStop() override;
@@ -62,6 +66,7 @@ private:
     void onOverheard(const Frame &frame);
     void onLinkState(LinkState state);
     void onMotion();
+    void onStored(Command command, std::int64_t raw);
     void identityChanged();
     void doProfileChanged() override;
     void setHeard(bool heard);
@@ -79,7 +84,8 @@ private:
     std::map<std::uint8_t, Reported> m_codes; ///< since it was opened
     bool m_heard = false;
     bool m_restarted = false;
-    bool m_energized = false; ///< as onMotion() saw it last
+    bool m_energized = false;                ///< as onMotion() saw it last
+    std::optional<std::int64_t> m_owedLimit; ///< the stored current limit, while the node takes a duration for it
     int m_misses = 0;
     bool m_missed = false;                  ///< the answer before the last one did not come
     std::optional<std::int64_t> m_position; ///< of the node

@@ -28,6 +28,7 @@ Task<void> Controller::doRefresh()
     auto asking = interview(*m_line, m_node);
     const Interview said = co_await std::move(asking);
     m_restarted = false;
+    m_owedLimit.reset();
     Identity known = identityOf(*m_line, m_node, said);
     known.name = identity().name;
     setIdentity(std::move(known));
@@ -69,8 +70,7 @@ Task<std::int64_t> Controller::doRead(ParameterIndex index)
     const Result<std::int64_t> raw = co_await std::move(reading).attempt();
     if (!raw)
         co_return fail(about(row, raw.error()));
-    if (row.id == id::gainP)
-        m_motion.setGain(*raw);
+    noteRead(row, *raw);
     co_return *raw;
 }
 
@@ -95,13 +95,18 @@ Task<void> Controller::writeDuration(std::int64_t raw)
         co_await std::move(writing);
         co_return {};
     }
-    auto reading = readNumber(Command::GetCurrentLimit);
-    const std::int64_t limit = co_await std::move(reading);
+    if (!m_owedLimit) { // else what it reports is the last duration
+        auto reading = readNumber(Command::GetCurrentLimit);
+        m_owedLimit = co_await std::move(reading);
+    }
+    const std::int64_t limit = *m_owedLimit;
     auto writing = writeNumber(Command::CurrentLimitDuration, raw);
     co_await std::move(writing);
     auto again = writeNumber(Command::CurrentLimit, limit);
     const Result<void> restored = co_await std::move(again).attempt();
-    if (!restored)
+    if (restored)
+        m_owedLimit.reset();
+    else
         co_return fail(restored.error().fault,
             "written, but the current limit, which this firmware overwrites with it, could not be put back to "
                 + std::to_string(limit) + " mA: " + restored.error().text());
@@ -113,15 +118,37 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
     const Parameter &row = parameters().parameter(index);
     if (!doOffers(index))
         co_return fail(Fault::Unsupported, std::string(row.key) + " does not exist in this device's dialect");
-    if (row.id == id::nodeId && raw != m_node.id && m_line->nodes().contains(static_cast<int>(raw)))
+    if (row.id == id::nodeId && raw != m_node.id && m_line->roster().nodes().contains(static_cast<int>(raw)))
         co_return fail(Fault::Refused, "node id " + std::to_string(raw) + " is used by another node of this line");
     auto writing = row.id == id::currentLimitDuration ? writeDuration(raw) : writeNumber(setterOf(row), raw);
     const Result<void> written = co_await std::move(writing).attempt();
     if (!written)
         co_return fail(about(row, written.error()));
-    if (row.id == id::gainP)
-        m_motion.setGain(raw);
+    noteWritten(row, raw);
     co_return raw;
+}
+
+void Controller::noteRead(const Parameter &row, std::int64_t raw)
+{
+    Roster &roster = m_line->roster();
+    switch (row.id) {
+    case id::gainP: roster.noteGain(m_node.id, raw); break;
+    case id::profileVelocity: roster.noteProfileVelocity(m_node.id, raw); break;
+    case id::profileAcceleration: roster.noteProfileAcceleration(m_node.id, raw); break;
+    case id::nodeMask: roster.noteMask(m_node.id, static_cast<std::uint8_t>(raw)); break;
+    default: break;
+    }
+}
+
+/// What is in force after a restart only counts from now on, because nobody says when that comes.
+void Controller::noteWritten(const Parameter &row, std::int64_t raw)
+{
+    switch (row.id) {
+    case id::nodeMask: m_line->roster().noteNextMask(m_node.id, static_cast<std::uint8_t>(raw)); break;
+    case id::nodeId: m_line->roster().noteNextId(m_node.id, static_cast<int>(raw)); break;
+    case id::currentLimit: m_owedLimit.reset(); break;
+    default: noteRead(row, raw); break;
+    }
 }
 
 /// A set is answered after its EEPROM was written (1.4), so there is nothing left to prove.
@@ -183,6 +210,10 @@ Task<void> Controller::doZeroPosition()
         Sleep nap(clock(), lookAgain);
         co_await nap;
     }
+    if (const std::string lock = m_line->roster().lockOf(m_node.id); !lock.empty())
+        co_return fail(Fault::Unsafe, "the position was not reset: " + lock);
+    if (!m_motion.isKnownOff()) // trap 18
+        co_return fail(Fault::Unsafe, "somebody may have started it again, so the position was not reset");
     auto resetting = talk(asking(m_node, Command::ResetPosition));
     (void)co_await std::move(resetting);
     m_position = 0;

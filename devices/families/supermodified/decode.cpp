@@ -30,7 +30,12 @@ bool takesData(const Message &message)
         [](Format format) { return format != Format::Absent && format != Format::None; });
 }
 
-/// Whether a node sent it. Without data on both ways (start, stop …) only the usual id of the host tells.
+bool isHost(int id)
+{
+    return id == usualHostId || id == vendorHostId;
+}
+
+/// Whether a node sent it. Without data on both ways (start, stop …) only the usual ids of hosts tell.
 bool isReply(const Frame &frame, const Message &message)
 {
     if (frame.is(Command::Error))
@@ -39,7 +44,7 @@ bool isReply(const Frame &frame, const Message &message)
         return frame.size > 0;
     if (takesData(message) && !isGet(frame.command))
         return frame.size == 0;
-    return frame.size > 0 || (frame.to == usualHostId && frame.from != usualHostId);
+    return frame.size > 0 || (isHost(frame.to) && !isHost(frame.from));
 }
 
 template <std::size_t N>
@@ -54,6 +59,7 @@ bool addData(DecodedFrame &decoded, const Frame &frame, const Message &message)
     const auto format = formatFor(message, frame.size);
     if (!format)
         return false;
+    decoded.message = message.nameOf(*format);
     if (*format == Format::Codes) {
         addBytes(decoded, frame.payload(), codeFields);
         return true;

@@ -27,12 +27,42 @@ Task<std::optional<Dialect>> detect(Line &line, Node node, CodeSink codes)
     co_return agrees ? dialect : std::nullopt;
 }
 
-std::string groupText(const std::vector<int> &group)
+/// Nothing when the node refuses.
+Task<std::optional<std::int64_t>> numberOf(Line &line, Node node, Command command)
 {
-    std::string text;
-    for (const int node : group)
-        text += (text.empty() ? "" : ", ") + std::to_string(node);
-    return text;
+    auto asked = converse(line, asking(node, command), {});
+    const Result<Frame> reply = co_await std::move(asked).attempt();
+    if (!reply && reply.error().fault != Fault::Refused)
+        co_return fail(reply.error());
+    co_return reply ? valueOf(reply->payload(), formatOf(command, *node.dialect)) : std::nullopt;
+}
+
+/// Of a node whose dialect is known: its mask, and what bounds its moves.
+Task<void> readBounds(Line &line, Node node, Interview &said)
+{
+    auto first = numberOf(line, node, Command::GetNodeMask);
+    const auto mask = co_await std::move(first);
+    said.mask = static_cast<std::uint8_t>(mask.value_or(exactMask));
+    auto second = numberOf(line, node, Command::GetP);
+    said.gainP = co_await std::move(second);
+    auto third = numberOf(line, node, Command::GetProfileVelocity);
+    said.profileVelocity = co_await std::move(third);
+    auto fourth = numberOf(line, node, Command::GetProfileAcceleration);
+    said.profileAcceleration = co_await std::move(fourth);
+    co_return {};
+}
+
+void keep(Roster &roster, const Node &node, const Interview &said)
+{
+    roster.note(node.id, node.baudrate);
+    if (said.dialect)
+        roster.noteMask(node.id, said.mask);
+    if (said.gainP)
+        roster.noteGain(node.id, *said.gainP);
+    if (said.profileVelocity)
+        roster.noteProfileVelocity(node.id, *said.profileVelocity);
+    if (said.profileAcceleration)
+        roster.noteProfileAcceleration(node.id, *said.profileAcceleration);
 }
 
 } // namespace
@@ -49,11 +79,11 @@ Task<Interview> interview(Line &line, Node node)
     said.levelOne = !dialect && last == code::invalidGetCount;
     said.dialect = dialect.value_or(std::nullopt);
     if (said.dialect) {
-        auto asked = converse(line, asking(node, Command::GetNodeMask), {});
-        const Frame mask = co_await std::move(asked);
-        said.mask = static_cast<std::uint8_t>(valueOf(mask.payload(), Format::U8).value_or(exactMask));
+        node.dialect = said.dialect;
+        auto reading = readBounds(line, node, said);
+        co_await std::move(reading);
     }
-    line.note(node.id, {node.baudrate, said.mask});
+    keep(line.roster(), node, said);
     co_return said;
 }
 
@@ -72,9 +102,8 @@ Identity identityOf(const Line &line, const Node &node, const Interview &intervi
         identity.detail = "Its error level is 1, so every reading fails. Set error.level to 0.";
     else if (!interview.dialect)
         identity.detail = "Its answers fit no known dialect.";
-    else if (const auto group = line.groupOf(node.id); !group.empty())
-        identity.detail = "What is sent to it is also done by node " + groupText(group)
-            + ", because of an acceptance mask. Set node.mask to 255 and restart them.";
+    else if (const auto lock = line.roster().lockOf(node.id); !lock.empty())
+        identity.detail = "It is not driven: " + lock + ".";
     return identity;
 }
 

@@ -11,16 +11,20 @@ struct Interview {
     std::optional<Dialect> dialect; ///< nothing when it refuses to tell
     std::uint8_t mask = exactMask;
     bool levelOne = false; ///< its error level makes every reading fail (trap 4)
+    /// What bounds its moves; nothing when it did not tell.
+    std::optional<std::int64_t> gainP;
+    std::optional<std::int64_t> profileVelocity;
+    std::optional<std::int64_t> profileAcceleration;
 };
 
-/// Asks with gets only, and notes the node in the line. Timeout when it does not answer any more. The line outlives the task.
+/// Asks with gets only, and notes the node in the roster of the line. Timeout when it does not answer any more. The line outlives the task.
 [[nodiscard]] Task<Interview> interview(Line &line, Node node);
 
 /// The row of a scan.
 [[nodiscard]] Identity identityOf(const Line &line, const Node &node, const Interview &interview);
-/// The other way round: what a row says about how to reach the node.
 /// Mask of a node as identityOf() told it.
 [[nodiscard]] std::uint8_t maskOf(const Identity &identity);
+/// The other way round: what a row says about how to reach the node.
 [[nodiscard]] Node nodeOf(const Identity &identity, const SerialLink &link);
 
 } // namespace mb::supermodified

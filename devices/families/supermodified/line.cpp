@@ -14,10 +14,28 @@ using namespace std::chrono_literals;
 constexpr Duration broadcastPause = 1ms;
 /// What a stop leaves a node that does not answer.
 constexpr Duration hurriedPatience = 3ms;
+/// After the port was opened: an answer to whoever had it before has begun by then.
+constexpr Duration openingSilence = answerTime + 5ms;
+/// Between the bytes of one piece, as adapters hand them out, and at least so many byte times.
+constexpr Duration pieceGap = 3ms;
+constexpr int pieceGapBytes = 3;
+/// An answer this late belongs to no question any more.
+constexpr Duration forgottenAfter = 1s;
+/// A deadline that is served later than this says that the machine was busy: what came meanwhile is still to be read.
+constexpr Duration punctual = 1ms;
+/// After a known node missed a question the next ones wait twice as long each, so often.
+constexpr int doublings = 2;
+/// After that it is silent: one question in so many waits as long as any node may take.
+constexpr int patientEvery = 8;
 
 Duration timeOf(const SerialLink &link, std::size_t bytes)
 {
     return link.byteTime() * static_cast<int>(bytes);
+}
+
+Duration gapOf(const SerialLink &link)
+{
+    return std::max<Duration>(pieceGap, link.byteTime() * pieceGapBytes);
 }
 
 } // namespace
@@ -39,15 +57,15 @@ Line::Line(SerialLink &link, Clock &clock)
     : m_link(link)
     , m_clock(clock)
     , m_reader([this](const Frame &frame) { onFrame(frame); })
+    , m_roster(link.kept<Roster>())
     , m_timeout(clock)
+    , m_silence(clock, [this] { pump(); })
     , m_pollTimer(clock)
     , m_kick(clock)
-    , m_received(link.received().add([this](std::span<const std::uint8_t> bytes) {
-        const auto self = weak_from_this().lock();
-        m_reader.feed(bytes);
-    }))
+    , m_received(link.received().add([this](std::span<const std::uint8_t> bytes) { onBytes(bytes); }))
     , m_state(link.stateChanged().add([this](LinkState) { onLinkState(); }))
 {
+    m_silence.await(openingSilence);
 }
 
 // Requests
@@ -82,21 +100,99 @@ void Line::hurry()
         armTimeout(std::min(m_inFlight->entry.request.patience, hurriedPatience));
 }
 
+Duration Line::patienceFor(const Request &request) const
+{
+    if (!request.answered)
+        return broadcastPause;
+    const Duration usual = m_answerTimes.patience(request.patience);
+    const Duration longest = std::max(usual, AnswerTime::ceiling);
+    const auto missed = m_misses.find(request.frame.to);
+    const int misses = missed == m_misses.end() ? 0 : missed->second;
+    if (misses <= doublings)
+        return std::min(usual * (1 << misses), longest);
+    return request.rank == Rank::Poll && misses % patientEvery == 0 ? longest : usual;
+}
+
 void Line::armTimeout(Duration patience)
 {
-    m_timeout.start(m_inFlight->sentEnd + m_inFlight->replyTime + patience, [this] {
-        m_reader.forget();
-        if (!m_inFlight->entry.request.answered)
-            finish(m_inFlight->entry.request.frame);
-        else
-            finish(fail(
-                Fault::Timeout, "node " + std::to_string(m_inFlight->entry.request.frame.to) + " does not answer"));
-    });
+    armTimeoutAt(m_inFlight->sentEnd + m_inFlight->replyTime + patience);
+}
+
+void Line::armTimeoutAt(Instant deadline)
+{
+    const Instant when = std::max(deadline, m_clock.now());
+    m_timeout.start(when, [this, when] { expired(when); });
+}
+
+/// An answer that has begun is heard out, and one that this machine had no time to read is not missed.
+void Line::expired(Instant deadline)
+{
+    const Instant now = m_clock.now();
+    const Duration late = now - deadline;
+    m_answerTimes.addLateness(late);
+    InFlight &question = *m_inFlight;
+    if (!question.entry.request.answered) {
+        finish(question.entry.request.frame);
+    } else if (late > punctual && !std::exchange(question.excused, true)) {
+        armTimeoutAt(now + std::clamp(late, Duration(answerTime), AnswerTime::ceiling));
+    } else if (const Instant pause = m_silence.heardAt() + gapOf(m_link);
+               m_silence.heardAt() > question.sentEnd && pause > now && now < question.sentEnd + Silence::longest) {
+        armTimeoutAt(pause);
+    } else {
+        giveUp();
+    }
+}
+
+void Line::giveUp()
+{
+    const Frame frame = m_inFlight->entry.request.frame;
+    m_missed = Missed{frame, m_inFlight->sentEnd};
+    if (m_roster.nodes().contains(frame.to))
+        ++m_misses[frame.to];
+    m_reader.forget();
+    finish(fail(Fault::Timeout, "node " + std::to_string(frame.to) + " does not answer"));
+}
+
+// Silence
+
+bool Line::isSilent()
+{
+    const bool waited = m_silence.isAwaited();
+    if (!m_silence.look())
+        return false;
+    if (waited)
+        repeatStops();
+    return true;
+}
+
+bool Line::stopWaits() const
+{
+    return !m_waiting.empty() && m_waiting.front().request.rank == Rank::Stop;
+}
+
+void Line::keepEarly(const Request &stop)
+{
+    std::erase_if(m_early, [&stop](const Request &known) { return known.frame.to == stop.frame.to; });
+    m_early.push_back(stop);
+}
+
+/// What they met on the line nobody knows; their answers were taken already.
+void Line::repeatStops()
+{
+    for (Request &request : std::exchange(m_early, {}))
+        m_waiting.push_front(Entry{++m_lastId, std::move(request), {}, 0});
+}
+
+void Line::onBytes(std::span<const std::uint8_t> bytes)
+{
+    const auto self = weak_from_this().lock();
+    m_silence.interrupt(gapOf(m_link));
+    m_reader.feed(bytes);
 }
 
 void Line::pump()
 {
-    if (m_pumping || m_inFlight || m_link.state() != LinkState::Open)
+    if (m_pumping || m_inFlight || m_link.state() != LinkState::Open || (!isSilent() && !stopWaits()))
         return;
     m_pumping = true;
     if (auto entry = next())
@@ -129,13 +225,15 @@ void Line::transmit(Entry entry)
 {
     Request &request = entry.request;
     if (request.frame.from == 0)
-        request.frame.from = static_cast<std::uint8_t>(m_hostId);
+        request.frame.from = static_cast<std::uint8_t>(m_roster.hostId());
     Result<void> sent = changeRate(request);
     const auto bytes = uartBytes(request.frame);
     m_reader.forget();
     if (sent)
         sent = m_link.send(bytes, request.rank == Rank::Stop ? Priority::Urgent : Priority::Normal);
-    const Duration patience = request.answered ? request.patience : broadcastPause;
+    const Duration patience = patienceFor(request);
+    if (m_silence.isAwaited() && request.rank == Rank::Stop)
+        keepEarly(request);
     const Duration replyTime = request.answered ? timeOf(m_link, frameOverhead + request.replySize) : Duration::zero();
     m_inFlight = InFlight{std::move(entry), m_clock.now() + timeOf(m_link, bytes.size()), replyTime};
     if (sent)
@@ -160,13 +258,34 @@ void Line::onFrame(const Frame &frame)
     if (m_inFlight && m_inFlight->entry.request.answered) {
         const Frame &sent = m_inFlight->entry.request.frame;
         if (answers(frame, sent.to, sent.from, static_cast<Command>(sent.command))) {
-            const Duration took = m_clock.now() - m_inFlight->sentEnd - timeOf(m_link, frameOverhead + frame.size);
-            m_link.noteRoundTrip(std::max(took, Duration::zero()));
+            const bool again = m_missed && m_missed->frame.to == sent.to && m_missed->frame.command == sent.command;
+            if (!again) // else which of the two it answers cannot be told
+                measure(frame, m_inFlight->sentEnd);
+            m_missed.reset();
+            m_misses.erase(sent.to);
             finish(frame);
             return;
         }
     }
+    takeLate(frame);
     m_overheard.notify(frame);
+}
+
+/// The answer to a question that was given up says how long answers take now.
+void Line::takeLate(const Frame &frame)
+{
+    if (!m_missed || m_clock.now() - m_missed->sentEnd > forgottenAfter)
+        return;
+    const Frame &asked = m_missed->frame;
+    if (answers(frame, asked.to, asked.from, static_cast<Command>(asked.command)))
+        measure(frame, std::exchange(m_missed, std::nullopt)->sentEnd);
+}
+
+void Line::measure(const Frame &reply, Instant sentEnd)
+{
+    const Duration took = m_clock.now() - sentEnd - timeOf(m_link, frameOverhead + reply.size);
+    m_answerTimes.add(std::max(took, Duration::zero()));
+    m_link.noteRoundTrip(std::max(took, Duration::zero()));
 }
 
 void Line::finish(Result<Frame> result)
@@ -196,6 +315,9 @@ void Line::onLinkState()
         m_timeout.stop();
         m_reader.forget();
         m_failUpTo = m_lastId;
+        m_early.clear();
+    } else {
+        m_silence.await(openingSilence);
     }
     // told from the clock: whoever listens to the link must not be surprised by the end of its own tasks
     m_kick.startIn(Duration::zero(), [this] {
@@ -261,47 +383,6 @@ void Line::removePoll(PollKey key)
 }
 
 // What is known
-
-bool Line::belongs(int host, int node, std::uint8_t mask)
-{
-    return (host & mask) == (node & mask);
-}
-
-void Line::note(int node, const Known &known)
-{
-    m_nodes[node] = known;
-    chooseHost();
-}
-
-void Line::forgetNode(int node)
-{
-    m_nodes.erase(node);
-    chooseHost();
-}
-
-void Line::chooseHost()
-{
-    const auto isFree = [this](int host) {
-        return std::none_of(m_nodes.begin(), m_nodes.end(),
-            [host](const auto &entry) { return entry.first == host || belongs(host, entry.first, entry.second.mask); });
-    };
-    for (int host = usualHostId; host <= highestNode; ++host) {
-        if (isFree(host)) {
-            m_hostId = host;
-            return;
-        }
-    }
-}
-
-std::vector<int> Line::groupOf(int node) const
-{
-    std::vector<int> group;
-    for (const auto &[other, known] : m_nodes) {
-        if (other != node && belongs(node, other, known.mask))
-            group.push_back(other);
-    }
-    return group;
-}
 
 void Line::setDriving(int node, bool driving)
 {

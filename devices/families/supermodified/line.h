@@ -2,8 +2,11 @@
 #pragma once
 
 #include "async/task.h"
+#include "families/supermodified/answertime.h"
 #include "families/supermodified/codec.h"
 #include "families/supermodified/pollschedule.h"
+#include "families/supermodified/roster.h"
+#include "families/supermodified/silence.h"
 #include "transport/seriallink.h"
 
 #include <list>
@@ -16,17 +19,21 @@ namespace mb::supermodified {
 /// The half-duplex line that nodes share: one request in flight, whoever asks (a scan, the tasks, moves and polls of every
 /// node). Stops go first, then moves, then tasks in turn with polls. One per link, made when first needed.
 ///
-/// It also keeps what is known of the line: which nodes answered, at which rate, and with which acceptance mask, so that
-/// the host's own id belongs to no group of nodes (trap 6) and a second scan is fast.
+/// It listens before it talks: after the port was opened, and after a question without answer, nothing but a stop goes out
+/// before the line was silent, because D1 and D2 do not find back from bytes that collided (README.md). A stop that went out
+/// before that goes out again after it.
+///
+/// What is known of the nodes is in its roster, which outlives it.
 class Line final : public std::enable_shared_from_this<Line> {
 public:
     enum class Rank : std::uint8_t { Stop, Move, Task, Poll };
 
     struct Request {
-        Frame frame;                    ///< `from` is filled in, unless it is not 0
-        int baudrate = 0;               ///< the line changes to it before it sends
-        std::size_t replySize = 0;      ///< data bytes to expect
-        Duration patience = answerTime; ///< after the wire time of both frames
+        Frame frame;               ///< `from` is filled in, unless it is not 0
+        int baudrate = 0;          ///< the line changes to it before it sends
+        std::size_t replySize = 0; ///< data bytes to expect
+        Duration patience
+            = answerTime; ///< after the wire time of both frames; longer where answers are known to be late
         Rank rank = Rank::Task;
         bool answered = true; ///< false for broadcasts
     };
@@ -86,20 +93,9 @@ public:
     /// Frames of others than our own exchange: another master's, or late replies.
     [[nodiscard]] Listeners<const Frame &> &overheard() { return m_overheard; }
 
-    // What is known of the line
-
-    struct Known {
-        int baudrate = 0;
-        std::uint8_t mask = exactMask;
-    };
-    [[nodiscard]] const std::map<int, Known> &nodes() const { return m_nodes; }
-    /// Changes the host's id when it would belong to the group of a node.
-    void note(int node, const Known &known);
-    /// It was noted from memory, and is not there.
-    void forgetNode(int node);
-    [[nodiscard]] int hostId() const { return m_hostId; }
-    /// Ids of known nodes, other than itself, that act on what is sent to `node`.
-    [[nodiscard]] std::vector<int> groupOf(int node) const;
+    [[nodiscard]] Roster &roster() { return m_roster; }
+    [[nodiscard]] const AnswerTime &answerTimes() const { return m_answerTimes; }
+    [[nodiscard]] const Roster &roster() const { return m_roster; }
 
     /// While a motor is driven nothing may change the rate of the line.
     void setDriving(int node, bool driving);
@@ -120,6 +116,12 @@ private:
         Entry entry;
         Instant sentEnd{};
         Duration replyTime{};
+        bool excused = false; ///< it got more time, because this machine was late
+    };
+    /// A question that was given up; its answer may still come.
+    struct Missed {
+        Frame frame;
+        Instant sentEnd{};
     };
 
     void forget(std::uint64_t id);
@@ -127,15 +129,24 @@ private:
     [[nodiscard]] std::optional<Entry> next();
     void transmit(Entry entry);
     [[nodiscard]] Result<void> changeRate(const Request &request);
+    [[nodiscard]] Duration patienceFor(const Request &request) const;
     void armTimeout(Duration patience);
+    void armTimeoutAt(Instant deadline);
+    void expired(Instant deadline);
+    void giveUp();
     void hurry();
+    [[nodiscard]] bool isSilent();
+    [[nodiscard]] bool stopWaits() const;
+    void keepEarly(const Request &stop);
+    void repeatStops();
+    void onBytes(std::span<const std::uint8_t> bytes);
     void onFrame(const Frame &frame);
+    void takeLate(const Frame &frame);
+    void measure(const Frame &reply, Instant sentEnd);
     void finish(Result<Frame> result);
     void onLinkState();
     void failUpTo(std::uint64_t id);
     void pollTurn();
-    [[nodiscard]] static bool belongs(int host, int node, std::uint8_t mask);
-    void chooseHost();
 
     SerialLink &m_link;
     Clock &m_clock;
@@ -144,14 +155,18 @@ private:
     std::map<PollKey, Poll> m_polls;
     std::list<Entry> m_waiting; ///< in order of rank
     std::optional<InFlight> m_inFlight;
+    std::optional<Missed> m_missed;
+    std::map<int, int> m_misses; ///< of a node, in a row
+    AnswerTime m_answerTimes;
+    std::vector<Request> m_early; ///< stops that did not wait for silence
     std::uint64_t m_lastId = 0;
     std::uint64_t m_failUpTo = 0;
     bool m_taskWasLast = false;
     bool m_pumping = false;
-    std::map<int, Known> m_nodes;
+    Roster &m_roster;
     std::set<int> m_driving;
-    int m_hostId = usualHostId;
     Timer m_timeout;
+    Silence m_silence; ///< while it is awaited only stops are sent
     Timer m_pollTimer;
     Timer m_kick;
     Listeners<const Frame &> m_overheard;

@@ -10,29 +10,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int hurriedStops = 20;             ///< without a pause
-constexpr Duration stopPeriod = 100ms;       ///< after that
-constexpr Duration stopPatience = 10ms;      ///< shorter than usual: a stop may be repeated at any time
-constexpr double unreachable = 2147483648.0; ///< D1, D2: 32-bit arithmetic of the loop overflows at this P·e (4)
-constexpr double fastestProfile = 46340.0;   ///< D1, D2: its square must fit 32 bits (4)
-
-bool isPosition(Mode mode)
-{
-    return mode == Mode::Position || mode == Mode::RampPosition;
-}
-bool isProfiled(Mode mode)
-{
-    return mode == Mode::RampPosition || mode == Mode::RampVelocity;
-}
-
-Result<void> checkNumber(std::string_view name, double value, double low, double high, std::string_view unit)
-{
-    if (std::isfinite(value) && value >= low && value <= high)
-        return {};
-    return mb::fail(Fault::OutOfRange,
-        std::string(name) + ' ' + numberText(value) + " is outside " + numberText(low) + " … " + numberText(high) + ' '
-            + std::string(unit));
-}
+constexpr int hurriedStops = 20;        ///< without a pause
+constexpr Duration stopPeriod = 100ms;  ///< after that
+constexpr Duration stopPatience = 10ms; ///< shorter than usual: a stop may be repeated at any time
 
 } // namespace
 
@@ -93,30 +73,11 @@ Result<void> Motion::check(const SetPoint &setPoint) const
         return good;
     if (auto fits = request(m_node.id, usualHostId, *command, dialect(), valueFor(setPoint)); !fits)
         return mb::fail(fits.error());
-    const bool narrow = dialect() == Dialect::D1;
-    const double fastest = narrow || dialect() == Dialect::D2 ? fastestProfile : 4294967295.0;
-    if (auto good = checkNumber("--velocity", setPoint.velocity, 0.0, fastest, "counts/s"); !good)
+    if (auto good = bounds().checkProfile(setPoint); !good)
         return good;
-    if (auto good
-        = checkNumber("--acceleration", setPoint.acceleration, 0.0, narrow ? 65535.0 : 4294967295.0, "counts/s²");
-        !good)
-        return good;
-    return checkReach(setPoint);
-}
-
-/// An un-profiled move is one step of the error, which the loop of D1 and D2 multiplies by P in 32 bits.
-Result<void> Motion::checkReach(const SetPoint &setPoint) const
-{
-    if (setPoint.mode != Mode::Position || m_gain == 0 || !m_node.dialect || dialect() == Dialect::D3)
-        return {};
-    const double distance
-        = setPoint.relative ? setPoint.target : setPoint.target - static_cast<double>(m_position + m_origin);
-    const double farthest = std::floor(unreachable / static_cast<double>(m_gain)) - 1.0;
-    if (std::abs(distance) <= farthest)
-        return {};
-    return mb::fail(Fault::OutOfRange,
-        "a step of " + numberText(distance) + " counts overflows the loop of this firmware",
-        "at most " + numberText(farthest) + " with its P: use a profiled mode or several moves");
+    const auto where = position();
+    return where || setPoint.relative ? bounds().checkReach(setPoint, where)
+                                      : Result<void>(); // a move looks before it goes
 }
 
 // Set-points
@@ -151,14 +112,18 @@ void Motion::pump()
 Motion::Step Motion::nextStep() const
 {
     const SetPoint &order = m_orders.front();
+    if (!m_energized && !m_knownOff)
+        return Step::Stop;
     // A relative move is sent once, so nothing older may still be answered or reported.
     if (!m_looked && (!m_energized || order.relative))
         return Step::Look;
     if (!m_energized)
         return Step::Start;
-    if (isProfiled(order.mode) && order.velocity > 0.0 && m_profileVelocity != order.velocity)
+    // every write costs a cycle of the EEPROM
+    if (isProfiled(order.mode) && order.velocity > 0.0 && known().profileVelocity != std::llround(order.velocity))
         return Step::Velocity;
-    if (isProfiled(order.mode) && order.acceleration > 0.0 && m_profileAcceleration != order.acceleration)
+    if (isProfiled(order.mode) && order.acceleration > 0.0
+        && known().profileAcceleration != std::llround(order.acceleration))
         return Step::Acceleration;
     return Step::Move;
 }
@@ -166,7 +131,12 @@ Motion::Step Motion::nextStep() const
 Result<Line::Request> Motion::requestFor(Step step) const
 {
     const SetPoint &order = m_orders.front();
+    if (step == Step::Start || step == Step::Move) { // the position is known now
+        if (auto reachable = bounds().checkReach(order, position()); !reachable)
+            return mb::fail(reachable.error());
+    }
     switch (step) {
+    case Step::Stop: return asking(m_node, Command::Stop);
     case Step::Look: return asking(m_node, Command::GetPosition);
     case Step::Start: return asking(m_node, Command::Start);
     case Step::Velocity: return setting(m_node, Command::ProfileVelocity, std::llround(order.velocity));
@@ -190,6 +160,10 @@ void Motion::send(Step step)
     m_step = step;
     ++m_tries;
     m_ticket = m_line.submit(std::move(*request), [this, step](const Result<Frame> &reply) { answered(step, reply); });
+    if (step == Step::Start) {
+        ++m_starts;
+        doubt();
+    }
 }
 
 void Motion::answered(Step step, const Result<Frame> &reply)
@@ -210,8 +184,8 @@ void Motion::answered(Step step, const Result<Frame> &reply)
     }
     if (step == Step::Move && m_orders.front().relative && !isHold(m_orders.front()))
         fail("a relative move was not answered, and is never sent twice: look where the motor stands");
-    else if (m_tries < patientTries)
-        send(step);
+    else if (m_tries < patientTries && m_starts < patientTries)
+        send(step == Step::Start ? Step::Stop : step);
     else
         fail("the device does not answer");
 }
@@ -225,8 +199,8 @@ void Motion::refused(Step step, std::span<const std::uint8_t> codes)
     if (step == Step::Move && kept.back() == code::invalidForState) {
         setEnergized(false);
         fail("the device says that the motor is not started; it may have lost its supply");
-    } else if (m_tries < patientTries) {
-        send(step); // not executed, so also a relative move may be sent again
+    } else if (m_tries < patientTries && m_starts < patientTries) {
+        send(step == Step::Start ? Step::Stop : step); // not executed, so also a relative move may be sent again
     } else {
         fail("refused: " + codesText(kept));
     }
@@ -236,19 +210,25 @@ void Motion::done(Step step, const Frame &reply)
 {
     SetPoint &order = m_orders.front();
     switch (step) {
+    case Step::Stop:
+        m_knownOff = true;
+        m_events.changed();
+        break;
     case Step::Look:
         m_looked = true;
         m_events.positioned(reply);
         break;
     case Step::Start:
-        m_origin += m_position; // the node counts from 0 again
+        m_origin += m_position.value_or(0); // the node counts from 0 again
         m_position = 0;
+        m_starts = 0;
         setEnergized(true);
         break;
-    case Step::Velocity: m_profileVelocity = order.velocity; break;
-    case Step::Acceleration: m_profileAcceleration = order.acceleration; break;
+    case Step::Velocity:
+    case Step::Acceleration: stored(step); break;
     case Step::Move:
         m_applied = order;
+        beginRun(order);
         m_looked = false;
         m_orders.pop_front();
         m_events.changed();
@@ -256,6 +236,60 @@ void Motion::done(Step step, const Frame &reply)
     }
     if (!m_stopping)
         pump();
+}
+
+/// The roster knows it from now on, and the device's table follows.
+void Motion::stored(Step step)
+{
+    const SetPoint &order = m_orders.front();
+    const bool speed = step == Step::Velocity;
+    const std::int64_t raw = std::llround(speed ? order.velocity : order.acceleration);
+    if (speed)
+        m_line.roster().noteProfileVelocity(m_node.id, raw);
+    else
+        m_line.roster().noteProfileAcceleration(m_node.id, raw);
+    m_events.stored(speed ? Command::ProfileVelocity : Command::ProfileAcceleration, raw);
+}
+
+// A target that is passed
+
+void Motion::beginRun(const SetPoint &setPoint)
+{
+    m_run.reset();
+    if (!m_position)
+        return;
+    const auto from = static_cast<double>(*m_position);
+    const double target = static_cast<double>(valueFor(setPoint)) + (setPoint.relative ? from : 0.0);
+    if (const auto overrun = bounds().overrun(setPoint, target - from))
+        m_run = Run{target, target < from ? -1.0 : 1.0, *overrun};
+}
+
+void Motion::watchRun()
+{
+    if (!m_run || !m_energized || m_stopping)
+        return;
+    if ((static_cast<double>(*m_position) - m_run->target) * m_run->direction > m_run->overrun)
+        abort("the profiled move passed its target by more than its stopping distance, as this firmware may above 2500 "
+              "counts/s; use a lower profile.velocity");
+}
+
+void Motion::setPosition(std::int64_t raw)
+{
+    m_position = raw;
+    watchRun();
+}
+
+void Motion::zeroed()
+{
+    m_origin = 0;
+    m_position = 0;
+}
+
+void Motion::abort(std::string why)
+{
+    stop();
+    m_failure = std::move(why);
+    m_events.changed();
 }
 
 Result<void> Motion::release()
@@ -293,9 +327,17 @@ void Motion::tripped(std::string why)
     fail(std::move(why));
 }
 
+void Motion::doubt()
+{
+    if (std::exchange(m_knownOff, false))
+        m_events.changed();
+}
+
 void Motion::setEnergized(bool energized)
 {
     m_energized = energized;
+    if (!energized)
+        m_run.reset();
     m_line.setDriving(m_node.id, energized);
     m_events.changed();
 }
@@ -311,9 +353,9 @@ void Motion::stop()
     m_wanted.reset();
     m_applied.reset();
     m_failure.reset();
-    m_profileVelocity.reset();
-    m_profileAcceleration.reset();
+    m_run.reset();
     m_looked = false;
+    m_starts = 0;
     m_stopTries = 0;
     if (std::exchange(m_stopping, true) && m_stopTimer.isActive())
         m_stopTimer.stop();
@@ -340,6 +382,7 @@ void Motion::stopAnswered(const Result<Frame> &reply)
         m_stopping = false;
         m_stoppedAt = m_line.clock().now();
         m_looked = false;
+        m_knownOff = true;
         setEnergized(false);
         return;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "families/supermodified/node.h"
+#include "families/supermodified/movebounds.h"
 #include "model/setpoint.h"
 
 #include <deque>
@@ -13,13 +13,15 @@ namespace mb::supermodified {
 /// it is acknowledged, because a node with an error in its queue refuses the first one (trap 2).
 ///
 /// A node has no set-point that must be kept alive, so an equal set-point sends nothing. Start zeroes the node's position
-/// (trap 3); positions stay continuous here: origin() is what to add to the node's count.
+/// (trap 3); positions stay continuous here: origin() is what to add to the node's count. Start resets the encoder, which
+/// can hang a node that is started already (trap 18): where it is not known to be off, a stop goes first.
 class Motion {
 public:
     struct Events {
-        std::function<void()> changed;                 ///< isEnergized(), isStopping(), failure()
-        CodeSink codes;                                ///< error codes instead of an answer
-        std::function<void(const Frame &)> positioned; ///< a position was read on the way
+        std::function<void()> changed;                     ///< isEnergized(), isStopping(), failure()
+        CodeSink codes;                                    ///< error codes instead of an answer
+        std::function<void(const Frame &)> positioned;     ///< a position was read on the way
+        std::function<void(Command, std::int64_t)> stored; ///< a move needed this setting, which the node keeps
     };
 
     Motion(Line &line, const Node &node, Events events);
@@ -28,6 +30,8 @@ public:
 
     /// Whether the node could do it: Unsupported, OutOfRange. A node of unknown dialect is taken for the widest.
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const;
+    /// What is worth knowing of one that is legal: settings that it changes for good, targets that it may pass.
+    [[nodiscard]] std::string caution(const SetPoint &setPoint) const { return bounds().caution(setPoint); }
     /// Takes a set-point; what it needs is sent one after the other. Fails with why the motion before it ended (stall, no
     /// answer) until stop() was called, and while a stop is not acknowledged.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
@@ -42,9 +46,13 @@ public:
     void tripped(std::string why);
     /// The link is open again.
     void resume();
+    /// Somebody else may have started it, or its supply was gone.
+    void doubt();
 
     /// The bridge is on, as far as was acknowledged.
     [[nodiscard]] bool isEnergized() const { return m_energized; }
+    /// A stop was acknowledged, and nothing since can have started it.
+    [[nodiscard]] bool isKnownOff() const { return m_knownOff; }
     [[nodiscard]] bool isStopping() const { return m_stopping; }
     /// A move was commanded and its acknowledgement is not there.
     [[nodiscard]] bool isBusy() const { return m_step.has_value() || !m_orders.empty(); }
@@ -53,18 +61,31 @@ public:
     [[nodiscard]] const std::optional<SetPoint> &applied() const { return m_applied; }
     [[nodiscard]] std::int64_t origin() const { return m_origin; }
     /// The last position that the node told, without origin.
-    void setPosition(std::int64_t raw) { m_position = raw; }
+    void setPosition(std::int64_t raw);
     /// The node was stopped and counts from 0.
-    void zeroed() { m_origin = m_position = 0; }
-    /// P of the node, for the bound of un-profiled moves (section 4); 0 when unknown.
-    void setGain(std::int64_t p) { m_gain = p; }
+    void zeroed();
 
 private:
-    enum class Step { Look, Start, Velocity, Acceleration, Move };
+    enum class Step { Stop, Look, Start, Velocity, Acceleration, Move };
+    /// A profiled move that may pass its target (trap 19).
+    struct Run {
+        double target = 0.0; ///< as the node counts
+        double direction = 1.0;
+        double overrun = 0.0; ///< ticks behind the target from which it is stopped
+    };
 
     [[nodiscard]] Result<Command> commandFor(const SetPoint &setPoint) const;
     [[nodiscard]] std::int64_t valueFor(const SetPoint &setPoint) const;
-    [[nodiscard]] Result<void> checkReach(const SetPoint &setPoint) const;
+    [[nodiscard]] const Roster::Entry &known() const { return m_line.roster().entry(m_node.id); }
+    [[nodiscard]] MoveBounds bounds() const { return {m_node, known()}; }
+    /// As set-points count.
+    [[nodiscard]] std::optional<std::int64_t> position() const
+    {
+        return m_position ? std::optional(*m_position + m_origin) : std::nullopt;
+    }
+    void beginRun(const SetPoint &setPoint);
+    void watchRun();
+    void abort(std::string why);
     [[nodiscard]] bool isHold(const SetPoint &setPoint) const;
     [[nodiscard]] Dialect dialect() const { return m_node.dialect.value_or(Dialect::D3); }
     void pump();
@@ -73,6 +94,7 @@ private:
     void send(Step step);
     void answered(Step step, const Result<Frame> &reply);
     void done(Step step, const Frame &reply);
+    void stored(Step step);
     void refused(Step step, std::span<const std::uint8_t> codes);
     void fail(std::string why);
     void sendStop(Duration delay);
@@ -88,16 +110,16 @@ private:
     std::optional<Step> m_step;
     int m_tries = 0;
     bool m_looked = false;
-    std::optional<double> m_profileVelocity;
-    std::optional<double> m_profileAcceleration;
+    int m_starts = 0; ///< without an answer, in a row
+    std::optional<Run> m_run;
     bool m_energized = false;
+    bool m_knownOff = false;
     bool m_stopping = false;
     int m_stopTries = 0;
     std::optional<Instant> m_stoppedAt;
     std::optional<std::string> m_failure;
     std::int64_t m_origin = 0;
-    std::int64_t m_position = 0;
-    std::int64_t m_gain = 0;
+    std::optional<std::int64_t> m_position;
     Line::Ticket m_ticket;
     Line::Ticket m_stopTicket;
     Line::Ticket m_releaseTicket;

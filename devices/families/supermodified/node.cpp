@@ -43,7 +43,7 @@ Result<Line::Request> setting(const Node &node, Command command, std::int64_t va
     ask.baudrate = node.baudrate;
     const Message *const message = messageOf(frame->command);
     if (message != nullptr && message->stored)
-        ask.patience = storedAnswerTime;
+        ask.patience = storedAnswerTime + eepromByteTime * static_cast<int>(frame->size);
     return ask;
 }
 

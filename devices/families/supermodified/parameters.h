@@ -20,6 +20,8 @@ namespace mb::supermodified {
 
 namespace id {
 constexpr std::uint16_t gainP = 0x00;
+constexpr std::uint16_t profileAcceleration = 0x03;
+constexpr std::uint16_t profileVelocity = 0x04;
 constexpr std::uint16_t currentLimit = 0x05;
 constexpr std::uint16_t currentLimitDuration = 0x06;
 constexpr std::uint16_t nodeId = 0x15;

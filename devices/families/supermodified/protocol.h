@@ -22,7 +22,9 @@ enum class Dialect : std::uint8_t {
 constexpr std::uint8_t header0 = 0x55;
 constexpr std::uint8_t header1 = 0xAA;
 constexpr int broadcastId = 0;
-constexpr int usualHostId = 1;
+/// The host's own. Vendors' hosts have 1, which a mask that leaves out the upper bits puts into the group of every usual node.
+constexpr int usualHostId = 0x77;
+constexpr int vendorHostId = 1;
 constexpr int lowestNode = 1;
 constexpr int highestNode = 127;
 constexpr int factoryNode = 4;
@@ -146,6 +148,7 @@ constexpr int slowestRate = 600;
 constexpr int fastestRate = 115200;
 constexpr std::chrono::milliseconds answerTime{25};       ///< after the wire time of request and reply
 constexpr std::chrono::milliseconds storedAnswerTime{60}; ///< where an EEPROM is written first
+constexpr std::chrono::microseconds eepromByteTime{3400}; ///< of a write; the reactions of D3 are 20 bytes
 constexpr int patientTries = 4;                           ///< "at least 3" retries
 /// What a real controller divides 20 MHz into (1.2): 115200 is really 119048.
 constexpr int realRate(int nominal)

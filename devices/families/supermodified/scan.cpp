@@ -4,7 +4,6 @@
 #include "families/supermodified/interview.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace mb::supermodified {
 namespace {
@@ -15,6 +14,7 @@ constexpr int firstUsual = 4; ///< where vendors leave their units
 constexpr int lastUsual = 15;
 constexpr Duration shortestSilence = 8ms;
 constexpr int silenceRoundTrips = 4;
+constexpr int attemptsForOne = 4;
 
 /// One scan: what was asked and what answered.
 class Search {
@@ -36,7 +36,9 @@ private:
     [[nodiscard]] std::vector<Place> knownAt(const std::vector<int> &rates) const;
     void plan(int rate, int first, int last, std::vector<Place> &out) const;
     [[nodiscard]] bool isDone(const Place &place) const;
-    [[nodiscard]] Task<bool> look(Place place, bool patiently);
+    [[nodiscard]] Task<bool> look(Place place, Duration patience);
+    [[nodiscard]] Task<void> learnOthers(int address);
+    [[nodiscard]] Task<void> learnMask(Node node);
     [[nodiscard]] Task<void> lookAll(std::vector<Place> places, bool patiently = false);
     [[nodiscard]] Task<void> lookAtRest(std::vector<int> rates);
     [[nodiscard]] Task<void> lookEverywhere();
@@ -75,9 +77,10 @@ void Search::recall()
         const Node node = nodeOf(identity, m_line->link());
         const bool legal = node.id >= lowestNode && node.id <= highestNode && node.baudrate >= slowestRate
             && node.baudrate <= realRate(fastestRate);
-        if (!legal || m_line->nodes().contains(node.id))
+        if (!legal || m_line->roster().nodes().contains(node.id))
             continue;
-        m_line->note(node.id, {node.baudrate, maskOf(identity)});
+        m_line->roster().note(node.id, node.baudrate);
+        m_line->roster().noteMask(node.id, maskOf(identity));
         m_recalled.push_back(node.id);
     }
 }
@@ -86,7 +89,7 @@ void Search::forgetSilent()
 {
     for (const int id : m_recalled) {
         if (std::find(m_found.begin(), m_found.end(), id) == m_found.end())
-            m_line->forgetNode(id);
+            m_line->roster().forget(id);
     }
     m_recalled.clear();
 }
@@ -95,7 +98,7 @@ std::vector<Search::Place> Search::knownAt(const std::vector<int> &rates) const
 {
     std::vector<Place> known;
     const bool anyRate = !m_line->link().fixedBaudrate() && !m_line->isDriving();
-    for (const auto &[id, node] : m_line->nodes()) {
+    for (const auto &[id, node] : m_line->roster().nodes()) {
         if (anyRate || std::find(rates.begin(), rates.end(), node.baudrate) != rates.end())
             known.emplace_back(node.baudrate, id);
     }
@@ -120,13 +123,13 @@ Duration Search::silence() const
 }
 
 /// Any frame from the node counts, an error frame too: it is there and has something to tell.
-Task<bool> Search::look(Place place, bool patiently)
+Task<bool> Search::look(Place place, Duration patience)
 {
     m_asked.push_back(place);
     const Node node{place.second, place.first, std::nullopt};
     Line::Request request = asking(node, Command::GetPosition);
-    request.patience = patiently ? answerTime : silence();
-    if (node.id == m_line->hostId()) // a node with the host's own id can be asked under another one only
+    request.patience = patience;
+    if (node.id == m_line->roster().hostId()) // a node with the host's own id can be asked under another one only
         request.frame.from = static_cast<std::uint8_t>(node.id == highestNode ? lowestNode : node.id + 1);
     auto question = ask(*m_line, std::move(request));
     const Result<Frame> reply = co_await std::move(question).attempt();
@@ -134,8 +137,7 @@ Task<bool> Search::look(Place place, bool patiently)
         co_return fail(reply.error());
     if (!reply)
         co_return false;
-    const auto noted = m_line->nodes().find(node.id);
-    m_line->note(node.id, {node.baudrate, noted == m_line->nodes().end() ? exactMask : noted->second.mask});
+    m_line->roster().note(node.id, node.baudrate);
     auto talk = interview(*m_line, node);
     const Result<Interview> said = co_await std::move(talk).attempt();
     if (!said && said.error().fault == Fault::LinkLost)
@@ -158,7 +160,7 @@ Task<void> Search::lookAll(std::vector<Place> places, bool patiently)
         report("Looking for Supermodified nodes at " + std::to_string(place.first) + " bit/s", done++, total);
         if (isDone(place))
             continue;
-        auto looking = look(place, patiently);
+        auto looking = look(place, patiently ? answerTime : silence());
         co_await std::move(looking);
     }
     co_return {};
@@ -231,36 +233,73 @@ void Search::keepFoundRates(std::vector<int> &rates) const
 {
     std::vector<int> found;
     for (const int id : m_found) {
-        const auto node = m_line->nodes().find(id);
-        if (node != m_line->nodes().end()
-            && std::find(found.begin(), found.end(), node->second.baudrate) == found.end())
-            found.push_back(node->second.baudrate);
+        const int rate = m_line->roster().entry(id).baudrate;
+        if (std::find(found.begin(), found.end(), rate) == found.end())
+            found.push_back(rate);
     }
     rates = found;
 }
 
 Task<void> Search::runFor(int address)
 {
-    std::vector<Place> places;
     recall();
-    if (const auto known = m_line->nodes().find(address); known != m_line->nodes().end())
-        places.emplace_back(known->second.baudrate, address);
-    for (const int rate : rates()) {
-        if (m_line->nodes().empty())
-            plan(rate, usualHostId, usualHostId, places);
+    std::vector<Place> places;
+    if (m_line->roster().nodes().contains(address))
+        places.emplace_back(m_line->roster().entry(address).baudrate, address);
+    for (const int rate : rates())
         plan(rate, address, address, places);
+    for (int attempt = 0; attempt < attemptsForOne && m_found.empty(); ++attempt) { // 1.4: silence is asked again
+        for (const Place &place : places) {
+            auto looking = look(place, std::min<Duration>(answerTime * (1 << attempt), AnswerTime::ceiling));
+            if (co_await std::move(looking))
+                break;
+        }
     }
-    std::vector<Place> again; // 1.4: silence is asked again before it counts
-    std::copy_if(places.begin(), places.end(), std::back_inserter(again),
-        [address](const Place &place) { return place.second == address; });
-    places.insert(places.end(), again.begin(), again.end());
-    for (const Place &place : places) {
-        auto looking = look(place, true);
-        if (co_await std::move(looking) && place.second == address)
-            break;
+    if (!m_found.empty()) {
+        auto learning = learnOthers(address);
+        co_await std::move(learning);
     }
     std::erase_if(m_recalled, [address](int id) { return id != address; }); // of the others nothing is known
     forgetSilent();
+    co_return {};
+}
+
+/// Others may act on what is sent to this node (trap 6), so their masks are known before it is driven.
+Task<void> Search::learnOthers(int address)
+{
+    const int rate = m_line->roster().entry(address).baudrate;
+    std::vector<int> others;
+    for (const auto &[id, node] : m_line->roster().nodes()) {
+        if (id != address && node.baudrate == rate)
+            others.push_back(id);
+    }
+    for (int id = firstUsual; others.empty() && id <= lastUsual; ++id)
+        others.push_back(id);
+    for (const int id : others) {
+        if (id == address)
+            continue;
+        auto learning = learnMask({id, rate, std::nullopt});
+        co_await std::move(learning);
+    }
+    co_return {};
+}
+
+Task<void> Search::learnMask(Node node)
+{
+    Line::Request request = asking(node, Command::GetNodeMask);
+    request.patience = m_line->roster().nodes().contains(node.id) ? answerTime : silence();
+    auto question = ask(*m_line, request);
+    Result<Frame> reply = co_await std::move(question).attempt();
+    if (reply && codesOf(*reply)) { // it is there, and had something to tell first
+        auto again = ask(*m_line, std::move(request));
+        reply = co_await std::move(again).attempt();
+    }
+    if (!reply && reply.error().fault == Fault::LinkLost)
+        co_return fail(reply.error());
+    if (const auto mask = reply ? valueOf(reply->payload(), Format::U8) : std::nullopt) {
+        m_line->roster().note(node.id, node.baudrate);
+        m_line->roster().noteMask(node.id, static_cast<std::uint8_t>(*mask));
+    }
     co_return {};
 }
 

@@ -16,6 +16,8 @@ constexpr std::int64_t overflow = 0x7FFFFC00;
 constexpr std::int64_t underflow = -0x7FFFFC00;
 constexpr double fullDuty = 255.0;
 constexpr int restTicks = 1;
+constexpr Duration encoderTime = std::chrono::nanoseconds(25'600); ///< of one transfer over SPI
+constexpr double kneeWidth = 2.0;
 
 /// 32-bit arithmetic of the AVR: what overflows wraps.
 std::int32_t wrapped(std::int64_t value)
@@ -119,6 +121,22 @@ void Drive::moveTo(std::int64_t position, bool profiled)
     }
     m_target = Target::ProfiledPosition;
     m_goal = static_cast<double>(position);
+    setKnee();
+}
+
+/// As if the move began at rest: D1 and D2 compute it once.
+void Drive::setKnee()
+{
+    const double distance = std::abs(m_goal - m_exact);
+    const double velocity = m_settings.velocity;
+    const double stopping = velocity * velocity / (2.0 * std::max<double>(m_settings.acceleration, 1.0));
+    m_knee = m_goal - std::copysign(std::min(stopping, distance / 2.0), m_goal - m_exact);
+    m_braking = false;
+}
+
+bool Drive::isAboutToLoop(Instant now) const
+{
+    return m_on && m_next - now <= encoderTime;
 }
 
 void Drive::moveAt(std::int64_t velocity, bool profiled)
@@ -165,7 +183,7 @@ void Drive::profile()
     case Target::Position: return;
     case Target::Velocity: break;
     case Target::ProfiledVelocity: approach(m_goal, most); break;
-    case Target::ProfiledPosition: profilePosition(step); break;
+    case Target::ProfiledPosition: m_dialect == Dialect::D3 ? profilePosition(step) : profileByKnee(step); break;
     }
     m_exact += m_pace * step;
     m_setPoint = static_cast<std::int64_t>(std::llround(m_exact));
@@ -184,6 +202,23 @@ void Drive::profilePosition(double step)
     }
     const double braking = std::sqrt(2.0 * acceleration * std::abs(left));
     approach(std::copysign(std::min<double>(m_settings.velocity, braking), left), acceleration * step);
+}
+
+/// D1, D2: braking begins only in a loop that finds the set-point at the knee. Fast ones step over it, and go on (trap 19).
+void Drive::profileByKnee(double step)
+{
+    const double acceleration = std::max<double>(m_settings.acceleration, 1.0);
+    const double ahead = std::copysign(1.0, m_goal - m_knee);
+    const double left = (m_goal - m_exact) * ahead;
+    m_braking = m_braking || std::abs(m_exact - m_knee) < kneeWidth;
+    if (m_braking && (left <= 1.0 || m_pace == 0.0)) {
+        m_exact = m_goal;
+        m_pace = 0.0;
+        m_target = Target::Position;
+        return;
+    }
+    const double pace = m_braking ? std::sqrt(2.0 * acceleration * left) : static_cast<double>(m_settings.velocity);
+    approach(std::copysign(std::min<double>(m_settings.velocity, pace), ahead), acceleration * step);
 }
 
 double Drive::control()

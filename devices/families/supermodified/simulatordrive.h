@@ -40,6 +40,8 @@ public:
     void resetPosition();
     void moveTo(std::int64_t position, bool profiled);
     void moveAt(std::int64_t velocity, bool profiled);
+    /// The loop's interrupt comes while the encoder is asked (trap 18).
+    [[nodiscard]] bool isAboutToLoop(Instant now) const;
 
     [[nodiscard]] bool isOn() const { return m_on; }
     [[nodiscard]] bool isResting() const;
@@ -63,6 +65,8 @@ private:
     void loop();
     void profile();
     void profilePosition(double step);
+    void profileByKnee(double step);
+    void setKnee();
     void approach(double target, double most);
     [[nodiscard]] double control();
     void watchStall(std::int64_t error);
@@ -85,6 +89,8 @@ private:
     double m_goal = 0.0;  ///< ticks or ticks/s, by target
     double m_exact = 0.0; ///< set-point with its fraction
     double m_pace = 0.0;  ///< ticks/s of the profile
+    double m_knee = 0.0;  ///< D1, D2: where it begins to brake
+    bool m_braking = false;
     std::int64_t m_setPoint = 0;
     std::int64_t m_zero = 0;
     std::int64_t m_lastError = 0;

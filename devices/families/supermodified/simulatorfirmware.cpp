@@ -60,7 +60,7 @@ void Firmware::restart(Instant now)
     m_errors.clear();
     m_warnings.clear();
     m_buffered.reset();
-    m_crashed = false;
+    m_dead = false;
     m_drive.restart({m_ram.p, m_ram.i, m_ram.d, m_ram.acceleration, m_ram.velocity}, now);
 }
 
@@ -71,10 +71,11 @@ void Firmware::apply()
 
 // Receiving
 
-std::optional<Firmware::Answer> Firmware::take(std::uint8_t byte)
+std::optional<Firmware::Answer> Firmware::take(std::uint8_t byte, Instant now)
 {
-    if (m_crashed)
+    if (m_dead)
         return std::nullopt;
+    m_now = now;
     m_received.push_back(byte);
     const std::size_t count = m_received.size();
     if ((count == 1 && byte != header0) || (count == 2 && byte != header1)) {
@@ -107,7 +108,7 @@ std::optional<Firmware::Answer> Firmware::takeFrame()
     const std::size_t size = m_received[5];
     const Data data(m_received.data() + dataAt, size);
     if (size > (isThird() ? mostData : crashingData)) {
-        m_crashed = true;
+        die("crashed", static_cast<double>(size));
         return std::nullopt;
     }
     if (!accepts(to) || (beforeAction && to == m_node && !beforeAction()))
@@ -123,7 +124,7 @@ std::optional<Firmware::Answer> Firmware::takeFrame()
         report(code::wrongLrc);
     else if (m_errors.empty())
         execute(command, data, out);
-    if (to != m_node)
+    if (to != m_node || m_dead)
         return std::nullopt;
     if (!m_errors.empty()) {
         reply.command = static_cast<std::uint8_t>(Command::Error);
@@ -141,6 +142,21 @@ void Firmware::report(std::uint8_t code)
     auto &queue = warning ? m_warnings : m_errors;
     if (queue.size() < mostCodes)
         queue.push_back(code);
+}
+
+void Firmware::die(std::string_view what, double value)
+{
+    m_dead = true;
+    if (died)
+        died(what, value);
+}
+
+/// The interrupt of the loop takes the flag that the transfer to the encoder waits for.
+bool Firmware::hangsIn(std::uint8_t command) const
+{
+    const bool asksEncoder = (command == 0x70 && m_dialect == Dialect::D1)
+        || ((command == 0x18 || command == 0x19 || command == 0xC9) && !isThird());
+    return m_hangs && asksEncoder && m_drive.isAboutToLoop(m_now);
 }
 
 // Commands
@@ -181,7 +197,9 @@ std::size_t Firmware::expected(std::uint8_t command) const
 
 void Firmware::execute(std::uint8_t command, Data data, std::vector<std::uint8_t> &reply)
 {
-    if (!isKnown(command)) {
+    if (hangsIn(command)) {
+        die("hung", command);
+    } else if (!isKnown(command)) {
         report(code::invalidCommand);
     } else if (command >= 0xC8) {
         act(command);

@@ -5,7 +5,9 @@
 #include "families/supermodified/simulatordrive.h"
 
 #include <deque>
+#include <functional>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace mb::supermodified::simulation {
@@ -42,7 +44,7 @@ public:
     /// What was in RAM is gone; id, mask and rate are those of the EEPROM.
     void restart(Instant now);
     /// One byte from the line; an answer when it completed a frame for this node.
-    [[nodiscard]] std::optional<Answer> take(std::uint8_t byte);
+    [[nodiscard]] std::optional<Answer> take(std::uint8_t byte, Instant now);
     /// Queues an error, or a warning where the level says so.
     void report(std::uint8_t code);
     /// Half a frame waits for its rest; dropped by the newest firmware.
@@ -51,7 +53,11 @@ public:
 
     [[nodiscard]] int node() const { return m_node; }
     [[nodiscard]] int baudrate() const { return m_baudrate; }
-    [[nodiscard]] bool isCrashed() const { return m_crashed; }
+    /// The motor goes on as it was, and nobody is heard any more.
+    [[nodiscard]] bool isDead() const { return m_dead; }
+    std::function<void(std::string_view what, double value)> died; ///< crashed (byte count), hung (command)
+    /// Whether asking the encoder while the motor is started can hang it (trap 18).
+    void setHangs(bool hangs) { m_hangs = hangs; }
     [[nodiscard]] const Eeprom &eeprom() const { return m_eeprom; }
     [[nodiscard]] Drive &drive() { return m_drive; }
     /// Counts of the analog inputs, 10 bits.
@@ -69,6 +75,8 @@ private:
     void storeNumber(std::uint8_t command, std::uint64_t value);
     void storeIdentity(std::uint8_t command, std::uint64_t value);
     void act(std::uint8_t command);
+    [[nodiscard]] bool hangsIn(std::uint8_t command) const;
+    void die(std::string_view what, double value);
     void get(std::uint8_t command, std::vector<std::uint8_t> &reply);
     void getSetting(std::uint8_t command, std::vector<std::uint8_t> &reply);
     void doMove();
@@ -98,7 +106,9 @@ private:
     std::deque<std::uint8_t> m_warnings;
     std::optional<Buffered> m_buffered;
     Duration m_busy{};
-    bool m_crashed = false;
+    bool m_dead = false;
+    bool m_hangs = true;
+    Instant m_now{};
 };
 
 } // namespace mb::supermodified::simulation

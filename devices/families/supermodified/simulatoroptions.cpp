@@ -52,6 +52,12 @@ bool setHalfPacket(UnitOptions &options, std::string_view text)
     return text == "0" || text == "1";
 }
 
+bool setHangs(UnitOptions &options, std::string_view text)
+{
+    options.hangs = text == "1";
+    return text == "0" || text == "1";
+}
+
 struct Option {
     std::string_view key;
     bool (*set)(UnitOptions &, std::string_view);
@@ -65,6 +71,7 @@ constexpr std::array optionTable{
     Option{"mask", [](UnitOptions &o, std::string_view text) { return setNumber(o.mask, text, 1, 255); }},
     Option{"level", [](UnitOptions &o, std::string_view text) { return setNumber(o.level, text, 0, 1); }},
     Option{"halfpacket", setHalfPacket},
+    Option{"hang", setHangs},
     Option{"serial", [](UnitOptions &, std::string_view text) { return !text.empty(); }},
 };
 

@@ -20,6 +20,7 @@ struct UnitOptions {
     int mask = exactMask;
     int level = 0;
     bool halfPacket = false;
+    bool hangs = true;
     std::uint64_t seed = 1;
     std::vector<SimulatedFault> faults;
 

@@ -66,6 +66,8 @@ Unit::Unit(SerialLink &link, Clock &clock, const UnitOptions &options, Notify no
         m_firmware.report(code);
         m_notify(m_clock.now(), "fault", code);
     };
+    m_firmware.died = [this](std::string_view what, double value) { m_notify(m_clock.now(), what, value); };
+    m_firmware.setHangs(options.hangs);
     m_firmware.beforeAction = [this] { return beforeAction(); };
     restart();
     scheduleFaults();
@@ -87,7 +89,7 @@ void Unit::receive(std::span<const std::uint8_t> bytes)
         return;
     m_drive.advance(m_clock.now());
     for (const std::uint8_t byte : bytes) {
-        if (auto reply = m_firmware.take(byte))
+        if (auto reply = m_firmware.take(byte, m_clock.now()))
             answer(std::move(*reply));
         if (!m_powered)
             return;

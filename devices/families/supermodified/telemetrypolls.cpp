@@ -49,7 +49,9 @@ Duration TelemetryPolls::periodOf(const Poll &poll) const
         rate = essential ? std::max(wished, silentRate) : wished; // liveness comes from positions
     if (!m_heard || !m_node.dialect)
         rate = essential ? silentRate : 0.0;
-    if (m_paused || rate <= 0.0)
+    const bool forbidden = poll.command == Command::GetAbsolutePosition
+        && (!m_knownOff || !m_line.roster().followersOf(m_node.id).empty());
+    if (m_paused || forbidden || rate <= 0.0)
         return Duration::zero();
     return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1.0 / std::min(rate, mostRate)));
 }
@@ -84,6 +86,12 @@ void TelemetryPolls::zeroed()
 void TelemetryPolls::setDriven(bool driven)
 {
     if (std::exchange(m_driven, driven) != driven)
+        apply();
+}
+
+void TelemetryPolls::setKnownOff(bool off)
+{
+    if (std::exchange(m_knownOff, off) != off)
         apply();
 }
 

@@ -28,6 +28,8 @@ public:
     /// Samples per second wished for; 0: as by itself. False for a channel that does not come from the node.
     bool setRate(ChannelIndex channel, double hertz);
     void setDriven(bool driven);
+    /// The position in the turn is asked for only while the node cannot be started: the question may hang it (trap 18).
+    void setKnownOff(bool off);
     /// A silent node leaves the line to the others.
     void setHeard(bool heard);
     /// While an update runs nothing is asked.
@@ -71,6 +73,7 @@ private:
     std::int64_t m_origin = 0;
     double m_currentScale = 0.0;
     bool m_driven = false;
+    bool m_knownOff = false;
     bool m_heard = false;
     bool m_paused = false;
 };

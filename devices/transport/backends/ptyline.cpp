@@ -50,7 +50,7 @@ Result<std::unique_ptr<PtyLine>> PtyLine::create(const LinkAddress &address, Clo
 
 PtyLine::PtyLine(LinkAddress address, Clock &clock)
     : m_address(std::move(address))
-    , m_line(clock, VirtualSerialLine::Wiring::HalfDuplex, 1)
+    , m_line(clock, VirtualSerialLine::Wiring::FullDuplex, 1)
     , m_bridge(m_address, m_line)
     , m_received(m_bridge.received().add([this](std::span<const std::uint8_t> bytes) { writeTerminal(bytes); }))
     , m_rest(clock)

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/supermodified/node.h"
+#include "model/setpoint.h"
+
+#include <optional>
+#include <string>
+
+namespace mb::supermodified {
+
+/// What the firmware of one node can carry out without harm, by what is known of the node; what would have to be known and is
+/// not is refused. Judges only. Node and entry outlive it.
+class MoveBounds {
+public:
+    MoveBounds(const Node &node, const Roster::Entry &known)
+        : m_node(node)
+        , m_known(known)
+    {
+    }
+
+    /// OutOfRange for a velocity or acceleration of the profile that the firmware cannot do; Unsafe for a profiled move whose
+    /// profile is not known, because it could not be told whether it passes its target (trap 19).
+    [[nodiscard]] Result<void> checkProfile(const SetPoint &setPoint) const;
+    /// An un-profiled move is one step of the error, which the loop of D1 and D2 multiplies by P in 32 bits (4). `position` is
+    /// where the motor is, as the set-point counts. OutOfRange, or Unsafe when P or the position is not known.
+    [[nodiscard]] Result<void> checkReach(const SetPoint &setPoint, std::optional<std::int64_t> position) const;
+    /// Settings that it changes for good, targets that it may pass; empty most of the time.
+    [[nodiscard]] std::string caution(const SetPoint &setPoint) const;
+    /// Ticks behind its target from which a profiled move over this distance has gone wrong; nothing where none does.
+    [[nodiscard]] std::optional<double> overrun(const SetPoint &setPoint, double distance) const;
+
+private:
+    /// D1 and D2.
+    [[nodiscard]] bool isNarrow() const { return m_node.dialect && m_node.dialect != Dialect::D3; }
+    [[nodiscard]] std::optional<double> velocity(const SetPoint &setPoint) const;
+    [[nodiscard]] std::optional<double> acceleration(const SetPoint &setPoint) const;
+
+    const Node &m_node;
+    const Roster::Entry &m_known;
+};
+
+[[nodiscard]] bool isPosition(Mode mode);
+[[nodiscard]] bool isProfiled(Mode mode);
+/// OutOfRange with the legal range.
+[[nodiscard]] Result<void> checkNumber(
+    std::string_view name, double value, double low, double high, std::string_view unit);
+
+} // namespace mb::supermodified

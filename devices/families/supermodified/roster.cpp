@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/supermodified/roster.h"
+
+#include <algorithm>
+
+namespace mb::supermodified {
+namespace {
+
+std::string listOf(const std::vector<int> &nodes)
+{
+    std::string text;
+    for (const int node : nodes)
+        text += (text.empty() ? "" : ", ") + std::to_string(node);
+    return text;
+}
+
+} // namespace
+
+const Roster::Entry &Roster::entry(int node) const
+{
+    static const Entry unknown;
+    const auto found = m_nodes.find(node);
+    return found == m_nodes.end() ? unknown : found->second;
+}
+
+void Roster::note(int node, int baudrate)
+{
+    m_nodes[node].baudrate = baudrate;
+    chooseHost();
+}
+
+void Roster::noteMask(int node, std::uint8_t inForce)
+{
+    Entry &known = m_nodes[node];
+    known.mask = inForce;
+    if (known.nextMask == inForce)
+        known.nextMask.reset();
+    chooseHost();
+}
+
+void Roster::noteNextMask(int node, std::uint8_t written)
+{
+    Entry &known = m_nodes[node];
+    known.nextMask = written == known.mask ? std::nullopt : std::optional(written);
+    chooseHost();
+}
+
+void Roster::noteNextId(int node, int written)
+{
+    m_nodes[node].nextId = written == node ? std::nullopt : std::optional(written);
+    chooseHost();
+}
+
+void Roster::forget(int node)
+{
+    m_nodes.erase(node);
+    chooseHost();
+}
+
+/// Whether a node does what is sent to `address`, with any id and mask that it has or will have.
+bool Roster::follows(int node, const Entry &known, int address)
+{
+    const auto fits = [address](int id, std::uint8_t mask) { return (address & mask) == (id & mask); };
+    for (const int id : {node, known.nextId.value_or(node)}) {
+        if (fits(id, known.mask) || fits(id, known.nextMask.value_or(known.mask)))
+            return true;
+    }
+    return false;
+}
+
+bool Roster::isFree(int host) const
+{
+    return std::none_of(m_nodes.begin(), m_nodes.end(),
+        [host](const auto &node) { return node.first == host || follows(node.first, node.second, host); });
+}
+
+void Roster::chooseHost()
+{
+    m_hostIsFree = true;
+    if (isFree(m_hostId = usualHostId))
+        return;
+    for (m_hostId = highestNode; m_hostId >= lowestNode; --m_hostId) {
+        if (isFree(m_hostId))
+            return;
+    }
+    m_hostId = usualHostId;
+    m_hostIsFree = false;
+}
+
+std::vector<int> Roster::followersOf(int node) const
+{
+    std::vector<int> followers;
+    for (const auto &[other, known] : m_nodes) {
+        if (other != node && follows(other, known, node))
+            followers.push_back(other);
+    }
+    return followers;
+}
+
+std::string Roster::lockOf(int node) const
+{
+    if (const auto followers = followersOf(node); !followers.empty())
+        return "what is sent to node " + std::to_string(node) + " is also done by node " + listOf(followers)
+            + ", now or after a restart, because of an acceptance mask; set its node.mask to 255 and restart it";
+    if (!m_hostIsFree)
+        return "every id that this program could use on the line belongs to the group of a node, so answers would be "
+               "taken "
+               "for commands; set node.mask to 255 and restart the nodes";
+    return {};
+}
+
+} // namespace mb::supermodified

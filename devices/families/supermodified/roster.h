@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/supermodified/protocol.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mb::supermodified {
+
+/// What is known of the nodes of one line, for as long as its link lives: whoever asks or writes notes what it learns, and
+/// everybody acts on it at once. Chooses the host's own id, which must be in no group of nodes (trap 6).
+class Roster {
+public:
+    struct Entry {
+        int baudrate = 0;
+        std::uint8_t mask = exactMask;
+        std::optional<std::uint8_t> nextMask; ///< written, and in force after a restart
+        std::optional<int> nextId;            ///< the same
+        std::optional<std::int64_t> gainP;    ///< this and the next two bound what may be commanded
+        std::optional<std::int64_t> profileVelocity;
+        std::optional<std::int64_t> profileAcceleration;
+    };
+    [[nodiscard]] const std::map<int, Entry> &nodes() const { return m_nodes; }
+    /// Of a node that nobody has noted: as if it had just left the factory.
+    [[nodiscard]] const Entry &entry(int node) const;
+
+    /// Somebody answered under this id.
+    void note(int node, int baudrate);
+    void noteMask(int node, std::uint8_t inForce);
+    void noteNextMask(int node, std::uint8_t written);
+    void noteNextId(int node, int written);
+    void noteGain(int node, std::int64_t p) { m_nodes[node].gainP = p; }
+    void noteProfileVelocity(int node, std::int64_t ticks) { m_nodes[node].profileVelocity = ticks; }
+    void noteProfileAcceleration(int node, std::int64_t ticks) { m_nodes[node].profileAcceleration = ticks; }
+    /// It is not there.
+    void forget(int node);
+
+    /// In no group, now or after a restart of the nodes, where there is such an id.
+    [[nodiscard]] int hostId() const { return m_hostId; }
+    /// Other nodes that act on what is sent to `node`, or will after a restart.
+    [[nodiscard]] std::vector<int> followersOf(int node) const;
+    /// Why nothing may be moved on this line through `node`, with the remedy; empty when nothing stands against it.
+    [[nodiscard]] std::string lockOf(int node) const;
+
+private:
+    [[nodiscard]] static bool follows(int node, const Entry &known, int address);
+    [[nodiscard]] bool isFree(int host) const;
+    void chooseHost();
+
+    std::map<int, Entry> m_nodes;
+    int m_hostId = usualHostId;
+    bool m_hostIsFree = true;
+};
+
+} // namespace mb::supermodified

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a node must not be asked, or not be told: questions that hang it (trap 18), profiles that pass their target (trap 19),
+// steps that overflow its loop, and settings that it stores.
+#include "families/supermodifiedbench.h"
+
+#include <cmath>
+
+namespace mb::supermodified {
+namespace {
+
+using namespace std::chrono_literals;
+using mb::test::run;
+using test::Bench;
+using test::setPoint;
+using SupermodifiedNode = test::OneNode;
+
+/// Events of one simulated node.
+struct Heard {
+    explicit Heard(Simulator &unit)
+        : events(unit.events().add([this](const SimulatorEvent &event) { log.push_back(event); }))
+    {
+    }
+    [[nodiscard]] int count(std::string_view what) const
+    {
+        return static_cast<int>(
+            std::count_if(log.begin(), log.end(), [what](const SimulatorEvent &e) { return e.what == what; }));
+    }
+    std::vector<SimulatorEvent> log;
+    Subscription events;
+};
+
+SetPoint ramp(double target, double velocity, double acceleration)
+{
+    SetPoint made = setPoint(Mode::RampPosition, target);
+    made.velocity = velocity;
+    made.acceleration = acceleration;
+    return made;
+}
+
+// Trap 18
+
+TEST(SupermodifiedEncoder, AStartedNodeHangsOnceItsEncoderIsAskedInTheWrongMoment)
+{
+    struct Row {
+        std::string_view dialect;
+        std::string_view question;
+        bool hangs;
+    };
+    for (const Row &row : {Row{"D1", "55 AA 04 01 70 00 70", true}, Row{"D1", "55 AA 04 01 18 00 18", true},
+             Row{"D2", "55 AA 04 01 18 00 18", true}, Row{"D2", "55 AA 04 01 70 00 70", false},
+             Row{"D1", "55 AA 04 01 6F 00 6F", false}, Row{"D3", "55 AA 04 01 18 00 18", false}}) {
+        Bench bench("sim:serial?bitrate=57600");
+        Simulator &node = bench.add("supermodified:4,dialect=" + std::string(row.dialect));
+        const Heard heard(node);
+        bench.say("55 AA 04 01 19 00 19");
+        ASSERT_TRUE(node.isOutputOn());
+        for (int i = 0; i < 500; ++i) {
+            bench.say(row.question);
+            bench.clock.advance(370us);
+        }
+        EXPECT_EQ(heard.count("hung"), row.hangs ? 1 : 0) << row.dialect << ' ' << row.question;
+        bench.say("55 AA 04 01 1B 00 1B");
+        EXPECT_EQ(node.isOutputOn(), row.hangs) << "a stop is not heard any more";
+    }
+}
+
+TEST(SupermodifiedEncoder, ANodeThatIsNotStartedOrTheOptionOffNeverHangs)
+{
+    for (const std::string option : {"", ",hang=0"}) {
+        Bench bench("sim:serial?bitrate=57600");
+        const Heard heard(bench.add("supermodified:4,dialect=D1" + option));
+        if (!option.empty())
+            bench.say("55 AA 04 01 19 00 19");
+        for (int i = 0; i < 1000; ++i)
+            bench.say("55 AA 04 01 70 00 70");
+        EXPECT_EQ(heard.count("hung"), 0);
+    }
+}
+
+TEST(SupermodifiedEncoder, ADrivenD1IsHeardForTenMinutes)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4,dialect=D1");
+    const Heard heard(node);
+    const auto device = bench.connect(4);
+    ASSERT_TRUE(run(bench.clock, device->setRate(*device->telemetry()->find("position.absolute"), 20.0)));
+    for (int minute = 0; minute < 10; ++minute) {
+        ASSERT_TRUE(device->command(setPoint(Mode::Velocity, minute % 2 == 0 ? 1500.0 : -1500.0)));
+        bench.sent.clear();
+        bench.clock.advance(55s);
+        EXPECT_EQ(bench.count(Command::GetAbsolutePosition), 0) << "minute " << minute;
+        ASSERT_TRUE(device->liveness().heard) << "minute " << minute;
+        device->stop();
+        bench.clock.advance(5s);
+        ASSERT_FALSE(node.isOutputOn()) << "minute " << minute;
+        EXPECT_GT(bench.count(Command::GetAbsolutePosition), 20) << "a stopped one tells it";
+    }
+    EXPECT_EQ(heard.count("hung"), 0);
+}
+
+TEST(SupermodifiedEncoder, ANodeThatSomebodyElseStartedIsNotAsked)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4,dialect=D1");
+    ASSERT_TRUE(bench.host.setBaudrate(57600));
+    bench.say("55 AA 04 01 19 00 19");
+    ASSERT_TRUE(node.isOutputOn());
+    const auto device = bench.connect(4);
+    bench.sent.clear();
+    bench.clock.advance(60s);
+    EXPECT_EQ(bench.count(Command::GetAbsolutePosition), 0);
+    EXPECT_TRUE(device->liveness().heard);
+    device->stop();
+    bench.clock.advance(3s);
+    EXPECT_FALSE(node.isOutputOn());
+    EXPECT_GT(bench.count(Command::GetAbsolutePosition), 0);
+}
+
+TEST(SupermodifiedEncoder, AStopGoesBeforeEveryStartOfANodeThatMayBeStarted)
+{
+    for (int i = 0; i < 200; ++i) { // each in another moment of the loop
+        Bench bench;
+        Simulator &node = bench.add("supermodified:4,dialect=D1");
+        const Heard heard(node);
+        ASSERT_TRUE(bench.host.setBaudrate(57600));
+        bench.say("55 AA 04 01 19 00 19");
+        ASSERT_TRUE(node.isOutputOn());
+        const auto device = bench.connect(4);
+        bench.clock.advance(13us * i);
+        ASSERT_TRUE(device->command(setPoint(Mode::Position, 0.0)));
+        bench.clock.advance(300ms);
+        ASSERT_EQ(heard.count("hung"), 0) << i;
+        ASSERT_TRUE(node.isOutputOn());
+        if (i > 0)
+            continue;
+        const auto frames = bench.framesSent();
+        const auto start = std::find_if(frames.begin() + 1, frames.end(), [](auto &f) { return f.is(Command::Start); });
+        ASSERT_NE(start, frames.end());
+        EXPECT_NE(std::find_if(frames.begin() + 1, start, [](auto &f) { return f.is(Command::Stop); }), start);
+    }
+}
+
+TEST(SupermodifiedEncoder, AStartWhoseAnswerIsLostIsNotRepeatedWithoutAStop)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4,dialect=D1");
+    const auto device = bench.connect(4);
+    bench.clock.advance(200ms);
+    bench.sent.clear();
+    ASSERT_TRUE(device->command(setPoint(Mode::Position, 0.0)));
+    ASSERT_TRUE(bench.clock.runUntil([&] { return bench.count(Command::Start) == 1; }, 200ms));
+    ASSERT_TRUE(bench.clock.runUntil([&] { return node.isOutputOn(); }, 20ms));
+    bench.line.setLoss(1.0);
+    bench.clock.advance(20ms);
+    bench.line.setLoss(0.0);
+    bench.clock.advance(500ms);
+    EXPECT_TRUE(node.isOutputOn());
+    bool stopped = true;
+    for (const Frame &frame : bench.framesSent()) {
+        if (frame.is(Command::Start)) {
+            EXPECT_TRUE(stopped);
+            stopped = false;
+        }
+        stopped |= frame.is(Command::Stop);
+    }
+    EXPECT_GE(bench.count(Command::Start), 2);
+}
+
+// Trap 19
+
+TEST(SupermodifiedProfile, AFastOnePassesItsTargetInD1AndD2AndIsStopped)
+{
+    int passed = 0;
+    for (const std::string dialect : {"D1", "D2", "D3"}) {
+        for (const double target : {3000.0, -3000.0, 3001.0, 4000.0, 5003.0, 7777.0}) {
+            Bench bench;
+            Simulator &node = bench.add("supermodified:4,motor=cim,dialect=" + dialect);
+            const auto device = bench.connect(4);
+            SetPointStream stream(*device, bench.clock);
+            ASSERT_TRUE(stream.start(ramp(target, 6000.0, 40000.0), 60s));
+            double farthest = 0.0;
+            for (int i = 0; i < 400; ++i) {
+                bench.clock.advance(10ms);
+                farthest = std::max(farthest, node.position() / std::copysign(1.0, target));
+            }
+            const double limit = std::abs(target) + 6000.0 * 6000.0 / 80000.0;
+            EXPECT_LT(farthest, limit + 400.0)
+                << dialect << ' ' << target << ": it coasts, and positions come 50 times a second";
+            if (stream.isRunning())
+                continue;
+            ++passed;
+            EXPECT_NE(dialect, "D3");
+            EXPECT_EQ(stream.end(), SetPointStream::End::Refused);
+            EXPECT_NE(stream.reason().find("passed its target"), std::string::npos) << stream.reason();
+            EXPECT_FALSE(node.isOutputOn());
+        }
+    }
+    EXPECT_GT(passed, 0) << "the simulated firmware has the fault of the real one";
+}
+
+TEST(SupermodifiedProfile, ASlowOneArrives)
+{
+    for (const std::string dialect : {"D1", "D2"}) {
+        for (const double velocity : {300.0, 800.0, 1700.0, 2500.0}) {
+            Bench bench;
+            Simulator &node = bench.add("supermodified:4,dialect=" + dialect);
+            const auto device = bench.connect(4);
+            ASSERT_TRUE(device->command(ramp(3000.0, velocity, 10000.0)));
+            bench.clock.advance(13s);
+            EXPECT_NEAR(node.position(), 3000.0, 20.0) << dialect << ' ' << velocity;
+            EXPECT_TRUE(node.isOutputOn());
+        }
+    }
+}
+
+TEST_F(SupermodifiedNode, WhatIsFastOrStoredIsSaidBeforehand)
+{
+    EXPECT_EQ(device->caution(setPoint(Mode::RampPosition, 100.0)), "");
+    EXPECT_EQ(device->caution(ramp(100.0, 800.0, 800.0)), "") << "these are in it already";
+    const std::string both = device->caution(ramp(100.0, 2501.0, 800.0));
+    EXPECT_NE(both.find("profile.velocity becomes 2501, it was 800"), std::string::npos) << both;
+    EXPECT_NE(both.find("may pass the target"), std::string::npos) << both;
+    EXPECT_EQ(device->caution(setPoint(Mode::Velocity, 3000.0)), "");
+}
+
+TEST_F(SupermodifiedNode, AProfileIsWrittenOnceAndTheTableFollows)
+{
+    for (int i = 0; i < 5; ++i) {
+        ASSERT_TRUE(device->command(ramp(100.0 * i, 1200.0, 3000.0)));
+        bench.clock.advance(300ms);
+        device->stop();
+        bench.clock.advance(100ms);
+    }
+    EXPECT_EQ(bench.count(Command::ProfileVelocity), 1) << "each write costs a cycle of the EEPROM";
+    EXPECT_EQ(bench.count(Command::ProfileAcceleration), 1);
+    EXPECT_EQ(device->parameters().entry(Bench::index("profile.velocity")).raw, 1200);
+    EXPECT_EQ(device->parameters().entry(Bench::index("profile.acceleration")).raw, 3000);
+}
+
+// Steps
+
+TEST_F(SupermodifiedNode, AStepThatOverflowsIsRefusedAlthoughNobodyReadP)
+{
+    bench.clock.advance(100ms);
+    bench.sent.clear();
+    const auto refused = device->command(setPoint(Mode::Position, 3e6));
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+    EXPECT_EQ(bench.count(Command::Start), 0);
+    ASSERT_TRUE(run(bench.clock, device->write(Bench::index("gain.p"), 2000)));
+    EXPECT_EQ(device->command(setPoint(Mode::Position, 1.2e6)).error().fault, Fault::OutOfRange) << "with the new P";
+}
+
+TEST_F(SupermodifiedNode, AStepThatOverflowsFromWhereTheMotorIsByThenIsNotSent)
+{
+    bench.clock.advance(100ms);
+    ASSERT_TRUE(run(bench.clock, device->write(Bench::index("gain.p"), 65535)));
+    ASSERT_TRUE(device->command(setPoint(Mode::Velocity, 8000.0)));
+    bench.clock.advance(8s);
+    ASSERT_GT(node.position(), 33000.0);
+    bench.sent.clear();
+    EXPECT_FALSE(device->command(setPoint(Mode::Position, 0.0))) << "|P·e| must stay below 2^31";
+    EXPECT_EQ(bench.count(Command::MoveAbsolute), 0);
+}
+
+TEST(SupermodifiedSteps, WithoutPNoStepIsTaken)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    Identity identity;
+    identity.family = "supermodified";
+    identity.address = 4;
+    identity.dialect = "D1";
+    ASSERT_TRUE(bench.host.setBaudrate(57600));
+    const auto device = open(bench.host, bench.clock, identity);
+    bench.clock.advance(500ms);
+    EXPECT_EQ(device->command(setPoint(Mode::Position, 10.0)).error().fault, Fault::Unsafe);
+    EXPECT_EQ(device->command(setPoint(Mode::RampPosition, 10.0)).error().fault, Fault::Unsafe);
+    ASSERT_TRUE(run(bench.clock, device->read(Bench::index("gain.p"))));
+    EXPECT_TRUE(device->command(setPoint(Mode::Position, 10.0)));
+}
+
+// The current limit
+
+TEST(SupermodifiedDuration, TheStoredLimitIsWrittenBackNotTheOneThatADurationLeft)
+{
+    Bench bench;
+    Simulator &node = bench.add("supermodified:4,dialect=D1");
+    const auto device = bench.connect(4);
+    ASSERT_TRUE(run(bench.clock, device->write(Bench::index("limit.current"), 900)));
+    bench.sent.clear();
+    {
+        const Subscription cut = bench.host.traffic().add([&](const Traffic &traffic) {
+            const auto frames = test::framesIn({traffic.bytes.begin(), traffic.bytes.end()});
+            if (traffic.direction == Direction::Received && !frames.empty()
+                && frames.back().is(Command::CurrentLimitDuration))
+                bench.line.setLoss(1.0);
+        });
+        EXPECT_FALSE(run(bench.clock, device->write(Bench::index("limit.current.duration"), 7000)));
+        EXPECT_GT(bench.count(Command::CurrentLimit), 1) << "it tried";
+        bench.line.setLoss(0.0);
+    }
+    bench.clock.advance(1s);
+    ASSERT_TRUE(run(bench.clock, device->write(Bench::index("limit.current.duration"), 8000)));
+    node.setPowered(false);
+    bench.clock.advance(1s);
+    node.setPowered(true);
+    bench.clock.advance(2s);
+    EXPECT_EQ(run(bench.clock, device->read(Bench::index("limit.current"))).value_or(0), 900);
+    EXPECT_EQ(run(bench.clock, device->read(Bench::index("limit.current.duration"))).value_or(0), 8000);
+}
+
+} // namespace
+} // namespace mb::supermodified

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Acceptance masks (trap 6): who follows whom, which id the host has, and what is locked.
+#include "families/supermodifiedbench.h"
+
+namespace mb::supermodified {
+namespace {
+
+using namespace std::chrono_literals;
+using mb::test::run;
+using test::Bench;
+using test::setPoint;
+
+TEST(SupermodifiedRoster, TheHostIsOutsideEveryMaskThatLeavesRoom)
+{
+    for (int mask = 1; mask <= 255; ++mask) {
+        for (const int node : {1, 4, 5, 15, 0x70, 0x77, 127}) {
+            Roster roster;
+            roster.note(node, 57600);
+            roster.noteMask(node, static_cast<std::uint8_t>(mask));
+            const int host = roster.hostId();
+            EXPECT_GE(host, lowestNode);
+            EXPECT_LE(host, highestNode);
+            if (roster.lockOf(node).empty()) {
+                EXPECT_NE(host & mask, node & mask) << mask << ' ' << node;
+            } else {
+                for (int other = lowestNode; other <= highestNode; ++other)
+                    ASSERT_EQ(other & mask, node & mask) << "there was a free id";
+            }
+        }
+    }
+}
+
+TEST(SupermodifiedRoster, AMaskAndAnIdThatWaitForARestartCountAlready)
+{
+    Roster roster;
+    roster.note(4, 57600);
+    roster.note(5, 57600);
+    EXPECT_EQ(roster.lockOf(5), "");
+    roster.noteNextMask(4, 0xF0);
+    EXPECT_EQ(roster.followersOf(5), std::vector<int>{4});
+    roster.noteMask(4, 0xFF); // still in force
+    EXPECT_EQ(roster.followersOf(5), std::vector<int>{4});
+    roster.noteMask(4, 0xF0); // it was restarted
+    roster.noteNextMask(4, 0xFF);
+    EXPECT_EQ(roster.followersOf(5), std::vector<int>{4}) << "the old one is still in force";
+    roster.noteMask(4, 0xFF);
+    EXPECT_EQ(roster.lockOf(5), "");
+    roster.noteNextId(4, usualHostId);
+    EXPECT_NE(roster.hostId(), usualHostId);
+}
+
+TEST(SupermodifiedRoster, WhereEveryIdIsInAGroupControlIsLocked)
+{
+    Roster roster;
+    roster.note(4, 57600);
+    roster.noteMask(4, 0x01);
+    EXPECT_EQ(roster.hostId() & 1, 1);
+    EXPECT_EQ(roster.lockOf(4), "");
+    roster.note(7, 57600);
+    roster.noteMask(7, 0x01);
+    EXPECT_NE(roster.lockOf(4), "");
+    EXPECT_NE(roster.lockOf(4).find("node.mask"), std::string::npos);
+}
+
+TEST(SupermodifiedMasks, DrivingANodeThatWasOnlyProbedStartsNobodyElse)
+{
+    Bench bench;
+    Simulator &follower = bench.add("supermodified:4,mask=240");
+    Simulator &driven = bench.add("supermodified:5");
+    bool started = false;
+    const Subscription events
+        = follower.events().add([&](const SimulatorEvent &event) { started |= event.what == "output-on"; });
+    const auto five = bench.connect(5);
+    const auto allowed = five->mayMove();
+    ASSERT_FALSE(allowed);
+    EXPECT_EQ(allowed.error().fault, Fault::Unsafe);
+    EXPECT_NE(allowed.error().detail.find("node 4"), std::string::npos) << allowed.error().detail;
+    EXPECT_FALSE(five->command(setPoint(Mode::Velocity, 200.0)));
+    bench.clock.advance(2s);
+    EXPECT_FALSE(started);
+    EXPECT_FALSE(driven.isOutputOn());
+}
+
+TEST(SupermodifiedMasks, TheDriverOfANodeWithAMaskHearsNoAnswerDoneByIt)
+{
+    Bench bench;
+    Simulator &masked = bench.add("supermodified:4,mask=240");
+    Simulator &other = bench.add("supermodified:20,dialect=D3");
+    const auto four = bench.connect(4);
+    const auto twenty = bench.connect(20);
+    ASSERT_TRUE(twenty->command(setPoint(Mode::Velocity, 2000.0)));
+    bench.clock.advance(1s);
+    EXPECT_TRUE(other.isOutputOn());
+    EXPECT_FALSE(masked.isOutputOn()) << "the answer to a start is a start for whose group the host is in";
+    twenty->stop();
+    bench.clock.advance(100ms);
+    EXPECT_FALSE(other.isOutputOn());
+}
+
+TEST(SupermodifiedMasks, AMaskThatIsWrittenLocksItsGroupAtOnce)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    bench.add("supermodified:5");
+    const auto four = bench.connect(4);
+    const auto five = bench.connect(5);
+    EXPECT_TRUE(five->mayMove());
+    ASSERT_TRUE(run(bench.clock, four->write(Bench::index("node.mask"), 0xF0)));
+    EXPECT_FALSE(five->mayMove());
+    ASSERT_TRUE(run(bench.clock, four->write(Bench::index("node.mask"), 0xFF)));
+    EXPECT_TRUE(five->mayMove()) << "it never was in force";
+}
+
+TEST(SupermodifiedMasks, AMaskThatIsFoundWhileAMotorRunsStopsIt)
+{
+    Bench bench;
+    Simulator &driven = bench.add("supermodified:5");
+    const auto five = bench.connect(5);
+    bench.clock.advance(200ms);
+    SetPointStream stream(*five, bench.clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 1000.0), 60s));
+    bench.clock.advance(300ms);
+    ASSERT_TRUE(driven.isOutputOn());
+    bench.add("supermodified:4,mask=240");
+    (void)bench.scanAll();
+    bench.clock.advance(200ms);
+    EXPECT_FALSE(stream.isRunning());
+    EXPECT_FALSE(driven.isOutputOn());
+}
+
+} // namespace
+} // namespace mb::supermodified
