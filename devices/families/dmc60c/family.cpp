@@ -50,6 +50,7 @@ constexpr Capabilities capabilities{
     .axes = 1,
     .gainSlots = 2,
     .commandPeriod = controlPeriod,
+    .commandLimit = controlLimit,
     .storesAfter = std::chrono::seconds(15),
 };
 
