@@ -6707,10 +6707,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein Antrieb mit Dialekt LL hat keinen Code für Stopp; nur Trennen der Versorgung stoppt ihn</translation>
     </message>
     <message>
-        <source>its averaging was lowered, and until it has lost its power once it overwrites its own memory; switch it off and on</source>
-        <translation>die Mittelung wurde verringert, und bis die Versorgung einmal getrennt war, überschreibt der Antrieb seinen eigenen Speicher; aus- und einschalten</translation>
-    </message>
-    <message>
         <source>the output of its loop passed 32767, where it turns to full reverse; lower the gains or the steps</source>
         <translation>der Ausgang des Reglers überschritt 32767, wo er auf voll rückwärts umschlägt; Verstärkungen oder Sprünge verkleinern</translation>
     </message>
@@ -6741,10 +6737,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>lowering it needs a stopped motor</source>
         <translation>zum Verringern muss der Motor stehen</translation>
-    </message>
-    <message>
-        <source>Its averaging was lowered and saved. Switch it off and on now: until then it overwrites its memory.</source>
-        <translation>Die Mittelung wurde verringert und gespeichert. Jetzt aus- und einschalten: bis dahin überschreibt der Antrieb seinen Speicher.</translation>
     </message>
     <message>
         <source>it is not proven which codes this drive speaks; nothing was saved</source>
@@ -7913,6 +7905,38 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>one update a bus: %1 is being written; nothing was sent</source>
         <translation>eine Aktualisierung je Bus: %1 wird gerade beschrieben; nichts wurde gesendet</translation>
+    </message>
+    <message>
+        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory; switch it off and on</source>
+        <translation>seine Mittelung wurde verkleinert, soweit man das wissen kann, und bis er einmal stromlos war, kann er seinen eigenen Speicher überschreiben; schalten Sie ihn aus und wieder ein</translation>
+    </message>
+    <message>
+        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
+        <translation>Seine Mittelung wurde, soweit man das wissen kann, verkleinert und gespeichert. Schalten Sie ihn jetzt aus und wieder ein: bis dahin kann er seinen Speicher überschreiben.</translation>
+    </message>
+    <message>
+        <source>current is limited</source>
+        <translation>Strom ist begrenzt</translation>
+    </message>
+    <message>
+        <source>forward limit switch holds</source>
+        <translation>Endschalter vorwärts hält</translation>
+    </message>
+    <message>
+        <source>reverse limit switch holds</source>
+        <translation>Endschalter rückwärts hält</translation>
+    </message>
+    <message>
+        <source>forward soft limit holds</source>
+        <translation>Weggrenze vorwärts hält</translation>
+    </message>
+    <message>
+        <source>reverse soft limit holds</source>
+        <translation>Weggrenze rückwärts hält</translation>
+    </message>
+    <message>
+        <source>halted</source>
+        <translation>angehalten</translation>
     </message>
 </context>
 </TS>
