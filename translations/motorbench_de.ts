@@ -7938,5 +7938,17 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>halted</source>
         <translation>angehalten</translation>
     </message>
+    <message>
+        <source>the computer slept</source>
+        <translation>der Rechner war im Schlafzustand</translation>
+    </message>
+    <message>
+        <source>this computer is not kept awake while motors are driven or firmware is written: %1; switch its automatic suspend off meanwhile</source>
+        <translation>dieser Rechner wird nicht wach gehalten, während Motoren laufen oder Firmware geschrieben wird: %1; schalten Sie den automatischen Schlafzustand solange aus</translation>
+    </message>
+    <message>
+        <source>this program was held up for %1 ms, longer than the motor goes without a set-point</source>
+        <translation>dieses Programm war %1 ms lang aufgehalten, länger als der Motor ohne Sollwert läuft</translation>
+    </message>
 </context>
 </TS>
