@@ -2,6 +2,8 @@
 #include "app/engine.h"
 
 #include "app/guardian/client/guardianclient.h"
+#include "app/sleep/logindinhibitor.h"
+#include "app/sleep/sleepguard.h"
 #include "model/chunkstore.h"
 #include "transport/linkwatch.h"
 #include "widgets/common/devicetext.h"
@@ -35,6 +37,7 @@ struct Engine::Room {
     Room(Engine &owner, std::span<const Family *const> families, bool opensByItself)
         : engine(owner)
         , core(clock, families, opensByItself, &guardian)
+        , sleepGuard(core.session(), clock, inhibitor)
         , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
         , watch(clock)
         , tick(clock)
@@ -45,6 +48,9 @@ struct Engine::Room {
             engine.m_toWindow.post([to = &engine, severity, device, text] {
                 to->report(severity, QString::fromStdString(device), tableText(text));
             });
+        });
+        mayBeSuspended = inhibitor.troubled().add([this](const std::string &text) {
+            engine.m_toWindow.post([to = &engine, text] { to->report(Severity::Caution, {}, tableText(text)); });
         });
         core.session().keepHistoriesIn(store);
         core.session().setStopGate(&engine.m_stopLane.isPressed());
@@ -85,11 +91,14 @@ struct Engine::Room {
     QtClock clock;
     GuardianClient guardian;
     EngineCore core;
+    LogindInhibitor inhibitor;
+    SleepGuard sleepGuard;
     QSocketNotifier arrivals;
     LinkWatch watch;
     Timer tick;
     Timer list;
     Subscription noticed;
+    Subscription mayBeSuspended;
     Subscription plugged;
     Subscription changed;
 };

@@ -117,8 +117,9 @@ LAYERS = [
     ("devices/tuning/", ("async", "wire", "transport", "model", "tuning"), True),
     ("devices/families/", ("async", "wire", "transport", "model"), True),
     ("widgets/", ("async", "wire", "transport", "model", "recording", "tuning", "widgets"), True),
-    ("app/console/", ("async", "wire", "transport", "model", "tuning", "app/console", "app/folders", "app/guardian"), True),
+    ("app/console/", ("async", "wire", "transport", "model", "tuning", "app/console", "app/folders", "app/guardian", "app/sleep"), True),
     ("app/guardian/client/", ("async", "wire", "transport", "model", "app/guardian"), True),
+    ("app/sleep/", ("async", "wire", "transport", "model", "app/sleep"), True),
     ("app/guardian/", ("app/guardian", "place"), False),
     ("app/", ("async", "wire", "transport", "model", "recording", "tuning", "widgets", "app"), True),
 ]

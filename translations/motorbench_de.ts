@@ -6771,10 +6771,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ein Antrieb mit Dialekt LL hat keinen Code für Stopp; nur Trennen der Versorgung stoppt ihn</translation>
     </message>
     <message>
-        <source>its averaging was lowered, and until it has lost its power once it overwrites its own memory; switch it off and on</source>
-        <translation>die Mittelung wurde verringert, und bis die Versorgung einmal getrennt war, überschreibt der Antrieb seinen eigenen Speicher; aus- und einschalten</translation>
-    </message>
-    <message>
         <source>the output of its loop passed 32767, where it turns to full reverse; lower the gains or the steps</source>
         <translation>der Ausgang des Reglers überschritt 32767, wo er auf voll rückwärts umschlägt; Verstärkungen oder Sprünge verkleinern</translation>
     </message>
@@ -6805,10 +6801,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>lowering it needs a stopped motor</source>
         <translation>zum Verringern muss der Motor stehen</translation>
-    </message>
-    <message>
-        <source>Its averaging was lowered and saved. Switch it off and on now: until then it overwrites its memory.</source>
-        <translation>Die Mittelung wurde verringert und gespeichert. Jetzt aus- und einschalten: bis dahin überschreibt der Antrieb seinen Speicher.</translation>
     </message>
     <message>
         <source>it is not proven which codes this drive speaks; nothing was saved</source>
@@ -8061,6 +8053,50 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>this firmware may pass the target of a profiled move above 2500 counts/s; it is stopped then</source>
         <translation>diese Firmware kann bei einer Bewegung mit Profil über 2500 counts/s das Ziel überfahren; sie wird dann gestoppt</translation>
+    </message>
+    <message>
+        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory; switch it off and on</source>
+        <translation>seine Mittelung wurde verkleinert, soweit man das wissen kann, und bis er einmal stromlos war, kann er seinen eigenen Speicher überschreiben; schalten Sie ihn aus und wieder ein</translation>
+    </message>
+    <message>
+        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
+        <translation>Seine Mittelung wurde, soweit man das wissen kann, verkleinert und gespeichert. Schalten Sie ihn jetzt aus und wieder ein: bis dahin kann er seinen Speicher überschreiben.</translation>
+    </message>
+    <message>
+        <source>current is limited</source>
+        <translation>Strom ist begrenzt</translation>
+    </message>
+    <message>
+        <source>forward limit switch holds</source>
+        <translation>Endschalter vorwärts hält</translation>
+    </message>
+    <message>
+        <source>reverse limit switch holds</source>
+        <translation>Endschalter rückwärts hält</translation>
+    </message>
+    <message>
+        <source>forward soft limit holds</source>
+        <translation>Weggrenze vorwärts hält</translation>
+    </message>
+    <message>
+        <source>reverse soft limit holds</source>
+        <translation>Weggrenze rückwärts hält</translation>
+    </message>
+    <message>
+        <source>halted</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>the computer slept</source>
+        <translation>der Rechner war im Schlafzustand</translation>
+    </message>
+    <message>
+        <source>this computer is not kept awake while motors are driven or firmware is written: %1; switch its automatic suspend off meanwhile</source>
+        <translation>dieser Rechner wird nicht wach gehalten, während Motoren laufen oder Firmware geschrieben wird: %1; schalten Sie den automatischen Schlafzustand solange aus</translation>
+    </message>
+    <message>
+        <source>this program was held up for %1 ms, longer than the motor goes without a set-point</source>
+        <translation>dieses Programm war %1 ms lang aufgehalten, länger als der Motor ohne Sollwert läuft</translation>
     </message>
 </context>
 </TS>

@@ -25,6 +25,7 @@ constexpr std::array table{
         "drive", "DEVICE --mode M --target X --for S", "Keep a set-point alive for S seconds, then stop", declareDrive},
     Verb{"flash", "DEVICE FILE [--dry-run] [--force]", "Update the firmware and verify it", declareFlash},
     Verb{"identify", "DEVICE", "Make a device show itself", declareIdentify},
+    Verb{"restart", "DEVICE", "Stop a device and restart it", declareRestart},
     Verb{"number", "DEVICE NEW", "Give a device another number", declareNumber},
     Verb{"rename", "DEVICE TEXT", "Give a device another name", declareRename},
     Verb{"monitor", "LINK [--for S] [--dialect D]", "Show the traffic of a link, as candump -L does", declareMonitor},

@@ -88,11 +88,17 @@ public:
         , m_interrupted(console.interrupted().add([this] { cancel(); }))
     {
     }
+    Update(const Update &) = delete;
+    Update &operator=(const Update &) = delete;
+    ~Update() { free(); }
     void start(const Family &family, Device &device, const FirmwareImage &image, const UpdateOptions &options)
     {
+        m_device = &device;
+        device.setBusy("firmware update"); // nothing else may talk to it meanwhile
         m_operation.run<UpdateReport>(
             family.update(device, image, options, m_operation), [this](Result<UpdateReport> result) {
                 report = std::move(result);
+                free();
                 done.set();
             });
         tick();
@@ -111,6 +117,11 @@ public:
     Result<UpdateReport> report{UpdateReport{}};
 
 private:
+    void free()
+    {
+        if (Device *const device = std::exchange(m_device, nullptr))
+            device->setBusy({});
+    }
     void tick()
     {
         if (!m_operation.isRunning())
@@ -131,6 +142,7 @@ private:
     }
 
     Console &m_console;
+    Device *m_device = nullptr; ///< while it is updated
     Operation m_operation;
     ProgressLine m_progress;
     Timer m_tick;

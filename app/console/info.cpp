@@ -111,6 +111,8 @@ void printText(Console &console, const Device &device, const Faults &faults)
     }
     for (const FaultRecord &fault : faults.value_or(std::vector<FaultRecord>{}))
         table.add({"fault " + fault.key, describe(fault)});
+    for (const std::string_view condition : device.liveness().conditions)
+        table.add({"now", std::string(condition)});
     const LinkCounters &counters = device.link().counters();
     table.add({"link frames",
         std::to_string(counters.rx) + " received, " + std::to_string(counters.tx) + " sent, "

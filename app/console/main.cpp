@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/commandline.h"
 #include "app/console/signals.h"
+#include "app/sleep/logindinhibitor.h"
+#include "app/sleep/sleepguard.h"
 #include "async/scope.h"
 #include "model/registry.h"
 #include "transport/qtclock.h"
@@ -29,6 +31,8 @@ public:
     Program(QCoreApplication &application, Options options)
         : m_application(application)
         , m_console(m_clock, families(), options)
+        , m_sleepGuard(m_console.session(), m_clock, m_inhibitor)
+        , m_mayBeSuspended(m_inhibitor.troubled().add([this](const std::string &text) { m_console.note(text); }))
         , m_scope(m_clock)
         , m_signals([this] { interrupt(); })
         , m_broken(m_console.out().broken().add([this] { interrupt(); }))
@@ -84,6 +88,9 @@ private:
     QCoreApplication &m_application;
     QtClock m_clock;
     Console m_console;
+    LogindInhibitor m_inhibitor;
+    SleepGuard m_sleepGuard;
+    Subscription m_mayBeSuspended;
     Scope m_scope; ///< its task uses everything above
     Signals m_signals;
     Subscription m_broken;

@@ -31,6 +31,7 @@ struct Verb {
 [[nodiscard]] Job declareDrive(CLI::App &arguments);
 [[nodiscard]] Job declareFlash(CLI::App &arguments);
 [[nodiscard]] Job declareIdentify(CLI::App &arguments);
+[[nodiscard]] Job declareRestart(CLI::App &arguments);
 [[nodiscard]] Job declareNumber(CLI::App &arguments);
 [[nodiscard]] Job declareRename(CLI::App &arguments);
 [[nodiscard]] Job declareMonitor(CLI::App &arguments);

@@ -29,6 +29,8 @@ public:
     [[nodiscard]] virtual Instant now() const = 0;
     /// What to add to an Instant's count to get Unix time; zero on a virtual clock.
     [[nodiscard]] virtual Duration unixOffset() const = 0;
+    /// How long the computer has slept (suspend) up to now: time that passed outside, and not on this clock. Never shrinks.
+    [[nodiscard]] virtual Duration slept() const { return {}; }
 
     /// Runs `work` once at `deadline` (as soon as possible when that is past). The key ends with the run.
     Key arm(Instant deadline, std::function<void()> work);

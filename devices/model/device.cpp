@@ -276,6 +276,22 @@ Result<void> Device::doReleaseMoves()
     return fail(Fault::Unsupported, std::string(m_family.title) + " has no buffered moves");
 }
 
+Task<void> Device::restart()
+{
+    if (!m_busy.empty())
+        co_return fail(Fault::Unsafe, selector() + ": " + m_busy);
+    stop();
+    auto restarting = doRestart();
+    co_await std::move(restarting);
+    co_return {};
+}
+
+Task<void> Device::doRestart()
+{
+    co_return fail(
+        Fault::Unsupported, std::string(m_family.title) + " cannot be restarted from here; switch it off and on");
+}
+
 Task<void> Device::doZeroPosition()
 {
     co_return fail(Fault::Unsupported, std::string(m_family.title) + " has no command that zeroes its position");

@@ -44,6 +44,9 @@ struct Liveness {
     bool restarted = false;          ///< it was reset or changed its session since it was opened; read it again
     std::vector<std::string> faults; ///< keys of the faults it reports in its telemetry; of an axis: "ch1.glitch"
     std::vector<AxisLiveness> axes;  ///< from axis 1 on; empty where there is only one
+    /// What else it reports and its user should see, most important first: limits that hold, a halt. English literals,
+    /// marked for translation ("table").
+    std::vector<std::string_view> conditions;
 
     friend bool operator==(const Liveness &, const Liveness &) = default;
 };
@@ -88,6 +91,8 @@ public:
     [[nodiscard]] Task<std::vector<FaultRecord>> clearFaults() { return doClearFaults(); }
     /// Blinks, or Unsupported.
     [[nodiscard]] Task<void> identify() { return doIdentify(); }
+    /// Stops the motor and restarts the device (Capabilities::restart); ends when it has answered again. Unsafe while busy.
+    [[nodiscard]] Task<void> restart();
     [[nodiscard]] Task<void> rename(std::string name) { return doRename(std::move(name)); }
     /// Gives the device another address; on success identity() has it, proved by the device's answer from there.
     [[nodiscard]] Task<void> renumber(int address) { return doRenumber(address); }
@@ -175,6 +180,7 @@ private:
     virtual Task<std::vector<FaultRecord>> doReadFaults() = 0;
     virtual Task<std::vector<FaultRecord>> doClearFaults() = 0;
     virtual Task<void> doIdentify() = 0;
+    virtual Task<void> doRestart();
     virtual Task<void> doRename(std::string name) = 0;
     virtual Task<void> doRenumber(int address) = 0;
     virtual Task<void> doSetRate(ChannelIndex channel, double hertz) = 0;

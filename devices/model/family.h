@@ -21,6 +21,7 @@ struct Capabilities {
     bool identify = false;     ///< it can blink
     bool rename = false;
     bool renumber = false;
+    bool restart = false;       ///< Device::restart()
     bool relativeMoves = false; ///< SetPoint::relative
     bool bufferedMoves = false; ///< SetPoint::buffered, and one command that starts them on all devices of a link
     bool storesAtOnce = false;  ///< an acknowledged write survives a power cycle
@@ -40,6 +41,9 @@ struct Capabilities {
     /// A scan of a bus of up to eight units is complete by then.
     std::chrono::milliseconds scanLimit{500};
     std::chrono::milliseconds commandPeriod{20}; ///< between control frames of a running motor
+    /// A control frame that comes later than this after the one before finds a device that has stopped by itself, or one that
+    /// nobody has watched for too long: motion ends then (SetPointStream::End::Late).
+    std::chrono::milliseconds commandLimit{250};
     std::chrono::seconds storesAfter{
         0}; ///< flash has what RAM has this long after the last write; 0: only when told to
 };

@@ -10,6 +10,8 @@ namespace {
 constexpr Duration grace = std::chrono::milliseconds(500);
 /// A guardian that is not there by then does not come.
 constexpr Duration guardLimit = std::chrono::seconds(2);
+/// Of a comparison of two clocks. Nobody wakes a computer sooner.
+constexpr Duration sleepTolerance = std::chrono::milliseconds(20);
 
 } // namespace
 
@@ -64,7 +66,14 @@ Result<void> SetPointStream::sendAll()
         if (auto sent = m_device.command(setPoint); !sent)
             return sent;
     }
+    sent();
     return {};
+}
+
+void SetPointStream::sent()
+{
+    m_sentAt = m_clock.now();
+    m_sleptThen = m_clock.slept();
 }
 
 Result<void> SetPointStream::sendOrWait()
@@ -75,7 +84,10 @@ Result<void> SetPointStream::sendOrWait()
             return called;
     }
     m_waiting = m_setPoint.mode != Mode::Off && !guard.stands();
-    return m_waiting ? Result<void>() : m_device.command(m_setPoint);
+    if (m_waiting)
+        return {};
+    sent();
+    return m_device.command(m_setPoint);
 }
 
 void SetPointStream::begin()
@@ -128,7 +140,7 @@ Result<void> SetPointStream::update(const SetPoint &setPoint)
 
 void SetPointStream::renew()
 {
-    if (m_lease)
+    if (checkDevice())
         m_lease->renew();
 }
 
@@ -138,6 +150,18 @@ void SetPointStream::stop()
         finish(End::Stopped, "stopped");
     else
         m_device.stop();
+}
+
+/// Whoever was held up does not know what the motor did meanwhile: its device may have stopped it, and the next frame would
+/// start it again.
+bool SetPointStream::isLate() const
+{
+    return !m_waiting && m_clock.now() - m_sentAt > m_device.family().capabilities.commandLimit;
+}
+
+bool SetPointStream::hasSlept() const
+{
+    return !m_waiting && m_clock.slept() - m_sleptThen > sleepTolerance;
 }
 
 bool SetPointStream::checkDevice()
@@ -151,6 +175,12 @@ bool SetPointStream::checkDevice()
         finish(End::LinkLost, m_device.link().address().shortName() + ": " + m_device.link().reason());
     else if (m_device.guard().hasFailed())
         finish(End::Unguarded, m_device.guard().reason());
+    else if (hasSlept())
+        finish(End::Slept, "the computer slept");
+    else if (isLate())
+        finish(End::Late,
+            "this program was held up for " + std::to_string((m_clock.now() - m_sentAt) / std::chrono::milliseconds(1))
+                + " ms, longer than the motor goes without a set-point");
     else if (liveness.foreignMaster)
         finish(End::ForeignMaster, "another master sends control frames to this device");
     else if (liveness.restarted)
@@ -201,6 +231,8 @@ std::string_view toString(SetPointStream::End end)
     case SetPointStream::End::None: return "running";
     case SetPointStream::End::Stopped: return "stopped";
     case SetPointStream::End::LeaseExpired: return "lease expired";
+    case SetPointStream::End::Late: return "late";
+    case SetPointStream::End::Slept: return "slept";
     case SetPointStream::End::LinkLost: return "link lost";
     case SetPointStream::End::DeviceSilent: return "device silent";
     case SetPointStream::End::DeviceRestarted: return "device restarted";

@@ -10,13 +10,15 @@ namespace mb {
 
 /// Keeps a motor's set-point alive, or those of several axes of one device: one control frame an axis every command period, only as long as somebody renews the lease
 /// (docs/architecture.md, Motion lease). Whatever ends it ends in Device::stop(): the lease, another master, a lost link, a
-/// restarted or silent device, its destruction. It never starts again by itself. Engine thread.
+/// restarted or silent device, a frame that is later than the device waits for one, a computer that slept, its destruction. It never starts again by itself. Engine thread.
 class SetPointStream {
 public:
     enum class End {
         None,    ///< still running, or never started
         Stopped, ///< by stop()
         LeaseExpired,
+        Late,  ///< this program was held up for longer than Capabilities::commandLimit
+        Slept, ///< the computer did
         LinkLost,
         DeviceSilent,
         DeviceRestarted,
@@ -61,6 +63,9 @@ private:
     void tick();
     void finish(End end, std::string reason);
     [[nodiscard]] bool checkDevice();
+    [[nodiscard]] bool isLate() const;
+    [[nodiscard]] bool hasSlept() const;
+    void sent();
 
     Device &m_device;
     Clock &m_clock;
@@ -72,6 +77,8 @@ private:
     std::string m_reason;
     Instant m_startedAt{};
     Instant m_next{};
+    Instant m_sentAt{};     ///< the newest control frames
+    Duration m_sleptThen{}; ///< Clock::slept() at that time
     Timer m_timer;
     std::unique_ptr<Lease> m_lease;
     Subscription m_linkState;

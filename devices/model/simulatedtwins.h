@@ -30,6 +30,13 @@ public:
     }
     [[nodiscard]] double speed() const override { return m_units.front()->speed(); }
     [[nodiscard]] double position() const override { return m_units.front()->position(); }
+    [[nodiscard]] std::vector<std::uint8_t> flash() const override
+    {
+        if constexpr (requires(const Unit &unit) { unit.flash(); })
+            return m_units.front()->flash();
+        else
+            return {};
+    }
     void setPowered(bool powered) override
     {
         for (const auto &unit : m_units)

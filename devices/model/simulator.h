@@ -5,6 +5,7 @@
 #include "async/listeners.h"
 #include "async/result.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,6 +60,9 @@ public:
     [[nodiscard]] virtual double position() const = 0;
     /// Takes the supply away, or gives it back: RAM is lost, flash stays as it was at that moment.
     virtual void setPowered(bool powered) = 0;
+    /// What its program memory holds now, from the first byte of the application on, as an update brings it; empty where no
+    /// memory is simulated. Bytes that nothing can read back are 0.
+    [[nodiscard]] virtual std::vector<std::uint8_t> flash() const { return {}; }
     /// What a service technician could change: "load-torque", "stall", "bus-voltage"; false when there is no such thing.
     virtual bool disturb(std::string_view what, double value) = 0;
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <ctime>
+#include <utility>
 
 #include <sys/timerfd.h>
 #include <unistd.h>
@@ -14,10 +16,41 @@ namespace {
 
 constexpr Duration longestPass = std::chrono::milliseconds(2);
 
+Duration timeOf(clockid_t clock)
+{
+    timespec time{};
+    ::clock_gettime(clock, &time);
+    return std::chrono::seconds(time.tv_sec) + Duration(time.tv_nsec);
+}
+
+/// How far `other` is ahead of `clock`. Who is held up between the two is wrong by as much: of a few looks, the quickest counts.
+template <class Clock, class Other> Duration ahead(const Clock &clock, const Other &other)
+{
+    constexpr Duration quick = std::chrono::microseconds(20);
+    constexpr int looks = 5;
+    Duration taken = Duration::max();
+    Duration difference{};
+    for (int i = 0; i < looks && taken > quick; ++i) {
+        const Duration before = clock();
+        const Duration elsewhere = other();
+        const Duration took = clock() - before;
+        if (took < taken)
+            difference = elsewhere - (before + took / 2);
+        taken = std::min(took, taken);
+    }
+    return difference;
+}
+
 } // namespace
 
-QtClock::QtClock()
-    : m_descriptor(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC))
+KernelClocks KernelClocks::ofSystem()
+{
+    return {[] { return timeOf(CLOCK_MONOTONIC); }, [] { return timeOf(CLOCK_BOOTTIME); }};
+}
+
+QtClock::QtClock(KernelClocks clocks)
+    : m_clocks(std::move(clocks))
+    , m_descriptor(::timerfd_create(CLOCK_MONOTONIC, TFD_NONBLOCK | TFD_CLOEXEC))
     , m_notifier(std::make_unique<QSocketNotifier>(m_descriptor, QSocketNotifier::Read))
 {
     QObject::connect(m_notifier.get(), &QSocketNotifier::activated, m_notifier.get(), [this] { runDue(); });
@@ -36,20 +69,13 @@ Instant QtClock::now() const
 
 Duration QtClock::unixOffset() const
 {
-    // Somebody who is held up between the two clocks is wrong by as much: of a few looks, the quickest counts.
-    constexpr Duration quick = std::chrono::microseconds(20);
-    constexpr int looks = 5;
-    Duration taken = Duration::max();
-    Duration offset{};
-    for (int i = 0; i < looks && taken > quick; ++i) {
-        const Instant before = now();
-        const auto unixTime = std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch());
-        const Duration took = now() - before;
-        if (took < taken)
-            offset = unixTime - (before + took / 2).time_since_epoch();
-        taken = std::min(took, taken);
-    }
-    return offset;
+    return ahead([this] { return now().time_since_epoch(); },
+        [] { return std::chrono::duration_cast<Duration>(std::chrono::system_clock::now().time_since_epoch()); });
+}
+
+Duration QtClock::slept() const
+{
+    return ahead(m_clocks.awake, m_clocks.always);
 }
 
 void QtClock::rescheduled()

@@ -46,10 +46,14 @@ Result<void> SpiLink::sendUrgent(Bytes mosi)
 {
     if (state() != LinkState::Open)
         return fail(notOpen());
+    std::deque<std::shared_ptr<Job>> dropped;
+    dropped.swap(m_jobs);
     auto job = std::make_shared<Job>();
     job->mosi = std::move(mosi);
-    m_jobs.push_front(std::move(job));
+    m_jobs.push_back(std::move(job));
     begin();
+    for (const auto &waiting : dropped) // told from the clock: who stops may be in the middle of anything
+        m_clock.post([waiting] { conclude(waiting, fail(Fault::Cancelled, "a stop went first")); });
     return {};
 }
 

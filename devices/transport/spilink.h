@@ -41,8 +41,8 @@ public:
     };
     [[nodiscard]] Transfer transfer(Bytes mosi) { return Transfer(*this, std::move(mosi)); }
 
-    /// For stop frames: goes before every transfer that waits, and nobody waits for what comes back. Never waits. Fails with
-    /// LinkLost when the link is not open.
+    /// For stop frames: goes in the place of every transfer that waits, which end with Cancelled: none of them may undo it. Nobody
+    /// waits for what comes back. Never waits. Fails with LinkLost when the link is not open.
     Result<void> sendUrgent(Bytes mosi);
     [[nodiscard]] std::size_t backlog() const { return m_jobs.size(); }
     /// For a conversation of several transfers that nobody may break into (but for stop frames).

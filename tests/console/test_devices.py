@@ -165,6 +165,11 @@ class DeviceVerbs(ContractTest):
         run = Run(["--json", "rename", CIM, "a name of more than 28 characters"])
         self.assertEqual((run.status, run.err.count("\n")), (0, 1))
 
+    def test_restart_tells_that_the_unit_answers_again(self):
+        self.assertEqual(self.run_one("restart", CIM), {"device": CIM, "result": "restarted"})
+        self.assertEqual(self.run_one("restart", "sim:spi/quadquad2drv:0")["result"], "restarted")
+        self.assert_error(2, "restart", "sim:can/abstractdc:3", says="switch it off")
+
     def test_text_is_for_people_and_has_a_dot_in_every_locale(self):
         environment = dict(os.environ, LC_ALL="de_DE.UTF-8", LANG="de_DE.UTF-8")
         run = Run(["set", CIM, "slot0.p=1.5"], environment=environment)

@@ -219,26 +219,77 @@ TEST_F(AbstractDcController, SettingsAreClampedWhereTheDeviceIsNot)
     EXPECT_EQ(write("current.averaging", 501).error().fault, Fault::OutOfRange);
     EXPECT_EQ(write("current.averaging", 0).error().fault, Fault::OutOfRange);
     EXPECT_TRUE(sentOf("0CB").empty());
-    ASSERT_TRUE(write("current.averaging", 50));
-    ASSERT_TRUE(write("current.averaging", 60)) << "raising is harmless";
+    ASSERT_TRUE(write("current.averaging", 500)) << "no value is greater, so it cannot be a lower one";
+    EXPECT_NE(sentOf("0CB").back(), "0CB#02");
     EXPECT_TRUE(device->mayMove());
     ASSERT_TRUE(write("current.averaging", 10));
     EXPECT_EQ(sentOf("0CB").back(), "0CB#02") << "lowered: saved at once";
     EXPECT_NE(device->mayMove().error().text().find("switch it off"), std::string::npos);
 }
 
-TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)
+void powerCycle(Simulator &drive, VirtualClock &clock)
 {
-    Simulator &drive = add("abstractdc:3");
-    open(3, &dialectF);
-    ASSERT_TRUE(write("current.averaging", 50));
-    ASSERT_TRUE(write("current.averaging", 10));
-    EXPECT_FALSE(device->mayMove());
     drive.setPowered(false);
     clock.advance(500ms);
     drive.setPowered(true);
     clock.advance(1s);
+}
+
+TEST_F(AbstractDcController, ALoweredAveragingNeedsTheDriveSwitchedOffOnce)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("current.averaging", 500));
+    ASSERT_TRUE(write("current.averaging", 10));
+    EXPECT_FALSE(device->mayMove());
+    powerCycle(drive, clock);
     EXPECT_TRUE(device->mayMove());
+    ASSERT_TRUE(write("current.averaging", 60)) << "raising is harmless";
+    EXPECT_TRUE(device->mayMove());
+}
+
+TEST_F(AbstractDcController, AnAveragingThatNobodyKnowsIsTakenForAGreaterOne)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("current.averaging", 50));
+    EXPECT_EQ(sentOf("0CB").back(), "0CB#02") << "saved, so that it is in force after the power cycle";
+    EXPECT_NE(device->mayMove().error().detail.find("switch it off"), std::string::npos);
+    powerCycle(drive, clock);
+    EXPECT_TRUE(device->mayMove());
+}
+
+TEST_F(AbstractDcController, AnotherRunOfTheProgramKnowsThatThePowerCycleIsOwed)
+{
+    Simulator &drive = add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(write("current.averaging", 50));
+    const DeviceProfile kept = device->profile();
+    open(3, &dialectF);
+    EXPECT_TRUE(device->mayMove());
+    device->setProfile(kept);
+    EXPECT_FALSE(device->mayMove());
+    powerCycle(drive, clock);
+    EXPECT_TRUE(device->mayMove());
+    EXPECT_NE(device->profile(), kept) << "to be kept";
+}
+
+TEST_F(AbstractDcController, ACableThatWasOutIsNoPowerCycle)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    ASSERT_TRUE(device->command(setPoint(Mode::Duty, 0.3)));
+    clock.advance(2s);
+    device->stop();
+    clock.advance(2s);
+    ASSERT_TRUE(write("current.averaging", 50));
+    bus.setLoss(1.0);
+    clock.advance(2s);
+    ASSERT_FALSE(device->liveness().heard);
+    bus.setLoss(0.0);
+    clock.advance(2s);
+    ASSERT_TRUE(device->liveness().heard);
+    EXPECT_FALSE(device->mayMove());
 }
 
 TEST_F(AbstractDcController, ADivisorIsNotChangedWhileItsLoopRuns)

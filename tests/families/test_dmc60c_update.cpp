@@ -47,7 +47,29 @@ struct UpdateBench {
             return fail(Fault::Timeout, "the unit was not found");
         state = sink.last->state;
         device = family.open(host, clock, *sink.last);
-        return run(clock, family.update(*device, image, std::move(options), progress), 30min);
+        return updateOpened(image, std::move(options));
+    }
+    /// The same for the device that is open.
+    Result<UpdateReport> updateOpened(const FirmwareImage &image, UpdateOptions options = {})
+    {
+        const bool dry = options.dryRun;
+        auto report = run(clock, family.update(*device, image, std::move(options), progress), 30min);
+        if (report && report->outcome == UpdateOutcome::Done && !dry) {
+            EXPECT_EQ(wrongBytes(image), 0) << "success was told";
+        }
+        return report;
+    }
+    /// Bytes of the image that the flash of the unit does not hold; where the bootloader puts its own, none are compared.
+    [[nodiscard]] int wrongBytes(const FirmwareImage &image) const
+    {
+        constexpr std::uint32_t ownReset = 8;
+        const std::vector<std::uint8_t> flash = simulator->flash();
+        int wrong = 0;
+        for (std::uint32_t address = ownReset; address < flash.size(); ++address) {
+            const auto wanted = address % 4 == 3 ? std::nullopt : image.at(address);
+            wrong += wanted && *wanted != flash[address] ? 1 : 0;
+        }
+        return wrong;
     }
     std::vector<int> pagesWritten() const
     {
@@ -257,6 +279,48 @@ TEST(Dmc60cUpdate, SurvivesSingleDropsAndCorruptionsOfAnyReply)
                 continue;
             expectDone(bench.update(smallImage()), std::string(fault) + "@" + std::to_string(frame));
         }
+    }
+}
+
+TEST(Dmc60cUpdate, AnAnswerThatComesLateIsNotTakenForTheOneToAnotherQuestion)
+{
+    for (const char *late : {"300", "400", "700", "2200", "3000"}) {
+        for (int frame = 4; frame < 34; ++frame) {
+            const std::string first = std::to_string(frame);
+            const std::string second = std::to_string(frame + 1);
+            UpdateBench bench(
+                "dmc60c:9,state=bootloader,fault=delay@" + first + ':' + late + ",fault=delay@" + second + ':' + late);
+            expectDone(bench.update(smallImage()), first + " and " + second + " by " + late + " ms");
+        }
+    }
+}
+
+TEST(Dmc60cUpdate, WaitsUntilParametersThatWereJustChangedAreInFlash)
+{
+    UpdateBench bench("dmc60c:5");
+    (void)bench.update(smallImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
+    const auto key = [&](const char *name) { return *findParameter(bench.device->parameters().table(), name); };
+    for (const char *name : {"limit.forward.soft.threshold", "limit.reverse.soft.threshold"})
+        ASSERT_TRUE(run(bench.clock, bench.device->write(key(name), 4711))) << name;
+    expectDone(bench.updateOpened(smallImage()));
+    for (const char *name : {"limit.forward.soft.threshold", "limit.reverse.soft.threshold"})
+        EXPECT_EQ(run(bench.clock, bench.device->read(key(name))), 4711) << name;
+}
+
+TEST(Dmc60cUpdate, SaysThatWhatAnotherProgramJustChangedIsLost)
+{
+    struct Log final : Progress {
+        void step(const std::string &, int, int) override { }
+        void part(int, PartState) override { }
+        void log(Severity, const std::string &text) override { all += text + '\n'; }
+        std::string all;
+    };
+    for (const char *unit : {"dmc60c:5", "dmc60c:5,state=bootloader"}) {
+        UpdateBench bench(unit);
+        (void)bench.update(smallImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
+        Log log;
+        ASSERT_TRUE(run(bench.clock, bench.family.update(*bench.device, smallImage(), {}, log), 5min)) << unit;
+        EXPECT_EQ(log.all.find("another program has changed") != std::string::npos, bench.state == DeviceState::Online);
     }
 }
 

@@ -96,6 +96,24 @@ TEST(QuadQuad2DrvUpdate, GoesThroughEveryStepAndComparesTheVersion)
     EXPECT_TRUE(bench.said("< ok"));
 }
 
+TEST(QuadQuad2DrvUpdate, TheSameVersionAsBeforeProvesNothing)
+{
+    UpdateBench bench;
+    bench.boot->setJumper(true);
+    bench.hand = [&bench] {
+        const std::string &step = bench.operation.status().step;
+        if (step.starts_with("sending"))
+            bench.board->setVersion({1, 2, 1}); // so that what the simulator counts up is what was there before
+        if (step.starts_with("take the jumper out"))
+            bench.boot->setJumper(false);
+    };
+    const UpdateReport report = bench.update();
+    EXPECT_EQ(report.outcome, UpdateOutcome::Done) << report.evidence;
+    EXPECT_EQ(report.to, "1.3");
+    EXPECT_FALSE(report.verified);
+    EXPECT_NE(report.evidence.find("nothing proves"), std::string::npos) << report.evidence;
+}
+
 TEST(QuadQuad2DrvUpdate, WaitsForTheGreetingAndSaysWhatToLookAtWhenNoneComes)
 {
     UpdateBench bench;

@@ -231,7 +231,7 @@ TEST_F(Guarded, AProgramThatWasFrozenNeverDrivesAfterTheGuardianMayHaveActed)
 TEST_F(Guarded, AShortStallIsSurvived)
 {
     drive();
-    clock.freeze(250ms);
+    clock.freeze(200ms);
     clock.advance(100ms);
     EXPECT_TRUE(stream.isRunning());
 }
@@ -309,7 +309,7 @@ TEST_F(Inside, AMotorThatEndsWithTheProgramNeedsNoGuardian)
 {
     drive();
     EXPECT_EQ(guard.calls, 0);
-    clock.freeze(450ms);
+    clock.freeze(200ms);
     clock.advance(30ms);
     EXPECT_TRUE(stream.isRunning());
 }

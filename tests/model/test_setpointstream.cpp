@@ -35,9 +35,13 @@ public:
     }
     /// Nothing is served for this long.
     void stall(Duration time) { m_now += time; }
+    /// The computer is suspended: no time passes here.
+    void suspend(Duration time) { m_slept += time; }
+    [[nodiscard]] Duration slept() const override { return m_slept; }
 
 private:
     Instant m_now{};
+    Duration m_slept{};
 };
 
 struct FirstFound final : ScanSink {
@@ -245,23 +249,80 @@ TEST_F(Stream, SendsNothingForAnIllegalFirstTarget)
     EXPECT_FALSE(stream->isRunning());
 }
 
-TEST_F(Stream, MakesNoBurstAfterAStall)
+TEST_F(Stream, MakesNoBurstAfterAStallThatTheDeviceOutlasts)
 {
     drive();
     clock.advance(7ms);
-    clock.stall(300ms);
+    clock.stall(70ms);
     control.clear();
     clock.advance(15ms);
-    EXPECT_LE(control.size(), 1U) << "fifteen periods went by";
+    EXPECT_LE(control.size(), 1U) << "three periods went by";
     clock.advance(200ms);
     for (std::size_t i = 1; i < control.size(); ++i)
         EXPECT_GE(control[i].time - control[i - 1].time, 15ms);
+    EXPECT_TRUE(stream->isRunning());
+}
+
+TEST_F(Stream, EndsAfterAStallInWhichTheWatchdogOfTheDeviceFired)
+{
+    for (const auto stall : {146ms, 283ms}) {
+        drive();
+        clock.advance(7ms);
+        clock.stall(stall);
+        control.clear();
+        clock.advance(50ms);
+        ASSERT_FALSE(control.empty());
+        for (const CanFrame &frame : control)
+            EXPECT_TRUE(isStop(frame)) << "the motor stood, and nothing may start it again";
+        EXPECT_NE(stream->reason().find("held up"), std::string::npos) << stream->reason();
+        expectEnded(End::Late);
+    }
+}
+
+TEST_F(Stream, ANewTargetOrARenewalThatComesFirstAfterAStallDoesNotStartTheMotorAgain)
+{
+    drive();
+    clock.advance(7ms);
+    clock.stall(146ms);
+    control.clear();
+    EXPECT_FALSE(stream->update(duty(0.5)));
+    clock.advance(5ms);
+    for (const CanFrame &frame : control)
+        EXPECT_TRUE(isStop(frame));
+    expectEnded(End::Late);
+
+    drive(120ms);
+    clock.stall(146ms);
+    stream->renew();
+    expectEnded(End::Late);
+}
+
+TEST_F(Stream, NothingMovesAgainWhenTheComputerWakesUp)
+{
+    drive();
+    clock.advance(7ms);
+    clock.suspend(10s);
+    control.clear();
+    clock.advance(50ms);
+    ASSERT_FALSE(control.empty());
+    EXPECT_TRUE(isStop(control.front())) << "not one set-point after the sleep";
+    expectEnded(End::Slept);
+}
+
+TEST_F(Stream, ADeviceWithoutWatchdogIsGivenAQuarterOfASecond)
+{
+    for (const Family *each : families()) {
+        if (!each->capabilities.watchdog) {
+            EXPECT_EQ(each->capabilities.commandLimit, 250ms) << each->key;
+        }
+        EXPECT_GE(each->capabilities.commandLimit, 3 * each->capabilities.commandPeriod) << each->key;
+    }
 }
 
 TEST_F(Stream, EndsAStallThatIsLongerThanTheLeaseInAStop)
 {
-    drive(250ms);
-    clock.stall(400ms);
+    drive(150ms);
+    clock.stall(80ms);
     control.clear();
     clock.advance(50ms);
     ASSERT_FALSE(control.empty());

@@ -6,6 +6,7 @@
 #include <QSocketNotifier>
 
 #include <string>
+#include <utility>
 
 #include <unistd.h>
 
@@ -108,4 +109,55 @@ TEST(QtClock, KnowsUnixTime)
     test::EventLoop loop;
     const auto unixTime = loop.clock().now().time_since_epoch() + loop.clock().unixOffset();
     EXPECT_GT(unixTime, std::chrono::hours(24 * 365 * 50));
+}
+
+namespace {
+
+/// A pair of clocks that a test moves.
+struct Computer {
+    Duration awake = 1h;
+    Duration asleep{};
+    Duration heldUp{}; ///< the next look at the second clock takes this long
+    [[nodiscard]] KernelClocks clocks()
+    {
+        return {[this] { return awake; },
+            [this] {
+                const Duration seen = awake + asleep;
+                awake += std::exchange(heldUp, {});
+                return seen;
+            }};
+    }
+};
+
+} // namespace
+
+TEST(QtClock, TellsHowLongTheComputerHasSleptByTwoClocksOfTheKernel)
+{
+    test::EventLoop loop;
+    Computer computer;
+    const QtClock clock(computer.clocks());
+    EXPECT_EQ(clock.slept(), 0s);
+    computer.awake += 10s;
+    EXPECT_EQ(clock.slept(), 0s) << "time in which it was awake";
+    computer.asleep = 90s;
+    EXPECT_EQ(clock.slept(), 90s);
+}
+
+TEST(QtClock, AProgramHeldUpBetweenTheTwoClocksDoesNotTakeThatForSleep)
+{
+    test::EventLoop loop;
+    Computer computer;
+    const QtClock clock(computer.clocks());
+    computer.heldUp = 300ms;
+    EXPECT_EQ(clock.slept(), 0s);
+}
+
+TEST(QtClock, TheKernelsOwnClocksDoNotDriftWhileItIsAwake)
+{
+    test::EventLoop loop;
+    const Duration before = loop.clock().slept();
+    bool later = false;
+    loop.clock().arm(loop.clock().now() + 20ms, [&later] { later = true; });
+    ASSERT_TRUE(loop.runUntil([&later] { return later; }));
+    EXPECT_LT(std::chrono::abs(loop.clock().slept() - before), 1ms);
 }

@@ -57,16 +57,30 @@ TEST_F(VirtualSpi, AByteTakes16MicrosecondsAt500Kilohertz)
     EXPECT_EQ(*task.result(), (Bytes{0xFE, 0xFD, 0xFC}));
 }
 
-TEST_F(VirtualSpi, TransfersTakePlaceOneAfterTheOtherAndUrgentOnesFirst)
+TEST_F(VirtualSpi, TransfersTakePlaceOneAfterTheOther)
+{
+    Task<Bytes> first = transfer(link, {1});
+    Task<Bytes> second = transfer(link, {2});
+    first.start();
+    second.start();
+    clock.advance(1ms);
+    EXPECT_EQ(board.heard, (std::vector<Bytes>{{1}, {2}}));
+    EXPECT_TRUE(second.isFinished());
+}
+
+TEST_F(VirtualSpi, AnUrgentTransferTakesThePlaceOfThoseThatWaitSoThatNoneOfThemUndoesIt)
 {
     Task<Bytes> first = transfer(link, {1});
     Task<Bytes> second = transfer(link, {2});
     first.start();
     second.start();
     ASSERT_TRUE(link.sendUrgent({9}));
+    EXPECT_FALSE(second.isFinished()) << "told from the clock, not from inside the stop";
     clock.advance(1ms);
-    EXPECT_EQ(board.heard, (std::vector<Bytes>{{1}, {9}, {2}}));
-    EXPECT_TRUE(second.isFinished());
+    EXPECT_EQ(board.heard, (std::vector<Bytes>{{1}, {9}}));
+    ASSERT_TRUE(first.isFinished() && second.isFinished());
+    EXPECT_TRUE(first.result());
+    EXPECT_EQ(second.result().error().fault, Fault::Cancelled);
 }
 
 TEST_F(VirtualSpi, ATransferThatWasCancelledBeforeItBeganDoesNotTakePlace)

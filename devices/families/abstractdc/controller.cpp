@@ -62,6 +62,13 @@ void Controller::doProfileChanged()
         profile().calibrated(calibration::amperes) > 0.0, profile().calibrated(calibration::degrees) > 0.0));
 }
 
+/// Kept with its profile: another run of this program must know it, too.
+bool Controller::needsPowerCycle() const
+{
+    const auto owed = profile().counters.find(std::string(counter::powerCycle));
+    return owed != profile().counters.end() && owed->second != 0;
+}
+
 // Control
 
 Result<void> Controller::doMayMove() const
@@ -75,13 +82,12 @@ Result<void> Controller::doMayMove() const
     if (!m_dialect->canStop())
         return fail(Error::fromPhrase(Fault::Unsafe,
             QT_TRANSLATE_NOOP("table", "a drive of dialect LL has no code for stop; only its power stops it")));
-    if (m_needsPowerCycle)
+    if (needsPowerCycle())
         return fail(Error::fromPhrase(Fault::Unsafe,
             QT_TRANSLATE_NOOP("table",
-                "its averaging was lowered, and until it has lost its power once it overwrites its own memory; switch "
-                "it "
-                "off "
-                "and on")));
+                "its averaging was lowered, as far as can be known, and until it has lost its power once it may "
+                "overwrite "
+                "its own memory; switch it off and on")));
     return {};
 }
 

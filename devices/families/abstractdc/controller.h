@@ -36,6 +36,9 @@ private:
 
     [[nodiscard]] Task<void> expectAnswer();
     [[nodiscard]] Result<void> mayWrite(const Parameter &parameter, std::int64_t raw) const;
+    [[nodiscard]] bool mayLowerAveraging(std::int64_t raw) const;
+    [[nodiscard]] bool needsPowerCycle() const;
+    void judgeSilence(std::int32_t position);
     [[nodiscard]] Task<void> save(Loop loop, Progress &progress);
 
     // Device, at once
@@ -80,7 +83,8 @@ private:
     bool m_wrapped = false; ///< since the motor was stopped last
     std::int64_t m_saturations = 0;
     std::int64_t m_wraps = 0;
-    bool m_needsPowerCycle = false;
+    bool m_wasSilent = false;                     ///< since it was heard last, while its link was open
+    std::optional<std::int64_t> m_positionBefore; ///< the silence
     std::set<Loop> m_unsaved;
     Timer m_look;
     Subscription m_received;

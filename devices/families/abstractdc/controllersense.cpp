@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 namespace mb::abstractdc {
 namespace {
@@ -18,7 +19,8 @@ constexpr double positionRate = 20.0; ///< samples per second nobody asked for
 constexpr double loopRate = 20.0;
 constexpr double slowRate = 5.0;
 constexpr double temperatureRate = 1.0;
-constexpr double drivenRate = 50.0; ///< the loop of the drive is no faster
+constexpr std::int64_t turnedByHand = 100; ///< counts, between switching on and the first question
+constexpr double drivenRate = 50.0;        ///< the loop of the drive is no faster
 
 } // namespace
 
@@ -116,8 +118,20 @@ void Controller::onLog(Log log, std::int32_t value, Instant time)
     updateLiveness();
 }
 
+/// Without power it has lost its position. One that is heard again where it was, had only lost its cable.
+void Controller::judgeSilence(std::int32_t position)
+{
+    const bool startsAnew = std::abs(std::int64_t{position}) <= turnedByHand;
+    const bool unmoved = m_positionBefore && *m_positionBefore == position && position != 0;
+    if (std::exchange(m_wasSilent, false) && needsPowerCycle() && startsAnew && !unmoved)
+        setCounter(std::string(counter::powerCycle), 0);
+    m_positionBefore.reset();
+}
+
 void Controller::onPosition(std::int32_t value, Instant time)
 {
+    if (m_wasSilent)
+        judgeSilence(value);
     const MotionSense::Verdict verdict = m_sense.add(value, time);
     if (verdict.glitch) {
         telemetry()->lost(channel::position, 1);
@@ -155,9 +169,11 @@ void Controller::onVoltage(std::int32_t value, Instant time)
 
 void Controller::onSilence()
 {
+    m_wasSilent = m_wasSilent || m_can.state() == LinkState::Open;
+    if (const auto position = m_sense.position())
+        m_positionBefore = *position;
     m_sense.forget();
     m_velocity.reset();
-    m_needsPowerCycle = false; // it was off, or cannot be reached
     enter(std::nullopt);
     for (std::uint16_t i = 0; i < telemetry()->channels().size(); ++i)
         telemetry()->breakLine({i});

@@ -105,10 +105,16 @@ Result<void> Controller::mayWrite(const Parameter &parameter, std::int64_t raw) 
         return fail(Error::fromPhrase(Fault::OutOfRange,
             QT_TRANSLATE_NOOP(
                 "table", "legal is 1 … 500; the drive does not check it and would overwrite its memory")));
-    const auto before = parameters().entry(*parameterOf(Loop::Current, Field::Averaging)).raw;
-    if (before && raw < *before && isDriven())
+    if (mayLowerAveraging(raw) && (isDriven() || m_sense.isMoving(clock().now())))
         return fail(Fault::Unsafe, QT_TRANSLATE_NOOP("table", "lowering it needs a stopped motor"));
     return {};
+}
+
+/// What is in force is known only where this program wrote it: otherwise any value but the greatest may be a lower one.
+bool Controller::mayLowerAveraging(std::int64_t raw) const
+{
+    const auto before = parameters().entry(*parameterOf(Loop::Current, Field::Averaging)).raw;
+    return raw < before.value_or(averagingMost);
 }
 
 Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
@@ -118,21 +124,23 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
         co_return fail(allowed.error());
     const Loop loop = loopOf(parameter);
     const auto value = static_cast<std::int32_t>(raw);
-    const auto before = parameters().entry(index).raw;
+    const bool lowered = fieldOf(parameter) == Field::Averaging && mayLowerAveraging(raw);
+    if (lowered)
+        setCounter(
+            std::string(counter::powerCycle), 1); // trap 5: from now on its sample index may run out of the buffer
     if (auto sent = m_can.send(encodeSettings(*m_dialect, identity().address, loop, fieldOf(parameter), value)); !sent)
         co_return fail(sent.error());
     auto asking = expectAnswer();
     co_await std::move(asking);
     m_unsaved.insert(loop);
-    const bool lowered = fieldOf(parameter) == Field::Averaging && before && raw < *before;
-    if (lowered) { // trap 5: from now on its sample index may run out of the buffer
+    if (lowered) {
         NoProgress unheard;
         auto saving = save(loop, unheard);
         co_await std::move(saving);
-        m_needsPowerCycle = true;
         Identity known = identity();
         known.detail = QT_TRANSLATE_NOOP("table",
-            "Its averaging was lowered and saved. Switch it off and on now: until then it overwrites its memory.");
+            "Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may "
+            "overwrite its memory.");
         setIdentity(std::move(known));
     }
     co_return raw;

@@ -8,6 +8,11 @@
 
 namespace mb::abstractdc {
 
+/// DeviceProfile::counters besides those of savings.
+namespace counter {
+constexpr std::string_view powerCycle = "averaging.power_cycle"; ///< 1: owed, before it may be driven (trap 5)
+} // namespace counter
+
 [[nodiscard]] std::span<const Parameter> parameterTable();
 
 /// The number in the table: loop and field, which each dialect spells its own way.

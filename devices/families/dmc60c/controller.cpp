@@ -15,6 +15,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration askPeriodAtMost = 1s;
 constexpr int idleFramesNeeded = 2; ///< one may be a zero crossing of a closed loop
+constexpr int wakesNeeded = 3;      ///< frames may be lost
 
 } // namespace
 
@@ -50,6 +51,17 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     const auto control = controlFor(setPoint, identity().address);
     if (!control)
         return fail(control.error());
+    if (m_commandedAt == Instant{} || clock().now() - m_commandedAt > controlLimit)
+        m_wakes = wakesNeeded;
+    m_commandedAt = clock().now();
+    if (m_wakes > 0) {
+        --m_wakes;
+        // 6.1, trap 21: only a target that is not zero ends the halt. The least there is goes first.
+        Control wake = *control;
+        wake.target = 1;
+        if (control->target == 0)
+            (void)m_can.send(encodeControl(identity().address, wake));
+    }
     if (auto sent = m_can.send(encodeControl(identity().address, *control)); !sent)
         return sent;
     telemetry()->append({channel::setPoint, clock().now(), setPoint.target});
@@ -59,6 +71,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
 void Controller::doStop()
 {
     m_idleFrames = 0;
+    m_commandedAt = {}; // what comes next finds it halted
     const CanFrame noDrive = encodeControl(identity().address, Control{});
     // Twice (6.1): the first overtakes what waits, the second comes behind a set-point that the kernel may still hold.
     // A link that is gone cannot be helped from here.

@@ -36,6 +36,7 @@ private:
     Task<std::vector<FaultRecord>> doReadFaults() override;
     Task<std::vector<FaultRecord>> doClearFaults() override;
     Task<void> doIdentify() override;
+    Task<void> doRestart() override;
     Task<void> doRename(std::string name) override;
     Task<void> doRenumber(int address) override;
     Task<void> doSetRate(ChannelIndex channel, double hertz) override;
@@ -108,6 +109,8 @@ private:
     Instant m_turningAt{};
     std::optional<Instant> m_foreignAt;
     std::uint32_t m_livenessKey = ~0U;
+    int m_wakes = 0;         ///< frames that are still to take the device out of its halt
+    Instant m_commandedAt{}; ///< the latest set-point
 
     /// Another session that answers under this number.
     struct Candidate {

@@ -5,7 +5,10 @@
 #include "families/dmc60c/setpoints.h"
 #include "families/dmc60c/unitidentity.h"
 
+#include <QtGlobal>
+
 #include <algorithm>
+#include <array>
 
 namespace mb::dmc60c {
 namespace {
@@ -18,6 +21,39 @@ constexpr Duration foreignMemory = 500ms;
 constexpr int candidateRounds = 3;
 constexpr Duration stallTolerance = 20ms;
 constexpr Duration turningMemory = 500ms;
+
+/// Most important first.
+constexpr std::array<std::string_view, 6> conditionNames{
+    QT_TRANSLATE_NOOP("table", "current is limited"),
+    QT_TRANSLATE_NOOP("table", "forward limit switch holds"),
+    QT_TRANSLATE_NOOP("table", "reverse limit switch holds"),
+    QT_TRANSLATE_NOOP("table", "forward soft limit holds"),
+    QT_TRANSLATE_NOOP("table", "reverse soft limit holds"),
+    QT_TRANSLATE_NOOP("table", "halted"),
+};
+
+/// One bit each, in the order of their names.
+std::uint32_t conditionsOf(const StatusGeneral &status)
+{
+    const auto holds = [&status](const LimitSwitch &limit, bool disabledByFrame) {
+        return limit.hit && !(status.limitOverride ? disabledByFrame : limit.disabled);
+    };
+    return (status.currentLimitActive ? 1U : 0U) | (holds(status.forward, status.forwardDisabledByFrame) ? 2U : 0U)
+        | (holds(status.reverse, status.reverseDisabledByFrame) ? 4U : 0U)
+        | (status.softForwardHit && status.softForwardEnabled ? 8U : 0U)
+        | (status.softReverseHit && status.softReverseEnabled ? 16U : 0U)
+        | (status.mode == ControlMode::NoDrive ? 32U : 0U);
+}
+
+std::vector<std::string_view> namesOf(std::uint32_t conditions)
+{
+    std::vector<std::string_view> names;
+    for (std::size_t i = 0; i < conditionNames.size(); ++i) {
+        if ((conditions >> i & 1U) != 0U)
+            names.push_back(conditionNames.at(i));
+    }
+    return names;
+}
 
 } // namespace
 
@@ -139,7 +175,8 @@ void Controller::updateLiveness()
     // One frame in ten thousand changes any of this: compare a word before building texts.
     const std::uint32_t key = (m_heard ? 1U : 0U) | (moving ? 2U : 0U) | (m_foreignAt ? 4U : 0U)
         | (m_restarted ? 8U : 0U) | (m_lastGeneral.overTemperature ? 16U : 0U) | (m_lastGeneral.underVoltage ? 32U : 0U)
-        | (m_lastGeneral.gateDriver ? 64U : 0U) | (static_cast<std::uint32_t>(m_lastGeneral.mode) << 8U);
+        | (m_lastGeneral.gateDriver ? 64U : 0U) | (static_cast<std::uint32_t>(m_lastGeneral.mode) << 8U)
+        | (conditionsOf(m_lastGeneral) << 16U);
     if (key == m_livenessKey)
         return;
     m_livenessKey = key;
@@ -156,6 +193,7 @@ void Controller::updateLiveness()
             now.faults.emplace_back("under_voltage");
         if (m_lastGeneral.gateDriver)
             now.faults.emplace_back("gate_driver");
+        now.conditions = namesOf(conditionsOf(m_lastGeneral));
     }
     setLiveness(now);
 }

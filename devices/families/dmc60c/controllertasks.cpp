@@ -106,6 +106,26 @@ Task<void> Controller::doIdentify()
     co_return {};
 }
 
+/// A restart takes what is not in flash yet, so that is waited for.
+Task<void> Controller::doRestart()
+{
+    NoProgress unheard;
+    auto storing = doStore(unheard);
+    const Result<bool> stored = co_await std::move(storing).attempt();
+    if (!stored && stored.error().fault == Fault::LinkLost)
+        co_return fail(stored.error());
+    auto resetting = vendor({Command::SoftReset}, {});
+    const Result<VendorReply> reply = co_await std::move(resetting).attempt();
+    if (!reply && reply.error().fault == Fault::Timeout)
+        co_return fail(
+            Fault::Timeout, "it did not come back; without an application its bootloader is silent (scan shows it)");
+    if (!reply)
+        co_return fail(reply.error());
+    auto refreshing = doRefresh();
+    co_await std::move(refreshing);
+    co_return {};
+}
+
 Task<void> Controller::doRename(std::string name)
 {
     auto bytes = toLatin1(name);

@@ -46,10 +46,12 @@ constexpr Capabilities capabilities{
     .identify = true,
     .rename = true,
     .renumber = true,
+    .restart = true,
     .freeRates = false, // how often it sends its status is for everybody on the bus
     .axes = 1,
     .gainSlots = 2,
     .commandPeriod = controlPeriod,
+    .commandLimit = controlLimit,
     .storesAfter = std::chrono::seconds(15),
 };
 

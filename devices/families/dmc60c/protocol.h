@@ -103,6 +103,8 @@ constexpr int velocityPerSecond = 10;    ///< the wire counts per 100 ms
 constexpr auto loopPeriod = std::chrono::microseconds(500);
 constexpr auto heartbeat = std::chrono::milliseconds(104);
 constexpr auto controlPeriod = std::chrono::milliseconds(20);
+/// Between two frames as this program sends them, so that no heartbeat is missed while the bus delays one a little.
+constexpr auto controlLimit = heartbeat - std::chrono::milliseconds(4);
 constexpr auto faultHold = std::chrono::seconds(3);
 constexpr auto flashDelay = std::chrono::seconds(15); ///< from the last change of a parameter to its flash write
 constexpr auto enumWindow = std::chrono::milliseconds(150);

@@ -29,6 +29,9 @@ std::uint32_t augmentedCrc(std::span<const std::uint8_t> bytes, int padding)
     return crc;
 }
 
+constexpr int resetVectorSize = 8;
+constexpr int versionSize = 4;
+
 } // namespace
 
 std::vector<std::uint8_t> ConfigImage::descriptors() const
@@ -64,6 +67,7 @@ bool ApplicationFlash::isRunnable() const
 void ApplicationFlash::erase(int page)
 {
     m_broken[static_cast<std::size_t>(page)] = true;
+    std::fill_n(m_bytes.begin() + std::ptrdiff_t{page} * pageSize, pageSize, blank);
     if (page == lastPage)
         m_version = noApplication;
     if (page == firstPage)
@@ -78,17 +82,30 @@ bool ApplicationFlash::program(int page, std::span<const std::uint8_t> bytes)
         return false;
     }
     m_broken[static_cast<std::size_t>(page)] = false;
+    // The ends of what the bootloader itself decides about: its own way in, and the version, which comes last (7.5).
+    const std::ptrdiff_t first = page == firstPage ? std::ptrdiff_t{resetVectorSize} : 0;
+    const std::ptrdiff_t end = page == lastPage ? std::ptrdiff_t{pageSize - versionSize} : pageSize;
+    std::copy(bytes.begin() + first, bytes.begin() + end, m_bytes.begin() + std::ptrdiff_t{page} * pageSize + first);
     if (page == lastPage)
-        m_savedVersion = readU16le(bytes, pageSize - 4);
+        m_savedVersion = readU32le(bytes, pageSize - versionSize);
     if (page == firstPage)
         m_resetVector = true;
     return true;
 }
 
+std::vector<std::uint8_t> ApplicationFlash::bytes() const
+{
+    std::vector<std::uint8_t> read = m_bytes;
+    for (std::size_t phantom = 3; phantom < read.size(); phantom += 4)
+        read[phantom] = 0;
+    return read;
+}
+
 void ApplicationFlash::writeVersion()
 {
-    m_version = m_savedVersion.value_or(0);
+    m_version = static_cast<std::uint16_t>(m_savedVersion.value_or(0));
     m_versionFromNowhere = !m_savedVersion.has_value();
+    writeU32le(m_bytes, m_bytes.size() - versionSize, m_savedVersion.value_or(0));
 }
 
 } // namespace mb::dmc60c::simulation

@@ -3,6 +3,7 @@
 
 #include "families/dmc60c/simulatorparameters.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -36,7 +37,9 @@ class ApplicationFlash {
 public:
     explicit ApplicationFlash(std::uint16_t version)
         : m_version(version)
+        , m_bytes(static_cast<std::size_t>(lastPage + 1) * pageSize)
     {
+        std::fill(m_bytes.begin(), m_bytes.end(), blank);
     }
     [[nodiscard]] std::uint16_t version() const { return m_version; }
     /// The bootloader starts after a reset.
@@ -53,12 +56,17 @@ public:
     void forgetRam() { m_savedVersion.reset(); }
     /// The next program() of `page` fails.
     void spoil(int page) { m_spoiled = page; }
+    /// As it would be read out: what no page brought is blank, every fourth byte 0.
+    [[nodiscard]] std::vector<std::uint8_t> bytes() const;
 
 private:
+    static constexpr std::uint8_t blank = 0xFF;
+
     std::uint16_t m_version;
+    std::vector<std::uint8_t> m_bytes;
     bool m_resetVector = true;
     std::array<bool, lastPage + 1> m_broken{};
-    std::optional<std::uint16_t> m_savedVersion;
+    std::optional<std::uint32_t> m_savedVersion; ///< the whole word
     bool m_versionFromNowhere = false;
     int m_spoiled = -1;
 };

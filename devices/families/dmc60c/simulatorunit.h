@@ -22,6 +22,7 @@ public:
     [[nodiscard]] double speed();
     [[nodiscard]] double position();
     void setPowered(bool powered);
+    [[nodiscard]] std::vector<std::uint8_t> flash() const { return m_application.bytes(); }
     bool disturb(std::string_view what, double value);
 
 private:

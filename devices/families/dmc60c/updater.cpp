@@ -14,6 +14,14 @@ constexpr int mostRestarts = 3;
 constexpr Duration findLimit = 5s;
 constexpr auto linkPatience = 30s;
 constexpr int mostLosses = 3;
+constexpr Duration lateness = 500ms; ///< of an answer after its time-out
+constexpr int mostLate = 100;        ///< frames of late answers
+
+/// Asked again, it changes nothing, and its answer is told from those to orders.
+bool isQuestion(Command command)
+{
+    return command == Command::GetFwver || command == Command::GetDescriptors || command == Command::GetFlashSeqnum;
+}
 
 } // namespace
 
@@ -69,6 +77,11 @@ Task<UpdateReport> Updater::run(UpdateOptions options)
             + " pages would be written, version " + versionText(m_application.version);
         co_return m_report;
     }
+    if (m_runs) {
+        auto keeping = keepParameters();
+        if (const Result<void> kept = co_await std::move(keeping).attempt(); !kept)
+            co_return failed(kept.error());
+    }
     auto installing = install();
     const Result<void> installed = co_await std::move(installing).attempt();
     if (!installed)
@@ -82,6 +95,11 @@ Task<UpdateReport> Updater::run(UpdateOptions options)
 
 Task<VendorReply> Updater::send(VendorCommand command, std::vector<std::uint8_t> data, Attempts attempts, Duration gap)
 {
+    if (m_answerOwed && !isQuestion(command.command)) {
+        auto settling = settle();
+        co_await std::move(settling);
+    }
+    m_sentAt = m_clock.now();
     VendorRequest request;
     request.device = m_device.identity().address;
     request.session = m_session;
@@ -89,8 +107,26 @@ Task<VendorReply> Updater::send(VendorCommand command, std::vector<std::uint8_t>
     request.data = std::move(data);
     request.gap = gap;
     auto exchange = vendorExchange(m_link, m_clock, std::move(request), attempts);
-    const VendorReply reply = co_await std::move(exchange);
+    Result<VendorReply> reply = co_await std::move(exchange).attempt();
+    m_answerOwed = m_answerOwed || !reply || reply->unanswered > 0;
     co_return reply;
+}
+
+Task<void> Updater::settle()
+{
+    CanInbox inbox(m_link, m_clock, [number = m_device.identity().address](const CanFrame &frame) {
+        return (decodeVendorStatus(frame) || decodeVendorData(frame)) && deviceOf(frame) == number;
+    });
+    for (int i = 0; i < mostLate; ++i) {
+        const Result<CanFrame> late = co_await inbox.next(lateness);
+        if (late)
+            continue;
+        if (late.error().fault != Fault::Timeout)
+            co_return fail(late.error());
+        break;
+    }
+    m_answerOwed = false;
+    co_return {};
 }
 
 Task<FirmwareVersions> Updater::versions()
@@ -172,11 +208,28 @@ Task<void> Updater::preflight(bool force)
         "image " + versionText(m_application.version) + " of " + std::to_string(m_application.pages.size())
             + " pages, unit " + (m_report.from.empty() ? std::string("without application") : "runs " + m_report.from)
             + ", bootloader " + versionText(now.bootloader));
+    m_runs = !isInBootloader(now);
     m_upToDate = !force && !isInBootloader(now) && now.application == m_application.version;
     for (int number = lastPage; number >= firstPage; --number)
         m_progress.part(number, PartState::Absent);
     for (const Page &page : m_application.pages)
         m_progress.part(page.number, PartState::Waiting);
+    co_return {};
+}
+
+/// The device writes its flash up to 15 s after a change. What this program has changed is waited for; what others have, nobody knows.
+Task<void> Updater::keepParameters()
+{
+    auto storing = m_device.store(m_progress);
+    const Result<bool> stored = co_await std::move(storing).attempt();
+    if (!stored && stored.error().fault == Fault::LinkLost)
+        co_return fail(stored.error());
+    if (!stored)
+        m_progress.log(Severity::Caution, "parameters that were changed last may be lost: " + stored.error().detail);
+    m_progress.log(Severity::Info,
+        "what another program has changed within the last 15 s is not in the flash of the unit yet, and is lost with "
+        "the "
+        "restart");
     co_return {};
 }
 

@@ -39,7 +39,11 @@ private:
     [[nodiscard]] Task<FirmwareVersions> versions();
     [[nodiscard]] Task<VendorReply> send(
         VendorCommand command, std::vector<std::uint8_t> data, Attempts attempts, Duration gap);
+    /// Waits until no answer to an earlier command can come any more: the next one might be taken for its answer.
+    [[nodiscard]] Task<void> settle();
     [[nodiscard]] Task<void> preflight(bool force);
+    /// A restart takes what is not in flash yet.
+    [[nodiscard]] Task<void> keepParameters();
     [[nodiscard]] Task<void> enterBootloader();
     /// All that changes the unit, as often as the link comes back.
     [[nodiscard]] Task<void> install();
@@ -53,6 +57,8 @@ private:
     /// What the status of a page means, 7.6.
     [[nodiscard]] Result<Verdict> judge(const Page &page, CommandStatus status);
     [[nodiscard]] Verdict afterMismatch(const Page &page);
+    /// A page cannot be written before its bytes were on the wire.
+    [[nodiscard]] bool isTooEarly() const;
     [[nodiscard]] Task<Verdict> afterSilence(const Page &page);
     [[nodiscard]] Task<void> leaveBootloader();
     [[nodiscard]] Task<void> verify();
@@ -76,9 +82,12 @@ private:
     bool m_variantKnown = false;
     bool m_touched = false; ///< page 30 was sent: the old application may be gone
     bool m_upToDate = false;
-    bool m_lastSent = false;  ///< page 0 was sent; it brings the version
-    bool m_isWritten = false; ///< all pages are in
-    bool m_isLeft = false;    ///< and the application runs
+    bool m_runs = false;       ///< the application, before the update
+    bool m_lastSent = false;   ///< page 0 was sent; it brings the version
+    bool m_isWritten = false;  ///< all pages are in
+    bool m_isLeft = false;     ///< and the application runs
+    bool m_answerOwed = false; ///< to a command that nobody answered in time
+    Instant m_sentAt{};        ///< the latest command
     Duration m_gap{};
     int m_tries = 0; ///< of the present page
     int m_failedWrites = 0;

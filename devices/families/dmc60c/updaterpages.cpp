@@ -104,6 +104,12 @@ Result<Updater::Verdict> Updater::judge(const Page &page, CommandStatus status)
     switch (status) {
     case CommandStatus::NoError:
         m_touched = true;
+        if (isTooEarly()) {
+            m_answerOwed = true; // the one to this page
+            m_progress.log(
+                Severity::Caution, "page " + number + " was said to be written before its bytes can have arrived");
+            return Verdict::Restart;
+        }
         if (!m_variantKnown)
             m_progress.log(Severity::Good, "page " + number + " accepted with CRC variant " + letterOf(m_variant));
         m_variantKnown = true;
@@ -125,6 +131,13 @@ Result<Updater::Verdict> Updater::judge(const Page &page, CommandStatus status)
     case CommandStatus::BadParameter: return fail(Fault::Refused, "the bootloader refuses page " + number);
     default: return Verdict::Restart; // NotSupported: the application runs; InBootloader, AckReset: it was reset
     }
+}
+
+bool Updater::isTooEarly() const
+{
+    constexpr std::int64_t bits = 128 * (pageTransferSize / 8); // at least
+    const int bitsPerSecond = m_link.bitrate();                 // 0 where frames take no time
+    return bitsPerSecond > 0 && m_clock.now() - m_sentAt < bits * Duration(1s) / bitsPerSecond;
 }
 
 Updater::Verdict Updater::afterMismatch(const Page &page)

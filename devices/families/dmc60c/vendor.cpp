@@ -36,8 +36,28 @@ Task<void> sendAll(CanLink &link, Clock &clock, const VendorRequest &request)
     co_return {};
 }
 
-/// One status and the bytes it announces. A newer status begins anew: the one before answered an earlier try.
-Task<VendorReply> collect(CanInbox &inbox, Duration timeout)
+bool isRefusal(CommandStatus status)
+{
+    return status == CommandStatus::NotSupported || status == CommandStatus::BadParameter;
+}
+
+/// Statuses carry neither session nor command, so that a late one would be taken for the answer to the next command. What it
+/// announces tells: a question has bytes of a known number, an order none (section 2.4: or those that it was sent).
+bool belongs(const VendorRequest &request, const VendorStatus &status)
+{
+    const bool good = status.status == CommandStatus::NoError;
+    switch (request.command.command) {
+    case Command::GetFwver: return good ? status.count == 6 : isRefusal(status.status);
+    case Command::GetFlashSeqnum: return good ? status.count == 4 : isRefusal(status.status);
+    case Command::GetDescriptors: return good || isRefusal(status.status);
+    case Command::EnterBootloader: return status.status == CommandStatus::InBootloader || isRefusal(status.status);
+    case Command::SoftReset: return status.status == CommandStatus::AckReset || isRefusal(status.status);
+    default: return status.count == 0 || status.count == request.data.size();
+    }
+}
+
+/// One status of ours and the bytes it announces. A newer one begins anew: the one before answered an earlier try.
+Task<VendorReply> collect(CanInbox &inbox, const VendorRequest &request, Duration timeout)
 {
     VendorReply reply;
     std::optional<std::size_t> expected;
@@ -45,9 +65,12 @@ Task<VendorReply> collect(CanInbox &inbox, Duration timeout)
         const Result<CanFrame> frame = co_await inbox.next(timeout);
         if (!frame)
             co_return fail(frame.error());
-        if (const auto status = decodeVendorStatus(*frame)) {
-            reply = {status->device, status->status, status->test, {}};
-            expected = status->count;
+        const auto status = decodeVendorStatus(*frame);
+        if (status && !belongs(request, *status)) {
+            expected.reset(); // whose bytes follow
+        } else if (status) {
+            reply = {status->device, status->status, status->test, {}, 0};
+            expected = request.data.empty() ? status->count : std::size_t{0};
         } else if (const auto bytes = decodeVendorData(*frame); bytes && expected) {
             reply.data.insert(reply.data.end(), bytes->begin(), bytes->end());
         }
@@ -89,10 +112,12 @@ Task<VendorReply> vendorExchange(CanLink &link, Clock &clock, VendorRequest requ
     for (int i = 0; i < attempts.tries; ++i) {
         auto sending = sendAll(link, clock, request);
         co_await std::move(sending);
-        auto collecting = collect(inbox, attempts.timeout);
+        auto collecting = collect(inbox, request, attempts.timeout);
         Result<VendorReply> reply = co_await std::move(collecting).attempt();
-        if (reply)
+        if (reply) {
+            reply->unanswered = i;
             co_return std::move(*reply);
+        }
         last = reply.error();
         if (last.fault == Fault::LinkLost)
             break;

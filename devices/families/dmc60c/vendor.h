@@ -26,13 +26,14 @@ struct VendorReply {
     CommandStatus status = CommandStatus::NoError;
     std::uint8_t test = 0;
     std::vector<std::uint8_t> data; ///< of VENDORDIN frames, complete
+    int unanswered = 0;             ///< earlier tries whose answers may still come
 };
 
 /// Time-outs and tries of section 3 for this command.
 [[nodiscard]] Attempts attemptsOf(Command command);
 
 /// Sends, collects the status and the bytes it announces, repeats the whole command on a time-out or a gap in the
-/// bytes. The reply may hold any status: check() judges it. Timeout after the last try, LinkLost at once. The link and
+/// bytes. A status that cannot belong to this command, by what it announces or says, is passed over. The reply may hold any status: check() judges it. Timeout after the last try, LinkLost at once. The link and
 /// the clock outlive the task.
 [[nodiscard]] Task<VendorReply> vendorExchange(CanLink &link, Clock &clock, VendorRequest request, Attempts attempts);
 

@@ -56,11 +56,7 @@ void Controller::onPacket(const Packet &packet, Instant time)
             m_learning = true;
             m_scope.spawn<void>(takeLayout(), [this](const Result<void> &) { m_learning = false; });
         }
-        return;
     }
-    if (packet.id == static_cast<std::uint8_t>(PacketId::SetControlMode) && returnCode(packet) == std::int8_t{0}
-        && time > stoppedAt())
-        m_stopConfirmed = true;
 }
 
 void Controller::onMotion(const Motion &motion, Instant time)

@@ -58,6 +58,7 @@ private:
     Task<std::vector<FaultRecord>> doReadFaults() override;
     Task<std::vector<FaultRecord>> doClearFaults() override { return doReadFaults(); }
     Task<void> doIdentify() override;
+    Task<void> doRestart() override;
     Task<void> doRename(std::string name) override;
     Task<void> doRenumber(int address) override;
     Task<void> doSetRate(ChannelIndex channel, double hertz) override;
@@ -82,8 +83,11 @@ private:
     void aim(int axis, const SetPoint &setPoint);
     void noteSetPoint(int axis, std::optional<double> target);
     void post(Bytes request);
+    void workOff();
     [[nodiscard]] Task<void> work();
+    [[nodiscard]] Task<void> obey(Bytes order);
     [[nodiscard]] Task<void> confirmStop();
+    void resetAsLastResort();
 
     // What the board tells, and what follows from silence: controller.cpp
     void onPacket(const Packet &packet, Instant time);
@@ -119,6 +123,8 @@ private:
     std::optional<Instant> m_streamAt;
     std::deque<Bytes> m_orders; ///< of set-points, waiting for the board
     bool m_working = false;
+    std::uint64_t m_stops = 0;           ///< what was ordered before the last one is not sent any more
+    std::optional<Error> m_orderFailure; ///< ended the motion; the next command tells
     Subscription m_received;
     Subscription m_readyRaised;
     Subscription m_state;

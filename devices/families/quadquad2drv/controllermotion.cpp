@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mb::quadquad2drv {
 namespace {
@@ -14,6 +15,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int stopTries = 20;
+constexpr int triesBeforeReset = 2; ///< each of 100 ms, and as long again for a question that waits in between
+constexpr int orderTries = 3;
 
 constexpr double lowestCounts = -2147483648.0;
 constexpr double highestCounts = 2147483647.0;
@@ -77,6 +80,8 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
         updateLiveness();
         return {};
     }
+    if (m_orderFailure)
+        return fail(*std::exchange(m_orderFailure, std::nullopt));
     const ControlMode mode = modeFor(setPoint.mode);
     if (mode == ControlMode::Position && !m_tracked[static_cast<std::size_t>(axis)].position)
         return fail(Fault::Unsafe, "the position is not known yet, so nothing would keep the motor from jumping");
@@ -153,38 +158,56 @@ void Controller::post(Bytes request)
     else
         m_orders.push_back(std::move(request));
     m_changed = true;
-    if (m_working)
-        return;
+    if (!m_working)
+        workOff();
+}
+
+void Controller::workOff()
+{
     m_working = true;
     m_scope.spawn<void>(work(), [this](const Result<void> &) {
         m_working = false;
-        if (!m_orders.empty())
-            m_orders.clear(); // what failed ends the motion, see work()
+        if (!m_orders.empty()) // of a motion that began since a stop
+            workOff();
     });
 }
 
+/// An order that the board does not take ends the motion. A stop ends what is under way: nothing that was ordered before it is
+/// sent after it, not even again.
 Task<void> Controller::work()
 {
+    while (!m_orders.empty()) {
+        const std::uint64_t stops = m_stops;
+        Bytes next = std::move(m_orders.front());
+        m_orders.pop_front();
+        auto obeying = obey(std::move(next));
+        const Result<void> obeyed = co_await std::move(obeying).attempt();
+        if (obeyed || stops != m_stops)
+            continue;
+        stop();
+        m_orderFailure = obeyed.error();
+        co_return fail(obeyed.error());
+    }
+    co_return {};
+}
+
+Task<void> Controller::obey(Bytes order)
+{
+    PacketPort::Gate gate = [this, stops = m_stops] { return stops == m_stops; };
     if (m_port.masks()[0] != datamask::everything) {
         auto telling = tellEverything();
         co_await std::move(telling);
     }
-    while (!m_orders.empty()) {
-        Bytes next = std::move(m_orders.front());
-        m_orders.pop_front();
-        auto asking = m_port.request(std::move(next));
-        const Result<Packet> reply = co_await std::move(asking).attempt();
-        if (!reply) {
-            stop();
-            co_return fail(reply.error());
-        }
-    }
+    auto asking = m_port.request(std::move(order), orderTries, std::move(gate));
+    co_await std::move(asking);
     co_return {};
 }
 
 void Controller::doStop()
 {
     m_orders.clear();
+    ++m_stops;
+    m_orderFailure.reset();
     for (int axis = 0; axis < axes; ++axis) {
         if (m_drives[static_cast<std::size_t>(axis)].mode != ControlMode::Off)
             noteSetPoint(axis, std::nullopt);
@@ -196,18 +219,33 @@ void Controller::doStop()
     updateLiveness();
 }
 
+/// Answered twice in a row: the first may be the late answer to an order from before the stop.
 Task<void> Controller::confirmStop()
 {
-    for (int i = 0; i < stopTries && !m_stopConfirmed; ++i) {
+    const std::uint64_t stops = m_stops;
+    for (int i = 0, answered = 0; i < stopTries && stops == m_stops; ++i) {
+        if (i == triesBeforeReset && answered == 0)
+            resetAsLastResort();
         auto asking = m_port.request(setControlMode(allAxes, ControlMode::Off), 1);
         const Result<Packet> reply = co_await std::move(asking).attempt();
-        if (reply)
+        answered = reply ? answered + 1 : 0;
+        if (answered == 2) {
+            m_stopConfirmed = stops == m_stops;
             break;
-        if (reply.error().fault == Fault::LinkLost)
+        }
+        if (!reply && reply.error().fault == Fault::LinkLost)
             co_return fail(reply.error());
-        co_await Sleep(clock(), 10ms);
+        if (!reply)
+            co_await Sleep(clock(), 10ms);
     }
     co_return {};
+}
+
+/// A reset takes the modes of all axes, and the settings too. Not while its firmware is written: the bootloader would begin anew.
+void Controller::resetAsLastResort()
+{
+    if (busy().empty() && m_spi.pulseReset())
+        forgetBoard();
 }
 
 /// Trap 13: the board has no watchdog. A transfer may come in the middle of another one, so it is sent three times.

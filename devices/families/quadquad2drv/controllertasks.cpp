@@ -2,6 +2,7 @@
 // Controller: what asks and waits.
 #include "families/quadquad2drv/controller.h"
 
+#include "async/sleep.h"
 #include "families/quadquad2drv/calibrations.h"
 #include "families/quadquad2drv/channels.h"
 #include "families/quadquad2drv/scan.h"
@@ -11,6 +12,8 @@
 
 namespace mb::quadquad2drv {
 namespace {
+
+constexpr Duration startTime = std::chrono::milliseconds(100); ///< after a reset (1.4)
 
 bool isBoard(ParameterIndex index)
 {
@@ -236,6 +239,17 @@ Task<std::vector<FaultRecord>> Controller::doReadFaults()
 Task<void> Controller::doIdentify()
 {
     co_return fail(Fault::Unsupported, "the board cannot blink");
+}
+
+Task<void> Controller::doRestart()
+{
+    if (auto pulsed = m_spi.pulseReset(); !pulsed)
+        co_return pulsed;
+    forgetBoard();
+    co_await Sleep(clock(), startTime);
+    auto refreshing = doRefresh();
+    co_await std::move(refreshing);
+    co_return {};
 }
 
 Task<void> Controller::doRename(std::string)

@@ -27,6 +27,7 @@ constexpr Capabilities capabilities{
     .identify = false,
     .rename = false,
     .renumber = false,
+    .restart = true,
     .keepsSettings = false,
     .outputOptions = false,
     .commandsProfile = true,

@@ -86,7 +86,7 @@ Task<void> PacketPort::listenFor(Round &round, std::size_t expected)
     co_return {};
 }
 
-Task<Packet> PacketPort::ask(const Bytes &request)
+Task<Packet> PacketPort::ask(const Bytes &request, const Gate &gate)
 {
     const Turns::Turn turn = co_await m_link.turns().take();
     // A packet that is ready first would be clocked out by the request.
@@ -105,6 +105,8 @@ Task<Packet> PacketPort::ask(const Bytes &request)
         Round *&m_slot;
     };
     const Hearing hearing(m_round, round);
+    if (gate && !gate())
+        co_return fail(Fault::Cancelled, "a stop went first");
     const Result<Bytes> sent = co_await m_link.transfer(request);
     if (!sent)
         co_return fail(sent.error());
@@ -119,11 +121,11 @@ Task<Packet> PacketPort::ask(const Bytes &request)
     co_return std::move(*round.reply);
 }
 
-Task<Packet> PacketPort::request(Bytes request, int tries)
+Task<Packet> PacketPort::request(Bytes request, int tries, Gate gate)
 {
     Error last{Fault::Timeout, "the board did not answer"};
     for (int i = 0; i < tries; ++i) {
-        auto asking = ask(request);
+        auto asking = ask(request, gate);
         Result<Packet> reply = co_await std::move(asking).attempt();
         if (reply) {
             const auto code = returnCode(*reply);

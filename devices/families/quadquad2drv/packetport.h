@@ -4,6 +4,8 @@
 #include "families/quadquad2drv/codec.h"
 #include "transport/spilink.h"
 
+#include <functional>
+
 namespace mb::quadquad2drv {
 
 /// The conversation with one board (1.4). Several ports may share a link: each hears every packet that comes, whoever
@@ -14,9 +16,11 @@ public:
     PacketPort(const PacketPort &) = delete;
     PacketPort &operator=(const PacketPort &) = delete;
 
+    /// Whether a request may still be sent, asked each time just before it is.
+    using Gate = std::function<bool()>;
     /// Sends a request and yields its reply when the board accepted it; Refused with what it said, Timeout (asked `tries`
-    /// times), LinkLost.
-    [[nodiscard]] Task<Packet> request(Bytes request, int tries = 3);
+    /// times), LinkLost, Cancelled when a stop went first or the gate is shut.
+    [[nodiscard]] Task<Packet> request(Bytes request, int tries = 3, Gate gate = {});
     /// Clocks out what is pending without a request, a stream packet most likely; ends at once when nothing is.
     [[nodiscard]] Task<void> fetch();
     /// Without reply and before everything else; the reply comes through received().
@@ -37,7 +41,7 @@ private:
         Instant deadline{};
     };
     void hear(const Traffic &traffic);
-    [[nodiscard]] Task<Packet> ask(const Bytes &request);
+    [[nodiscard]] Task<Packet> ask(const Bytes &request, const Gate &gate);
     [[nodiscard]] Task<void> listenFor(Round &round, std::size_t expected);
     [[nodiscard]] Task<void> takeWaiting();
     [[nodiscard]] Task<void> clockOut(std::size_t bytes);

@@ -252,11 +252,11 @@ Task<void> Updater::verify()
             leaveStep(Step::OpenJumper);
             leaveStep(Step::Compare);
             m_report.to = m_device.identity().firmware;
-            m_report.verified = true;
+            m_report.verified = m_report.to != m_report.from; // the file does not name its version
             m_report.outcome = UpdateOutcome::Done;
             m_report.evidence = "every line was confirmed, and the board answers with version " + m_report.to;
-            if (m_report.to == m_report.from)
-                m_report.evidence += ", the same as before";
+            if (!m_report.verified)
+                m_report.evidence += ", the same as before, so that nothing proves the new firmware";
             co_return {};
         }
         if (answered.error().fault == Fault::LinkLost)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/target.h"
+#include "app/console/verb.h"
+
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+Task<int> restart(Console &console, std::string text)
+{
+    const auto target = parseTarget(console, text);
+    if (!target)
+        co_return fail(target.error());
+    if (!target->family->capabilities.restart)
+        co_return fail(Fault::Unsupported,
+            std::string(target->family->key) + " cannot be restarted from here; switch it off and on");
+    auto connecting = connect(console, *target);
+    Device *const device = co_await std::move(connecting);
+    auto restarting = device->restart();
+    co_await std::move(restarting);
+    if (console.json())
+        console.out().json({{QStringLiteral("device"), qt(device->selector())},
+            {QStringLiteral("result"), QStringLiteral("restarted")}});
+    else
+        console.out().line(device->selector() + " has restarted and answers");
+    co_return exitDone;
+}
+
+} // namespace
+
+Job declareRestart(CLI::App &arguments)
+{
+    const auto device = std::make_shared<std::string>();
+    arguments.add_option("device", *device, "LINK/FAMILY:ADDRESS")->required();
+    return [device](Console &console) { return restart(console, *device); };
+}
+
+} // namespace mb::console

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/sleep/sleepinhibitor.h"
+#include "async/clock.h"
+
+namespace mb {
+
+class Session;
+
+/// Keeps the computer awake while a motor of a session is driven, or still turns afterwards, and while a device is busy with its
+/// firmware. Simulated devices end with this program, and may sleep. The thread of the session, which outlives this.
+class SleepGuard {
+public:
+    SleepGuard(Session &session, Clock &clock, SleepInhibitor &inhibitor);
+    SleepGuard(const SleepGuard &) = delete;
+    SleepGuard &operator=(const SleepGuard &) = delete;
+    ~SleepGuard();
+
+private:
+    void look();
+    [[nodiscard]] bool isNeeded() const;
+
+    Session &m_session;
+    SleepInhibitor &m_inhibitor;
+    Timer m_look;
+    bool m_awake = false;
+};
+
+} // namespace mb

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/listeners.h"
+
+#include <string>
+
+namespace mb {
+
+/// Can keep the computer from being suspended. One thread.
+class SleepInhibitor {
+public:
+    SleepInhibitor() = default;
+    SleepInhibitor(const SleepInhibitor &) = delete;
+    SleepInhibitor &operator=(const SleepInhibitor &) = delete;
+    virtual ~SleepInhibitor() = default;
+
+    /// From now on, or no longer. Never waits.
+    virtual void keepAwake(bool awake) = 0;
+    /// It cannot: one line for people with cause and remedy, once.
+    [[nodiscard]] Listeners<const std::string &> &troubled() { return m_troubled; }
+
+private:
+    Listeners<const std::string &> m_troubled;
+};
+
+} // namespace mb

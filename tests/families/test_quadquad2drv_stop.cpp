@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a stop ends, and what it does when the board does not answer. On virtual time.
+#include "families/quadquad2drv/codec.h"
+#include "families/quadquad2drv/protocol.h"
+#include "support/simulatedsession.h"
+#include "transport/backends/virtualspi.h"
+
+#include <algorithm>
+
+namespace mb::quadquad2drv {
+namespace {
+
+using namespace std::chrono_literals;
+using test::run;
+using test::SimulatedSession;
+
+struct QuadQuad2DrvStop : testing::Test {
+    QuadQuad2DrvStop()
+    {
+        bench.scan();
+        device = bench.device(0, "quadquad2drv");
+        board = bench.simulator("quadquad2drv:0");
+        stream = &bench.session.stream(*device);
+        bench.clock.advance(500ms);
+        heard = bench.link->traffic().add([this](const Traffic &traffic) {
+            if (traffic.direction == Direction::Sent)
+                sent.emplace_back(traffic.bytes.begin(), traffic.bytes.end());
+        });
+        events = board->events().add([this](const SimulatorEvent &event) { log.push_back(event.what); });
+    }
+    static SetPoint duty(double target)
+    {
+        SetPoint made;
+        made.mode = Mode::Duty;
+        made.target = target;
+        return made;
+    }
+    [[nodiscard]] static bool isMode(const Bytes &packet, ControlMode mode)
+    {
+        return packet.size() == 6 && packet[2] == static_cast<std::uint8_t>(PacketId::SetControlMode)
+            && packet[4] == static_cast<std::uint8_t>(mode);
+    }
+    [[nodiscard]] bool happened(std::string_view what) const { return std::count(log.begin(), log.end(), what) > 0; }
+    /// The board loses its supply at the moment in which it is to take the mode, so that nobody answers.
+    void driveUntilTheModeIsUnderWay()
+    {
+        ASSERT_TRUE(stream->start(duty(0.3), 10s));
+        ASSERT_TRUE(bench.clock.runUntil([this] { return !sent.empty() && isMode(sent.back(), ControlMode::Power); }));
+        board->setPowered(false);
+    }
+    VirtualSpiLink &spi() { return dynamic_cast<VirtualSpiLink &>(*bench.link); }
+
+    SimulatedSession bench{"sim:spi"};
+    Device *device = nullptr;
+    Simulator *board = nullptr;
+    SetPointStream *stream = nullptr;
+    std::vector<Bytes> sent;
+    std::vector<std::string> log;
+    Subscription heard;
+    Subscription events;
+};
+
+TEST_F(QuadQuad2DrvStop, AnOrderThatIsUnderWayIsNotSentAgainAfterIt)
+{
+    for (const Duration later : {1ms, 20ms, 60ms, 99ms, 101ms, 160ms}) {
+        sent.clear();
+        driveUntilTheModeIsUnderWay();
+        bench.clock.advance(later);
+        stream->stop();
+        sent.clear();
+        board->setPowered(true);
+        bench.clock.advance(1s);
+        EXPECT_EQ(
+            std::count_if(sent.begin(), sent.end(), [](const Bytes &p) { return isMode(p, ControlMode::Power); }), 0)
+            << later / 1ms << " ms";
+        EXPECT_FALSE(board->isOutputOn()) << later / 1ms << " ms";
+        ASSERT_TRUE(run(bench.clock, device->refresh()));
+    }
+}
+
+TEST_F(QuadQuad2DrvStop, TheNextMotionAfterItIsObeyedThoughAnOrderWasStillUnderWay)
+{
+    spi().setLoss(1.0); // it understands, and nobody hears that
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(5ms);
+    stream->stop();
+    spi().setLoss(0.0);
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    ASSERT_TRUE(bench.clock.runUntil([this] { return board->isOutputOn(); }, 2s));
+    bench.clock.advance(500ms);
+    EXPECT_TRUE(board->isOutputOn());
+    stream->stop();
+    bench.clock.advance(100ms);
+    EXPECT_FALSE(board->isOutputOn());
+}
+
+TEST_F(QuadQuad2DrvStop, AnOrderThatTheBoardDoesNotTakeEndsTheMotionAndItStaysEnded)
+{
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(200ms);
+    ASSERT_TRUE(board->isOutputOn());
+    spi().setLoss(1.0);
+    ASSERT_TRUE(bench.clock.runUntil([this] { return !stream->isRunning(); }, 2s));
+    spi().setLoss(0.0);
+    sent.clear();
+    bench.clock.advance(1s);
+    EXPECT_FALSE(board->isOutputOn());
+    for (const Bytes &packet : sent)
+        EXPECT_FALSE(isMode(packet, ControlMode::Power));
+}
+
+TEST_F(QuadQuad2DrvStop, TheResetLineIsItsLastResort)
+{
+    ASSERT_TRUE(stream->start(duty(0.3), 10s));
+    bench.clock.advance(200ms);
+    spi().setLoss(1.0); // nobody can tell whether the board understood
+    stream->stop();
+    bench.clock.advance(150ms);
+    EXPECT_FALSE(happened("reset")) << "it is asked first";
+    bench.clock.advance(400ms);
+    EXPECT_TRUE(happened("reset"));
+    EXPECT_FALSE(device->isSeenStopped());
+    spi().setLoss(0.0);
+    bench.clock.advance(500ms);
+    EXPECT_TRUE(device->isSeenStopped());
+    EXPECT_TRUE(device->liveness().restarted) << "its settings are gone";
+}
+
+TEST_F(QuadQuad2DrvStop, ABoardWhoseFirmwareIsWrittenIsNotResetByIt)
+{
+    device->setBusy("firmware update");
+    spi().setLoss(1.0);
+    device->stop();
+    bench.clock.advance(3s);
+    EXPECT_FALSE(happened("reset"));
+}
+
+TEST_F(QuadQuad2DrvStop, ARestartResetsTheBoardAndFindsItAgain)
+{
+    ASSERT_TRUE(run(bench.clock, device->restart()));
+    EXPECT_TRUE(happened("reset"));
+    EXPECT_FALSE(device->liveness().restarted);
+}
+
+} // namespace
+} // namespace mb::quadquad2drv
