@@ -6,6 +6,7 @@
 #include "model/qttext.h"
 #include "model/textfile.h"
 
+#include <QFile>
 #include <QJsonDocument>
 
 #include <algorithm>
@@ -205,6 +206,12 @@ Result<void> saveFile(const std::string &path, const QByteArray &bytes)
 
 Result<QByteArray> loadFile(const std::string &path, std::int64_t limit)
 {
+    if (path.starts_with(":/")) { // a resource of the program, which only Qt can read
+        QFile resource(qt(path));
+        if (!resource.open(QIODevice::ReadOnly))
+            return fail(Fault::OutOfRange, path + " is not in this program");
+        return resource.readAll();
+    }
     auto text = readTextFile(path, static_cast<std::size_t>(limit));
     if (!text)
         return fail(text.error());

@@ -90,7 +90,7 @@ TEST_F(OutputFileTest, LeavesTheOldFileWhenTheRoomEnds)
     const SizeLimit limit(1000);
     const auto written = writeFile(old, std::string(5000, 'x'));
     ASSERT_FALSE(written);
-    EXPECT_EQ(written.error().text(), old + " cannot be written: the file has reached the greatest size there");
+    EXPECT_EQ(written.error().detail, old + " cannot be written: the file has reached the greatest size there");
     EXPECT_EQ(written.error().remedy, "choose another place");
     EXPECT_EQ(read(old), "precious");
     EXPECT_EQ(files(), 1);

@@ -254,7 +254,7 @@ TEST_F(AbstractDcController, AnAveragingThatNobodyKnowsIsTakenForAGreaterOne)
     open(3, &dialectF);
     ASSERT_TRUE(write("current.averaging", 50));
     EXPECT_EQ(sentOf("0CB").back(), "0CB#02") << "saved, so that it is in force after the power cycle";
-    EXPECT_NE(device->mayMove().error().detail.find("switch it off"), std::string::npos);
+    EXPECT_NE(device->mayMove().error().text().find("switch it off"), std::string::npos);
     powerCycle(drive, clock);
     EXPECT_TRUE(device->mayMove());
 }

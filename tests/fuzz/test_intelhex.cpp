@@ -157,10 +157,10 @@ void expectConsistent(const FirmwareImage &image, const Memory &memory, const st
 void expectOneClearLine(const Error &error, const std::string &text)
 {
     EXPECT_EQ(error.fault, Fault::OutOfRange) << text;
-    EXPECT_EQ(error.text().rfind("line ", 0), 0U) << text;
-    EXPECT_TRUE(std::all_of(error.text().begin(), error.text().end(), [](char c) { return c >= 0x20 && c < 0x7F; }))
-        << text;
-    EXPECT_LT(error.text().size(), 120U) << text;
+    const std::string line = error.text();
+    EXPECT_EQ(line.rfind("line ", 0), 0U) << text;
+    EXPECT_TRUE(std::all_of(line.begin(), line.end(), [](char c) { return c >= 0x20 && c < 0x7F; })) << text;
+    EXPECT_LT(line.size(), 120U) << text;
 }
 
 /// Both readers agree about `text`; true when it was accepted.

@@ -226,7 +226,7 @@ TEST(Csv, AJobThatIsEndedLeavesNothing)
         ASSERT_FALSE(report);
         EXPECT_EQ(report.error().fault, Fault::Cancelled);
         EXPECT_TRUE(fs::is_empty(folder.path));
-        EXPECT_EQ(job(plan, "/nonexistent/a", {}).error().fault, Fault::LinkLost);
+        EXPECT_EQ(job(plan, "/nonexistent/a", {}).error().fault, Fault::OutOfRange);
     }
 }
 

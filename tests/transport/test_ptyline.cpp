@@ -123,13 +123,16 @@ TEST_F(PtyLines, WhatIsNoLinkToATerminalStays)
     EXPECT_TRUE(fs::is_symlink(path));
 }
 
-TEST_F(PtyLines, TheLinkOfAnotherThatTookThePathIsNotRemoved)
+TEST_F(PtyLines, APathThatIsServedIsRefusedAndTheOneThatServesItKeepsIt)
 {
-    auto first = make();
+    const auto first = make();
     ASSERT_TRUE(first->open());
-    const auto second = make();
-    ASSERT_TRUE(second->open());
-    first.reset();
+    {
+        const auto second = make();
+        const auto opened = second->open();
+        ASSERT_FALSE(opened);
+        EXPECT_EQ(opened.error().fault, Fault::LinkLost);
+    }
     EXPECT_TRUE(fs::exists(path));
 }
 
