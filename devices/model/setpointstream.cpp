@@ -62,11 +62,11 @@ void SetPointStream::remember(const SetPoint &setPoint)
 
 Result<void> SetPointStream::sendAll()
 {
+    sent(); // first: what a command changes may ask at once how late this is
     for (const SetPoint &setPoint : m_setPoints) {
         if (auto sent = m_device.command(setPoint); !sent)
             return sent;
     }
-    sent();
     return {};
 }
 

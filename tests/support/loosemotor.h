@@ -78,8 +78,23 @@ private:
     Task<void> doRenumber(int) override { return no<void>(); }
     Task<void> doSetRate(ChannelIndex, double) override { return no<void>(); }
     [[nodiscard]] Result<void> doCheck(const SetPoint &) const override { return {}; }
-    Result<void> doCommand(const SetPoint &) override { return m_link.send(extendedFrame(0x100, {1})); }
-    void doStop() override { (void)m_link.send(extendedFrame(0x100, {0}), Priority::Urgent); }
+    /// It counts as moving at once, which its listeners hear from inside the command.
+    Result<void> doCommand(const SetPoint &) override
+    {
+        tellMoving(true);
+        return m_link.send(extendedFrame(0x100, {1}));
+    }
+    void doStop() override
+    {
+        (void)m_link.send(extendedFrame(0x100, {0}), Priority::Urgent);
+        tellMoving(false);
+    }
+    void tellMoving(bool moving)
+    {
+        Liveness now = liveness();
+        now.moving = moving;
+        setLiveness(now);
+    }
     [[nodiscard]] StopScript doStopScript() const override { return script; }
     [[nodiscard]] bool doIsSeenStopped() const override { return seenStopped; }
 
