@@ -65,8 +65,8 @@ void Conditions::follow()
     else
         m_banners.clear(QLatin1String(mayTurnKey));
     if (m_arming.state() == LampState::Stopped)
-        m_banners.post(QStringLiteral("stopped"), BannerKind::Danger, tr("Stopped: %1").arg(m_arming.reason()),
-            tr("Hold the lamp for 1 s to arm again."));
+        m_banners.post(QStringLiteral("stopped"), m_arming.isStoppedByHand() ? BannerKind::Info : BannerKind::Danger,
+            tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the lamp for 1 s to arm again."));
     else
         m_banners.clear(QStringLiteral("stopped"));
 }

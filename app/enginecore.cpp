@@ -52,7 +52,7 @@ EngineCore::~EngineCore()
 
 std::string EngineCore::labelOf(const Device &device)
 {
-    return device.link().address().shortName() + " #" + std::to_string(device.identity().address);
+    return std::string(device.family().title) + " #" + std::to_string(device.identity().address);
 }
 
 Snapshot EngineCore::snapshot()
@@ -176,6 +176,7 @@ void EngineCore::look()
 {
     m_look.startIn(lookPeriod, [this] { look(); });
     reopenLost();
+    callTheRoll();
     m_awaited.look([this](const LinkAddress &address) { return openAwaited(address); });
     refreshRestarted();
     if (!isQuiet() || m_clock.now() - m_lastScan < rescanPeriod)
@@ -279,11 +280,16 @@ void EngineCore::readParameters(DeviceId id)
 
 void EngineCore::writeParameters(DeviceId id, std::vector<ParameterChange> changes, Finished finished)
 {
+    std::vector<ParameterStore::Entry> before;
+    if (const Device *device = m_session.find(id))
+        before.assign(device->parameters().entries().begin(), device->parameters().entries().end());
     begin<std::vector<TransferOutcome>>(
         id, "Write parameters",
         [changes](Device &device, Progress &progress) { return mb::writeParameters(device, changes, progress); },
-        [this, id, finished](Running &, const Result<std::vector<TransferOutcome>> &outcomes) {
+        [this, id, finished, before](Running &, const Result<std::vector<TransferOutcome>> &outcomes) {
             const Device *device = m_session.find(id);
+            if (device && outcomes)
+                noteWrites(*device, before, *outcomes);
             Result<void> result;
             if (!outcomes)
                 result = fail(outcomes.error());
@@ -402,7 +408,10 @@ void EngineCore::streamChanged(DeviceId id)
         return;
     const SetPointStream &stream = m_session.stream(*device);
     if (!stream.isRunning() && stream.end() != SetPointStream::End::Stopped)
-        notice(Severity::Danger, labelOf(*device), "stopped: " + stream.reason());
+        notice(Severity::Danger, labelOf(*device),
+            "stopped: "
+                + (stream.end() == SetPointStream::End::LeaseExpired ? "the window did not respond in time"
+                                                                     : stream.reason()));
 }
 
 void EngineCore::updateMotion(DeviceId id, const SetPoint &setPoint, const Finished &finished)

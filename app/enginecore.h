@@ -94,6 +94,11 @@ private:
         std::uint64_t shown = 0;
         bool isExperiment = false; ///< STOP ends it, whatever it is doing
     };
+    struct Presence {
+        std::string name;
+        bool heard = false; ///< it answered since it was found, or found again
+        bool lost = false;  ///< and was told to have fallen silent
+    };
     struct Watched {
         bool scanning = false;
         std::string step; ///< of the scan
@@ -130,6 +135,7 @@ private:
     void endScan(Watched &watched);
     void scanned(Link &link, const Result<std::vector<Device *>> &devices);
     void look();
+    void callTheRoll();
     void refreshRestarted();
     void openByItself();
     void reopenLost();
@@ -140,6 +146,8 @@ private:
     void dropVanished();
     void removeLink(Link &link);
     bool openAwaited(const LinkAddress &address);
+    void noteWrites(const Device &device, const std::vector<ParameterStore::Entry> &before,
+        const std::vector<TransferOutcome> &outcomes);
     [[nodiscard]] const Device *updatedBeside(DeviceId id) const;
     void saveTranscript(const Running &running, const Device &device);
     void probeSilent(Link &link);
@@ -168,7 +176,8 @@ private:
     std::map<std::string, Diagnosis> m_failed; ///< by address, until it opens or is closed
     std::set<std::string> m_closedByHand;      ///< not opened again by themselves
     AwaitedPorts m_awaited;
-    std::string m_transcripts; ///< folder; empty: none are kept
+    std::map<DeviceId, Presence> m_roll; ///< of who was found
+    std::string m_transcripts;           ///< folder; empty: none are kept
     std::list<Running> m_operations;
     std::uint32_t m_lastOperation = 0;
     Subscription m_sessionChanged;

@@ -5,6 +5,8 @@
 #include "model/transcript.h"
 
 #include <algorithm>
+#include <iterator>
+#include <set>
 
 namespace mb {
 namespace {
@@ -107,6 +109,51 @@ void EngineCore::experiment(
         finished);
     if (running)
         running->isExperiment = true;
+}
+
+/// Which key went from what to what. A value that was not known stays a question mark.
+void EngineCore::noteWrites(const Device &device, const std::vector<ParameterStore::Entry> &before,
+    const std::vector<TransferOutcome> &outcomes)
+{
+    for (const TransferOutcome &outcome : outcomes) {
+        if (!outcome.raw)
+            continue;
+        const Parameter &row = device.family().parameters[outcome.index.value];
+        const auto &old = before.size() > outcome.index.value ? before[outcome.index.value].raw : std::nullopt;
+        notice(Severity::Info, labelOf(device),
+            std::string(row.key) + ": " + (old ? toText(row, *old) : "?") + " -> " + toText(row, *outcome.raw));
+    }
+}
+
+/// Who came and who fell silent since the last look. Silence of a unit that is busy, such as during an update, is no news.
+void EngineCore::callTheRoll()
+{
+    std::set<DeviceId> present;
+    for (Device *device : m_session.devices()) {
+        const DeviceId id = m_session.idOf(*device);
+        present.insert(id);
+        const bool isNew = m_roll.count(id) == 0;
+        Presence &presence = m_roll[id];
+        presence.name = labelOf(*device);
+        if (isNew)
+            notice(Severity::Info, presence.name, "found on " + device->link().address().shortName());
+        if (device->liveness().heard) {
+            if (presence.lost)
+                notice(Severity::Good, presence.name, "answers again");
+            presence.heard = true;
+            presence.lost = false;
+        } else if (presence.heard && device->busy().empty() && !hasOperation(id)) {
+            notice(Severity::Caution, presence.name, "does not answer any more");
+            presence.heard = false;
+            presence.lost = true;
+        }
+    }
+    for (auto entry = m_roll.begin(); entry != m_roll.end();) {
+        const bool gone = present.count(entry->first) == 0;
+        if (gone)
+            notice(Severity::Caution, entry->second.name, "is gone");
+        entry = gone ? m_roll.erase(entry) : std::next(entry);
+    }
 }
 
 /// Pages of one image between those of another, on one bus: neither would end, and no log could tell why.

@@ -9,6 +9,7 @@
 #include "widgets/common/headerbar.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
 #include "widgets/connection/deviceactions.h"
@@ -172,6 +173,7 @@ void MainWindow::buildPages()
     m_tabs = new PageTabs(m_theme, central);
     m_tabs->setAccessibleName(tr("Pages"));
     m_banners = new BannerStack(m_theme, central);
+    m_banners->setReserved(true); // nothing below moves when a notice comes or goes
     m_conditions = new Conditions(m_workbench, *m_arming, *m_banners, this);
     m_line = new DeviceLine(m_workbench, m_selection, m_theme, central);
     m_pages = new QStackedWidget(central);
@@ -344,9 +346,9 @@ void MainWindow::followLinks(const Snapshot &shot)
             chip.word = tr("lost");
         else
             chip.load = link.load;
-        chip.lost = static_cast<qint64>(link.counters.lost);
-        const QString counts = link.kind == LinkKind::Can ? tr("%1: %2 frames received, %3 sent, %4 lost, %5 errors")
-                                                          : tr("%1: %2 bytes received, %3 sent, %4 lost, %5 errors");
+        chip.lost = static_cast<qint64>(samplesOn(shot, link.address).lost);
+        const QString counts = link.kind == LinkKind::Can ? tr("%1: %2 frames received, %3 sent, %4 dropped, %5 errors")
+                                                          : tr("%1: %2 bytes received, %3 sent, %4 dropped, %5 errors");
         chip.tooltip = open ? counts.arg(chip.name)
                                   .arg(link.counters.rx)
                                   .arg(link.counters.tx)
@@ -385,14 +387,7 @@ void MainWindow::showNotice(const Notice &notice)
 
 void MainWindow::showFootprint()
 {
-    std::uint64_t samples = 0;
-    std::uint64_t lost = 0;
-    for (const DeviceView &device : m_workbench.snapshot().devices) {
-        for (std::uint16_t i = 0; i < device.telemetry->channels().size(); ++i) {
-            samples += device.telemetry->size({i});
-            lost += device.telemetry->lost({i});
-        }
-    }
+    const auto [samples, lost] = samplesOn(m_workbench.snapshot());
     m_footprint->setText(tr("samples %1   lost %2   memory %3")
                              .arg(formatCount(static_cast<qint64>(samples)), formatCount(static_cast<qint64>(lost)),
                                  formatBytes(residentBytes())));

@@ -633,6 +633,28 @@
     </message>
 </context>
 <context>
+    <name>GapText</name>
+    <message>
+        <source>gap %1</source>
+        <translation>Lücke %1</translation>
+    </message>
+    <message>
+        <source>%1 gaps, %2</source>
+        <translation>%1 Lücken, %2</translation>
+    </message>
+</context>
+<context>
+    <name>LeapText</name>
+    <message>
+        <source>%1 × as large as now, %2.</source>
+        <translation>%1-mal so groß wie jetzt, %2.</translation>
+    </message>
+    <message>
+        <source>%1 × smaller than now, %2.</source>
+        <translation>%1-mal kleiner als jetzt, %2.</translation>
+    </message>
+</context>
+<context>
     <name>QLineEdit</name>
     <message>
         <source>&amp;Undo</source>
@@ -933,6 +955,10 @@
         <source>STOP: %1; not sent to %2</source>
         <translation>STOP: %1; nicht an %2 gesendet</translation>
     </message>
+    <message>
+        <source>this window did not respond for %1 s</source>
+        <translation>dieses Fenster hat %1 s lang nicht reagiert</translation>
+    </message>
 </context>
 <context>
     <name>mb::AxesPanel</name>
@@ -1215,6 +1241,10 @@
         <source>Stays staged</source>
         <translation>Bleibt vorgemerkt</translation>
     </message>
+    <message>
+        <source>look again</source>
+        <translation>noch einmal ansehen</translation>
+    </message>
 </context>
 <context>
     <name>mb::ChangesPanel</name>
@@ -1301,6 +1331,18 @@
     <message>
         <source>Ctrl+S</source>
         <translation>Strg+S</translation>
+    </message>
+    <message>
+        <source>Each value is written. None can be read back: what stands here then is assumed.</source>
+        <translation>Jeder Wert wird geschrieben. Keiner kann zurückgelesen werden: Was dann hier steht, ist angenommen.</translation>
+    </message>
+    <message>
+        <source>Each value is written. %1 of %2 cannot be read back: they are assumed then; the others are compared.</source>
+        <translation>Jeder Wert wird geschrieben. %1 von %2 können nicht zurückgelesen werden und sind dann angenommen; die anderen werden verglichen.</translation>
+    </message>
+    <message>
+        <source>look again first</source>
+        <translation>erst noch einmal ansehen</translation>
     </message>
 </context>
 <context>
@@ -1643,6 +1685,14 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>Plot %1</source>
         <translation>%1 darstellen</translation>
     </message>
+    <message>
+        <source>Show 1 new device</source>
+        <translation>1 neues Gerät zeigen</translation>
+    </message>
+    <message>
+        <source>Show %1 new devices</source>
+        <translation>%1 neue Geräte zeigen</translation>
+    </message>
 </context>
 <context>
     <name>mb::DoctorCard</name>
@@ -1874,6 +1924,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Revert</source>
         <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Is that meant?</source>
+        <translation>Ist das so gemeint?</translation>
     </message>
 </context>
 <context>
@@ -2307,6 +2361,14 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>unknown until written</source>
         <translation>bis zum Schreiben unbekannt</translation>
     </message>
+    <message>
+        <source>Use it</source>
+        <translation>Verwenden</translation>
+    </message>
+    <message>
+        <source>Use this %1</source>
+        <translation>%1 so verwenden</translation>
+    </message>
 </context>
 <context>
     <name>mb::GainsPanel</name>
@@ -2353,6 +2415,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>No loop runs in %1 mode: only the limits of the axis act.</source>
         <translation>Bei %1 läuft kein Regler: nur die Grenzen der Achse wirken.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -2852,10 +2918,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>verloren</translation>
     </message>
     <message>
-        <source>%1: %2 frames received, %3 sent, %4 lost, %5 errors</source>
-        <translation>%1: %2 Frames empfangen, %3 gesendet, %4 verloren, %5 Fehler</translation>
-    </message>
-    <message>
         <source>simulated bench</source>
         <translation>simulierter Prüfstand</translation>
     </message>
@@ -2868,16 +2930,20 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>das Fenster verlor den Fokus</translation>
     </message>
     <message>
-        <source>%1: %2 bytes received, %3 sent, %4 lost, %5 errors</source>
-        <translation>%1: %2 Byte empfangen, %3 gesendet, %4 verloren, %5 Fehler</translation>
-    </message>
-    <message>
         <source>REC %1</source>
         <translation>REC %1</translation>
     </message>
     <message>
         <source>Open recording…</source>
         <translation>Aufnahme öffnen…</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames received, %3 sent, %4 dropped, %5 errors</source>
+        <translation>%1: %2 Frames empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
+    </message>
+    <message>
+        <source>%1: %2 bytes received, %3 sent, %4 dropped, %5 errors</source>
+        <translation>%1: %2 Bytes empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
     </message>
 </context>
 <context>
@@ -3688,10 +3754,6 @@ Die Aufnahme läuft dabei weiter.</translation>
     <message>
         <source>s</source>
         <translation>s</translation>
-    </message>
-    <message>
-        <source>gap %1</source>
-        <translation>Lücke %1</translation>
     </message>
     <message>
         <source>Copy numbers</source>
@@ -5351,6 +5413,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>position 0 is here; the motor is off until Run</source>
         <translation>Position 0 ist hier; der Motor ist bis Start aus</translation>
+    </message>
+    <message>
+        <source>Look at a gain again</source>
+        <translation>Eine Verstärkung noch einmal ansehen</translation>
     </message>
 </context>
 <context>
@@ -8129,6 +8195,26 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>halted</source>
         <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>found on %1</source>
+        <translation>gefunden an %1</translation>
+    </message>
+    <message>
+        <source>does not answer any more</source>
+        <translation>antwortet nicht mehr</translation>
+    </message>
+    <message>
+        <source>answers again</source>
+        <translation>antwortet wieder</translation>
+    </message>
+    <message>
+        <source>is gone</source>
+        <translation>ist weg</translation>
+    </message>
+    <message>
+        <source>the window did not respond in time</source>
+        <translation>das Fenster hat nicht rechtzeitig reagiert</translation>
     </message>
 </context>
 </TS>

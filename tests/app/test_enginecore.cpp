@@ -77,8 +77,9 @@ protected:
     EngineCore core{clock, families(), false};
     std::optional<Result<void>> opened;
     std::vector<std::string> lines;
-    Subscription listening
-        = core.noticed().add([this](Severity, const std::string &, const std::string &text) { lines.push_back(text); });
+    Subscription listening = core.noticed().add([this](Severity, const std::string &device, const std::string &text) {
+        lines.push_back(device.empty() ? text : device + ": " + text);
+    });
 };
 
 TEST_F(Core, ShowsWhatItFoundInASnapshot)
@@ -294,7 +295,7 @@ TEST_F(Core, EndsAMotionThatNobodyRenewsAndSaysSo)
     EXPECT_TRUE(unit("dmc60c:5")->isOutputOn());
     clock.advance(200ms);
     EXPECT_FALSE(unit("dmc60c:5")->isOutputOn());
-    EXPECT_TRUE(said("nobody renewed"));
+    EXPECT_TRUE(said("the window did not respond in time"));
     EXPECT_EQ(core.snapshot().device(id(5))->motion.end, SetPointStream::End::LeaseExpired);
 }
 
@@ -329,6 +330,35 @@ TEST_F(Core, DoesNotLetAnythingElseTalkToAUnitDuringAnUpdate)
     EXPECT_TRUE(device(7)->busy().empty());
 }
 
+TEST_F(Core, TheLogTellsWhoWasFoundAndWhoFellSilent)
+{
+    open("sim:can");
+    EXPECT_TRUE(said("DMC60C #5: found on sim:can"));
+    EXPECT_FALSE(said("DMC60C #5: does not answer any more"));
+    unit("dmc60c:5")->setPowered(false);
+    clock.advance(10s);
+    EXPECT_TRUE(said("DMC60C #5: does not answer any more"));
+    unit("dmc60c:5")->setPowered(true);
+    clock.advance(10s);
+    EXPECT_TRUE(said("DMC60C #5: answers again"));
+}
+
+TEST_F(Core, TheLogTellsWhichKeyWasWrittenFromWhatToWhat)
+{
+    open("sim:can");
+    const auto &family = device(7)->family();
+    const auto index = *findParameter(family.parameters, "slot0.p");
+    core.readParameters(id(7));
+    clock.advance(5s);
+    const auto before = device(7)->parameters().entries()[index.value].raw;
+    ASSERT_TRUE(before);
+    std::optional<Result<void>> written;
+    core.writeParameters(id(7), {{index, 65536}}, into(written));
+    clock.advance(2s);
+    ASSERT_TRUE(written && *written);
+    EXPECT_TRUE(said("DMC60C #7: slot0.p: " + toText(family.parameters[index.value], *before) + " -> 1"));
+}
+
 TEST_F(Core, OneUpdateABusAndTheSecondIsRefusedWithWords)
 {
     open("sim:can");
@@ -336,7 +366,7 @@ TEST_F(Core, OneUpdateABusAndTheSecondIsRefusedWithWords)
     core.update(id(7), image, {});
     core.update(id(5), image, {});
     EXPECT_FALSE(core.snapshot().operation(id(5)));
-    EXPECT_TRUE(said("one update a bus: sim:can #7 is being written; nothing was sent"));
+    EXPECT_TRUE(said("one update a bus: DMC60C #7 is being written; nothing was sent"));
     clock.advance(30s);
     core.update(id(5), image, {});
     EXPECT_TRUE(core.snapshot().operation(id(5))) << "the bus is free again";

@@ -100,15 +100,29 @@ void Banner::fit()
 {
     m_action->ensurePolished();
     m_action->setMinimumWidth(m_action->text().isEmpty() ? 0 : m_action->sizeHint().width());
-    if (width() > 0 && hasHeightForWidth())
+    setToolTip(m_flat ? cause() + QLatin1Char('\n') + m_remedy->text() : QString());
+    if (m_flat)
+        setMinimumHeight(0);
+    else if (width() > 0 && hasHeightForWidth())
         setMinimumHeight(heightForWidth(width()));
 }
 
 void Banner::resizeEvent(QResizeEvent *event)
 {
     QFrame::resizeEvent(event);
-    const bool beside = width() >= m_theme.theme().u(narrow);
+    const bool beside = m_flat || width() >= m_theme.theme().u(narrow);
     qobject_cast<QBoxLayout *>(layout())->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    fit();
+}
+
+void Banner::setFlat(bool flat)
+{
+    m_flat = flat;
+    for (QLabel *label : {m_cause, m_remedy}) {
+        label->setWordWrap(!flat);
+        label->setSizePolicy(flat ? QSizePolicy::Ignored : QSizePolicy::Preferred, QSizePolicy::Preferred);
+    }
+    restyle();
     fit();
 }
 
@@ -121,7 +135,8 @@ void Banner::restyle()
 {
     const Theme &theme = m_theme.theme();
     auto *row = qobject_cast<QHBoxLayout *>(layout());
-    row->setContentsMargins(theme.u(12 + 20 + 12), theme.u(10), theme.u(12), theme.u(10));
+    const int air = theme.u(m_flat ? 2 : 10);
+    row->setContentsMargins(theme.u(12 + 20 + 12), air, theme.u(12), air);
     row->setSpacing(theme.u(12));
 }
 
@@ -144,8 +159,26 @@ BannerStack::BannerStack(const ThemeSource &theme, QWidget *parent)
     m_column->setSpacing(theme.theme().u(8));
     m_more = linkButton({}, this);
     m_column->addWidget(m_more);
+    connect(&theme, &ThemeSource::changed, this, &BannerStack::restyle);
     connect(m_more, &QPushButton::clicked, this, &BannerStack::allRequested);
     arrange();
+}
+
+void BannerStack::setReserved(bool on)
+{
+    m_reserved = on;
+    m_column->setDirection(on ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    m_more->setSizePolicy(on ? QSizePolicy::Fixed : QSizePolicy::Preferred, QSizePolicy::Fixed);
+    for (const Entry &entry : m_entries)
+        entry.banner->setFlat(on);
+    restyle();
+    arrange();
+}
+
+void BannerStack::restyle()
+{
+    if (m_reserved)
+        setFixedHeight(2 * fontMetrics().height() + m_theme.theme().u(12));
 }
 
 BannerStack::Entry *BannerStack::find(const QString &key)
@@ -166,6 +199,7 @@ void BannerStack::post(
     clear(key);
     auto *banner = new Banner(m_theme, kind, cause, remedy, this);
     banner->setAction(action);
+    banner->setFlat(m_reserved);
     connect(banner, &Banner::actionTriggered, this, [this, key] { Q_EMIT actionTriggered(key); });
     connect(banner, &Banner::dismissed, this, [this, key] {
         if (Entry *entry = find(key))
@@ -199,20 +233,20 @@ int BannerStack::count() const
 
 void BannerStack::arrange()
 {
-    constexpr int Shown = 2;
+    const int shown = m_reserved ? 1 : 2;
     int standing = 0;
     for (const Entry &entry : m_entries) {
         m_column->removeWidget(entry.banner);
-        const bool visible = !entry.dismissed && standing < Shown;
+        const bool visible = !entry.dismissed && standing < shown;
         if (visible)
             m_column->insertWidget(standing, entry.banner);
         entry.banner->setVisible(visible);
         standing += entry.dismissed ? 0 : 1;
     }
-    m_more->setVisible(standing > Shown);
-    m_more->setText(standing == Shown + 1 ? tr("1 more notice") : tr("%n more notices", nullptr, standing - Shown));
+    m_more->setVisible(standing > shown);
+    m_more->setText(standing == shown + 1 ? tr("1 more notice") : tr("%n more notices", nullptr, standing - shown));
     m_more->setAccessibleName(m_more->text());
-    setVisible(standing > 0);
+    setVisible(standing > 0 || m_reserved);
     Q_EMIT countChanged(standing);
 }
 

@@ -25,6 +25,8 @@ public:
     /// A verb with an object; empty hides the button.
     void setAction(const QString &text);
     void setDismissable(bool dismissable);
+    /// Two lines whatever the words: what has no room is in the tooltip.
+    void setFlat(bool flat);
 
 Q_SIGNALS:
     void actionTriggered();
@@ -41,6 +43,7 @@ private:
 
     const ThemeSource &m_theme;
     BannerKind m_kind;
+    bool m_flat = false;
     QLabel *m_cause = nullptr;
     QLabel *m_remedy = nullptr;
     QPushButton *m_action = nullptr;
@@ -57,6 +60,8 @@ public:
 
     void post(
         const QString &key, BannerKind kind, const QString &cause, const QString &remedy, const QString &action = {});
+    /// A strip of one height, whether a notice stands in it or none: what is below never moves. One banner is shown, flat.
+    void setReserved(bool on);
     /// The condition has ended.
     void clear(const QString &key);
     /// All that stand, dismissed ones excluded.
@@ -76,8 +81,10 @@ private:
     };
     Entry *find(const QString &key);
     void arrange();
+    void restyle();
 
     const ThemeSource &m_theme;
+    bool m_reserved = false;
     std::vector<Entry> m_entries;
     QVBoxLayout *m_column = nullptr;
     QPushButton *m_more = nullptr;

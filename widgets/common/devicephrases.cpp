@@ -18,6 +18,11 @@ namespace {
 // clang-format off
 constexpr auto phrases = std::to_array<const char *>({
     // links
+    QT_TRANSLATE_NOOP("table", "found on %1"),
+    QT_TRANSLATE_NOOP("table", "does not answer any more"),
+    QT_TRANSLATE_NOOP("table", "answers again"),
+    QT_TRANSLATE_NOOP("table", "is gone"),
+    QT_TRANSLATE_NOOP("table", "the window did not respond in time"),
     QT_TRANSLATE_NOOP("table", "one update a bus: %1 is being written; nothing was sent"),
     QT_TRANSLATE_NOOP("table", "%1 is switched off; bring it up: %2"),
     QT_TRANSLATE_NOOP("table", "%1 is bus-off; check wiring, termination and bit rate, then: %2"),

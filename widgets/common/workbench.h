@@ -17,7 +17,7 @@ namespace mb {
 struct Notice {
     Instant time{};
     Severity severity = Severity::Info;
-    QString device; ///< "can0 #5", empty when it is about none
+    QString device; ///< "DMC60C #5", or of a link "can0"; empty when it is about none
     QString text;
 };
 

@@ -5,6 +5,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/sparkline.h"
 #include "widgets/common/stateglyph.h"
@@ -143,6 +144,9 @@ void DeviceCard::showValues(const DeviceView &device, Instant now)
     const auto put = [&](ValueLabel *label, std::string_view channel, double factor, int decimals) {
         const auto value = liveValue(device, channel, now);
         label->setStale(!device.liveness.heard);
+        const auto row = device.telemetry->find(channel);
+        if (row && factor == 1.0) // counts, until somebody said what a count is
+            label->setUnit(tableText(device.telemetry->channels()[row->value].unit));
         if (value)
             label->setValue(formatNumber(*value * factor, decimals));
         else if (device.liveness.heard)
@@ -181,11 +185,9 @@ void DeviceCard::showFoot(const DeviceView &device)
         return;
     }
     double rate = 0.0;
-    std::uint64_t lost = 0;
-    for (std::uint16_t i = 0; i < device.rates.size(); ++i) {
-        rate = std::max(rate, device.rates[i]);
-        lost += device.telemetry->lost({i});
-    }
+    for (const double one : device.rates)
+        rate = std::max(rate, one);
+    const std::uint64_t lost = samplesOf(device).lost;
     m_rate->setText(tr("%1 Hz   lost %2").arg(formatNumber(rate), formatCount(static_cast<qint64>(lost))));
     const auto &faults = device.liveness.faults;
     m_faultGlyph->show();

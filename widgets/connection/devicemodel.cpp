@@ -68,6 +68,12 @@ void DeviceModel::setFilter(const QString &text)
     follow();
 }
 
+void DeviceModel::setHeld(bool held)
+{
+    m_held = held;
+    follow();
+}
+
 bool DeviceModel::passes(const DeviceView &device) const
 {
     const auto has = [this](const QString &text) { return text.contains(m_filter, Qt::CaseInsensitive); };
@@ -78,6 +84,7 @@ bool DeviceModel::passes(const DeviceView &device) const
 void DeviceModel::follow()
 {
     const Snapshot &shot = m_workbench.snapshot();
+    m_waiting = 0;
     followLinks(shot);
     for (int row = 0; row < static_cast<int>(m_rows.size()); ++row)
         followDevices(row, shot);
@@ -135,6 +142,10 @@ void DeviceModel::followDevices(int row, const Snapshot &shot)
     for (int i = static_cast<int>(link.devices.size()) - 1; i >= 0; --i) {
         if (isIn(wanted, link.devices[static_cast<std::size_t>(i)].id) == wanted.end())
             remove(i);
+    }
+    if (m_held) {
+        m_waiting += static_cast<int>(wanted.size() - link.devices.size());
+        return;
     }
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         if (i < link.devices.size() && link.devices[i].id == wanted[i].id)

@@ -37,6 +37,10 @@ public:
     [[nodiscard]] static Kind kindOf(const QModelIndex &index);
     /// Only devices whose title, name, serial or badge contains the text.
     void setFilter(const QString &text);
+    /// While held, no row that is there moves: new devices wait. What is gone still goes.
+    void setHeld(bool held);
+    /// Devices that wait for that.
+    [[nodiscard]] int waiting() const { return m_waiting; }
 
     [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
     [[nodiscard]] QModelIndex parent(const QModelIndex &index) const override;
@@ -74,6 +78,8 @@ private:
     Workbench &m_workbench;
     QString m_filter;
     std::vector<LinkRow> m_rows;
+    bool m_held = false;
+    int m_waiting = 0;
     quint32 m_lastMark = 0;
 };
 

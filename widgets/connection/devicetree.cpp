@@ -123,6 +123,7 @@ void DeviceTree::buildTree(QVBoxLayout &column)
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     m_view->setDragEnabled(true);
     m_view->setDragDropMode(QAbstractItemView::DragOnly);
+    m_view->viewport()->installEventFilter(this);
     column.addWidget(m_view, 1);
     connect(m_view->selectionModel(), &QItemSelectionModel::currentChanged, this, [this](const QModelIndex &current) {
         if (const DeviceId id = m_model->deviceAt(current); id.value != 0)
@@ -139,6 +140,13 @@ void DeviceTree::buildTree(QVBoxLayout &column)
 void DeviceTree::buildFoot(QVBoxLayout &column)
 {
     const Theme &theme = m_theme.theme();
+    m_waiting = linkButton({}, this);
+    m_waiting->hide();
+    column.addWidget(m_waiting);
+    connect(m_waiting, &QPushButton::clicked, this, [this] {
+        m_model->setHeld(false);
+        follow();
+    });
     column.addWidget(separatorLine(Qt::Horizontal, this));
     column.addWidget(new ScanStrip(m_workbench, m_theme, this));
     auto *row = new QHBoxLayout;
@@ -155,8 +163,22 @@ void DeviceTree::buildFoot(QVBoxLayout &column)
     connect(simulate, &QPushButton::clicked, this, &DeviceTree::simulateRequested);
 }
 
+/// A row that comes in above must not put another one under a finger that is about to press.
+bool DeviceTree::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Enter || event->type() == QEvent::Leave) {
+        m_model->setHeld(event->type() == QEvent::Enter);
+        follow();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
 void DeviceTree::follow()
 {
+    const int waiting = m_model->waiting();
+    m_waiting->setVisible(waiting > 0);
+    m_waiting->setText(waiting == 1 ? tr("Show 1 new device") : tr("Show %1 new devices").arg(waiting));
+    m_waiting->setAccessibleName(m_waiting->text());
     const bool none = m_model->rowCount() == 0;
     m_empty->setVisible(none);
     m_view->setVisible(!none);

@@ -9,6 +9,7 @@
 
 class QHBoxLayout;
 class QMenu;
+class QPushButton;
 class QTreeView;
 class QVBoxLayout;
 
@@ -35,6 +36,9 @@ Q_SIGNALS:
     /// These are to be plotted.
     void plotRequested(const std::vector<mb::Signal> &wanted);
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     void buildHead(QVBoxLayout &column);
     void buildTree(QVBoxLayout &column);
@@ -52,6 +56,7 @@ private:
     QTreeView *m_view = nullptr;
     SearchField *m_filter = nullptr;
     EmptyState *m_empty = nullptr;
+    QPushButton *m_waiting = nullptr; ///< new rows that would move what is under the mouse
     IconButton *m_rescan = nullptr;
 };
 

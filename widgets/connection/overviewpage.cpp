@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/devicecard.h"
@@ -201,8 +202,9 @@ void OverviewPage::followLinks(const Snapshot &shot)
             card.roundTrip->clear();
         card.errors->setValue(formatCount(static_cast<qint64>(link.counters.errors)));
         card.errors->setTone(link.counters.errors > 0 ? Tone::Caution : Tone::Text);
-        card.lost->setValue(formatCount(static_cast<qint64>(link.counters.lost)));
-        card.lost->setTone(link.counters.lost > 0 ? Tone::Caution : Tone::Text);
+        const auto lost = static_cast<qint64>(samplesOn(shot, link.address).lost);
+        card.lost->setValue(formatCount(lost));
+        card.lost->setTone(lost > 0 ? Tone::Caution : Tone::Text);
     }
 }
 
@@ -262,11 +264,9 @@ void OverviewPage::arrange()
         ++place;
     }
     place = 0;
-    for (const DeviceView &device : m_workbench.snapshot().devices) {
-        if (const auto card = m_cards.find(device.id); card != m_cards.end()) {
-            m_deviceGrid->addWidget(card->second, place / columns, place % columns);
-            ++place;
-        }
+    for (const auto &[id, card] : m_cards) { // as they were found: a new one comes last and moves none
+        m_deviceGrid->addWidget(card, place / columns, place % columns);
+        ++place;
     }
     for (int i = 0; i < mostColumns; ++i) {
         m_linkGrid->setColumnStretch(i, i < columns ? 1 : 0);

@@ -2,6 +2,7 @@
 #include "widgets/control/arming.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
 
 #include <algorithm>
 
@@ -28,6 +29,13 @@ QString Arming::nameOf(DeviceId device) const
 {
     const DeviceView *view = m_workbench.snapshot().device(device);
     return view ? QStringLiteral("#%1").arg(view->identity.address) : QString();
+}
+
+/// As everywhere but in the lamp, which has little room.
+QString Arming::titled(DeviceId device) const
+{
+    const DeviceView *view = m_workbench.snapshot().device(device);
+    return view ? titleOf(*view) : QString();
 }
 
 /// The mode; of boards the number of axes.
@@ -150,7 +158,10 @@ void Arming::enter(LampState state, const QString &reason)
 {
     m_state = state;
     m_reason = reason;
+    m_byHand = false;
     m_started = false;
+    m_silence = {};
+    m_renewedAt = m_workbench.now();
     if (state == LampState::Moving)
         m_renewal.start();
     else
@@ -196,7 +207,7 @@ void Arming::run(const SetPoint &setPoint)
     const auto finished = [this](const Result<void> &result) {
         if (result)
             return;
-        m_workbench.report(Severity::Danger, nameOf(m_device), errorText(result.error()));
+        m_workbench.report(Severity::Danger, titled(m_device), errorText(result.error()));
         if (!m_started && m_state == LampState::Moving)
             enter(LampState::Armed);
     };
@@ -249,20 +260,36 @@ void Arming::stop(StopCause cause, const QString &reason)
     m_leftOut = cause == StopCause::User ? leftOut() : QString();
     m_workbench.report(Severity::Caution, {},
         m_leftOut.isEmpty() ? tr("STOP: %1").arg(reason) : tr("STOP: %1; not sent to %2").arg(reason, m_leftOut));
-    if (live)
-        enter(LampState::Stopped, reason);
+    if (!live)
+        return;
+    enter(LampState::Stopped, reason);
+    m_byHand = cause == StopCause::User;
+    Q_EMIT changed();
 }
 
 void Arming::renew()
 {
+    const Instant now = m_workbench.now();
+    m_silence = std::max(m_silence, now - m_renewedAt);
+    m_renewedAt = now;
     m_workbench.renewMotion(m_device);
+}
+
+/// A lease that ran out is a word of the program's; what people saw is a window that hung.
+QString Arming::endOf(const MotionView &motion) const
+{
+    if (motion.end != SetPointStream::End::LeaseExpired)
+        return tableText(motion.reason);
+    const Duration silence = std::max<Duration>({m_silence, m_workbench.now() - m_renewedAt, leaseTime});
+    return tr("this window did not respond for %1 s")
+        .arg(formatNumber(std::chrono::duration<double>(silence).count(), 1));
 }
 
 void Arming::follow()
 {
     if (m_state == LampState::Armed && m_workbench.now() >= m_armedUntil) {
         m_workbench.report(
-            Severity::Info, nameOf(m_device), tr("disarmed after %1 min without motion").arg(m_armedTime.count() / 60));
+            Severity::Info, titled(m_device), tr("disarmed after %1 min without motion").arg(m_armedTime.count() / 60));
         enter(LampState::Safe);
         return;
     }
@@ -281,7 +308,7 @@ void Arming::follow()
     m_started = m_started || view->motion.running;
     const bool ended = !view->motion.running && (m_started || m_workbench.now() - m_runAt > startTime);
     if (ended)
-        enter(LampState::Stopped, tableText(view->motion.reason));
+        enter(LampState::Stopped, endOf(view->motion));
 }
 
 } // namespace mb

@@ -27,6 +27,8 @@ public:
     [[nodiscard]] LampStatus status(DeviceId candidate) const;
     /// Why it was stopped, for people; empty while armed.
     [[nodiscard]] const QString &reason() const { return m_reason; }
+    /// Stopped because the user said so: no alarm.
+    [[nodiscard]] bool isStoppedByHand() const { return m_state == LampState::Stopped && m_byHand; }
 
     /// The lamp was held. Refused, with a notice, when the device may not move.
     void arm(DeviceId device);
@@ -64,14 +66,19 @@ private:
     [[nodiscard]] bool isStopping() const;
     [[nodiscard]] QString leftOut() const;
     [[nodiscard]] QString nameOf(DeviceId device) const;
+    [[nodiscard]] QString titled(DeviceId device) const;
     [[nodiscard]] QString whatMoves() const;
+    [[nodiscard]] QString endOf(const MotionView &motion) const;
 
     Workbench &m_workbench;
     LampState m_state = LampState::Safe;
     DeviceId m_device;
     SetPoint m_setPoint;
     QString m_reason;
-    QString m_leftOut;      ///< of the last STOP
+    QString m_leftOut; ///< of the last STOP
+    bool m_byHand = false;
+    Instant m_renewedAt{};
+    Duration m_silence{};   ///< the longest time between two renewals of this motion
     bool m_started = false; ///< a snapshot has shown the motion running
     Instant m_runAt{};
     Instant m_armedUntil{};

@@ -9,9 +9,11 @@
 #include "widgets/control/logslider.h"
 #include "widgets/control/resolutionmeter.h"
 #include "widgets/control/wrappedlabel.h"
+#include "widgets/parameters/leap.h"
 
 #include <QGridLayout>
 #include <QLineEdit>
+#include <QPushButton>
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +59,12 @@ GainRow::GainRow(const ThemeSource &theme, Kind kind, StagedEdits &edits, Parame
         buildSecondLine(*grid);
     m_fault = wrappedLabel({}, TextRole::Caption, Tone::Danger, this);
     m_fault->hide();
-    grid->addWidget(m_fault, 3, 0, 1, 6);
+    grid->addWidget(m_fault, 3, 0, 1, 5);
+    m_use = linkButton(tr("Use it"), this);
+    m_use->setAccessibleName(tr("Use this %1").arg(tableText(m_parameter.label)));
+    m_use->hide();
+    grid->addWidget(m_use, 3, 5);
+    connect(m_use, &QPushButton::clicked, this, [this] { m_edits.confirm(m_index); });
     connect(m_field, &QLineEdit::textEdited, this, &GainRow::typed);
     connect(m_field, &QLineEdit::editingFinished, this, [this] {
         if (m_edits.typing() == m_index)
@@ -210,8 +217,13 @@ void GainRow::showState(const ParameterStore::Entry &entry, const StagedEdit *ed
     m_word->setToolTip(edit ? was : glyphWord(state));
     m_revert->setEnabled(edit != nullptr);
     setStyleProperty(*m_field, "state", illegal ? QStringLiteral("error") : QString());
-    m_fault->setText(illegal ? edit->value.fault + QLatin1Char(' ') + edit->value.remedy : QString());
-    m_fault->setVisible(illegal);
+    const auto factor = m_edits.unconfirmed(m_index);
+    m_fault->setText(illegal ? edit->value.fault + QLatin1Char(' ') + edit->value.remedy
+            : factor         ? leapText(m_parameter, *m_edits.known(m_index), *factor)
+                             : QString());
+    setTone(*m_fault, illegal ? Tone::Danger : Tone::Caution);
+    m_fault->setVisible(illegal || factor);
+    m_use->setVisible(factor.has_value());
 }
 
 void GainRow::showNumbers(std::optional<std::int64_t> raw, bool edited)

@@ -10,6 +10,7 @@
 class QLabel;
 class QLineEdit;
 class QGridLayout;
+class QPushButton;
 
 namespace mb {
 
@@ -65,6 +66,7 @@ private:
     QWidget *m_detail = nullptr;
     QLabel *m_raw = nullptr;
     QLabel *m_fault = nullptr;
+    QPushButton *m_use = nullptr; ///< after one more look
 };
 
 } // namespace mb

@@ -5,6 +5,7 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/wrappedlabel.h"
+#include "widgets/parameters/leap.h"
 
 #include <QHBoxLayout>
 #include <QPushButton>
@@ -142,7 +143,7 @@ QStringList GainsPanel::stagedNames() const
     QStringList names;
     for (const GainRow *row : m_rows) {
         const StagedEdit *edit = m_edits ? m_edits->find(row->index()) : nullptr;
-        if (edit && edit->value.raw)
+        if (edit && m_edits->isIncluded(row->index()))
             names << shortName(m_edits->parameter(row->index()));
     }
     return names;
@@ -165,6 +166,17 @@ bool GainsPanel::hasFault() const
         const StagedEdit *edit = m_edits ? m_edits->find(row->index()) : nullptr;
         return edit && !edit->value.raw;
     });
+}
+
+QString GainsPanel::unconfirmed() const
+{
+    for (const GainRow *row : m_rows) {
+        const ParameterIndex index = row->index();
+        if (const auto factor = m_edits ? m_edits->unconfirmed(index) : std::nullopt)
+            return tr("%1: %2").arg(shortName(m_edits->parameter(index)),
+                leapText(m_edits->parameter(index), *m_edits->known(index), *factor));
+    }
+    return {};
 }
 
 void GainsPanel::revertAll()

@@ -31,6 +31,8 @@ public:
     /// What a write sends, in the safe order (see writeRank): only rows of this panel.
     [[nodiscard]] std::vector<ParameterChange> toWrite() const;
     [[nodiscard]] bool hasFault() const;
+    /// A gain makes a leap that nobody has confirmed: its short name and what it is, "P: 27 × as large as now, 1.2."
+    [[nodiscard]] QString unconfirmed() const;
     void revertAll();
     void focusFirst();
     [[nodiscard]] GainRow *row(std::string_view name) const;

@@ -3,6 +3,7 @@
 
 #include "model/axis.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/parameters/leap.h"
 
 #include <QCoreApplication>
 
@@ -47,12 +48,6 @@ QString siUnit(std::string_view gain, Mode mode)
     if (gain == "d")
         return velocity ? GainText::tr("duty/(rad/s²)") : GainText::tr("duty/(rad/s)");
     return velocity ? GainText::tr("duty/(rad/s)") : GainText::tr("duty/rad");
-}
-
-/// One of p, i, d and f, and not one that bounds them.
-bool isGain(const Parameter &parameter)
-{
-    return std::find(gainNames.begin(), gainNames.end(), gainName(parameter)) != gainNames.end();
 }
 
 void collect(const Family &family, const std::string &prefix, std::span<const std::string_view> names,

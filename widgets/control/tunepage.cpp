@@ -33,6 +33,7 @@ TunePage::TunePage(
     Workbench &workbench, Selection &selection, Arming &arming, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
+    , m_desk(EditDesk::of(workbench))
     , m_selection(selection)
     , m_arming(arming)
     , m_theme(theme)

@@ -7,7 +7,7 @@
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/setpointslew.h"
 #include "widgets/control/steplog.h"
-#include "widgets/parameters/stagededits.h"
+#include "widgets/parameters/editdesk.h"
 #include "widgets/plots/displayunits.h"
 
 #include <QTimer>
@@ -89,8 +89,8 @@ private:
         int editedSlot = 0;
         int runningSlot = 0;
         DisplayUnits units;
-        double profiled = 0.0; ///< counts per revolution that the device's profile had last
-        std::unique_ptr<StagedEdits> edits;
+        double profiled = 0.0;        ///< counts per revolution that the device's profile had last
+        StagedEdits *edits = nullptr; ///< of the device, shared with the other pages
         StepLog steps;
         SetPointPanel::Entered entered; ///< of an axis that is not shown
         SetPoint base;                  ///< what was sent last
@@ -119,6 +119,7 @@ private:
     void showCommands();
     void showEmpty(const DeviceView *view);
     void readOnce(const DeviceView &view);
+    void editsChanged();
     void disarmBecause(const QString &what);
     void modeChosen(Mode mode);
     void slotsChosen();
@@ -149,6 +150,7 @@ private:
     void writeThen(std::function<void()> next);
 
     Workbench &m_workbench;
+    EditDesk &m_desk;
     Selection &m_selection;
     Arming &m_arming;
     const ThemeSource &m_theme;

@@ -45,15 +45,19 @@ int TunePage::axisFor(const DeviceView &view)
 TunePage::Choice &TunePage::choiceOf(const DeviceView &view, int axis)
 {
     Choice &chosen = m_choices[{view.id, axis}];
-    if (chosen.edits)
+    StagedEdits &edits = m_desk.editsOf(view);
+    if (chosen.edits == &edits)
         return chosen;
     chosen.steps = StepLog(axis);
-    chosen.edits = std::make_unique<StagedEdits>(*view.family, this);
-    connect(chosen.edits.get(), &StagedEdits::changed, this, [this] {
-        ++m_editRevision;
-        follow();
-    });
+    chosen.edits = &edits;
+    connect(&edits, &StagedEdits::changed, this, &TunePage::editsChanged, Qt::UniqueConnection);
     return chosen;
+}
+
+void TunePage::editsChanged()
+{
+    ++m_editRevision;
+    follow();
 }
 
 void TunePage::showMotor(const DeviceView &view, int axis)
@@ -185,8 +189,7 @@ void TunePage::copyGains(int from)
     Choice *chosen = choice();
     if (!view || !chosen)
         return;
-    StagedEdits &source = *choiceOf(*view, from).edits;
-    source.setEntries(view->parameters);
+    const StagedEdits &source = *chosen->edits;
     const GainSet rows = gainSet(*view->family, chosen->mode, chosen->editedSlot, m_axis);
     const auto isShown = [&rows](ParameterIndex index) {
         return std::find(rows.gains.begin(), rows.gains.end(), index) != rows.gains.end()

@@ -129,7 +129,6 @@ void TunePage::followGains(const DeviceView &view)
     if (rows == m_rowsShown)
         return;
     m_rowsShown = rows;
-    chosen.edits->setEntries(view.parameters);
     m_gains->choose(*view.family, *chosen.edits, chosen.mode, chosen.editedSlot, m_axis);
     m_gains->refresh(view, reading);
 }
@@ -201,14 +200,16 @@ TunePage::Status TunePage::status() const
     if (!view->liveness.heard)
         return {GlyphState::Gone, tr("No answer from %1").arg(name), tr("The plot keeps what it has."), false};
     if (m_arming.state() == LampState::Stopped)
-        return {GlyphState::Fault, tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the lamp for 1 s to arm again."),
-            false};
+        return {m_arming.isStoppedByHand() ? GlyphState::Gone : GlyphState::Fault,
+            tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the lamp for 1 s to arm again."), false};
     if (!view->mayNotMove.empty())
         return {GlyphState::Warning, tr("%1 cannot be armed").arg(name), tableText(view->mayNotMove), false};
     if (!m_setPoint->fault().isEmpty())
         return {GlyphState::OutOfRange, tr("The set-point cannot be sent"), m_setPoint->fault(), false};
     if (m_gains->hasFault())
         return {GlyphState::OutOfRange, tr("A gain is out of range"), tr("Correct or revert it first."), false};
+    if (const QString leap = m_gains->unconfirmed(); !leap.isEmpty())
+        return {GlyphState::Warning, tr("Look at a gain again"), leap, false};
     return liveStatus(*view, name);
 }
 
@@ -284,7 +285,7 @@ void TunePage::showCommands()
             : staged.isEmpty()              ? tr("No gain is edited")
             : free                          ? QString()
                                             : tr("The device is busy"));
-    m_revert->setEnabled(!staged.isEmpty() || m_gains->hasFault());
+    m_revert->setEnabled(!staged.isEmpty() || m_gains->hasFault() || !m_gains->unconfirmed().isEmpty());
 }
 
 } // namespace mb

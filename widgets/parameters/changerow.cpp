@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/parameters/leap.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -36,7 +37,9 @@ ChangeRow::ChangeRow(const ThemeSource &theme, QWidget *parent)
     m_fix = badge(tr("fix first"), Tone::Danger, this);
     grid->addWidget(m_check, 0, 0);
     grid->addWidget(m_key, 0, 1);
+    m_look = badge(tr("look again"), Tone::Caution, this);
     grid->addWidget(m_place, 0, 2);
+    grid->addWidget(m_look, 0, 2);
     grid->addWidget(m_fix, 0, 2);
     grid->addWidget(m_values, 1, 1, 1, 2);
     grid->setColumnStretch(1, 1);
@@ -53,6 +56,8 @@ void ChangeRow::show(const ParameterModel &model, ParameterIndex index, int plac
     const Parameter &row = model.parameter(index);
     const auto known = model.edits()->known(index);
     const bool legal = edit->value.raw.has_value();
+    const bool included = model.edits()->isIncluded(index);
+    const auto factor = model.edits()->unconfirmed(index);
     const QString from = known ? valueWithUnit(row, *known) : QString(UnknownMark);
     const QString to = legal   ? valueWithUnit(row, *edit->value.raw)
         : edit->text.isEmpty() ? QString(UnknownMark)
@@ -65,11 +70,13 @@ void ChangeRow::show(const ParameterModel &model, ParameterIndex index, int plac
                             : QStringLiteral("%1 → <b style=\"color:%2\">%3</b>")
                                   .arg(from.toHtmlEscaped(), m_theme.theme().danger.name(), to.toHtmlEscaped()));
     m_check->setEnabled(legal);
-    m_check->setChecked(legal && edit->included);
+    m_check->setChecked(included);
     m_check->setAccessibleName(tr("Write %1: %2 to %3").arg(qt(row.key), from, to));
-    m_place->setText(legal && edit->included ? QString::number(place) : tr("later"));
-    m_place->setToolTip(legal && edit->included ? tr("Written as number %1").arg(place) : tr("Stays staged"));
-    m_place->setVisible(legal);
+    m_place->setText(included ? QString::number(place) : tr("later"));
+    m_place->setToolTip(included ? tr("Written as number %1").arg(place) : tr("Stays staged"));
+    m_place->setVisible(legal && !factor);
+    m_look->setVisible(factor.has_value());
+    m_look->setToolTip(factor ? leapText(row, *known, *factor) : QString());
     m_fix->setVisible(!legal);
     setToolTip(tableText(row.label));
     QWidget::show();

@@ -34,6 +34,7 @@ private:
     QLabel *m_key = nullptr;
     QLabel *m_values = nullptr;
     QLabel *m_place = nullptr;
+    QLabel *m_look = nullptr;
     QLabel *m_fix = nullptr;
 };
 

@@ -12,6 +12,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -142,7 +144,7 @@ void ChangesPanel::fillRows()
     if (const StagedEdits *edits = m_model.edits()) {
         int place = 0;
         for (const StagedChange &change : edits->ordered())
-            wanted.emplace_back(change.index, edits->find(change.index)->included ? ++place : 0);
+            wanted.emplace_back(change.index, edits->isIncluded(change.index) ? ++place : 0);
         for (const ParameterIndex index : edits->illegal())
             wanted.emplace_back(index, 0);
     }
@@ -163,6 +165,31 @@ void ChangesPanel::fillRows()
     m_empty->setVisible(wanted.empty());
 }
 
+/// What will be known of what is written: of the staged values, of all that can be staged where none is.
+QString ChangesPanel::proofNote(const DeviceView *device) const
+{
+    std::vector<const Parameter *> rows;
+    if (const StagedEdits *edits = m_model.edits()) {
+        for (const ParameterChange &change : edits->toWrite())
+            rows.push_back(&edits->parameter(change.index));
+    }
+    if (rows.empty() && device) {
+        for (const Parameter &row : device->family->parameters) {
+            if (isEditable(row))
+                rows.push_back(&row);
+        }
+    }
+    const auto blind = std::count_if(
+        rows.begin(), rows.end(), [](const Parameter *row) { return row->access == Access::WriteOnly; });
+    if (blind == 0)
+        return tr("Each value is written, read back and compared.");
+    if (blind == static_cast<std::ptrdiff_t>(rows.size()))
+        return tr("Each value is written. None can be read back: what stands here then is assumed.");
+    return tr("Each value is written. %1 of %2 cannot be read back: they are assumed then; the others are compared.")
+        .arg(blind)
+        .arg(rows.size());
+}
+
 QString ChangesPanel::obstacle(const DeviceView *device, bool busy) const
 {
     const StagedEdits *edits = m_model.edits();
@@ -170,8 +197,12 @@ QString ChangesPanel::obstacle(const DeviceView *device, bool busy) const
         return tr("nothing is staged");
     if (edits->faults() > 0)
         return edits->faults() == 1 ? tr("fix 1 value first") : tr("fix %1 values first").arg(edits->faults());
-    if (edits->toWrite().empty())
-        return tr("none is ticked");
+    if (edits->toWrite().empty()) {
+        const auto changes = edits->ordered();
+        const bool leaps = std::any_of(changes.begin(), changes.end(),
+            [edits](const StagedChange &change) { return edits->unconfirmed(change.index).has_value(); });
+        return leaps ? tr("look again first") : tr("none is ticked");
+    }
     if (!device || !device->liveness.heard)
         return tr("no answer");
     if (device->identity.state == DeviceState::Duplicate)
@@ -195,7 +226,7 @@ void ChangesPanel::fillFoot(const DeviceView *device, const OperationView *opera
         m_progress->setValue(status.done);
     }
     const auto seconds = device ? device->family->capabilities.storesAfter.count() : 0;
-    QString note = tr("Each value is written, read back and compared.");
+    QString note = proofNote(device);
     if (seconds > 0)
         note += QLatin1Char(' ')
             + tr("The drive stores by itself %1 s after the last change: keep power on.").arg(seconds);

@@ -44,6 +44,7 @@ private:
     void fillRows();
     void fillFoot(const DeviceView *device, const OperationView *operation);
     [[nodiscard]] QString obstacle(const DeviceView *device, bool busy) const;
+    [[nodiscard]] QString proofNote(const DeviceView *device) const;
 
     const ThemeSource &m_theme;
     Workbench &m_workbench;

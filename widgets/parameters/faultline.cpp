@@ -4,6 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/icons.h"
 #include "widgets/common/labels.h"
+#include "widgets/parameters/leap.h"
 #include "widgets/parameters/wraplayout.h"
 
 #include <QPainter>
@@ -41,13 +42,20 @@ void FaultLine::refresh()
         return;
     const Parameter &row = m_model.parameter(m_index);
     const QString label = tableText(row.label);
-    m_fault->setText(edit->value.fault);
-    m_remedy->setText(edit->value.remedy);
-    m_nearest->setVisible(edit->value.nearest.has_value());
-    if (edit->value.nearest)
-        m_nearest->setText(tr("Use %1").arg(valueText(row, *edit->value.nearest)));
-    m_nearest->setAccessibleName(tr("%1: %2").arg(label, m_nearest->text()));
     const auto known = m_model.edits()->known(m_index);
+    const auto factor = m_model.edits()->unconfirmed(m_index);
+    m_looking = factor.has_value();
+    setTone(*m_fault, m_looking ? Tone::Caution : Tone::Danger);
+    m_fault->setText(m_looking ? leapText(row, *known, *factor) : edit->value.fault);
+    m_remedy->setText(m_looking ? tr("Is that meant?") : edit->value.remedy);
+    const auto &nearest = edit->value.nearest;
+    const bool offered = nearest && isSensibleFix(row, known, *nearest);
+    m_nearest->setVisible(m_looking || offered);
+    if (m_looking)
+        m_nearest->setText(tr("Use %1").arg(edit->text));
+    else if (offered)
+        m_nearest->setText(tr("Use %1").arg(valueText(row, *nearest)));
+    m_nearest->setAccessibleName(tr("%1: %2").arg(label, m_nearest->text()));
     m_revert->setText(known ? tr("Revert to %1").arg(valueText(row, *known)) : tr("Revert"));
     m_revert->setAccessibleName(tr("%1: %2").arg(label, m_revert->text()));
     layout()->invalidate();
@@ -61,6 +69,11 @@ int FaultLine::heightForWidth(int width) const
 
 void FaultLine::useNearest()
 {
+    if (m_looking) {
+        Q_EMIT mended();
+        m_model.edits()->confirm(m_index);
+        return;
+    }
     const StagedEdit *edit = m_model.edits()->find(m_index);
     if (!edit || !edit->value.nearest)
         return;
@@ -79,11 +92,12 @@ void FaultLine::paintEvent(QPaintEvent *)
 {
     const Theme &theme = m_theme.theme();
     QPainter painter(this);
-    painter.fillRect(rect(), theme.errorTint);
-    painter.fillRect(0, 0, theme.u(3), height(), theme.danger);
-    painter.fillRect(0, height() - 1, width(), 1, theme.danger);
+    const QColor edge = m_looking ? theme.caution : theme.danger;
+    painter.fillRect(rect(), m_looking ? theme.bannerCaution : theme.errorTint);
+    painter.fillRect(0, 0, theme.u(3), height(), edge);
+    painter.fillRect(0, height() - 1, width(), 1, edge);
     const double side = theme.u(14);
-    paintSymbol(painter, QRectF(theme.u(34), theme.u(15) - side / 2, side, side), Symbol::Warning, theme.danger);
+    paintSymbol(painter, QRectF(theme.u(34), theme.u(15) - side / 2, side, side), Symbol::Warning, edge);
 }
 
 } // namespace mb

@@ -37,6 +37,7 @@ private:
     QLabel *m_fault = nullptr;
     QLabel *m_remedy = nullptr;
     QPushButton *m_nearest = nullptr;
+    bool m_looking = false; ///< a leap that asks for one more look, not a fault
     QPushButton *m_revert = nullptr;
 };
 

@@ -66,8 +66,7 @@ void ParameterModel::build()
             group = m_groups.insert(group, Group{name, {}});
         m_place.emplace_back(static_cast<int>(group - m_groups.begin()), static_cast<int>(group->members.size()));
         group->members.push_back({i});
-        const StagedEdit *edit = m_edits->find({i});
-        m_faults.push_back(edit && !edit->value.raw);
+        m_faults.push_back(asks({i}));
     }
     m_shown = m_edits->entries();
     m_reference = defaultsOf(*m_family);
@@ -102,10 +101,16 @@ void ParameterModel::setReference(ParameterReference reference)
     Q_EMIT standingChanged();
 }
 
-void ParameterModel::editChanged(ParameterIndex index)
+/// It has a row below it: for what is wrong, or for one more look.
+bool ParameterModel::asks(ParameterIndex index) const
 {
     const StagedEdit *edit = m_edits->find(index);
-    const bool fault = edit && !edit->value.raw;
+    return edit && (!edit->value.raw || m_edits->unconfirmed(index));
+}
+
+void ParameterModel::editChanged(ParameterIndex index)
+{
+    const bool fault = asks(index);
     const QModelIndex row = indexOf(index, 0);
     if (fault && !m_faults[index.value]) {
         beginInsertRows(row, 0, 0);

@@ -86,6 +86,7 @@ private:
     };
     void build();
     void editChanged(ParameterIndex index);
+    [[nodiscard]] bool asks(ParameterIndex index) const;
     void touchRow(ParameterIndex index);
     [[nodiscard]] QVariant text(ParameterIndex index, int column) const;
     [[nodiscard]] QString toolTip(ParameterIndex index) const;

@@ -2,6 +2,7 @@
 // The texts of the model: what each cell says.
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/parameters/leap.h"
 #include "widgets/parameters/parametermodel.h"
 
 #include <algorithm>
@@ -49,6 +50,8 @@ QVariant ParameterModel::text(ParameterIndex index, int column) const
 QString ParameterModel::faultText(ParameterIndex index) const
 {
     const StagedEdit *edit = m_edits->find(index);
+    if (const auto factor = m_edits->unconfirmed(index))
+        return leapText(parameter(index), *m_edits->known(index), *factor);
     return edit ? edit->value.fault + QLatin1Char(' ') + edit->value.remedy : QString();
 }
 

@@ -33,6 +33,7 @@ constexpr int besideFrom = 900; ///< narrower than this the panel goes below the
 ParametersPage::ParametersPage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
+    , m_desk(EditDesk::of(workbench))
     , m_selection(selection)
     , m_theme(theme)
     , m_model(new ParameterModel(this))

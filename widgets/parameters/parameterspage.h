@@ -3,6 +3,7 @@
 
 #include "widgets/common/selection.h"
 #include "widgets/common/workbench.h"
+#include "widgets/parameters/editdesk.h"
 #include "widgets/parameters/parameterview.h"
 #include "widgets/parameters/ramledger.h"
 
@@ -83,13 +84,13 @@ private:
     void undo(bool redo);
     void written(DeviceId device, const std::vector<ParameterChange> &sent, const Result<void> &result);
     [[nodiscard]] const DeviceView *device() const;
-    [[nodiscard]] StagedEdits &editsOf(const DeviceView &device);
+    [[nodiscard]] StagedEdits &editsOf(const DeviceView &device) { return m_desk.editsOf(device); }
 
     Workbench &m_workbench;
+    EditDesk &m_desk;
     Selection &m_selection;
     const ThemeSource &m_theme;
     RamLedger m_ledger;
-    std::map<DeviceId, std::unique_ptr<StagedEdits>> m_edits;
     /// What the page showed last of a device; the same again needs no work.
     struct Shown {
         DeviceId device;

@@ -35,14 +35,6 @@ const DeviceView *ParametersPage::device() const
     return m_workbench.snapshot().device(m_selection.device());
 }
 
-StagedEdits &ParametersPage::editsOf(const DeviceView &device)
-{
-    auto &edits = m_edits[device.id];
-    if (!edits)
-        edits = std::make_unique<StagedEdits>(*device.family);
-    return *edits;
-}
-
 void ParametersPage::follow()
 {
     m_ledger.observe(m_workbench.snapshot(), m_workbench.now());
@@ -60,7 +52,7 @@ void ParametersPage::followEdits()
             || (!isNew && seen->second == device.parameterRevision))
             continue;
         seen->second = device.parameterRevision;
-        editsOf(device).setEntries(device.parameters);
+        (void)editsOf(device);
         rememberAsFound(device);
     }
 }

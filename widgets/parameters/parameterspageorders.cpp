@@ -49,9 +49,8 @@ void ParametersPage::write()
 
 void ParametersPage::written(DeviceId device, const std::vector<ParameterChange> &sent, const Result<void> &result)
 {
-    const auto edits = m_edits.find(device);
-    if (result && edits != m_edits.end())
-        edits->second->settle(sent);
+    if (StagedEdits *edits = m_desk.find(device); result && edits)
+        edits->settle(sent);
     if (!result)
         m_banners->post(QLatin1String(writeKey), BannerKind::Danger, errorText(result.error()),
             tr("What was written before it is in force; the rest is still staged. Nothing was stored."));

@@ -2,6 +2,7 @@
 #include "widgets/parameters/stagededits.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/parameters/leap.h"
 
 #include <algorithm>
 
@@ -165,11 +166,34 @@ void StagedEdits::put(ParameterIndex index, const std::optional<QString> &text)
 
 void StagedEdits::setIncluded(ParameterIndex index, bool included)
 {
+    const auto set = [included](StagedEdit &edit) {
+        edit.included = included;
+        edit.confirmed = edit.confirmed || included;
+    };
     if (const auto staged = m_edits.find(index); staged != m_edits.end())
-        staged->second.included = included;
+        set(staged->second);
     if (m_typing == index)
-        m_typed.included = included;
+        set(m_typed);
     Q_EMIT changed(index);
+}
+
+void StagedEdits::confirm(ParameterIndex index)
+{
+    endTyping(true);
+    setIncluded(index, true);
+}
+
+std::optional<double> StagedEdits::unconfirmed(ParameterIndex index) const
+{
+    const StagedEdit *edit = find(index);
+    return edit && edit->value.raw && !edit->confirmed ? leap(parameter(index), known(index), *edit->value.raw)
+                                                       : std::nullopt;
+}
+
+bool StagedEdits::isIncluded(ParameterIndex index) const
+{
+    const StagedEdit *edit = find(index);
+    return edit && edit->value.raw && edit->included && !unconfirmed(index);
 }
 
 const StagedEdit *StagedEdits::find(ParameterIndex index) const
@@ -227,7 +251,7 @@ std::vector<ParameterChange> StagedEdits::toWrite() const
 {
     std::vector<ParameterChange> changes;
     for (const StagedChange &change : ordered()) {
-        if (find(change.index)->included)
+        if (isIncluded(change.index))
             changes.push_back({change.index, change.to});
     }
     return changes;

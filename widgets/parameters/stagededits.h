@@ -16,7 +16,8 @@ namespace mb {
 struct StagedEdit {
     QString text; ///< as it stands in the field
     ParsedValue value;
-    bool included = true; ///< goes along with the next write
+    bool included = true;   ///< goes along with the next write
+    bool confirmed = false; ///< somebody looked at it once more
 };
 
 /// What a user wants to change in one device: survives snapshots, other selections and failed writes. An edit that says
@@ -47,7 +48,13 @@ public:
     void discard();
     /// After a write: what was sent is not an edit any more, unless it was changed since.
     void settle(const std::vector<ParameterChange> &sent);
+    /// Ticked by hand: it was looked at, too.
     void setIncluded(ParameterIndex index, bool included);
+    /// The factor of a gain that makes a leap (see leap()) and that nobody has confirmed; it is not written until then.
+    [[nodiscard]] std::optional<double> unconfirmed(ParameterIndex index) const;
+    void confirm(ParameterIndex index);
+    /// Legal, ticked and, where it has to be, confirmed.
+    [[nodiscard]] bool isIncluded(ParameterIndex index) const;
 
     [[nodiscard]] const StagedEdit *find(ParameterIndex index) const;
     [[nodiscard]] int count() const;

@@ -19,15 +19,32 @@ double roundStep(double rough)
     return decade * (mantissa >= 5 ? 5 : mantissa >= 2 ? 2 : 1);
 }
 
-AutoRange::Range AutoRange::fitted(double lowest, double highest)
+double leastSpan(TraceRole role, double magnitude)
+{
+    constexpr double noise = 0.01; // of a value, where a hundredth of it is what the sensor makes by itself
+    switch (role) {
+    case TraceRole::Position: return 4.0; // a step is a step, wherever it is
+    case TraceRole::Velocity: return std::max(1.0, noise * std::abs(magnitude));
+    case TraceRole::Current: return std::max(0.1, noise * std::abs(magnitude));
+    case TraceRole::Duty: return 0.01;
+    case TraceRole::Temperature: return 1.0;
+    default: return 0.0;
+    }
+}
+
+AutoRange::Range AutoRange::fitted(double lowest, double highest, double least)
 {
     double low = std::min(lowest, highest);
     double high = std::max(lowest, highest);
     // A constant still needs a span: 10 % of its size, and never less than what a double resolves well.
-    const double least = std::max({std::abs(low), std::abs(high), 1e-3}) * 0.1;
-    if (high - low < least * 1e-3) {
-        low -= least;
-        high += least;
+    const double constant = std::max({std::abs(low), std::abs(high), 1e-3}) * 0.1;
+    if (least <= 0 && high - low < constant * 1e-3) {
+        low -= constant;
+        high += constant;
+    }
+    if (const double missing = least - (high - low); missing > 0) {
+        low -= missing / 2;
+        high += missing / 2;
     }
     // Zero belongs into the picture when it is near.
     const double span = high - low;
@@ -40,9 +57,9 @@ AutoRange::Range AutoRange::fitted(double lowest, double highest)
     return {std::floor((low - room) / step) * step, std::ceil((high + room) / step) * step};
 }
 
-AutoRange::Range AutoRange::update(double lowest, double highest, double now)
+AutoRange::Range AutoRange::update(double lowest, double highest, double now, double least)
 {
-    const Range fit = fitted(lowest, highest);
+    const Range fit = fitted(lowest, highest, least);
     if (!m_set) {
         m_set = true;
         return m_range = fit;

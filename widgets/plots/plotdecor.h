@@ -84,6 +84,19 @@ struct StripDecor {
     bool first = false; ///< of the stack: gaps are labelled here, beside them when they are too narrow
 };
 
+/// Words at a gap, where they have room.
+struct GapLabel {
+    QRectF place;
+    QString text;
+};
+/// The labels of all gaps of a strip, at its foot. What would overlap becomes one label with the count and the sum.
+[[nodiscard]] std::vector<GapLabel> gapLabels(
+    const StripDecor &decor, const QCPAxis &keys, const QRectF &box, const QFontMetrics &metrics, const Theme &theme);
+/// A place for words of this size near where they are wanted, inside `box` and clear of `taken`: there, or lines above or below.
+/// Nothing where there is none: the words give way.
+[[nodiscard]] std::optional<QRectF> freePlace(
+    const QRectF &wanted, const QRectF &box, const std::vector<QRectF> &taken);
+
 /// Behind the traces: watermark, bands, spans, gaps.
 class StripBackdrop : public QCPAbstractItem {
     Q_OBJECT
@@ -159,6 +172,8 @@ public:
     NumberTicker() { setTickCount(4); }
 
 protected:
+    /// Finer where a round step would leave fewer than two labels.
+    double getTickStep(const QCPRange &range) override;
     QString getTickLabel(double tick, const QLocale &locale, QChar formatChar, int precision) override;
 };
 

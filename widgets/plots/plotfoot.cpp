@@ -57,6 +57,16 @@ void PlotFoot::draw(QCPPainter *painter)
         line, Qt::AlignRight | Qt::AlignVCenter, metrics.elidedText(m_right, Qt::ElideLeft, std::max(room, 0)));
 }
 
+double NumberTicker::getTickStep(const QCPRange &range)
+{
+    double step = QCPAxisTicker::getTickStep(range);
+    const auto labels
+        = [&range](double width) { return std::floor(range.upper / width) - std::ceil(range.lower / width) + 1; };
+    while (range.size() > 0 && labels(step) < 2)
+        step = roundStep(step * 0.5);
+    return step;
+}
+
 QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 {
     if (tick != 0 && (std::abs(tick) >= 1e7 || std::abs(tick) < 1e-4))

@@ -136,6 +136,7 @@ void PlotStack::updateStrip(int index, double to)
 void PlotStack::updateAxis(Strip &strip, int index, bool second, double to)
 {
     std::optional<std::pair<double, double>> seen;
+    double least = 0.0;
     for (const auto &[id, trace] : m_traces) {
         if (trace.style.strip != index || !trace.visible || trace.style.secondAxis != second)
             continue;
@@ -144,6 +145,11 @@ void PlotStack::updateAxis(Strip &strip, int index, bool second, double to)
         if (values)
             seen = seen ? std::pair(std::min(seen->first, values->first), std::max(seen->second, values->second))
                         : values;
+        if (values)
+            least = std::max(
+                least, leastSpan(trace.style.role, std::max(std::abs(values->first), std::abs(values->second))));
+        if (trace.style.role == TraceRole::Setpoint)
+            continue; // it idles between commands: nothing is missing
         for (const auto &gap : gapsOf(points, std::min(to, m_live ? m_now : to))) {
             const auto same = std::find(strip.decor.gaps.begin(), strip.decor.gaps.end(), gap);
             if (same == strip.decor.gaps.end())
@@ -153,11 +159,11 @@ void PlotStack::updateAxis(Strip &strip, int index, bool second, double to)
     QCPAxis &values = strip.axis(second);
     AutoRange &automatic = second ? strip.secondRange : strip.range;
     const auto &fixed = second ? strip.secondFixed : strip.fixed;
-    values.ticker()->setTickCount(std::clamp(strip.rect->height() / m_theme.theme().u(42), 1, 5));
+    values.ticker()->setTickCount(std::clamp(strip.rect->height() / m_theme.theme().u(42), 2, 5));
     if (fixed) {
         values.setRange(fixed->first, fixed->second);
     } else if (seen) {
-        const AutoRange::Range range = automatic.update(seen->first, seen->second, m_now);
+        const AutoRange::Range range = automatic.update(seen->first, seen->second, m_now, least);
         m_scaled = m_scaled || values.range() != QCPRange(range.lower, range.upper);
         values.setRange(range.lower, range.upper);
     }
@@ -287,7 +293,8 @@ QString PlotStack::summary() const
         if (!trace.visible)
             continue;
         const auto values = valueRange(trace.plottable->points(), m_from, m_to);
-        const std::size_t gaps = gapsOf(trace.plottable->points(), m_to).size();
+        const bool idles = trace.style.role == TraceRole::Setpoint;
+        const std::size_t gaps = idles ? 0 : gapsOf(trace.plottable->points(), m_to).size();
         QString part = values
             ? tr("%1 %2 to %3")
                   .arg(trace.style.name, valueText(trace.style, values->first), valueText(trace.style, values->second))

@@ -89,17 +89,11 @@ void StripBackdrop::drawGaps(QCPPainter &painter, const QRectF &box) const
         const QRectF area(left, box.top(), std::max(right - left, 1.0), box.height());
         painter.fillRect(area, faded(theme.caution, 0.06));
         painter.fillRect(area, QBrush(faded(theme.caution, 0.45), Qt::BDiagPattern));
-        const QString text = QCoreApplication::translate("mb::PlotStack", "gap %1").arg(formatDuration(to - from));
-        const int wide = metrics.horizontalAdvance(text) + theme.u(10);
-        const bool inside = area.width() >= wide;
-        const bool beside = m_decor.first && right + wide + theme.u(6) < box.right();
-        if (area.height() < metrics.height() * 2 || !(inside || beside))
-            continue;
-        const double x = inside ? area.center().x() - wide / 2.0 : right + theme.u(6);
-        const QRectF label(x, area.bottom() - metrics.height() - theme.u(12), wide, metrics.height() + theme.u(4));
-        painter.fillRect(label, theme.bannerCaution);
+    }
+    for (const GapLabel &label : gapLabels(m_decor, keys, box, metrics, theme)) {
+        painter.fillRect(label.place, theme.bannerCaution);
         painter.setPen(theme.caution);
-        painter.drawText(label, Qt::AlignCenter, text);
+        painter.drawText(label.place, Qt::AlignCenter, label.text);
     }
 }
 

@@ -132,6 +132,9 @@ void StripFace::drawNotes(QCPPainter &painter, const QRectF &box) const
     const Theme &theme = m_theme.theme();
     const QCPAxis &keys = *m_rect.axis(QCPAxis::atBottom);
     const QCPAxis &values = *m_rect.axis(QCPAxis::atLeft);
+    std::vector<QRectF> taken;
+    for (const GapLabel &gap : gapLabels(m_decor, keys, box, QFontMetrics(caption()), theme))
+        taken.push_back(gap.place);
     for (const PlotNote &note : m_decor.notes) {
         const QPointF at(keys.coordToPixel(note.key), values.coordToPixel(note.value));
         if (at.x() < box.left() || at.x() > box.right())
@@ -144,6 +147,11 @@ void StripFace::drawNotes(QCPPainter &painter, const QRectF &box) const
             QSizeF(metrics.horizontalAdvance(note.text) + 2, metrics.height()));
         text.moveRight(std::min(text.right(), box.right() - 2));
         text.moveBottom(std::clamp(text.bottom(), box.top() + text.height(), box.bottom()));
+        const auto place = freePlace(text, box, taken);
+        if (!place)
+            continue;
+        text = *place;
+        taken.push_back(text);
         QPen leader(theme.dim, 1, Qt::DotLine);
         leader.setCosmetic(true);
         painter.setPen(leader);
