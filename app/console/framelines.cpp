@@ -4,8 +4,12 @@
 #include "app/console/target.h"
 #include "wire/bytelog.h"
 
+#include <algorithm>
+
 namespace mb::console {
 namespace {
+
+constexpr std::size_t mostUndecided = 4096; ///< bytes
 
 QJsonObject objectOf(Duration time, std::string_view link, const std::optional<DecodedFrame> &decoded)
 {
@@ -43,32 +47,51 @@ std::string textOf(const std::optional<DecodedFrame> &decoded)
 
 } // namespace
 
-FrameLines::FrameLines(Console &console, std::string dialect)
+FrameLines::FrameLines(Console &console, std::string dialect, std::optional<LinkKind> kind)
     : m_console(console)
     , m_dialect(std::move(dialect))
+    , m_kind(kind)
 {
 }
 
 void FrameLines::print(Duration time, std::string_view link, const CanFrame &frame)
 {
-    const auto decoded = decode(frame);
+    CanFrame timed = frame;
+    timed.time = Instant(time);
+    const auto decoded = decode(link, timed);
     if (m_console.json())
         printJson(time, link, frame, decoded);
     else
         printText(time, link, frame, decoded);
 }
 
-std::optional<DecodedFrame> FrameLines::decode(const CanFrame &frame) const
+std::optional<DecodedFrame> FrameLines::decode(std::string_view link, const CanFrame &frame)
 {
     if (frame.error)
         return std::nullopt;
-    for (const Family *family : m_console.families()) {
-        if (!family->decodeCan)
-            continue;
-        if (auto decoded = family->decodeCan(frame, m_dialect))
-            return decoded;
+    auto bus = m_buses.find(link);
+    if (bus == m_buses.end())
+        bus = m_buses.emplace(std::string(link), decoders()).first;
+    std::optional<DecodedFrame> known;
+    for (const CanDecoder &decoder : bus->second) { // all of them: each follows the whole bus
+        auto decoded = decoder(frame);
+        if (!known)
+            known = std::move(decoded);
     }
-    return std::nullopt;
+    return known;
+}
+
+std::vector<CanDecoder> FrameLines::decoders() const
+{
+    std::vector<CanDecoder> all;
+    for (const Family *family : m_console.families()) {
+        if (family->followCan)
+            all.push_back(family->followCan(m_dialect));
+        else if (family->decodeCan)
+            all.emplace_back(
+                [family, dialect = m_dialect](const CanFrame &frame) { return family->decodeCan(frame, dialect); });
+    }
+    return all;
 }
 
 FrameLines::Stream &FrameLines::streamOf(std::string_view link)
@@ -77,45 +100,52 @@ FrameLines::Stream &FrameLines::streamOf(std::string_view link)
         return known->second;
     Stream &stream = m_streams[std::string(link)];
     for (const Family *family : m_console.families()) {
-        if (family->decodeBytes)
-            stream.decoders.push_back(family->decodeBytes(m_dialect));
+        const auto &kinds = family->links;
+        const bool speaks = !m_kind || std::find(kinds.begin(), kinds.end(), *m_kind) != kinds.end();
+        if (family->decodeBytes && speaks)
+            stream.readings.push_back({family->decodeBytes(m_dialect), {}});
     }
+    if (stream.readings.size() == 1)
+        stream.chosen = 0;
     return stream;
 }
 
 void FrameLines::print(Duration time, std::string_view link, Direction direction, std::span<const std::uint8_t> bytes)
 {
     Stream &stream = streamOf(link);
-    if (stream.decoders.empty())
+    if (stream.readings.empty())
         print(link, DecodedBytes{time, direction, {bytes.begin(), bytes.end()}, {}});
-    for (std::size_t i = 0; i < stream.decoders.size(); ++i) {
-        std::vector<DecodedBytes> found;
-        stream.decoders[i]->take(time, direction, bytes, found);
-        print(link, stream, i, found);
-    }
+    for (Reading &reading : stream.readings)
+        reading.decoder->take(time, direction, bytes, reading.found);
+    stream.undecided += bytes.size();
+    flush(link, stream, stream.undecided > mostUndecided);
 }
 
 void FrameLines::finish()
 {
     for (auto &[link, stream] : m_streams) {
-        for (std::size_t i = 0; i < stream.decoders.size(); ++i) {
-            std::vector<DecodedBytes> found;
-            stream.decoders[i]->finish(found);
-            print(link, stream, i, found);
-        }
+        for (Reading &reading : stream.readings)
+            reading.decoder->finish(reading.found);
+        flush(link, stream, true);
     }
     m_streams.clear();
 }
 
-void FrameLines::print(
-    std::string_view link, Stream &stream, std::size_t decoder, const std::vector<DecodedBytes> &found)
+/// `now`: although nobody has found a frame yet.
+void FrameLines::flush(std::string_view link, Stream &stream, bool now)
 {
-    for (const DecodedBytes &bytes : found) {
-        if (bytes.frame)
-            stream.leading = decoder;
-        if (stream.leading == decoder)
-            print(link, bytes);
+    for (std::size_t i = 0; i < stream.readings.size() && !stream.chosen; ++i) {
+        const auto &found = stream.readings[i].found;
+        if (std::any_of(found.begin(), found.end(), [](const DecodedBytes &bytes) { return bytes.frame.has_value(); }))
+            stream.chosen = i;
     }
+    if (stream.readings.empty() || (!stream.chosen && !now))
+        return;
+    for (const DecodedBytes &bytes : stream.readings[stream.chosen.value_or(0)].found)
+        print(link, bytes);
+    for (Reading &reading : stream.readings)
+        reading.found.clear();
+    stream.undecided = 0;
 }
 
 void FrameLines::print(std::string_view link, const DecodedBytes &bytes)

@@ -43,7 +43,7 @@ Task<int> monitor(Console &console, Arguments arguments)
     Ending ending(console);
     ending.watch(**link);
     ending.after(*time);
-    FrameLines lines(console, arguments.dialect);
+    FrameLines lines(console, arguments.dialect, (*link)->kind());
     const TimeOrigin base(console.session().clockOf(**link), (*link)->address());
     const std::string name = (*link)->address().shortName();
     const Subscription tap = (*link)->traffic().add([&](const Traffic &traffic) {

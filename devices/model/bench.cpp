@@ -54,13 +54,13 @@ Result<BenchOptions> parseOptions(const LinkAddress &address)
 
 } // namespace
 
-Bench::Bench(LinkAddress address, Clock &clock, std::unique_ptr<SimulatedBus> bus, std::uint64_t seed)
+Bench::Bench(LinkAddress address, Clock &outer, std::uint64_t seed)
     : m_address(std::move(address))
-    , m_clock(clock)
+    , m_clock(outer)
     , m_seed(seed)
-    , m_bus(std::move(bus))
-    , m_busOff(clock)
+    , m_busOff(m_clock)
 {
+    m_clock.run(1.0);
 }
 
 Result<std::unique_ptr<Bench>> Bench::create(
@@ -71,10 +71,11 @@ Result<std::unique_ptr<Bench>> Bench::create(
         return fail(options.error());
     if (address.path.empty())
         return fail(Fault::Unsupported, "sim: stands for several links", "name one, such as sim:can");
-    auto bus = makeSimulatedBus(kindOf(address), clock, options->bitrate, options->seed);
+    std::unique_ptr<Bench> bench(new Bench(address, clock, options->seed));
+    auto bus = makeSimulatedBus(kindOf(address), bench->m_clock, options->bitrate, options->seed);
     if (!bus)
         return fail(bus.error());
-    std::unique_ptr<Bench> bench(new Bench(address, clock, std::move(*bus), options->seed));
+    bench->m_bus = std::move(*bus);
     bench->m_bus->setLoss(options->loss);
     for (const SimulatedFault &fault : options->faults) {
         if (fault.kind == "busoff")

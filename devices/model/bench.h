@@ -3,6 +3,7 @@
 
 #include "model/family.h"
 #include "model/simulatedbus.h"
+#include "transport/pacedclock.h"
 
 #include <memory>
 #include <vector>
@@ -10,7 +11,8 @@
 namespace mb {
 
 /// The simulated bench behind a `sim:` link: a bus in memory with the units that the families list, factory-fresh.
-/// Options of the address: seed, loss, bitrate, fault (product.md, "Link addresses").
+/// Options of the address: seed, loss, bitrate, fault (product.md, "Link addresses"). It lives on a time of its own, in which
+/// everything happens when it is due: on a computer that is held up it catches up, and nothing is lost but by `loss` and `fault`.
 class Bench {
 public:
     /// OutOfRange when an option does not parse; Unsupported when no family has units for such a link.
@@ -20,15 +22,17 @@ public:
     /// The host's end of the bus; the bench outlives it.
     [[nodiscard]] std::unique_ptr<Link> hostLink();
     [[nodiscard]] std::vector<Simulator *> simulators() const;
+    /// Whoever follows the link must live on this clock.
+    [[nodiscard]] Clock &clock() { return m_clock; }
 
 private:
-    Bench(LinkAddress address, Clock &clock, std::unique_ptr<SimulatedBus> bus, std::uint64_t seed);
+    Bench(LinkAddress address, Clock &outer, std::uint64_t seed);
     [[nodiscard]] Result<void> populate(
         std::span<const Family *const> families, const std::vector<SimulatedFault> &faults);
     [[nodiscard]] Result<void> addUnit(const Family &family, SimulatedUnit unit);
 
     LinkAddress m_address;
-    Clock &m_clock;
+    PacedClock m_clock;
     std::uint64_t m_seed;
     std::unique_ptr<SimulatedBus> m_bus;
     std::vector<std::unique_ptr<Link>> m_links;

@@ -121,6 +121,8 @@ public:
     virtual void progress(const std::string &what, int done, int total) = 0;
     /// Who answered on this link in an earlier scan, perhaps of an earlier run: asked first, where a scan takes long.
     [[nodiscard]] virtual std::vector<Identity> remembered() const { return {}; }
+    /// Devices of this family that are in the list of this link already.
+    [[nodiscard]] virtual std::vector<Identity> known() const { return {}; }
     [[nodiscard]] virtual ScanExtent extent() const { return ScanExtent::Quick; }
 };
 
@@ -187,6 +189,9 @@ struct UpdateReport {
 /// other families, and for those that a host sends. `CanFrame::time` is the time of the recording.
 using Recogniser = std::function<std::optional<Identity>(const CanFrame &)>;
 
+/// Family::followCan.
+using CanDecoder = std::function<std::optional<DecodedFrame>(const CanFrame &)>;
+
 /// What an image would do, without a device.
 struct ImageSummary {
     std::string version;
@@ -225,7 +230,10 @@ struct Family {
     Recogniser (*recogniser)() = nullptr;
     /// Nothing when the frame is not of this family.
     std::optional<DecodedFrame> (*decodeCan)(const CanFrame &, std::string_view dialect) = nullptr;
-    /// Of a family on serial links.
+    /// Made for one bus, and shown all its frames in their order: reads an answer by the question before it, where decodeCan() alone
+    /// cannot know whose it is. nullptr: no answer of this family needs that.
+    CanDecoder (*followCan)(std::string_view dialect) = nullptr;
+    /// Of a family on serial and SPI links.
     std::unique_ptr<ByteDecoder> (*decodeBytes)(std::string_view dialect) = nullptr;
     /// nullptr: no firmware update. The image outlives the task.
     Task<UpdateReport> (*update)(Device &, const FirmwareImage &, UpdateOptions, Progress &) = nullptr;

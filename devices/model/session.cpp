@@ -48,6 +48,10 @@ public:
         {
             return round.m_session.rememberedOn(round.m_link, family);
         }
+        [[nodiscard]] std::vector<Identity> known() const override
+        {
+            return round.m_session.knownOn(round.m_link, family);
+        }
         [[nodiscard]] ScanExtent extent() const override { return round.m_options.extent; }
         ScanRound &round;
         const Family &family;
@@ -70,7 +74,7 @@ public:
     {
         for (const Family *family : m_session.m_families) {
             if (family->scan && speaks(*family))
-                spawn(family->scan(m_link, m_session.m_clock, sinkOf(*family)));
+                spawn(family->scan(m_link, m_session.clockOf(m_link), sinkOf(*family)));
         }
         if (m_running == 0)
             done.set();
@@ -81,7 +85,7 @@ public:
         const auto family = std::find_if(m_session.m_families.begin(), m_session.m_families.end(),
             [&selector](const Family *f) { return f->key == selector.family; });
         if (family != m_session.m_families.end() && (*family)->probe && speaks(**family))
-            spawn((*family)->probe(m_link, m_session.m_clock, selector.address, sinkOf(**family)));
+            spawn((*family)->probe(m_link, m_session.clockOf(m_link), selector.address, sinkOf(**family)));
         else
             start();
     }
@@ -341,6 +345,16 @@ std::vector<Device *> Session::devices() const
     return all;
 }
 
+std::vector<Identity> Session::knownOn(const Link &link, const Family &family) const
+{
+    std::vector<Identity> known;
+    for (const Entry &entry : m_devices) {
+        if (&entry.device->link() == &link && &entry.device->family() == &family)
+            known.push_back(entry.device->identity());
+    }
+    return known;
+}
+
 Device *Session::find(DeviceId id) const
 {
     const auto entry = std::find_if(m_devices.begin(), m_devices.end(), [id](const Entry &e) { return e.id == id; });
@@ -359,7 +373,7 @@ SetPointStream &Session::stream(Device &device)
     const auto entry
         = std::find_if(m_devices.begin(), m_devices.end(), [&](const Entry &e) { return e.device.get() == &device; });
     if (!entry->stream)
-        entry->stream = std::make_unique<SetPointStream>(device, m_clock);
+        entry->stream = std::make_unique<SetPointStream>(device, clockOf(device.link()));
     return *entry->stream;
 }
 

@@ -64,7 +64,7 @@ public:
     /// The bench behind a simulated link; nullptr for others. For tests and for disturbing a simulated load.
     [[nodiscard]] Bench *bench(const Link &link) const;
 
-    /// The time that devices of a link live on: the session's, but for a recording its own.
+    /// The time that devices of a link live on: the session's, but for a recording and for a simulated bench its own.
     [[nodiscard]] Clock &clockOf(Link &link) const;
     /// The replay behind a `replay:` link; nullptr for others.
     [[nodiscard]] static ReplayLink *replayOf(Link &link);
@@ -138,6 +138,7 @@ private:
     void recall(Device &device);
     void keep(const Device &device);
     [[nodiscard]] std::vector<Identity> rememberedOn(const Link &link, const Family &family);
+    [[nodiscard]] std::vector<Identity> knownOn(const Link &link, const Family &family) const;
     void remember(const Link &link, const std::vector<Device *> &seen, bool complete);
     void tellMemoryTrouble(const Link &link, const Error &error);
     void linkChanged(OpenLink &open, LinkState state);

@@ -15,8 +15,10 @@ ReplayLink *Session::replayOf(Link &link)
 
 Clock &Session::clockOf(Link &link) const
 {
-    ReplayLink *const recording = replayOf(link);
-    return recording ? recording->timeLine() : m_clock;
+    if (ReplayLink *const recording = replayOf(link))
+        return recording->timeLine();
+    Bench *const simulated = bench(link);
+    return simulated ? simulated->clock() : m_clock;
 }
 
 Task<std::vector<Device *>> Session::overhear(ReplayLink &link)

@@ -24,8 +24,13 @@ void UnknownFrames::take(const CanFrame &frame)
 
 bool UnknownFrames::isKnown(const CanFrame &frame) const
 {
-    return std::any_of(m_families.begin(), m_families.end(),
-        [&frame](const Family *family) { return family->decodeCan && family->decodeCan(frame, {}).has_value(); });
+    return std::any_of(m_families.begin(), m_families.end(), [&frame](const Family *family) {
+        const auto reads = [&](std::string_view dialect) { return family->decodeCan(frame, dialect).has_value(); };
+        return family->decodeCan
+            && (reads({}) || std::any_of(family->dialects.begin(), family->dialects.end(), [&reads](const auto &row) {
+                   return reads(row.key);
+               }));
+    });
 }
 
 } // namespace mb

@@ -9,7 +9,7 @@
 
 namespace mb {
 
-/// Counts the frames of a bus that no family knows: other people's traffic. What a frame is hangs on its identifier and
+/// Counts the frames of a bus that no family knows in any dialect: other people's traffic. What a frame is hangs on its identifier and
 /// length, so each pair is decoded when it is seen first, and again when another has taken its place in the memory of
 /// 1024 pairs. Nothing is allocated for a pair that is remembered.
 class UnknownFrames {

@@ -58,6 +58,11 @@ class AbstractDc(ContractTest):
         self.assertEqual(forced.status, 0, forced.err)
         self.assertIn("full power", forced.err, "what would go wrong")
 
+    def test_decode_gives_a_voltage_log_to_the_drive_that_was_asked_and_names_every_question_of_a_scan(self):
+        log = "(1.0) can0 320#00\n(1.1) can0 387#04\n(1.101) can0 680#01000000\n"
+        self.assertEqual([(line["message"], line["address"]) for line in self.run_json("decode", text=log)],
+                         [("log request", 0), ("log request", 3), ("voltage log", 3)])
+
     def test_decode_reads_each_dialect(self):
         line = "(1.0) can0 067#0410270000\n"
         self.assertEqual(self.run_json("decode", text=line)[0]["fields"], {"TYPE": 4, "value": 10000})

@@ -132,6 +132,22 @@ class Traffic(ContractTest):
         self.assertEqual(self.run_json("decode", text=""), [])
         self.assertEqual(len(self.run_json("decode", "--dialect", "LL", text="\n" + LOG.replace("\n", "\r\n"))), 4)
 
+    def test_decode_prints_every_byte_of_an_spi_log_once_and_reads_replies_by_their_questions(self):
+        log = ("(1.000000) spidev0 rx 0000\n"
+               "(1.000100) spidev0 tx 020401F9\n"
+               "(1.000200) spidev0 rx 02080100010301F0\n"
+               "(1.000300) spidev0 tx 02050B04EA\n"
+               "(1.000400) spidev0 rx 02090B0001000000E9\n")
+        lines = self.run_json("decode", text=log)
+        self.assertEqual("".join(line["data"] for line in lines), "".join(line.split()[-1] for line in log.splitlines()))
+        self.assertEqual([(line["family"], line["message"]) for line in lines],
+                         [(None, None)] + 2 * [("quadquad2drv", "get version")] + 2 * [("quadquad2drv", "get position")])
+        self.assertEqual(lines[-1]["fields"], {"rc": 0, "position_3": 1})
+
+    def test_decode_prints_bytes_in_which_no_family_finds_anything_once(self):
+        lines = self.run_json("decode", text="(1.0) tty0 rx 0102\n(1.1) tty0 tx 0304\n")
+        self.assertEqual([(line["data"], line["family"]) for line in lines], [("0102", None), ("0304", None)])
+
     def test_decode_shows_error_frames_that_no_family_knows(self):
         (frame,) = self.run_json("decode", text="(1.0) can0 20000004#0001000000000000\n")
         self.assertEqual(set(frame), FRAME)

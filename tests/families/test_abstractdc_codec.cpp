@@ -149,9 +149,43 @@ TEST(AbstractDcDecode, TheSameBitsMeanSomethingElseInAnotherDialect)
     EXPECT_EQ(text("685#9CFFFFFF", "D"), "voltage log 5 value=-100PWM");
 }
 
+/// A scan asks in all dialects, and a stop goes out in both lengths.
+TEST(AbstractDcDecode, WhatAsksOrStopsIsReadWhateverTheDialect)
+{
+    for (const char *dialect : {"", "F", "L", "D"}) {
+        EXPECT_EQ(text("320#00", dialect), "log request 0 LOG=0");
+        EXPECT_EQ(text("383#00", dialect), "log request 99 LOG=0");
+        EXPECT_EQ(text("389#05", dialect), "log request 5 LOG=5");
+        EXPECT_EQ(text("067#0000000000", dialect), "setpoint 3 TYPE=0 value=0");
+        EXPECT_EQ(text("067#0000000000000000", dialect), "setpoint 3 TYPE=0 value=0");
+    }
+    EXPECT_EQ(text("067#0000000000000000", "LL"), "setpoint 3 ! TYPE=0 value=0counts/s") << "it has no stop";
+}
+
+TEST(AbstractDcDecode, AVoltageLogIsThatOfTheDriveThatWasAskedForIt)
+{
+    const CanDecoder follow = followCan({});
+    const auto address = [&follow](const char *text, Duration time) {
+        CanFrame frame = *canFrameFromText(text);
+        frame.time = Instant(time);
+        const auto decoded = follow(frame);
+        EXPECT_TRUE(decoded);
+        return decoded ? decoded->address : -1;
+    };
+    using namespace std::chrono_literals;
+    EXPECT_EQ(address("680#01000000", 1s), 0) << "nobody was asked";
+    EXPECT_EQ(address("387#04", 2s), 3);
+    EXPECT_EQ(address("680#01000000", 2s + 1ms), 3);
+    EXPECT_EQ(address("387#04", 3s), 3);
+    EXPECT_EQ(address("680#01000000", 4s + 1ms), 0) << "too late";
+    EXPECT_EQ(address("387#04", 5s), 3);
+    EXPECT_EQ(address("388#04", 5s), 4);
+    EXPECT_EQ(address("680#01000000", 5s + 1ms), 0) << "one of two";
+}
+
 TEST(AbstractDcDecode, WhatIsNotExactlyItsOwnIsNothing)
 {
-    for (const char *frame : {"044#2A366C2B", "067#0400000064000000", "0C8#0100", "0C8#04", "384#05", "384#",
+    for (const char *frame : {"044#2A366C2B", "067#0400000064000000", "0C8#0100", "0C8#04", "384#06", "384#",
              "480#FFFFFF", "00000480#FFFFFFFF", "480#R", "7FF#00000000", "681#00000000"})
         EXPECT_EQ(text(frame), "nothing") << frame;
     EXPECT_EQ(text("067#0410270000", "X"), "nothing");
@@ -182,6 +216,29 @@ TEST(AbstractDcParameters, AreWrittenInTheOrderInWhichNothingGetsStrongerThanItM
     known.setWritten(divisor, 1'000'000);
     EXPECT_EQ(order({{p, 2000}, {d, -5}, {divisor, 1000}}), "d p divisor ") << "a smaller divisor makes all stronger";
     EXPECT_EQ(order({{divisor, 2'000'000}, {d, 0}, {p, 500}}), "divisor p d ") << "damping goes after P has gone";
+    EXPECT_EQ(order({{divisor, 1000}, {i, 5000}, {d, 0}, {p, 500}}), "p d i divisor ")
+        << "the integral after both, and before what makes it stronger";
+    EXPECT_EQ(order({{i, 5000}, {d, 2000}, {p, 2000}, {divisor, 2'000'000}}), "divisor d p i ");
+}
+
+TEST(AbstractDcParameters, AreWrittenLoopByLoop)
+{
+    ParameterStore known(parameterTable());
+    std::vector<ParameterChange> changes;
+    for (const Loop loop : {Loop::Position, Loop::Velocity, Loop::Current}) {
+        for (const Field field : {Field::Averaging, Field::I, Field::Divisor, Field::P, Field::D}) {
+            if (const auto at = parameterOf(loop, field))
+                changes.push_back({*at, 1});
+        }
+    }
+    arrange(known, changes);
+    std::string keys;
+    for (const ParameterChange &change : changes)
+        keys += std::string(parameterTable()[change.index.value].key) + ' ';
+    EXPECT_EQ(keys,
+        "velocity.divisor velocity.d velocity.p velocity.i "
+        "current.divisor current.d current.p current.i current.averaging "
+        "position.divisor position.d position.p position.i ");
 }
 
 } // namespace

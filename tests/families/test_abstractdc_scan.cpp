@@ -5,8 +5,10 @@
 #include "fuzz/soak.h"
 #include "support/fakeunit.h"
 #include "support/simulatedsession.h"
+#include "support/stallingclock.h"
 
 #include <map>
+#include <set>
 
 namespace mb::abstractdc {
 namespace {
@@ -88,6 +90,45 @@ TEST_F(AbstractDcScan, TellsTheDialectsApartWhileEveryDriveIsPolledAsOftenAsTheW
         const auto result = test::run(clock, scan(host, clock, sink));
         ASSERT_TRUE(result) << result.error().text() << ", scan " << phase;
         ASSERT_EQ(sink.text(), "3:F 4:L 5:D ") << "scan " << phase;
+    }
+}
+
+/// Without a clock of its own, as on a link to a real bus: whoever is held up for longer than an answer may take sees question and
+/// answer at once, and judges by when they passed.
+TEST(AbstractDcScanBusy, TellsTheDialectsApartOnAComputerThatIsHeldUp)
+{
+    test::StallingClock clock(120ms);
+    VirtualCanBus bus(clock, 500'000, 1);
+    VirtualCanLink host(*LinkAddress::parse("sim:can"), bus);
+    ASSERT_TRUE(host.open());
+    std::vector<std::unique_ptr<VirtualCanLink>> ends;
+    std::vector<std::unique_ptr<Simulator>> drives;
+    std::vector<std::unique_ptr<LogPoller>> pollers;
+    const std::array spoken{&dialectF, &dialectL, &dialectD};
+    for (int offset = 3; offset <= 5; ++offset) {
+        const Dialect &dialect = *spoken.at(static_cast<std::size_t>(offset) - 3);
+        ends.push_back(std::make_unique<VirtualCanLink>(*LinkAddress::parse("sim:can"), bus));
+        ASSERT_TRUE(ends.back()->open());
+        const std::string unit = "abstractdc:" + std::to_string(offset) + ",dialect=" + std::string(dialect.key);
+        drives.push_back(*simulate(*ends.back(), clock, *SimulatedUnit::parse(unit)));
+        pollers.push_back(std::make_unique<LogPoller>(
+            host, clock, LogPoller::Events{[](Log, std::int32_t, Instant) {}, [] {}, [](Log) {}}));
+        pollers.back()->speak(&dialect, offset);
+        for (const Log log : {Log::Position, Log::Velocity, Log::Current})
+            pollers.back()->wish(log, 100.0);
+    }
+    for (int round = 0; round < test::rounds(200); ++round) {
+        Found sink;
+        auto scanning = scan(host, clock, sink);
+        scanning.start();
+        ASSERT_TRUE(clock.runUntil([&] { return scanning.isFinished(); }, 1min));
+        // A drive that did not answer in time is missing from one scan; it is never taken for another.
+        for (const auto &[offset, identity] : sink.rows) {
+            ASSERT_TRUE(offset >= 3 && offset <= 5) << sink.text() << "in scan " << round;
+            if (!identity.dialect.empty()) {
+                ASSERT_EQ(identity.dialect, spoken.at(static_cast<std::size_t>(offset) - 3)->key) << round;
+            }
+        }
     }
 }
 
@@ -231,7 +272,76 @@ TEST_F(AbstractDcScanLiteral, AContradictionIsNoProof)
 TEST_F(AbstractDcScanLiteral, OneThatKnowsOnlyTheSpeedIsListedWithoutADialect)
 {
     unit.answer("384#01", {{"460#00000000"}}); // 1120: today's with 96, or legacy with 120, which there is not
+    unit.answer("3E4#01", {{"460#00000000"}});
     EXPECT_EQ(scanned(), "96:? ");
+}
+
+/// The position of legacy drive 4 comes where drive 80 answers for its speed.
+TEST_F(AbstractDcScanLiteral, ALateAnswerToAPollThatIsOlderThanTheScanIsNoDrive)
+{
+    unit.answer("388#00", {{"450#00000000"}}, 15ms);
+    Timer timer(clock);
+    std::function<void()> poll = [&] {
+        EXPECT_TRUE(host.send(canFrameFromText("388#00").value()));
+        timer.startIn(33ms, poll);
+    };
+    for (int phase = 0; phase < 33; ++phase) {
+        poll();
+        clock.advance(1ms * phase);
+        ASSERT_EQ(scanned(), "") << phase;
+    }
+}
+
+TEST_F(AbstractDcScanLiteral, AnAnswerThatOnlyEverybodyWasAskedForIsNoDrive)
+{
+    unit.answer("384#01", {{"460#00000000"}});
+    EXPECT_EQ(scanned(), "");
+}
+
+TEST_F(AbstractDcScanLiteral, TheDocumentsCodesAreBelievedOnlyWithTheAnswerThatNoOtherDialectHas)
+{
+    unit.answer("384#01", {{"405#00000000"}});
+    unit.answer("389#03", {{"505#00000000"}});
+    unit.answer("389#04", {{"485#00000000"}});
+    EXPECT_EQ(scanned().find(":D"), std::string::npos);
+    unit.answer("389#05", {{"685#00000000"}});
+    EXPECT_EQ(scanned(), "5:D ");
+}
+
+TEST_F(AbstractDcScanLiteral, AnUnprovenDriveIsNotHeardByTheAnswersOfAnother)
+{
+    unit.answer("388#00", {{"450#00000000"}});
+    LogPoller phantom(host, clock, LogPoller::Events{[](Log, std::int32_t, Instant) {}, [] {}, [](Log) {}});
+    phantom.speak(nullptr, 80);
+    LogPoller legacy(host, clock, LogPoller::Events{[](Log, std::int32_t, Instant) {}, [] {}, [](Log) {}});
+    legacy.wish(Log::Position, 200.0);
+    legacy.speak(&dialectL, 4);
+    for (int i = 0; i < 3000; ++i) {
+        clock.advance(1ms);
+        ASSERT_FALSE(phantom.isHeard()) << i;
+    }
+    EXPECT_TRUE(legacy.isHeard());
+}
+
+/// The current of legacy drive 4 comes where drive 52 answers for its position.
+TEST_F(AbstractDcScanLiteral, TheLogOfAnotherDriveIsNotTakenForItsOwn)
+{
+    unit.answer("388#02", {{"4B4#11111111"}}, 3ms);
+    unit.answer("3B8#00", {{"4B4#22222222"}}, 3ms);
+    std::set<std::int32_t> currents;
+    std::set<std::int32_t> positions;
+    const auto into = [](std::set<std::int32_t> &all) {
+        return LogPoller::Events{[&all](Log, std::int32_t value, Instant) { all.insert(value); }, [] {}, [](Log) {}};
+    };
+    LogPoller legacy(host, clock, into(currents));
+    LogPoller today(host, clock, into(positions));
+    legacy.wish(Log::Current, 100.0);
+    legacy.speak(&dialectL, 4);
+    today.wish(Log::Position, 100.0);
+    today.speak(&dialectF, 52);
+    clock.advance(2s);
+    EXPECT_EQ(currents, std::set<std::int32_t>{0x11111111});
+    EXPECT_EQ(positions, std::set<std::int32_t>{0x22222222});
 }
 
 TEST_F(AbstractDcScanLiteral, FramesOfOthersAreNoDrives)

@@ -204,5 +204,58 @@ TEST_F(Dmc60cStream, GoesBackToTheFirstPeriodAfterARestart)
     EXPECT_EQ(lost(), 0U);
 }
 
+TEST_F(Dmc60cStream, UnlikeGapsInARowAreLossAlthoughNoRegularFrameComes)
+{
+    after(10ms);
+    for (const auto gap : {20ms, 30ms, 20ms, 40ms, 20ms, 30ms, 20ms}) {
+        after(gap);
+        EXPECT_EQ(lost(), 0U) << "it could be another period";
+    }
+    after(50ms);
+    EXPECT_EQ(lost(), 1U + 2U + 1U + 3U + 1U + 2U + 1U + 4U);
+    EXPECT_FALSE(stream.isHolding());
+    EXPECT_EQ(recorded(), sent);
+    EXPECT_EQ(stream.period(), 10ms);
+}
+
+TEST_F(Dmc60cStream, GapsThatTheDeviceExplainsAreLossAfterEightToo)
+{
+    after(10ms);
+    after(30ms);
+    stream.setPeriod(10ms);
+    for (int i = 0; i < 7; ++i)
+        after(30ms);
+    EXPECT_EQ(lost(), 16U);
+    EXPECT_EQ(stream.period(), 10ms);
+}
+
+TEST_F(Dmc60cStream, UpToThirtyTwoPeriodsAreLossAndLongerOnesSilence)
+{
+    after(10ms);
+    after(10ms);
+    after(330ms);
+    after(10ms);
+    EXPECT_EQ(lost(), 32U);
+    after(340ms);
+    after(10ms);
+    EXPECT_EQ(lost(), 32U) << "33 missing frames are a silence";
+    telemetry->commit();
+    for (const ChannelIndex channel : {a, b})
+        EXPECT_EQ(telemetry->gaps(channel, Instant{}, time).size(), 2U) << "which is drawn all the same";
+}
+
+TEST_F(Dmc60cStream, UpToAQuarterOfASecondIsLossHoweverShortThePeriod)
+{
+    stream.setPeriod(1ms);
+    after(1ms);
+    after(1ms);
+    after(251ms);
+    after(1ms);
+    EXPECT_EQ(lost(), 250U);
+    after(252ms);
+    after(1ms);
+    EXPECT_EQ(lost(), 250U);
+}
+
 } // namespace
 } // namespace mb::dmc60c

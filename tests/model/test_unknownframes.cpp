@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 using namespace mb;
 
 TEST(UnknownFrames, OnlyWhatNoFamilyKnowsIsCounted)
@@ -21,6 +23,17 @@ TEST(UnknownFrames, OnlyWhatNoFamilyKnowsIsCounted)
     error.error = true;
     unknown.take(error);
     EXPECT_EQ(unknown.count(), 200U) << "an error frame is nobody's";
+}
+
+TEST(UnknownFrames, WhatAFamilyKnowsInAnyDialectIsKnown)
+{
+    constexpr std::array<std::uint8_t, 4> value{};
+    UnknownFrames unknown(families());
+    for (const std::uint32_t id : {1669U, 1004U, 1204U}) // voltage of dialect D, speed and current of dialect L
+        unknown.take(standardFrame(id, value));
+    EXPECT_EQ(unknown.count(), 0U);
+    unknown.take(standardFrame(1764, value));
+    EXPECT_EQ(unknown.count(), 1U);
 }
 
 TEST(UnknownFrames, AFloodOfIdentifiersStaysExact)

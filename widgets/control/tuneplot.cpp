@@ -256,7 +256,7 @@ void TunePlot::rebuild(const DeviceView &device)
     follow(device);
     m_drawn = 0;
     m_drawnAt = 0.0;
-    tick();
+    draw();
 }
 
 void TunePlot::markStep(const StepRecord *record)
@@ -302,6 +302,12 @@ void TunePlot::follow(const DeviceView &device)
 }
 
 void TunePlot::tick()
+{
+    if (m_stack->budget().isDue())
+        draw();
+}
+
+void TunePlot::draw()
 {
     if (!m_telemetry)
         return;

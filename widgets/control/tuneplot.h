@@ -54,6 +54,7 @@ private:
     void rebuild(const DeviceView &device);
     void countsTyped();
     void tick();
+    void draw();
 
     Workbench &m_workbench;
     const ThemeSource &m_theme;

@@ -23,16 +23,14 @@ std::optional<FrameMeaning> FrameDecoder::decode(const CanFrame &frame) const
 {
     if (frame.error)
         return std::nullopt;
+    for (const auto &[device, dialect] : m_dialects) {
+        auto decoded = device.first->decodeCan(frame, dialect);
+        if (decoded && decoded->address == device.second)
+            return FrameMeaning{device.first, std::move(*decoded)};
+    }
     for (const Family *family : m_families) {
-        auto decoded = family->decodeCan(frame, {});
-        if (!decoded)
-            continue;
-        const auto dialect = m_dialects.find({family, decoded->address});
-        if (dialect != m_dialects.end()) {
-            if (auto better = family->decodeCan(frame, dialect->second))
-                decoded = std::move(better);
-        }
-        return FrameMeaning{family, std::move(*decoded)};
+        if (auto decoded = family->decodeCan(frame, {}))
+            return FrameMeaning{family, std::move(*decoded)};
     }
     return std::nullopt;
 }

@@ -18,7 +18,8 @@ struct FrameMeaning {
     DecodedFrame frame;
 };
 
-/// Finds the family that knows a frame. A device that speaks another dialect than its family's usual one is decoded in that.
+/// Finds the family that knows a frame. What a device that is known here may have sent or been sent is read in its dialect, although the
+/// same bits mean something else in its family's usual one, of a device that is not there.
 class FrameDecoder {
 public:
     FrameDecoder() = default;

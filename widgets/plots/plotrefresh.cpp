@@ -34,6 +34,7 @@ void PlotStack::refresh(double now)
     const bool moved = m_live && followPresent(now);
     if (!moved && !m_dirty)
         return;
+    const Painting painting(m_budget);
     m_scaled = false;
     fetch();
     const bool words = m_dirty || !m_wordsSince.isValid() || m_wordsSince.elapsed() >= WordsEvery;

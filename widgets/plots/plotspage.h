@@ -99,6 +99,7 @@ private:
     void wishRates();
     [[nodiscard]] QString statisticsOf(const PlotBoard::Trace &trace, int decimals) const;
     void tick();
+    void draw();
     void followSession(double now);
     // plotspageviews.cpp
     void buildAgainst(QWidget &parent);

@@ -132,7 +132,7 @@ void PlotsPage::boardChanged()
     showRows();
     m_drawn = 0;
     m_drawnAt = 0.0;
-    tick();
+    draw();
 }
 
 QString PlotsPage::statisticsOf(const PlotBoard::Trace &trace, int decimals) const
@@ -191,6 +191,12 @@ void PlotsPage::followSession(double now)
 
 void PlotsPage::tick()
 {
+    if (m_stack->budget().isDue())
+        draw();
+}
+
+void PlotsPage::draw()
+{
     if (!isVisible())
         return;
     m_board->advance();
@@ -200,6 +206,7 @@ void PlotsPage::tick()
         return;
     m_drawn = present;
     m_drawnAt = now;
+    const Painting painting(m_stack->budget());
     m_trigger.poll(now);
     m_stack->refresh(now);
     followSession(now);

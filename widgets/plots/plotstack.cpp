@@ -173,7 +173,8 @@ void PlotStack::touch()
     if (m_pending)
         return;
     m_pending = true;
-    QTimer::singleShot(0, this, [this] {
+    const auto wait = std::chrono::ceil<std::chrono::milliseconds>(m_budget.wait());
+    QTimer::singleShot(wait, Qt::PreciseTimer, this, [this] {
         m_pending = false;
         refresh(m_now);
     });

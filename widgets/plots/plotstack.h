@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/paintbudget.h"
 #include "widgets/plots/autorange.h"
 #include "widgets/plots/plotdecor.h"
 #include "widgets/plots/plotframe.h"
@@ -122,6 +123,8 @@ public:
     std::optional<double> middleOf(int trace) const;
     /// Only the time goes on, nothing is fetched: while another view is shown instead.
     void follow(double now) { followPresent(now); }
+    /// Of everything that is drawn around this stack: a tick that is not due is left out.
+    [[nodiscard]] PaintBudget &budget() { return m_budget; }
     /// Call it on a 60 Hz tick. `now` is the present on the time line of the keys.
     void refresh(double now);
 
@@ -259,6 +262,7 @@ private:
     bool m_scaled = false; ///< a value axis has changed
     bool m_pending = false;
     QElapsedTimer m_wordsSince;
+    PaintBudget m_budget;
     std::vector<PlotPoint> m_scratch;
     QString m_footNote;
     QString m_watermark;

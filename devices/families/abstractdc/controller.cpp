@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/controller.h"
 
+#include "families/abstractdc/answertime.h"
 #include "families/abstractdc/channels.h"
 #include "families/abstractdc/codec.h"
 #include "families/abstractdc/parameters.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Controller: what asks and waits.
+#include "families/abstractdc/answertime.h"
 #include "families/abstractdc/channels.h"
 #include "families/abstractdc/codec.h"
 #include "families/abstractdc/controller.h"
@@ -52,9 +53,11 @@ Task<void> Controller::expectAnswer()
     const Log log = Log::Velocity; // the one code that is the same in F, L and D, should the dialect be mistaken
     const int offset = identity().address;
     const std::array answers{replyId(dialectF, offset, log), replyId(dialectL, offset, log)};
-    CanInbox::Match match = [answers](const CanFrame &frame) {
+    const Question question{offset, dialect.request, static_cast<std::uint8_t>(dialect.codeOf(log))};
+    CanInbox::Match match = [this, answers, question](const CanFrame &frame) {
         return !frame.extended && frame.size == 4
-            && std::find(answers.begin(), answers.end(), frame.id) != answers.end();
+            && std::find(answers.begin(), answers.end(), frame.id) != answers.end()
+            && m_poller.questions().isAnswerTo(question);
     };
     auto asking = exchange(
         m_can, clock(), encodeLogRequest(dialect, offset, log), std::move(match), {tries, answerTime(m_can)});

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
+#include <vector>
 
 namespace mb::abstractdc {
 namespace {
@@ -45,12 +47,24 @@ DecodedFrame made(std::string_view message, int offset)
     return decoded;
 }
 
+/// Drives are stopped with both lengths, whatever they speak.
+bool isStop(const CanFrame &frame)
+{
+    return (frame.size == 5 || frame.size == 8)
+        && std::all_of(
+            frame.data.begin(), frame.data.begin() + frame.size, [](std::uint8_t byte) { return byte == 0; });
+}
+
 std::optional<DecodedFrame> setPoint(const Dialect &dialect, const CanFrame &frame, int offset)
 {
     const auto loop = placeOf(dialect.type, frame.data[0]);
+    DecodedFrame decoded = made("setpoint", offset);
+    if (isStop(frame) && dialect.canStop()) {
+        decoded.fields = {{"TYPE", 0.0, {}}, {"value", 0.0, {}}};
+        return decoded;
+    }
     if (frame.size != (dialect.wide ? 8 : 5) || !loop)
         return std::nullopt;
-    DecodedFrame decoded = made("setpoint", offset);
     decoded.control = *loop != 0;
     decoded.fields = {{"TYPE", static_cast<double>(frame.data[0]), {}},
         {"value", valueAt(frame, dialect.wide ? 4 : 1), loopUnits.at(*loop)}};
@@ -75,13 +89,18 @@ std::optional<DecodedFrame> settings(const Dialect &dialect, const CanFrame &fra
     return decoded;
 }
 
-std::optional<DecodedFrame> logRequest(const Dialect &dialect, const CanFrame &frame, int offset)
+/// Of any dialect: a scan asks in all of them, and a question means the same to whoever understands it.
+std::optional<DecodedFrame> logRequest(const CanFrame &frame)
 {
-    if (frame.size != 1 || !placeOf(dialect.log, frame.data[0]))
-        return std::nullopt;
-    DecodedFrame decoded = made("log request", offset);
-    decoded.fields.push_back({"LOG", static_cast<double>(frame.data[0]), {}});
-    return decoded;
+    for (const Dialect *dialect : dialects) {
+        const auto offset = offsetIn(frame, dialect->request);
+        if (frame.size != 1 || !offset || !placeOf(dialect->log, frame.data[0]))
+            continue;
+        DecodedFrame decoded = made("log request", *offset);
+        decoded.fields.push_back({"LOG", static_cast<double>(frame.data[0]), {}});
+        return decoded;
+    }
+    return std::nullopt;
 }
 
 std::optional<DecodedFrame> logReply(const Dialect &dialect, const CanFrame &frame)
@@ -100,6 +119,13 @@ std::optional<DecodedFrame> logReply(const Dialect &dialect, const CanFrame &fra
     return std::nullopt;
 }
 
+/// A question for the voltage log, whose answer does not tell from whom it comes (6.5).
+struct VoltageQuestion {
+    int offset = 0;
+    Instant time{};
+};
+constexpr Duration voltagePatience = std::chrono::seconds(1); ///< an answer at 1250 bit/s takes 128 ms
+
 } // namespace
 
 std::optional<DecodedFrame> decodeCan(const CanFrame &frame, std::string_view dialect)
@@ -111,9 +137,29 @@ std::optional<DecodedFrame> decodeCan(const CanFrame &frame, std::string_view di
         return setPoint(*spoken, frame, *offset);
     if (const auto offset = offsetIn(frame, id::settings))
         return settings(*spoken, frame, *offset);
-    if (const auto offset = offsetIn(frame, spoken->request); offset && frame.size == 1)
-        return logRequest(*spoken, frame, *offset);
+    if (auto request = logRequest(frame))
+        return request;
     return logReply(*spoken, frame);
+}
+
+CanDecoder followCan(std::string_view dialect)
+{
+    return [dialect = std::string(dialect), asked = std::vector<VoltageQuestion>()](const CanFrame &frame) mutable {
+        auto decoded = decodeCan(frame, dialect);
+        if (!decoded)
+            return decoded;
+        std::erase_if(asked, [&frame](const VoltageQuestion &old) { return frame.time - old.time > voltagePatience; });
+        const bool voltage = frame.size == 1 && frame.data[0] == dialectF.codeOf(Log::Voltage);
+        if (voltage && decoded->message == "log request") {
+            std::erase_if(asked, [&decoded](const VoltageQuestion &old) { return old.offset == decoded->address; });
+            asked.push_back({decoded->address, frame.time});
+        } else if (frame.id == id::voltageLog && decoded->message == logNames.at(static_cast<std::size_t>(Log::Voltage))
+            && asked.size() == 1) {
+            decoded->address = asked.front().offset;
+            asked.clear();
+        }
+        return decoded;
+    };
 }
 
 } // namespace mb::abstractdc

@@ -114,6 +114,7 @@ const Family family{
     .recogniser
     = [] { return Recogniser([heard = Recognition()](const CanFrame &frame) mutable { return heard.take(frame); }); },
     .decodeCan = decodeCan,
+    .followCan = followCan,
     .update = update,
     .inspect = inspect,
     .simulate = simulate,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/logpoller.h"
 
+#include "families/abstractdc/answertime.h"
+
 #include <algorithm>
 
 namespace mb::abstractdc {
@@ -24,7 +26,7 @@ LogPoller::LogPoller(CanLink &link, Clock &clock, Events events)
     , m_clock(clock)
     , m_events(std::move(events))
     , m_isRecording(link.address().isRecording())
-    , m_voltage(link, clock)
+    , m_questions(link, clock)
     , m_timer(clock)
     , m_traffic(link.traffic().add([this](const Traffic &traffic) {
         if (traffic.can)
@@ -151,14 +153,16 @@ void LogPoller::ask()
     }
     const Log log = mostUrgent();
     Wish &wish = m_wishes.at(at(log));
-    if (log == Log::Voltage && !m_dialect->voltageOffset && !m_voltage.isFree()) {
-        wish.due = m_clock.now() + roundTrip(m_link); // all answers have one identifier: one question at a time
+    const Dialect &spoken = m_dialect ? *m_dialect : dialectF;
+    const Question question{m_offset, spoken.request, static_cast<std::uint8_t>(spoken.codeOf(log))};
+    if (!m_questions.isFree(question, replyId(spoken, m_offset, log))) {
+        (m_dialect ? wish.due : m_freeAt) = m_clock.now() + roundTrip(m_link); // somebody else is answered there
         schedule();
         return;
     }
     wish.due = std::max(wish.due + wish.period, m_clock.now());
     m_timer.startIn(answerTime(m_link), [this] { timedOut(); });
-    if (m_link.send(encodeLogRequest(m_dialect ? *m_dialect : dialectF, m_offset, log)))
+    if (m_link.send(encodeLogRequest(spoken, m_offset, log)))
         m_open = log; // else nobody was asked and no answer is missing
 }
 
@@ -178,13 +182,10 @@ void LogPoller::timedOut()
 
 std::optional<LogReply> LogPoller::replyIn(const CanFrame &frame) const
 {
-    if (m_dialect) {
-        const auto reply = decodeLog(*m_dialect, m_offset, frame);
-        const bool shared = reply && reply->log == Log::Voltage && !m_dialect->voltageOffset;
-        if (shared && m_voltage.owner() != m_offset)
-            return std::nullopt;
-        return reply;
-    }
+    if (!m_questions.isOf(m_offset, m_dialect))
+        return std::nullopt;
+    if (m_dialect)
+        return decodeLog(*m_dialect, m_offset, frame);
     for (const Dialect *dialect : {&dialectF, &dialectL}) {
         const auto reply = decodeLog(*dialect, m_offset, frame);
         if (reply && reply->log == Log::Velocity)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "families/abstractdc/codec.h"
-#include "families/abstractdc/voltagewatch.h"
+#include "families/abstractdc/questionwatch.h"
 #include "transport/canlink.h"
 
 #include <array>
@@ -12,7 +12,8 @@ namespace mb::abstractdc {
 
 /// Asks one drive for its logs, one question at a time, as often as wished for and as the bit rate carries: questions and answers
 /// of all drives polled on the link, by whomever, take at most half of the wire. A silent drive is asked twice a second.
-/// On a recording nobody is asked: questions in it are taken for this one's, so that losses and silence are those of the live run.
+/// Only what answers a question to this drive is taken for its log; questions whose answers could be taken for each other wait for
+/// one another. On a recording nobody is asked: questions in it are taken for this one's, so that losses and silence are those of the live run.
 class LogPoller {
 public:
     struct Events {
@@ -29,6 +30,7 @@ public:
     void wish(Log log, double hertz);
     void pause(bool paused);
     [[nodiscard]] bool isHeard() const { return m_heard; }
+    [[nodiscard]] const QuestionWatch &questions() const { return m_questions; }
 
     /// What the link carries for this drive, questions per second.
     [[nodiscard]] double most() const;
@@ -56,7 +58,7 @@ private:
     Clock &m_clock;
     Events m_events;
     bool m_isRecording;
-    VoltageWatch m_voltage;
+    QuestionWatch m_questions;
     const Dialect *m_dialect = nullptr;
     int m_offset = 0;
     std::array<Wish, logCount> m_wishes{};

@@ -2,6 +2,7 @@
 #include "families/abstractdc/scan.h"
 
 #include "async/sleep.h"
+#include "families/abstractdc/answertime.h"
 #include "families/abstractdc/codec.h"
 #include "families/abstractdc/scanprobe.h"
 
@@ -52,9 +53,12 @@ public:
         : m_link(link)
         , m_clock(clock)
         , m_sink(sink)
-        , m_census(link)
-        , m_prober(link, clock)
+        , m_questions(link, clock)
+        , m_census(link, m_questions)
+        , m_prober(link, clock, m_questions)
     {
+        for (const Identity &identity : sink.known())
+            m_known.emplace_back(identity.address, dialectByKey(identity.dialect));
     }
 
     /// Everybody who answers a broadcast, each judged once.
@@ -81,7 +85,7 @@ public:
             // A legacy drive that somebody else asks at this moment answers there too: only this one answers 800.
             if (m_offsets.count(offset) > 0)
                 continue;
-            auto asking = m_prober.ask({offset, id::logRequestOld, 1, {at(id::velocityLogLegacy, offset)}});
+            auto asking = m_prober.ask({{offset, id::logRequestOld, 1}, {at(id::velocityLogLegacy, offset)}});
             const auto answer = co_await std::move(asking);
             if (answer && m_offsets.insert(offset).second)
                 m_sink.found(identityOf(offset, &dialectLL));
@@ -120,6 +124,7 @@ private:
                 continue;
             }
             m_judged.insert(answer);
+            m_known.emplace_back(found->offset, found->dialect);
             m_found.emplace_back(answer, *found);
             m_sink.found(identityOf(found->offset, found->dialect));
         }
@@ -130,15 +135,16 @@ private:
     [[nodiscard]] bool isPositionOfLegacy(std::uint32_t answer) const
     {
         const auto offset = static_cast<int>(answer) - static_cast<int>(id::positionLogLegacy);
-        return std::any_of(m_found.begin(), m_found.end(),
-            [offset](const auto &known) { return known.second.offset == offset && known.second.dialect == &dialectL; });
+        return std::find(m_known.begin(), m_known.end(), std::pair(offset, &dialectL)) != m_known.end();
     }
 
     CanLink &m_link;
     Clock &m_clock;
     ScanSink &m_sink;
+    QuestionWatch m_questions;
     Census m_census;
     Prober m_prober;
+    std::vector<std::pair<int, const Dialect *>> m_known; ///< offsets in the list or found now
     std::set<std::uint32_t> m_judged;
     std::set<std::uint32_t> m_tried; ///< in this round
     std::set<int> m_offsets;

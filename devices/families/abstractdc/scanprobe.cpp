@@ -15,23 +15,20 @@ constexpr Duration sweepMost = 60ms;           ///< what asking 99 old drives on
 
 } // namespace
 
-Task<std::optional<std::uint32_t>> Prober::ask(Question question, int most)
+Task<std::optional<std::uint32_t>> Prober::ask(Probe probe, int most)
 {
-    const std::uint32_t shared = id::voltageLog;
-    CanInbox::Match match = [this, question, shared](const CanFrame &frame) {
-        const bool expected
-            = std::find(question.answers.begin(), question.answers.end(), frame.id) != question.answers.end();
-        return !frame.extended && frame.size == 4 && expected && !m_questions.isForOthers()
-            && (frame.id != shared || m_voltage.owner() == question.offset || question.code != codeOfVoltage());
+    const Question question = probe.question;
+    CanInbox::Match match = [this, probe = std::move(probe)](const CanFrame &frame) {
+        return !frame.extended && frame.size == 4
+            && std::find(probe.answers.begin(), probe.answers.end(), frame.id) != probe.answers.end()
+            && m_questions.isAnswerTo(probe.question);
     };
-    if (question.base == id::logRequest)
-        m_questions.attend(question.offset, question.code);
     CanInbox inbox(m_link, m_clock, std::move(match));
     const std::array data{question.code};
     const CanFrame request = standardFrame(question.base + static_cast<std::uint32_t>(question.offset), data);
     for (int attempt = 0; attempt < most; ++attempt) {
         const Instant patience = m_clock.now() + patienceWithOthers;
-        while (question.code == codeOfVoltage() && !m_voltage.isFree()) {
+        while (question.code == dialectF.codeOf(Log::Voltage) && !m_questions.isFree(question, id::voltageLog)) {
             if (m_clock.now() > patience)
                 co_return std::optional<std::uint32_t>();
             co_await Sleep(m_clock, roundTrip(m_link));
@@ -49,34 +46,52 @@ Task<std::optional<std::uint32_t>> Prober::ask(Question question, int most)
 
 namespace {
 
-/// 6.3: decides on 03, confirms with 04; D and F answer both elsewhere.
+/// 6.3: decides on 03, confirms with 04; D and F answer both elsewhere. The answers of D to these are answers of F to other
+/// questions, so D is proven by its voltage, too, on an identifier that no other dialect has.
 Task<const Dialect *> tellNew(Prober &prober, int offset, int most)
 {
     auto third
-        = prober.ask({offset, id::logRequest, 3, {at(id::temperatureLog, offset), at(id::currentLog, offset)}}, most);
+        = prober.ask({{offset, id::logRequest, 3}, {at(id::temperatureLog, offset), at(id::currentLog, offset)}}, most);
     const auto answer = co_await std::move(third);
     if (!answer)
         co_return nullptr;
     const bool today = *answer == at(id::temperatureLog, offset);
     const std::uint32_t proof = today ? id::voltageLog : at(id::positionLog, offset);
     const std::uint32_t doubt = today ? at(id::positionLog, offset) : id::voltageLog;
-    auto fourth = prober.ask({offset, id::logRequest, 4, {proof, doubt}});
+    auto fourth = prober.ask({{offset, id::logRequest, 4}, {proof, doubt}});
     const auto confirmed = co_await std::move(fourth);
     if (!confirmed || *confirmed != proof)
         co_return nullptr;
-    co_return today ? &dialectF : &dialectD;
+    if (today)
+        co_return &dialectF;
+    auto fifth = prober.ask({{offset, id::logRequest, 5}, {at(id::voltageLog, offset)}});
+    const auto own = co_await std::move(fifth);
+    co_return own ? &dialectD : nullptr;
 }
 
 /// The legacy logs come where no other dialect answers.
 Task<const Dialect *> tellLegacy(Prober &prober, int offset)
 {
-    auto second = prober.ask({offset, id::logRequest, 2, {at(id::currentLogLegacy, offset)}});
+    auto second = prober.ask({{offset, id::logRequest, 2}, {at(id::currentLogLegacy, offset)}});
     const auto current = co_await std::move(second);
     if (!current)
         co_return nullptr;
-    auto zeroth = prober.ask({offset, id::logRequest, 0, {at(id::positionLogLegacy, offset)}});
+    auto zeroth = prober.ask({{offset, id::logRequest, 0}, {at(id::positionLogLegacy, offset)}});
     const auto position = co_await std::move(zeroth);
     co_return position ? &dialectL : nullptr;
+}
+
+/// A drive whose dialect is not proven is one all the same when it answers for itself, twice.
+Task<std::optional<Found>> tellPresent(Prober &prober, int offset, std::uint32_t answer)
+{
+    const auto code = static_cast<std::uint8_t>(dialectF.codeOf(Log::Velocity));
+    for (int i = 0; i < 2; ++i) {
+        auto asking = prober.ask({{offset, id::logRequest, code}, {answer}});
+        const auto speed = co_await std::move(asking);
+        if (!speed)
+            co_return std::optional<Found>();
+    }
+    co_return Found{offset, nullptr};
 }
 
 } // namespace
@@ -97,11 +112,10 @@ Task<std::optional<Found>> judge(Prober &prober, std::uint32_t answer)
         if (const Dialect *dialect = co_await std::move(asking))
             co_return Found{legacy, dialect};
     }
-    if (today < 0 && mayBeLegacy)
-        co_return Found{legacy, nullptr};
-    if (today >= 0 && !mayBeLegacy)
-        co_return Found{today, nullptr};
-    co_return std::nullopt; // it cannot even be said which offset it has
+    if (today >= 0 && mayBeLegacy)
+        co_return std::nullopt; // it cannot even be said which offset it has
+    auto asking = tellPresent(prober, mayBeLegacy ? legacy : today, answer);
+    co_return co_await std::move(asking);
 }
 
 /// Drives older than the broadcast are asked one by one, where the bit rate allows it.

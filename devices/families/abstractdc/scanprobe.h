@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "families/abstractdc/protocol.h"
+#include "families/abstractdc/answertime.h"
 #include "families/abstractdc/questionwatch.h"
-#include "families/abstractdc/voltagewatch.h"
 #include "transport/caninbox.h"
 
 #include <algorithm>
@@ -14,12 +13,13 @@
 
 namespace mb::abstractdc {
 
-/// Identifiers of speed logs that came, and how often each was asked for and answered: two answers to one question are two
-/// drives with one offset (trap 12).
+/// Identifiers of speed logs that answer a question for the speed and no other, and how often each was asked for and answered:
+/// two answers to one question are two drives with one offset (trap 12).
 class Census {
 public:
-    explicit Census(CanLink &link)
-        : m_traffic(link.traffic().add([this](const Traffic &traffic) {
+    Census(CanLink &link, const QuestionWatch &questions)
+        : m_questions(questions)
+        , m_traffic(link.traffic().add([this](const Traffic &traffic) {
             if (traffic.can)
                 pass(*traffic.can);
         }))
@@ -39,58 +39,50 @@ private:
     {
         if (frame.extended || frame.remote || frame.error)
             return;
-        const bool request = frame.size == 1 && frame.data[0] == dialectF.codeOf(Log::Velocity);
-        // Somebody asks a legacy drive for its position: that answer looks like the speed of another drive.
-        if (frame.size == 1 && frame.id >= id::logRequest && frame.id <= id::logRequest + maxOffset
-            && frame.data[0] == dialectL.codeOf(Log::Position))
-            m_explained.insert(frame.id - id::logRequest + id::positionLogLegacy);
+        const auto code = static_cast<std::uint8_t>(dialectF.codeOf(Log::Velocity));
+        const bool request = frame.size == 1 && frame.data[0] == code;
         if (request && frame.id == id::logRequest) {
             ++m_broadcasts;
         } else if (request && frame.id > id::logRequest && frame.id <= id::logRequest + maxOffset) {
             ++m_asked.at(frame.id - id::logRequest);
         } else if (frame.size == 4 && frame.id >= id::velocityLogLegacy && frame.id <= id::velocityLog + maxOffset
-            && m_explained.count(frame.id) == 0) {
+            && m_questions.answersOnly(code)) {
             m_velocity.insert(frame.id);
             m_answers.push_back(frame.id);
         }
     }
 
+    const QuestionWatch &m_questions;
     std::set<std::uint32_t> m_velocity;
-    std::set<std::uint32_t> m_explained;
     std::vector<std::uint32_t> m_answers;
     int m_broadcasts = 0;
     std::array<int, maxOffset + 1> m_asked{};
     Subscription m_traffic;
 };
 
-/// One drive asked for one log, as a code; yields the identifier that the answer came on, Timeout when none came.
-struct Question {
-    int offset = 0;
-    std::uint32_t base = id::logRequest;
-    std::uint8_t code = 0;
-    std::vector<std::uint32_t> answers; ///< where one may come
+/// A question, and where its answer may come.
+struct Probe {
+    Question question;
+    std::vector<std::uint32_t> answers;
 };
 
 class Prober {
 public:
-    Prober(CanLink &link, Clock &clock)
+    Prober(CanLink &link, Clock &clock, const QuestionWatch &questions)
         : m_link(link)
         , m_clock(clock)
-        , m_voltage(link, clock)
-        , m_questions(link, clock)
+        , m_questions(questions)
     {
     }
 
-    /// Nothing when no answer came to any try. Only answers that cannot be somebody else's count.
-    Task<std::optional<std::uint32_t>> ask(Question question, int most = 3);
+    /// The identifier that the answer came on; nothing when no answer came to any try. Only answers that cannot be somebody
+    /// else's count.
+    Task<std::optional<std::uint32_t>> ask(Probe probe, int most = 3);
 
 private:
-    static constexpr std::uint8_t codeOfVoltage() { return 4; }
-
     CanLink &m_link;
     Clock &m_clock;
-    VoltageWatch m_voltage;
-    QuestionWatch m_questions;
+    const QuestionWatch &m_questions;
 };
 
 struct Found {

@@ -103,6 +103,7 @@ constexpr Names positionNames = namesOf<"position">(true);
 constexpr Names velocityNames = namesOf<"velocity">(true);
 constexpr Names statusNames = namesOf<"status">(true);
 constexpr Names maskNames = namesOf<"data_mask">(true);
+constexpr Names sizeNames = namesOf<"size">(true);
 
 const Layout *layoutOf(std::uint8_t id)
 {
@@ -205,7 +206,7 @@ private:
         const Layout &layout = *layoutOf(packet.id);
         DecodedFrame frame{"quadquad2drv", layout.name, 0, layout.control && direction == Direction::Sent, {}};
         if (direction == Direction::Sent)
-            decodeRequest(layout, packet.payload, frame);
+            ask(layout, packet, frame);
         else
             decodeReply(layout, packet, frame);
         return frame;
@@ -226,20 +227,37 @@ private:
                 if (disabled)
                     break;
             }
+            learn(layout.id, frame);
             if (!layout.tuples)
                 return;
-            learn(layout.id, frame);
         }
     }
-    /// What requests say of the layout of motion data.
+    /// What is asked for, or set, tells how the reply reads, and what comes after it. One request is open at a time (1.4).
+    void ask(const Layout &layout, const Packet &packet, DecodedFrame &frame)
+    {
+        m_asked = packet;
+        m_reading = m_wanted;
+        if (layout.id == PacketId::GetPosition)
+            addSizes(packet.payload, frame);
+        decodeRequest(layout, packet.payload, frame);
+    }
+    static void addSizes(const Bytes &payload, DecodedFrame &frame)
+    {
+        if (payload.size() == 1)
+            frame.fields.push_back({chan.names[0], static_cast<double>(payload[0]), {}});
+        for (std::size_t i = 0; payload.size() == axes && i < axes; ++i)
+            frame.fields.push_back({sizeNames[i], static_cast<double>(payload[i]), {}});
+    }
     void learn(PacketId id, const DecodedFrame &frame)
     {
+        if (id == PacketId::SetStreamConfig && !frame.fields.empty())
+            m_wanted.config = static_cast<std::uint8_t>(frame.fields.back().value);
         if (id != PacketId::SetDataMask || frame.fields.size() < 2)
             return;
         const auto mask = static_cast<unsigned>(frame.fields[frame.fields.size() - 2].value);
         for (std::size_t i = 0; i < axes; ++i) {
             if (((mask >> i) & 1U) != 0)
-                m_masks[i] = static_cast<std::uint8_t>(frame.fields.back().value);
+                m_wanted.masks[i] = static_cast<std::uint8_t>(frame.fields.back().value);
         }
     }
 
@@ -251,30 +269,57 @@ private:
             if (!code)
                 return;
             frame.fields.push_back({"rc", static_cast<double>(*code), {}});
+            const auto asked = std::exchange(m_asked, std::nullopt);
+            if (*code != 0) {
+                m_wanted = m_reading; // nothing was set
+                return;
+            }
+            m_reading = m_wanted;
+            if (layout.id == PacketId::GetPosition && asked && asked->id == packet.id)
+                addPositions(*asked, packet, frame);
         }
         if (stream || layout.id == PacketId::GetMotion) {
             addMotion(packet, frame);
             return;
         }
         if (const auto masks = parseDataMasks(packet)) {
-            m_masks = *masks;
+            m_reading.masks = m_wanted.masks = *masks;
             for (std::size_t i = 0; i < axes; ++i)
-                frame.fields.push_back({maskNames[i], static_cast<double>(m_masks[i]), {}});
+                frame.fields.push_back({maskNames[i], static_cast<double>(m_reading.masks[i]), {}});
         }
-        std::span<const std::uint8_t> rest = std::span(packet.payload).subspan(1);
+        addFields(layout, std::span(packet.payload).subspan(1), frame);
+    }
+    void addFields(const Layout &layout, std::span<const std::uint8_t> rest, DecodedFrame &frame)
+    {
         for (const Field &field : layout.reply) {
             const std::size_t size = sizeOf(field.wire, 0);
             if (field.names[0].empty() || rest.size() < size)
-                return;
+                break;
             frame.fields.push_back({field.names[0], valueOf(field.wire, rest.first(size)), field.unit});
             rest = rest.subspan(size);
         }
         if (layout.id == PacketId::GetStreamConfig && frame.fields.size() > 1)
-            m_config = static_cast<std::uint8_t>(frame.fields.back().value);
+            m_reading.config = m_wanted.config = static_cast<std::uint8_t>(frame.fields.back().value);
+    }
+    /// Widths are those that were asked for, or those of the data masks of the channels that were (2.1).
+    void addPositions(const Packet &asked, const Packet &reply, DecodedFrame &frame) const
+    {
+        DataMasks sizes = m_reading.masks;
+        for (std::size_t i = 0; i < axes; ++i) {
+            if (asked.payload.size() == axes)
+                sizes[i] = asked.payload[i];
+            else if (!asked.payload.empty() && (asked.payload[0] & maskOf(static_cast<int>(i))) == 0)
+                sizes[i] = 0;
+        }
+        const auto positions = parsePositions(reply, sizes);
+        for (std::size_t i = 0; positions && i < axes; ++i) {
+            if (const auto position = (*positions)[i])
+                frame.fields.push_back({positionNames[i], static_cast<double>(*position), counts});
+        }
     }
     void addMotion(const Packet &packet, DecodedFrame &frame) const
     {
-        const auto motion = parseMotion(packet, m_masks, m_config);
+        const auto motion = parseMotion(packet, m_reading.masks, m_reading.config);
         if (!motion)
             return;
         if (motion->timing)
@@ -292,9 +337,15 @@ private:
         }
     }
 
+    /// How motion data and streams read.
+    struct Reading {
+        DataMasks masks{datamask::startUp, datamask::startUp, datamask::startUp, datamask::startUp};
+        std::uint8_t config = 0;
+    };
     std::array<Stream, 2> m_streams;
-    DataMasks m_masks{datamask::startUp, datamask::startUp, datamask::startUp, datamask::startUp};
-    std::uint8_t m_config = 0;
+    Reading m_reading;
+    Reading m_wanted; ///< once the last request is answered
+    std::optional<Packet> m_asked;
 };
 
 } // namespace

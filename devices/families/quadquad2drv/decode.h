@@ -7,8 +7,8 @@
 
 namespace mb::quadquad2drv {
 
-/// Family::decodeBytes: packets in both directions with the names of the reference, section 2. Motion data reads as the data
-/// masks say that passed before, or as at start-up. What belongs to no packet (filler) has no frame.
+/// Family::decodeBytes: packets in both directions with the names of the reference, section 2. Motion data and streams
+/// read as the masks and configurations say that passed before, or as at start-up; positions as they were asked for. What belongs to no packet (filler) has no frame.
 [[nodiscard]] std::unique_ptr<ByteDecoder> decodeBytes(std::string_view dialect);
 
 } // namespace mb::quadquad2drv

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "transport/backends/replayclock.h"
 #include "transport/canlink.h"
+#include "transport/pacedclock.h"
 #include "transport/recordingfile.h"
 
 namespace mb {
@@ -35,7 +35,7 @@ struct ReplayTime {
         : time(outer)
     {
     }
-    ReplayClock time;
+    PacedClock time;
 };
 
 } // namespace detail

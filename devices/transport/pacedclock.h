@@ -5,13 +5,13 @@
 
 namespace mb {
 
-/// The time of a recording, driven by another clock: it stands, runs at a pace, or jumps. Work that is armed on it comes in the
-/// order of its deadlines, and sees exactly its deadline as now(), whatever the pace: what follows from a recording is
-/// the same at every pace.
-class ReplayClock final : public Clock {
+/// The time of a recording or of a simulated bench, driven by another clock: it stands, runs at a pace, or jumps. Work that is
+/// armed on it comes in the order of its deadlines, and sees exactly its deadline as now(), whatever the pace and however late
+/// the computer is: what follows is the same at every pace. Whoever was held up catches up.
+class PacedClock final : public Clock {
 public:
     /// Stands, at the present time of `outer`, which outlives it.
-    explicit ReplayClock(Clock &outer);
+    explicit PacedClock(Clock &outer);
 
     [[nodiscard]] Instant now() const override;
     /// That of the outer clock when this one was made: it must not drift while a recording plays.
@@ -40,6 +40,7 @@ private:
     Instant m_anchor;      ///< our time …
     Instant m_outerAnchor; ///< … at this time of the outer clock
     Instant m_armedFor{};
+    Instant m_outerArmedFor{};
     Timer m_timer;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/virtualclock.h"
-#include "transport/backends/replayclock.h"
+#include "transport/pacedclock.h"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@ using namespace std::chrono_literals;
 
 constexpr Instant recorded{1436509052s};
 
-TEST(ReplayClock, StandsUntilItIsLetRun)
+TEST(PacedClock, StandsUntilItIsLetRun)
 {
     VirtualClock outer;
-    ReplayClock clock(outer);
+    PacedClock clock(outer);
     clock.jump(recorded);
     bool ran = false;
     clock.arm(recorded + 1s, [&ran] { ran = true; });
@@ -32,12 +32,12 @@ TEST(ReplayClock, StandsUntilItIsLetRun)
     EXPECT_TRUE(ran);
 }
 
-TEST(ReplayClock, RunsWorkAtItsDeadlineWhateverThePace)
+TEST(PacedClock, RunsWorkAtItsDeadlineWhateverThePace)
 {
     for (const double pace : {0.01, 0.3, 1.0, 2.0, 7.0, 1000.0, 0.0}) {
         VirtualClock outer;
         outer.advance(123s);
-        ReplayClock clock(outer);
+        PacedClock clock(outer);
         clock.jump(recorded);
         std::vector<Duration> seen;
         const std::function<void()> again = [&] {
@@ -56,10 +56,10 @@ TEST(ReplayClock, RunsWorkAtItsDeadlineWhateverThePace)
     }
 }
 
-TEST(ReplayClock, ChangesItsPaceWithoutAJump)
+TEST(PacedClock, ChangesItsPaceWithoutAJump)
 {
     VirtualClock outer;
-    ReplayClock clock(outer);
+    PacedClock clock(outer);
     clock.jump(recorded);
     clock.run(2.0);
     outer.advance(3s);
@@ -72,10 +72,10 @@ TEST(ReplayClock, ChangesItsPaceWithoutAJump)
     EXPECT_FALSE(clock.isRunning());
 }
 
-TEST(ReplayClock, JumpsBackAndKeepsWhatIsArmed)
+TEST(PacedClock, JumpsBackAndKeepsWhatIsArmed)
 {
     VirtualClock outer;
-    ReplayClock clock(outer);
+    PacedClock clock(outer);
     clock.jump(recorded);
     int ran = 0;
     clock.run(1.0);
@@ -88,10 +88,10 @@ TEST(ReplayClock, JumpsBackAndKeepsWhatIsArmed)
     EXPECT_EQ(ran, 1);
 }
 
-TEST(ReplayClock, GivesOthersTheirTurnAtFullSpeed)
+TEST(PacedClock, GivesOthersTheirTurnAtFullSpeed)
 {
     VirtualClock outer;
-    ReplayClock clock(outer);
+    PacedClock clock(outer);
     const std::function<void()> forever = [&] { clock.arm(clock.now() + 1us, forever); };
     clock.arm(clock.now(), forever);
     clock.run(0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "transport/backends/replayclock.h"
+#include "transport/pacedclock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ constexpr int mostAtOnce = 256; ///< pieces of work before others get their turn
 
 } // namespace
 
-ReplayClock::ReplayClock(Clock &outer)
+PacedClock::PacedClock(Clock &outer)
     : m_outer(outer)
     , m_offset(outer.unixOffset())
     , m_now(outer.now())
@@ -21,7 +21,7 @@ ReplayClock::ReplayClock(Clock &outer)
 {
 }
 
-Instant ReplayClock::timeAt(Instant outer) const
+Instant PacedClock::timeAt(Instant outer) const
 {
     const Duration passed = std::max(outer - m_outerAnchor, Duration::zero());
     if (m_pace == 1.0)
@@ -29,7 +29,7 @@ Instant ReplayClock::timeAt(Instant outer) const
     return m_anchor + Duration(static_cast<Duration::rep>(static_cast<double>(passed.count()) * m_pace));
 }
 
-Instant ReplayClock::outerTimeOf(Instant deadline) const
+Instant PacedClock::outerTimeOf(Instant deadline) const
 {
     const Duration ahead = std::max(deadline - m_anchor, Duration::zero());
     if (m_pace == 1.0)
@@ -41,7 +41,7 @@ Instant ReplayClock::outerTimeOf(Instant deadline) const
     return m_outerAnchor + Duration(static_cast<Duration::rep>(std::min(scaled, farthest / 2)));
 }
 
-Instant ReplayClock::now() const
+Instant PacedClock::now() const
 {
     if (!m_running || m_inWork || m_pace == 0.0)
         return m_now;
@@ -51,7 +51,7 @@ Instant ReplayClock::now() const
     return std::max(m_now, time);
 }
 
-void ReplayClock::run(double pace)
+void PacedClock::run(double pace)
 {
     m_now = now();
     m_pace = pace;
@@ -61,14 +61,14 @@ void ReplayClock::run(double pace)
     rescheduled();
 }
 
-void ReplayClock::pause()
+void PacedClock::pause()
 {
     m_now = now();
     m_running = false;
     m_timer.stop();
 }
 
-void ReplayClock::jump(Instant to)
+void PacedClock::jump(Instant to)
 {
     m_now = to;
     m_anchor = to;
@@ -76,18 +76,23 @@ void ReplayClock::jump(Instant to)
     rescheduled();
 }
 
-void ReplayClock::rescheduled()
+void PacedClock::rescheduled()
 {
     if (m_inWork)
         return; // runDue() looks at its end
-    m_timer.stop();
-    if (!m_running || !hasWork())
+    if (!m_running || !hasWork()) {
+        m_timer.stop();
+        return;
+    }
+    const Instant outer = outerTimeOf(nextDeadline());
+    if (m_timer.isActive() && m_armedFor == nextDeadline() && m_outerArmedFor == outer)
         return;
     m_armedFor = nextDeadline();
-    m_timer.start(outerTimeOf(m_armedFor), [this] { runDue(); });
+    m_outerArmedFor = outer;
+    m_timer.start(outer, [this] { runDue(); });
 }
 
-void ReplayClock::runDue()
+void PacedClock::runDue()
 {
     m_inWork = true;
     const Instant until = m_pace == 0.0 ? Instant::max() : std::max(m_armedFor, timeAt(m_outer.now()));

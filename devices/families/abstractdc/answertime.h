@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "transport/canlink.h"
+
+namespace mb::abstractdc {
+
+/// Longest time of a request and its answer on the wire.
+[[nodiscard]] Duration roundTrip(const CanLink &link);
+/// How long to wait for an answer (1.3).
+[[nodiscard]] Duration answerTime(const CanLink &link);
+
+} // namespace mb::abstractdc
