@@ -187,15 +187,16 @@ TEST(LinkDoctor, ListingsAreMatchedByTheirInterface)
 
 TEST(LinkDoctor, AFailedOpeningIsTakenApart)
 {
-    const Diagnosis port = diagnose(Error{Fault::LinkLost,
-        "no permission to use /dev/ttyUSB0; become a member of its group: sudo usermod -aG dialout $USER"});
+    const Diagnosis port = diagnose(Error{Fault::LinkLost, "no permission to use /dev/ttyUSB0",
+        "become a member of its group: sudo usermod -aG dialout $USER"});
     EXPECT_EQ(port,
         (Diagnosis{Ailment::NoPermission, "no permission to use /dev/ttyUSB0", "become a member of its group",
             "sudo usermod -aG dialout $USER"}));
     EXPECT_EQ(
         port.text(), "no permission to use /dev/ttyUSB0; become a member of its group: sudo usermod -aG dialout $USER");
     EXPECT_EQ(diagnose(Error{Fault::LinkLost, "there is no CAN interface can7"}).ailment, Ailment::NotThere);
-    EXPECT_EQ(diagnose(Error{Fault::LinkLost, "/dev/ttyUSB0 is busy; close the other program"}).ailment, Ailment::Busy);
+    EXPECT_EQ(
+        diagnose(Error{Fault::LinkLost, "/dev/ttyUSB0 is busy", "close the other program"}).ailment, Ailment::Busy);
     EXPECT_EQ(
         diagnose(Error{Fault::LinkLost, "something else"}), (Diagnosis{Ailment::Failed, "something else", "", ""}));
 }
