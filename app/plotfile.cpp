@@ -22,9 +22,17 @@ namespace {
 constexpr double pictureScale = 2.0;
 constexpr QSize usualSize{1280, 800};
 
-int refuse(const QString &cause)
+/// In the words of the console, whose place this program has taken.
+int refuse(const Options &options, const Error &error)
 {
-    std::fprintf(stderr, "motorbench: %s\n", qPrintable(cause));
+    if (!options.json) {
+        std::fprintf(stderr, "motorbench: %s\n", error.text().c_str());
+        return 2;
+    }
+    const QJsonObject row{{QStringLiteral("status"), 2}, {QStringLiteral("fault"), QStringLiteral("out-of-range")},
+        {QStringLiteral("cause"), qt(error.detail)}, {QStringLiteral("remedy"), qt(error.remedy)}};
+    const QByteArray line = QJsonDocument(QJsonObject{{QStringLiteral("error"), row}}).toJson(QJsonDocument::Compact);
+    std::fprintf(stderr, "%s\n", line.constData());
     return 2;
 }
 
@@ -77,12 +85,14 @@ int plotFile(const Options &options)
 {
     const QString suffix = QFileInfo(options.out).suffix().toLower();
     if (suffix != QLatin1String("png") && suffix != QLatin1String("svg") && suffix != QLatin1String("pdf"))
-        return refuse(
-            QStringLiteral("--out '%1' is no picture; give a name that ends in .png, .svg or .pdf").arg(options.out));
+        return refuse(options,
+            {Fault::OutOfRange, "--out '" + options.out.toStdString() + "' is no picture",
+                "give a name that ends in .png, .svg or .pdf"});
     const auto recording = loadRecording(options.plot.toLocal8Bit().toStdString());
     if (!recording)
-        return refuse(qt(recording.error().text())
-            + QStringLiteral("; give an .mcap or .csv that this program wrote, or the output of watch"));
+        return refuse(options,
+            {Fault::OutOfRange, recording.error().text(),
+                "give an .mcap or .csv that this program wrote, or the output of watch"});
     const ThemeSource theme(options.theme == QLatin1String("light") ? lightTheme(10.0 * options.fontScale)
                                                                     : darkTheme(10.0 * options.fontScale));
     QFont font = QApplication::font();
@@ -107,9 +117,10 @@ int plotFile(const Options &options)
     const QByteArray picture
         = suffix == QLatin1String("png") ? pngOf(stack.plot().picture(size, pictureScale)) : stack.pictureAs(suffix);
     if (picture.isEmpty())
-        return refuse(QStringLiteral("%1 cannot be painted; choose a smaller --size").arg(options.out));
+        return refuse(
+            options, {Fault::OutOfRange, options.out.toStdString() + " cannot be painted", "choose a smaller --size"});
     if (const auto saved = saveFile(options.out.toStdString(), picture); !saved)
-        return refuse(qt(saved.error().text()));
+        return refuse(options, saved.error());
     say(options, **recording, stack.traceCount());
     return 0;
 }

@@ -84,10 +84,44 @@ std::string caseOfVerbs(const std::string &indent)
     return text;
 }
 
-/// Both shells understand it: finds out in `words` what may stand at the cursor, from `line`, the words up to it.
+/// Of bash and zsh: what may follow the option in `before`, when it is one that wants something known.
+std::string valuesOfOptions(std::span<const Family *const> families)
+{
+    return R"(    case "$before" in
+    --file|--out|--save|--export) words="FILES"; return ;;
+    --theme) words="dark light"; return ;;
+    --target) [ "$verb" = flash ] && words="f1 f4"; return ;;
+    --channel)
+        case "$device" in
+)" + caseOfFamilies(families, Words::channels, "        ")
+        + R"(        esac
+        return ;;
+    --mode)
+        case "$device" in
+)" + caseOfFamilies(families, Words::modes, "        ")
+        + R"(        esac
+        return ;;
+    esac
+)";
+}
+
+/// What may stand behind `verb` where no option stands.
+std::string valuesOfVerbs(std::span<const Family *const> families)
+{
+    const auto assign = [](const std::string &list) { return "words=\"" + list + "\""; };
+    const std::string anyLink = assign(std::string(links));
+    return "    case \"$verb\" in\n    help) " + assign(Words::verbNames()) + " ;;\n    completion) "
+        + assign("bash zsh fish") + " ;;\n    parameters) " + assign(Words(families).families())
+        + " ;;\n    decode|plot) " + assign("FILES") + " ;;\n    scan|monitor) " + anyLink
+        + " ;;\n    get|set)\n        case \"$device\" in\n        \"\") " + anyLink + " ;;\n"
+        + caseOfFamilies(families, Words::keys, "        ")
+        + "        esac ;;\n    restore|flash) if [ -n \"$device\" ]; then " + assign("FILES") + "; else " + anyLink
+        + "; fi ;;\n    *) [ -z \"$device\" ] && " + anyLink + " ;;\n    esac\n";
+}
+
+/// Both shells understand it: finds out in `words` what may stand at the cursor.
 std::string chooser(std::span<const Family *const> families)
 {
-    const Words words(families);
     return R"(_motorbenchctl_words() {
     # arguments: the words in front of the cursor, then the one that is being typed
     words=""
@@ -105,24 +139,10 @@ std::string chooser(std::span<const Family *const> families)
         esac
     done
     current=$1
-    case "$before" in
-    --file|--out|--save|--export) words="FILES"; return ;;
-    --theme) words="dark light"; return ;;
-    --target) [ "$verb" = flash ] && words="f1 f4"; return ;;
-    --channel)
-        case "$device" in
-)" + caseOfFamilies(families, Words::channels, "        ")
-        + R"(        esac
-        return ;;
-    --mode)
-        case "$device" in
-)" + caseOfFamilies(families, Words::modes, "        ")
-        + R"(        esac
-        return ;;
-    esac
-    if [ -z "$verb" ]; then
+)" + valuesOfOptions(families)
+        + R"(    if [ -z "$verb" ]; then
         words=")"
-        + Words::verbNames() + " " + Words::options({}) + " --version" + R"("
+        + Words::verbNames() + " " + Words::options({}) + R"( --version"
         return
     fi
     case "$current" in
@@ -132,28 +152,8 @@ std::string chooser(std::span<const Family *const> families)
         + R"(        esac
         return ;;
     esac
-    case "$verb" in
-    help) words=")"
-        + Words::verbNames() + R"(" ;;
-    completion) words="bash zsh fish" ;;
-    parameters) words=")"
-        + words.families() + R"(" ;;
-    decode|plot) words="FILES" ;;
-    scan|monitor) words=")"
-        + std::string(links) + R"(" ;;
-    get|set)
-        case "$device" in
-        "") words=")"
-        + std::string(links) + R"(" ;;
-)" + caseOfFamilies(families, Words::keys, "        ")
-        + R"(        esac ;;
-    restore|flash) if [ -n "$device" ]; then words="FILES"; else words=")"
-        + std::string(links) + R"("; fi ;;
-    *) [ -z "$device" ] && words=")"
-        + std::string(links) + R"(" ;;
-    esac
-}
-)";
+)" + valuesOfVerbs(families)
+        + "}\n";
 }
 
 std::string forBash(std::span<const Family *const> families)

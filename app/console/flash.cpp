@@ -190,12 +190,17 @@ void show(Console &console, const UpdateReport &report, double seconds)
     }
 }
 
-Result<int> verdictOf(const UpdateReport &report)
+Result<int> verdictOf(const Console &console, const UpdateReport &report)
 {
     if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate)
         return exitDone;
+    if (report.outcome == UpdateOutcome::Refused && report.fault && exitStatusOf(*report.fault, false) == exitUsage) {
+        tell(Error::fromPhrase(*report.fault, report.evidence), exitUsage, console.json()); // nothing of it was sent
+        return exitUsage;
+    }
     const Fault fallback = report.outcome == UpdateOutcome::Cancelled ? Fault::Cancelled : Fault::Refused;
-    return fail(report.fault.value_or(fallback), std::string(toString(report.outcome)) + ": " + report.evidence);
+    return fail(Error::fromPhrase(
+        report.fault.value_or(fallback), std::string(toString(report.outcome)) + ": " + report.evidence));
 }
 
 Task<int> flash(Console &console, Arguments arguments)
@@ -218,7 +223,7 @@ Task<int> flash(Console &console, Arguments arguments)
     }
     const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(console.clock().now() - start);
     show(console, report, static_cast<double>(took.count()) / 1000.0);
-    co_return verdictOf(report);
+    co_return verdictOf(console, report);
 }
 
 } // namespace

@@ -64,7 +64,7 @@ Result<ExportReport> joinRecordings(
         readable += reader.read(paths[i]) ? 1U : 0U; // one that was cut before its first channel has nothing
     }
     if (readable == 0)
-        return fail(Fault::OutOfRange, "nothing has been recorded yet");
+        return fail(Fault::Unsupported, "nothing has been recorded yet");
     for (const auto &[name, map] : facts)
         (*writer)->metadata(name, map);
     if (auto finished = (*writer)->finish(); !finished)
@@ -92,7 +92,7 @@ Result<std::vector<std::string>> recoverRecordings(const std::string &folder)
         const auto joined = joinRecordings(paths, path, {});
         if (joined && joined->samples > 0)
             recovered.push_back(path);
-        else if (!joined && joined.error().fault != Fault::OutOfRange)
+        else if (!joined && joined.error().fault != Fault::Unsupported)
             return fail(joined.error()); // no room, perhaps: it stays for the next time
         else
             fs::remove(path, error);

@@ -343,6 +343,10 @@ TEST(RollingRecorder, SurvivesAKilledProcess)
     RollingRecorder other(rolling(folder, "alive"));
     Running bench;
     bench.run(other, 4);
+    fs::create_directory(folder.path / "recovered-killed.mcap"); // what stands there cannot be written over
+    EXPECT_FALSE(recoverRecordings(folder.path.string()));
+    EXPECT_TRUE(fs::exists(folder.path / "killed")) << "what could not be saved stays for the next time";
+    fs::remove(folder.path / "recovered-killed.mcap");
     const auto recovered = recoverRecordings(folder.path.string());
     ASSERT_TRUE(recovered) << recovered.error().text();
     ASSERT_EQ(recovered->size(), 1U); // the one that runs is left alone

@@ -124,8 +124,7 @@ TEST_F(Exchange, ALostLinkEndsItAtOnceWithTheCause)
     clock.advance(0ms);
     ASSERT_TRUE(result);
     ASSERT_FALSE(*result);
-    EXPECT_EQ(result->error().fault, Fault::LinkLost);
-    EXPECT_EQ(result->error().text(), host.reason());
+    EXPECT_EQ(result->error(), Error::fromPhrase(Fault::LinkLost, host.reason()));
     EXPECT_EQ(endedAt, Instant(10ms));
     EXPECT_TRUE(leftNothing());
 }
