@@ -37,5 +37,7 @@ struct Verb {
 [[nodiscard]] Job declareDecode(CLI::App &arguments);
 [[nodiscard]] Job declarePlot(CLI::App &arguments);
 [[nodiscard]] Job declareSimulate(CLI::App &arguments);
+[[nodiscard]] Job declareStep(CLI::App &arguments);
+[[nodiscard]] Job declareTrials(CLI::App &arguments);
 
 } // namespace mb::console
