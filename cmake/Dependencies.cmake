@@ -8,9 +8,9 @@ find_package(PkgConfig REQUIRED)
 set_package_properties(PkgConfig PROPERTIES TYPE REQUIRED PURPOSE "Finds what has no CMake files of its own")
 pkg_check_modules(GPIOD REQUIRED IMPORTED_TARGET libgpiod<2) # 1.6: ready and reset line of SPI boards
 
-find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets PrintSupport Svg SerialPort SerialBus DBus LinguistTools)
+find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets PrintSupport Svg Sql SerialPort SerialBus DBus LinguistTools)
 set_package_properties(Qt5 PROPERTIES TYPE REQUIRED
-  PURPOSE "Core: JSON, descriptors in an event loop. Widgets, Svg: the window. SerialPort, SerialBus: links. LinguistTools: translations")
+  PURPOSE "Core: JSON, descriptors in an event loop. Widgets, Svg: the window. Sql: the notebook. SerialPort, SerialBus: links. LinguistTools: translations")
 find_package(QCustomPlot REQUIRED) # needs Qt5 PrintSupport found before it
 set_package_properties(QCustomPlot PROPERTIES TYPE REQUIRED PURPOSE "Axes, layers and export of the plots")
 find_package(tl-expected CONFIG REQUIRED)

@@ -101,7 +101,7 @@ def operands(path, _text, code):
             yield line, "error", "name the operand before co_await: GCC 12 destroys some temporaries twice"
 
 
-ROOTS = ("async", "wire", "place", "transport", "model", "recording", "tuning", "families", "widgets", "app", "support", "tests")
+ROOTS = ("async", "wire", "place", "transport", "model", "recording", "tuning", "storage", "families", "widgets", "app", "support", "tests")
 SCREEN = re.compile(
     r"Qt(?:Gui|Widgets|Svg|PrintSupport|OpenGL)(?:/|$)|qcustomplot|Q(?:GuiApplication|Application|Widget|MainWindow|Dialog|Color|"
     r"Painter|PaintDevice|Pixmap|Image|Icon|Font|Brush|Pen|Action|Window|Palette|Style|Cursor|KeyEvent|MouseEvent|Screen)$",
@@ -115,13 +115,14 @@ LAYERS = [
     ("devices/model/", ("async", "wire", "transport", "model"), True),
     ("devices/recording/", ("async", "wire", "transport", "model", "recording"), True),
     ("devices/tuning/", ("async", "wire", "transport", "model", "tuning"), True),
+    ("devices/storage/", ("async", "wire", "transport", "model", "tuning", "storage"), True),
     ("devices/families/", ("async", "wire", "transport", "model"), True),
     ("widgets/", ("async", "wire", "transport", "model", "recording", "tuning", "widgets"), True),
-    ("app/console/", ("async", "wire", "transport", "model", "tuning", "app/console", "app/folders", "app/guardian", "app/sleep"), True),
+    ("app/console/", ("async", "wire", "transport", "model", "tuning", "storage", "app/console", "app/folders", "app/guardian", "app/sleep"), True),
     ("app/guardian/client/", ("async", "wire", "transport", "model", "app/guardian"), True),
     ("app/sleep/", ("async", "wire", "transport", "model", "app/sleep"), True),
     ("app/guardian/", ("app/guardian", "place"), False),
-    ("app/", ("async", "wire", "transport", "model", "recording", "tuning", "widgets", "app"), True),
+    ("app/", ("async", "wire", "transport", "model", "recording", "tuning", "storage", "widgets", "app"), True),
 ]
 
 

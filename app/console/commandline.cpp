@@ -23,6 +23,10 @@ constexpr std::array table{
     Verb{"watch", "DEVICE [--channel C]… [--for S] [--rate HZ]", "Stream samples", declareWatch},
     Verb{
         "drive", "DEVICE --mode M --target X --for S", "Keep a set-point alive for S seconds, then stop", declareDrive},
+    Verb{"step", "DEVICE --mode M --to Y [--from X] [--profile P] [--set KEY=VALUE]…",
+        "Run one guarded experiment on a loop, and keep the trial", declareStep},
+    Verb{"trials", "[DEVICE] [--export FILE] [--star N] [--note N TEXT] [--delete N]",
+        "The notebook: every experiment with its gains", declareTrials},
     Verb{"flash", "DEVICE FILE [--dry-run] [--force]", "Update the firmware and verify it", declareFlash},
     Verb{"identify", "DEVICE", "Make a device show itself", declareIdentify},
     Verb{"restart", "DEVICE", "Stop a device and restart it", declareRestart},

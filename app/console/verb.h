@@ -40,5 +40,7 @@ struct Verb {
 [[nodiscard]] Job declareSimulate(CLI::App &arguments);
 [[nodiscard]] Job declareHelp(CLI::App &arguments);
 [[nodiscard]] Job declareCompletion(CLI::App &arguments);
+[[nodiscard]] Job declareStep(CLI::App &arguments);
+[[nodiscard]] Job declareTrials(CLI::App &arguments);
 
 } // namespace mb::console

@@ -27,4 +27,11 @@ namespace mb {
     return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString() + "/motorbench/updates";
 }
 
+/// Trials, and what is owed to units: one file for window and console.
+[[nodiscard]] inline std::string databaseFile()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString()
+        + "/motorbench/motorbench.db";
+}
+
 } // namespace mb

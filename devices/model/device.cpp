@@ -153,6 +153,12 @@ void Device::setCounter(const std::string &key, std::int64_t value)
     m_profileChanged.notify();
 }
 
+void Device::setVerdict(const std::string &key, std::string verdict)
+{
+    m_profile.verdicts[key] = std::move(verdict);
+    m_profileChanged.notify();
+}
+
 void Device::setLiveness(const Liveness &liveness)
 {
     m_keepsMove = m_keepsMove && (m_liveness.restarted || !liveness.restarted);

@@ -113,6 +113,8 @@ public:
     [[nodiscard]] Result<void> calibrate(std::string_view key, std::optional<double> value);
     /// Speaks this dialect (Family::dialects) whatever the scan found; empty: as the scan finds it.
     [[nodiscard]] Result<void> setDialect(std::string_view key);
+    /// Keeps what a check of this device found out, such as "direction"; shown, never relied on.
+    void setVerdict(const std::string &key, std::string verdict);
     /// The profile is to be kept.
     [[nodiscard]] Listeners<> &profileChanged() { return m_profileChanged; }
 

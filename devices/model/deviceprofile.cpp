@@ -57,6 +57,28 @@ template <class Number> QJsonObject objectOf(const std::map<std::string, Number>
     return object;
 }
 
+std::optional<std::map<std::string, std::string>> sentences(const QJsonValue &value)
+{
+    std::map<std::string, std::string> found;
+    const QJsonObject object = value.toObject();
+    if (!value.isUndefined() && !value.isObject())
+        return std::nullopt;
+    for (auto entry = object.begin(); entry != object.end(); ++entry) {
+        if (!entry->isString())
+            return std::nullopt;
+        found.emplace(entry.key().toStdString(), entry->toString().toStdString());
+    }
+    return found;
+}
+
+QJsonObject objectOf(const std::map<std::string, std::string> &values)
+{
+    QJsonObject object;
+    for (const auto &[key, value] : values)
+        object.insert(qt(key), qt(value));
+    return object;
+}
+
 std::optional<std::set<std::string>> texts(const QJsonValue &value)
 {
     std::set<std::string> found;
@@ -90,7 +112,8 @@ std::optional<DeviceProfile> parse(const QByteArray &bytes)
     const auto written = integers(object.value(QStringLiteral("written")));
     const auto counters = integers(object.value(QStringLiteral("counters")));
     const auto lost = texts(object.value(QStringLiteral("lost")));
-    if (!calibration || !written || !counters || !lost)
+    const auto verdicts = sentences(object.value(QStringLiteral("verdicts")));
+    if (!calibration || !written || !counters || !lost || !verdicts)
         return std::nullopt;
     DeviceProfile profile;
     profile.dialect = object.value(QStringLiteral("dialect")).toString().toStdString();
@@ -98,6 +121,7 @@ std::optional<DeviceProfile> parse(const QByteArray &bytes)
     profile.written = *written;
     profile.counters = *counters;
     profile.lost = *lost;
+    profile.verdicts = *verdicts;
     return profile;
 }
 
@@ -151,6 +175,7 @@ Result<void> ProfileBook::save(std::string_view selector, const DeviceProfile &p
         {QStringLiteral("written"), objectOf(profile.written)},
         {QStringLiteral("counters"), objectOf(profile.counters)},
         {QStringLiteral("lost"), arrayOf(profile.lost)},
+        {QStringLiteral("verdicts"), objectOf(profile.verdicts)},
     };
     return saveFile(pathOf(selector), QJsonDocument(object).toJson());
 }

@@ -19,6 +19,8 @@ struct DeviceProfile {
     std::map<std::string, std::int64_t> written; ///< raw values, by parameter key
     std::set<std::string> lost; ///< keys of `written` that a reset has taken from the device since they were written
     std::map<std::string, std::int64_t> counters; ///< what a family counts over the life of the device
+    std::map<std::string, std::string>
+        verdicts; ///< what a check found out: "direction", "ch1.direction"; for people to see
 
     [[nodiscard]] double calibrated(std::string_view key, double unknown = 0.0) const
     {

@@ -5,6 +5,7 @@
 #include "model/device.h"
 #include "model/firmwareimage.h"
 #include "model/simulator.h"
+#include "model/trialtraits.h"
 
 #include <functional>
 #include <utility>
@@ -217,6 +218,7 @@ struct Family {
     std::span<const Experiment> experiments{};   ///< empty: nothing can be found out
     std::span<const UpdateRoute> routes{};       ///< of update(); empty: the device's own link
     const LoopScale *loop = nullptr;             ///< nullptr: what the gains mean is not known
+    const TrialTraits *trials = nullptr;         ///< nullptr: no loop of it can be tried
     /// Puts changes of write-only or interlocked parameters into the order that passes through safe states only.
     void (*arrange)(const ParameterStore &known, std::vector<ParameterChange> &changes) = nullptr;
 

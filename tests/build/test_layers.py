@@ -44,6 +44,9 @@ class Layers(unittest.TestCase):
     def test_no_layer_knows_the_one_above(self):
         self.expect_refusal("transport", "PRIVATE", "model")
         self.expect_refusal("model", "PRIVATE", "one")
+        self.expect_refusal("tuning", "PRIVATE", "one")
+        self.expect_refusal("tuning", "PRIVATE", "Qt5::Sql")
+        self.expect_refusal("storage", "PRIVATE", "one")
         self.expect_refusal("devices", "PRIVATE", "widgets")
 
     def test_no_family_knows_another(self):

@@ -33,6 +33,7 @@ TEST_F(Profiles, EverythingKeptComesBackEqual)
     profile.written = {{"velocity.p", -2147483648LL}, {"velocity.divisor", 1000000}};
     profile.counters = {{"saves.velocity", 41}};
     profile.lost = {"velocity.p"};
+    profile.verdicts = {{"direction", "agrees"}};
     ASSERT_TRUE(book.save(selector, profile));
     const auto back = book.load(selector);
     ASSERT_TRUE(back);
@@ -50,7 +51,7 @@ TEST_F(Profiles, DevicesDoNotShareAFileEvenWhenTheirNamesLookAlike)
 TEST_F(Profiles, ADamagedFileIsPutAsideAndTold)
 {
     for (const char *text : {"", "{", "[]", R"({"calibration": 3})", R"({"written": {"a": "b"}})",
-             R"({"counters": {"a": 1.5}})", R"({"lost": {"a": 1}})", R"({"lost": [1]})"}) {
+             R"({"counters": {"a": 1.5}})", R"({"lost": {"a": 1}})", R"({"lost": [1]})", R"({"verdicts": {"direction": 1}})"}) {
         ASSERT_TRUE(book.save(selector, {}));
         QFile file(QString::fromStdString(book.pathOf(selector)));
         ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));

@@ -92,6 +92,19 @@ constexpr Capabilities capabilities{
     .storesAfter = std::chrono::seconds(0),
 };
 
+constexpr std::array<std::string_view, 4> gainNames{"p", "i", "d", "divisor"};
+constexpr std::array<LoopGains, 3> triedLoops{{
+    {Mode::Velocity, "velocity.", gainNames},
+    {Mode::Position, "position.", gainNames},
+    {Mode::Current, "current.", gainNames},
+}};
+constexpr TrialTraits trials{
+    .loops = triedLoops,
+    .bench = {.travel = 5e6, .speed = 5e5, .current = 150.0, .duty = 1.0},
+    .rate = 100.0,
+    .never = "current.averaging",
+};
+
 } // namespace
 
 extern const Family family;
@@ -108,6 +121,7 @@ const Family family{
     .calibrations = calibrations,
     .routes = routes,
     .loop = &controlLoop,
+    .trials = &trials,
     .arrange = arrange,
     .scan = scan,
     .open = open,

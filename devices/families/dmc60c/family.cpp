@@ -55,6 +55,29 @@ constexpr Capabilities capabilities{
     .storesAfter = std::chrono::seconds(15),
 };
 
+constexpr std::array<std::string_view, 11> slotNames{"p", "i", "d", "i_zone", "f", "allowable_error", "ramp",
+    "max_forward", "max_reverse", "nominal_forward", "nominal_reverse"};
+constexpr std::array<LoopGains, 3> triedLoops{{
+    {Mode::Velocity, "slot#.", slotNames},
+    {Mode::Position, "slot#.", slotNames},
+    {Mode::Current, "slot#.", slotNames},
+}};
+constexpr std::array<DeviceLimit, 4> deviceLimits{{
+    {DeviceLimit::Bounds::Position, "limit.forward.soft.threshold", "limit.forward.soft.enabled", 1.0},
+    {DeviceLimit::Bounds::Position, "limit.reverse.soft.threshold", "limit.reverse.soft.enabled", 1.0},
+    {DeviceLimit::Bounds::Current, "current_limit.continuous", "current_limit.enabled", 1.0},
+    {DeviceLimit::Bounds::Duty, "slot#.max_forward", "", fullDuty},
+}};
+constexpr TrialTraits trials{
+    .loops = triedLoops,
+    .limits = deviceLimits,
+    .bench = {.travel = 20e6, .speed = 1.5e6, .current = 150.0, .duty = 1.0},
+    .rate = 200.0,
+    .hottest = 85.0,
+    .lowestBus = 6.0,
+    .highestBus = 28.0,
+};
+
 } // namespace
 
 extern const Family family;
@@ -68,6 +91,7 @@ const Family family{
     .capabilities = capabilities,
     .bench = bench,
     .loop = &loop,
+    .trials = &trials,
     .scan = scan,
     .open = open,
     .recogniser = [] { return Recogniser(recognise); },

@@ -38,6 +38,23 @@ constexpr Capabilities capabilities{
     .storesAfter = std::chrono::seconds(0),
 };
 
+constexpr std::array<std::string_view, 4> positionGains{"p", "i", "d", "windup"};
+constexpr std::array<std::string_view, 3> velocityGains{"p", "i", "d"};
+constexpr std::array<LoopGains, 2> triedLoops{{
+    {Mode::Velocity, "velocity.", velocityGains},
+    {Mode::Position, "position.", positionGains},
+}};
+constexpr std::array<DeviceLimit, 2> deviceLimits{{
+    {DeviceLimit::Bounds::Duty, "limit.power", "", 1.0},
+    {DeviceLimit::Bounds::Speed, "limit.velocity", "", 1.0},
+}};
+constexpr TrialTraits trials{
+    .loops = triedLoops,
+    .limits = deviceLimits,
+    .bench = {.travel = 1e6, .speed = 1e5, .current = 10.0, .duty = 1.0},
+    .rate = 100.0,
+};
+
 } // namespace
 
 extern const Family family;
@@ -53,6 +70,7 @@ const Family family{
     .calibrations = calibration::table(),
     .experiments = experiments(),
     .routes = routes(),
+    .trials = &trials,
     .scan = scan,
     .probe = probe,
     .open = open,

@@ -65,6 +65,20 @@ constexpr Capabilities capabilities{
     .scanLimit = std::chrono::seconds(30),
 };
 
+constexpr std::array<std::string_view, 3> gainNames{"p", "i", "d"};
+constexpr std::array<LoopGains, 1> triedLoops{{{Mode::Position, "gain.", gainNames}}};
+constexpr std::array<DeviceLimit, 1> deviceLimits{{{DeviceLimit::Bounds::Current, "limit.current", "", 1000.0}}};
+constexpr TrialTraits trials{
+    .loops = triedLoops,
+    .limits = deviceLimits,
+    .bench = {.travel = 1e6, .speed = 1e6, .current = 5.0, .duty = 1.0},
+    .rate = 100.0,
+    .nudge = 20.0,
+    .nudgeTravel = 60.0,
+    .atBoot = "gain.p",
+    .atBootDialects = "D1 D2",
+};
+
 } // namespace
 
 extern const Family family;
@@ -79,6 +93,7 @@ const Family family{
     .bench = bench,
     .calibrations = calibrations,
     .routes = routes,
+    .trials = &trials,
     .scan = scan,
     .probe = probe,
     .open = open,

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/assignments.h"
+
+#include "app/console/parameterrows.h"
+
+#include <algorithm>
+
+namespace mb::console {
+namespace {
+
+Result<ParameterChange> parseAssignment(const Family &family, const std::string &text)
+{
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+        return fail(Fault::OutOfRange, "'" + text + "' is not KEY=VALUE; write it like slot0.p=1.5");
+    const auto index = parseKey(family, text.substr(0, equals));
+    if (!index)
+        return fail(index.error());
+    const Parameter &parameter = family.parameters[index->value];
+    if (parameter.access == Access::ReadOnly)
+        return fail(Fault::OutOfRange, std::string(parameter.key) + " is read-only; leave it out");
+    const auto raw = parseRaw(parameter, text.substr(equals + 1));
+    if (!raw)
+        return fail(raw.error());
+    return ParameterChange{*index, *raw};
+}
+
+} // namespace
+
+Result<std::vector<ParameterChange>> parseAssignments(const Family &family, const std::vector<std::string> &texts)
+{
+    std::vector<ParameterChange> changes;
+    for (const std::string &text : texts) {
+        const auto change = parseAssignment(family, text);
+        if (!change)
+            return fail(change.error());
+        const auto same = [&](const ParameterChange &other) { return other.index == change->index; };
+        if (std::any_of(changes.begin(), changes.end(), same))
+            return fail(Fault::OutOfRange,
+                std::string(family.parameters[change->index.value].key) + " is given twice; give it once");
+        changes.push_back(*change);
+    }
+    return changes;
+}
+
+} // namespace mb::console

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/assignments.h"
+#include "app/console/notebook.h"
+#include "app/console/samplestream.h"
+#include "app/console/simulationclock.h"
+#include "app/console/target.h"
+#include "app/console/trialtext.h"
+#include "app/console/verb.h"
+#include "async/sleep.h"
+#include "tuning/experiment.h"
+
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+using namespace std::chrono_literals;
+using namespace tuning;
+
+constexpr Duration leaseRenewal = 100ms;
+constexpr Duration masterListen = 150ms; // another master sends at least this often
+constexpr double anyNumber = 1e12;
+constexpr double longestTime = 3600.0;
+constexpr int mostRepeats = 100;
+
+struct Arguments {
+    std::string device;
+    std::string mode;
+    std::string to;
+    std::string from;
+    std::string profile;
+    std::string seconds;
+    std::string repeat;
+    std::vector<std::string> gains;
+    bool keep = false;
+    std::string axis;
+    std::string slot;
+    std::string travel;
+    std::string speed;
+    std::string current;
+    std::string duty;
+    bool samples = false;
+    std::string save;
+};
+
+struct Plan {
+    Target target;
+    ExperimentPlan experiment;
+    bool samples = false;
+    std::string save;
+};
+
+Result<std::optional<double>> optional(std::string_view name, const std::string &text, double low, double high)
+{
+    if (text.empty())
+        return std::optional<double>();
+    const auto number = parseNumber(name, text, low, high);
+    if (!number)
+        return fail(number.error());
+    return std::optional<double>(*number);
+}
+
+Result<Mode> parseLoop(const Family &family, const std::string &text)
+{
+    std::vector<std::string_view> known;
+    for (const LoopGains &loop : family.trials->loops)
+        known.push_back(toString(loop.mode));
+    if (family.trials->nudge == 0.0)
+        known.push_back(toString(Mode::Duty));
+    std::string list;
+    for (const std::string_view mode : known) {
+        if (mode == text)
+            return *modeFromString(text);
+        list += (list.empty() ? "" : ", ") + std::string(mode);
+    }
+    return fail(Fault::OutOfRange,
+        std::string(family.key) + " has no loop '" + text + "' that can be tried; it has " + list
+            + suggestion(text, known));
+}
+
+Result<Profile> parseProfile(const std::string &text)
+{
+    if (const auto profile = profileFromString(text.empty() ? "step" : text))
+        return *profile;
+    return fail(Fault::OutOfRange,
+        "unknown profile '" + text + "'; there are step, square, ramp, sine, chirp and prbs"
+            + suggestion(text, {"step", "square", "ramp", "sine", "chirp", "prbs"}));
+}
+
+Result<void> parseNumbers(const Family &family, const Arguments &a, ExperimentPlan &plan)
+{
+    const auto to = parseNumber("--to", a.to, -anyNumber, anyNumber);
+    const auto from = optional("--from", a.from, -anyNumber, anyNumber);
+    const auto seconds = optional("--time", a.seconds, 0.001, longestTime);
+    const auto travel = optional("--travel", a.travel, 0.0, anyNumber);
+    const auto speed = optional("--speed", a.speed, 0.0, anyNumber);
+    const auto current = optional("--current", a.current, 0.0, 1e4);
+    const auto duty = optional("--duty", a.duty, 0.0, 1.0);
+    const auto repeat = a.repeat.empty() ? Result<int>(1) : parseInteger("--repeat", a.repeat, 1, mostRepeats);
+    const auto axis = a.axis.empty() ? Result<int>(1) : parseInteger("--axis", a.axis, 1, family.capabilities.axes);
+    const auto slot
+        = a.slot.empty() ? Result<int>(0) : parseInteger("--slot", a.slot, 0, family.capabilities.gainSlots - 1);
+    for (const Result<std::optional<double>> *number : {&from, &seconds, &travel, &speed, &current, &duty}) {
+        if (!*number)
+            return fail(number->error());
+    }
+    for (const Result<int> *number : {&repeat, &axis, &slot}) {
+        if (!*number)
+            return fail(number->error());
+    }
+    if (!to)
+        return fail(to.error());
+    plan.to = *to;
+    plan.from = *from;
+    plan.seconds = *seconds;
+    plan.limits = Envelope{*travel, *speed, *current, *duty};
+    plan.repeat = *repeat;
+    plan.axis = *axis;
+    plan.slot = *slot;
+    return {};
+}
+
+/// Everything that can be wrong before a device is asked.
+Result<Plan> check(const Console &console, const Arguments &a)
+{
+    auto target = parseTarget(console, a.device);
+    if (!target)
+        return fail(target.error());
+    const Family &family = *target->family;
+    if (!family.trials)
+        return fail(
+            Fault::Unsupported, std::string(family.title) + " has no loop that can be tried; leave it to 'drive'");
+    Plan plan{std::move(*target), {}, a.samples, a.save};
+    const auto mode = parseLoop(family, a.mode);
+    if (!mode)
+        return fail(mode.error());
+    const auto profile = parseProfile(a.profile);
+    if (!profile)
+        return fail(profile.error());
+    plan.experiment.mode = *mode;
+    plan.experiment.profile = *profile;
+    plan.experiment.keep = a.keep;
+    if (auto numbers = parseNumbers(family, a, plan.experiment); !numbers)
+        return fail(numbers.error());
+    auto gains = parseAssignments(family, a.gains);
+    if (!gains)
+        return fail(gains.error());
+    plan.experiment.gains = std::move(*gains);
+    if (auto possible = checkPlan(family, plan.experiment); !possible)
+        return fail(possible.error());
+    return plan;
+}
+
+/// Where the device of an experiment lives: this program's session, or for a simulated one a session of its own on exact time.
+class Stage {
+public:
+    Stage(Console &console, const LinkAddress &link)
+        : m_console(console)
+    {
+        if (!link.isSimulated())
+            return;
+        m_clock = std::make_unique<SimulationClock>(console.clock());
+        m_session = std::make_unique<Session>(*m_clock, console.families());
+    }
+    [[nodiscard]] Session &session() { return m_session ? *m_session : m_console.session(); }
+    [[nodiscard]] Task<Device *> find(Target target)
+    {
+        if (!m_session) {
+            auto connecting = connect(m_console, std::move(target));
+            co_return co_await std::move(connecting).attempt();
+        }
+        auto connecting = m_session->connect(std::move(target.selector));
+        co_return co_await std::move(connecting).attempt();
+    }
+
+private:
+    Console &m_console;
+    std::unique_ptr<SimulationClock> m_clock;
+    std::unique_ptr<Session> m_session;
+};
+
+/// From this program's own loop: if that hangs, the stream stops the motor.
+class LeaseRenewal {
+public:
+    LeaseRenewal(Clock &clock, SetPointStream &stream)
+        : m_stream(stream)
+        , m_timer(clock)
+    {
+        renew();
+    }
+
+private:
+    void renew()
+    {
+        m_stream.renew();
+        m_timer.startIn(leaseRenewal, [this] { renew(); });
+    }
+
+    SetPointStream &m_stream;
+    Timer m_timer;
+};
+
+Task<Trial> experiment(Console &console, Session &session, Device &device, const Plan &plan, Notebook &notebook)
+{
+    DirectionBook directions;
+    Interruption interruption;
+    if (console.isInterrupted())
+        interruption.interrupt();
+    const Subscription signal = console.interrupted().add([&interruption] { interruption.interrupt(); });
+    SetPointStream &stream = session.stream(device);
+    const LeaseRenewal renewal(session.clock(), stream);
+    ExperimentSurroundings surroundings;
+    surroundings.journal = notebook.book();
+    surroundings.directions = &directions;
+    surroundings.interruption = &interruption;
+    surroundings.note = [&console](const std::string &text) { console.note(text); };
+    auto running = runExperiment(device, stream, plan.experiment, surroundings);
+    co_return co_await std::move(running).attempt();
+}
+
+Result<int> verdictOf(const Trial &trial)
+{
+    if (trial.reason == toString(Guard::Link))
+        return fail(Fault::LinkLost,
+            "the experiment ended because the link was lost: " + trial.detail
+                + (trial.stopped ? "; the motor was seen stopped"
+                                 : "; see that the motor stands before anything else"));
+    if (!trial.stopped && trial.reason != "interrupted")
+        return fail(Fault::Unsafe,
+            "the stop was not confirmed by " + trial.device + "; cut its power if the motor still turns");
+    if (trial.reason == "done" || trial.reason == "interrupted")
+        return exitDone;
+    return fail(Fault::Unsafe,
+        "stopped by the guard '" + trial.reason + "': " + trial.detail + "; remove the cause before it is run again");
+}
+
+Task<int> performOn(Console &console, Stage &stage, Plan plan)
+{
+    auto finding = stage.find(plan.target);
+    Device *const device = co_await std::move(finding);
+    if (auto application = needsApplication(*device); !application)
+        co_return fail(application.error());
+    Sleep listening(device->clock(), masterListen);
+    co_await listening;
+    Notebook notebook(console);
+    auto looking = notebook.lookForDebts(*device);
+    co_await std::move(looking);
+    Result<Trial> trial;
+    {
+        std::optional<SampleStream> samples;
+        if (plan.samples)
+            samples.emplace(console, *device, std::vector<ChannelIndex>());
+        auto running = experiment(console, stage.session(), *device, plan, notebook);
+        trial = co_await std::move(running).attempt();
+    }
+    if (!trial)
+        co_return fail(trial.error());
+    printTrial(console, *trial, notebook.number());
+    if (!plan.save.empty()) {
+        if (auto saved = saveTrial(plan.save, *trial, notebook.number()); !saved)
+            co_return fail(saved.error());
+    }
+    co_return verdictOf(*trial);
+}
+
+Task<int> step(Console &console, Arguments arguments)
+{
+    const auto plan = check(console, arguments);
+    if (!plan)
+        co_return fail(plan.error());
+    const Subscription patient = console.interrupted().add([] {}); // a signal ends this verb through its own stop
+    Stage stage(console, plan->target.selector.link);
+    auto performing = performOn(console, stage, *plan);
+    const Result<int> performed = co_await std::move(performing).attempt();
+    Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
+    co_await leaving;
+    co_return performed;
+}
+
+} // namespace
+
+Job declareStep(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
+    arguments.add_option("--mode", a->mode, "velocity, position, current, duty, by family")->required();
+    arguments.add_option("--to", a->to, "Y, in the unit of the mode")->required();
+    arguments.add_option("--from", a->from, "X; the present position, else 0, otherwise");
+    arguments.add_option("--profile", a->profile, "step, square, ramp, sine, chirp or prbs; step otherwise");
+    arguments.add_option("--time", a->seconds, "Seconds of the profile; a step's hold ends once settled otherwise");
+    arguments.add_option("--repeat", a->repeat, "How often; each with its samples a little later");
+    arguments.add_option("--set", a->gains, "KEY=VALUE in force meanwhile; may be repeated")->allow_extra_args(false);
+    arguments.add_flag("--keep", a->keep, "Leave what --set has written");
+    arguments.add_option("--axis", a->axis, "1…, on boards with several");
+    arguments.add_option("--slot", a->slot, "Gain set, 0…");
+    arguments.add_option("--travel", a->travel, "Most counts either side of where it stands");
+    arguments.add_option("--speed", a->speed, "Most counts/s");
+    arguments.add_option("--current", a->current, "Most A");
+    arguments.add_option("--duty", a->duty, "Most duty, 0…1");
+    arguments.add_flag("--samples", a->samples, "Print the samples as watch does, before the result");
+    arguments.add_option("--save", a->save, "Keep result and samples in a file: .csv the samples alone");
+    return [a](Console &console) { return step(console, *a); };
+}
+
+} // namespace mb::console

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/setpoint.h"
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace mb {
+
+/// Bounds that a trial on a motor stays in. What is missing is unknown, never infinite.
+struct Envelope {
+    std::optional<double> travel;  ///< counts, either side of the position at the start
+    std::optional<double> speed;   ///< counts/s
+    std::optional<double> current; ///< A
+    std::optional<double> duty;    ///< fraction
+
+    friend bool operator==(const Envelope &, const Envelope &) = default;
+};
+
+/// A closed loop, and the parameters that make it.
+struct LoopGains {
+    Mode mode = Mode::Velocity;
+    std::string_view prefix{};                 ///< of their keys, without the axis; '#' stands for the slot
+    std::span<const std::string_view> names{}; ///< what follows it: "p", "i", …
+};
+
+/// A setting of the device that bounds what a trial may do.
+struct DeviceLimit {
+    enum class Bounds { Position, Speed, Current, Duty };
+    Bounds bounds = Bounds::Current;
+    std::string_view key{};     ///< without the axis; '#' stands for the slot
+    std::string_view enabled{}; ///< key of its switch; empty: always on
+    double one = 1.0;           ///< the parameter's number for 1 count, count/s, A or full duty
+};
+
+/// What trials (devices/tuning) must know of a family: data, so that no story branches on a name.
+struct TrialTraits {
+    std::span<const LoopGains> loops{};
+    std::span<const DeviceLimit> limits{};
+    Envelope bench;      ///< of simulated units, for what nobody gives
+    double rate = 100.0; ///< samples per second asked for while a trial runs
+    double nudge
+        = 0.0; ///< counts of the move that checks the direction where there is no duty command; 0: a pulse of duty
+    double nudgeTravel = 0.0;          ///< counts, either side, while it does
+    double hottest = 80.0;             ///< °C, of its temperature channel
+    double lowestBus = 0.0;            ///< V
+    double highestBus = 1e3;           ///< V
+    std::string_view never{};          ///< key that is no part of a trial
+    std::string_view atBoot{};         ///< key that is fully in force after a restart only …
+    std::string_view atBootDialects{}; ///< … in units of these dialects, one after the other
+};
+
+} // namespace mb

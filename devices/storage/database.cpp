@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/database.h"
+
+#include "model/qttext.h"
+#include "storage/schema.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QSqlDatabase>
+#include <QSqlError>
+#include <QSqlQuery>
+
+#include <atomic>
+
+namespace mb {
+namespace {
+
+constexpr auto damagedCode = "11";      // SQLITE_CORRUPT
+constexpr auto notADatabaseCode = "26"; // SQLITE_NOTADB
+
+std::string nextConnection()
+{
+    static std::atomic<int> count{0};
+    return "motorbench-" + std::to_string(++count);
+}
+
+QString freeName(const QString &path)
+{
+    QString name = path + QStringLiteral(".damaged");
+    for (int i = 2; QFile::exists(name); ++i)
+        name = path + QStringLiteral(".damaged-%1").arg(i);
+    return name;
+}
+
+} // namespace
+
+Database::Database(std::string path, std::string connection)
+    : m_path(std::move(path))
+    , m_connection(std::move(connection))
+{
+}
+
+Database::~Database()
+{
+    close();
+}
+
+QSqlDatabase Database::connection() const
+{
+    return QSqlDatabase::database(qt(m_connection), false);
+}
+
+void Database::close()
+{
+    connection().close();
+    QSqlDatabase::removeDatabase(qt(m_connection));
+}
+
+Result<std::unique_ptr<Database>> Database::open(const std::string &path)
+{
+    const QFileInfo file(qt(path));
+    if (!QDir().mkpath(file.absolutePath()))
+        return fail(Fault::OutOfRange,
+            file.absolutePath().toStdString() + " cannot be made; check the rights of the folder above it");
+    std::unique_ptr<Database> database(new Database(path, nextConnection()));
+    auto connected = database->connect();
+    const bool damaged = database->m_lastCode == damagedCode || database->m_lastCode == notADatabaseCode;
+    if (!connected && damaged) {
+        if (auto aside = database->putAside(); !aside)
+            return fail(aside.error());
+        connected = database->connect();
+    }
+    if (!connected)
+        return fail(connected.error());
+    return database;
+}
+
+Result<void> Database::connect()
+{
+    if (QSqlDatabase::contains(qt(m_connection)))
+        close();
+    const QFileInfo file(qt(m_path));
+    m_readOnly = file.exists() ? !file.isWritable() : !QFileInfo(file.absolutePath()).isWritable();
+    if (m_readOnly && !file.exists())
+        return fail(Fault::OutOfRange, file.absolutePath().toStdString() + " cannot be written; check its rights");
+    QSqlDatabase made = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), qt(m_connection));
+    made.setDatabaseName(qt(m_path));
+    made.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000")
+        + (m_readOnly ? QStringLiteral(";QSQLITE_OPEN_READONLY") : QString()));
+    if (!made.open())
+        return fail(Fault::OutOfRange, m_path + " cannot be opened: " + made.lastError().text().toStdString());
+    if (m_readOnly)
+        return run("SELECT count(*) FROM trial");
+    for (const char *const setting :
+        {"PRAGMA journal_mode = WAL", "PRAGMA synchronous = FULL", "PRAGMA foreign_keys = ON"}) {
+        if (auto set = run(setting); !set)
+            return set;
+    }
+    return migrate();
+}
+
+Result<void> Database::migrate()
+{
+    const auto versions = schemaVersions();
+    const auto newest = static_cast<int>(versions.size());
+    return transact([this, versions, newest]() -> Result<void> {
+        int version = 0;
+        if (auto read = run("PRAGMA user_version", {}, [&](const QSqlQuery &row) { version = row.value(0).toInt(); });
+            !read)
+            return read;
+        if (version > newest)
+            return fail(Fault::OutOfRange,
+                m_path + " was made by a newer version of this program (schema " + std::to_string(version)
+                    + ", known here is " + std::to_string(newest) + "); use that one");
+        if (version == newest)
+            return {};
+        for (; version < newest; ++version) {
+            const QStringList statements = QString::fromUtf8(versions[static_cast<std::size_t>(version)])
+                                               .split(QStringLiteral(";\n"), Qt::SkipEmptyParts);
+            for (const QString &statement : statements) {
+                if (auto done = run(statement.toUtf8().constData()); !done)
+                    return done;
+            }
+        }
+        return run(("PRAGMA user_version = " + std::to_string(newest)).c_str());
+    });
+}
+
+Result<void> Database::putAside()
+{
+    close();
+    const QString aside = freeName(qt(m_path));
+    if (!QFile::rename(qt(m_path), aside))
+        return fail(Fault::OutOfRange, m_path + " is damaged and cannot be put aside; move it away");
+    for (const char *const part : {"-wal", "-shm"}) // of the damaged one: they must not be taken for the new one's
+        QFile::rename(qt(m_path) + QLatin1String(part), aside + QLatin1String(part));
+    m_remark = m_path + " was damaged: it was put aside as " + aside.toStdString() + ", and a new one begun";
+    return {};
+}
+
+Result<void> Database::run(const char *statement, const QVariantList &values, const Row &row)
+{
+    QSqlQuery query(connection());
+    query.setForwardOnly(true);
+    bool good = query.prepare(QString::fromUtf8(statement));
+    for (int i = 0; good && i < values.size(); ++i)
+        query.bindValue(i, values.at(i));
+    good = good && query.exec();
+    while (good && query.next()) {
+        if (row)
+            row(query);
+    }
+    m_lastCode = query.lastError().nativeErrorCode().toStdString();
+    if (!good || query.lastError().isValid())
+        return fail(Fault::OutOfRange, m_path + ": " + query.lastError().databaseText().toStdString());
+    m_lastRow = query.lastInsertId().toLongLong();
+    m_changed = query.numRowsAffected();
+    return {};
+}
+
+Result<void> Database::transact(const std::function<Result<void>()> &work)
+{
+    if (auto begun = run("BEGIN IMMEDIATE"); !begun)
+        return begun;
+    auto worked = work();
+    const std::string code = m_lastCode;
+    if (worked) {
+        worked = run("COMMIT");
+        if (worked)
+            return {};
+    }
+    (void)run("ROLLBACK");
+    m_lastCode = code;
+    return worked;
+}
+
+} // namespace mb

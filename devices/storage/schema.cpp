@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/schema.h"
+
+#include <array>
+
+namespace mb {
+namespace {
+
+constexpr const char *trials = R"(
+CREATE TABLE trial (
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    time REAL NOT NULL,
+    device TEXT NOT NULL,
+    unit TEXT NOT NULL,
+    firmware TEXT NOT NULL,
+    simulated INTEGER NOT NULL,
+    mode TEXT NOT NULL,
+    axis INTEGER NOT NULL,
+    slot INTEGER NOT NULL,
+    stimulus TEXT NOT NULL,
+    envelope TEXT NOT NULL,
+    gains TEXT NOT NULL,
+    metrics TEXT NOT NULL,
+    flags TEXT NOT NULL,
+    reason TEXT,
+    detail TEXT NOT NULL,
+    stopped INTEGER NOT NULL,
+    samples INTEGER NOT NULL,
+    lost INTEGER NOT NULL,
+    star INTEGER NOT NULL DEFAULT 0,
+    note TEXT NOT NULL DEFAULT '');
+CREATE INDEX trial_device ON trial (device);
+CREATE TABLE signal (
+    trial INTEGER NOT NULL REFERENCES trial (id) ON DELETE CASCADE,
+    channel TEXT NOT NULL,
+    unit TEXT NOT NULL,
+    samples INTEGER NOT NULL,
+    data BLOB NOT NULL,
+    PRIMARY KEY (trial, channel)) WITHOUT ROWID;
+CREATE TABLE owed (
+    trial INTEGER NOT NULL,
+    unit TEXT NOT NULL,
+    key TEXT NOT NULL,
+    raw INTEGER NOT NULL,
+    time REAL NOT NULL,
+    PRIMARY KEY (trial, key)) WITHOUT ROWID;
+CREATE INDEX owed_unit ON owed (unit);
+)";
+
+constexpr std::array versions{trials};
+
+} // namespace
+
+std::span<const char *const> schemaVersions()
+{
+    return versions;
+}
+
+} // namespace mb

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/trialbook.h"
+
+#include "model/qttext.h"
+#include "storage/trialjson.h"
+
+#include <QJsonDocument>
+#include <QSqlQuery>
+#include <QVariant>
+
+#include <cstring>
+
+namespace mb {
+namespace {
+
+constexpr auto columns
+    = "SELECT id, time, device, unit, firmware, simulated, mode, axis, slot, stimulus, envelope, gains, "
+      "metrics, flags, reason, detail, stopped, samples, lost, star, note FROM trial";
+
+QString textOf(const QJsonObject &object)
+{
+    return QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact));
+}
+
+QString textOf(const QJsonArray &array)
+{
+    return QString::fromUtf8(QJsonDocument(array).toJson(QJsonDocument::Compact));
+}
+
+QJsonDocument parsed(const QVariant &text)
+{
+    return QJsonDocument::fromJson(text.toString().toUtf8());
+}
+
+std::string text(const QSqlQuery &row, int column)
+{
+    return row.value(column).toString().toStdString();
+}
+
+KeptTrial trialOf(const QSqlQuery &row)
+{
+    KeptTrial kept;
+    kept.number = row.value(0).toLongLong();
+    kept.time = row.value(1).toDouble();
+    tuning::Trial &trial = kept.trial;
+    trial.device = text(row, 2);
+    trial.unit = text(row, 3);
+    trial.firmware = text(row, 4);
+    trial.simulated = row.value(5).toBool();
+    trial.mode = modeFromString(text(row, 6)).value_or(Mode::Off);
+    trial.axis = row.value(7).toInt();
+    trial.slot = row.value(8).toInt();
+    readStimulus(parsed(row.value(9)).object(), trial);
+    readEnvelope(parsed(row.value(10)).object(), trial);
+    readGains(parsed(row.value(11)).object(), trial);
+    readMetrics(parsed(row.value(12)).object(), trial);
+    readFlags(parsed(row.value(13)).array(), trial);
+    trial.reason = text(row, 14);
+    trial.detail = text(row, 15);
+    trial.stopped = row.value(16).toBool();
+    trial.samples = row.value(17).toULongLong();
+    trial.lost = row.value(18).toULongLong();
+    kept.star = row.value(19).toBool();
+    kept.note = text(row, 20);
+    return kept;
+}
+
+/// Times, then values, as the machine has them, compressed.
+QByteArray packed(const tuning::Trace &trace)
+{
+    const auto size = static_cast<int>(trace.size() * sizeof(double));
+    QByteArray bytes(2 * size, '\0');
+    std::memcpy(bytes.data(), trace.t.data(), static_cast<std::size_t>(size));
+    std::memcpy(bytes.data() + size, trace.y.data(), static_cast<std::size_t>(size));
+    return qCompress(bytes, 1);
+}
+
+tuning::Trace unpacked(const QByteArray &data, std::size_t samples)
+{
+    tuning::Trace trace;
+    const QByteArray bytes = qUncompress(data);
+    const std::size_t size = samples * sizeof(double);
+    if (static_cast<std::size_t>(bytes.size()) != 2 * size)
+        return trace;
+    trace.t.resize(samples);
+    trace.y.resize(samples);
+    std::memcpy(trace.t.data(), bytes.constData(), size);
+    std::memcpy(trace.y.data(), bytes.constData() + size, size);
+    return trace;
+}
+
+} // namespace
+
+TrialBook::TrialBook(Database &database, const Clock &clock)
+    : m_database(database)
+    , m_clock(clock)
+{
+}
+
+double TrialBook::now() const
+{
+    const Duration time = m_clock.now().time_since_epoch() + m_clock.unixOffset();
+    return std::chrono::duration<double>(time).count();
+}
+
+Task<std::int64_t> TrialBook::begin(tuning::Trial trial)
+{
+    const auto added
+        = m_database.run("INSERT INTO trial (time, device, unit, firmware, simulated, mode, axis, slot, stimulus, "
+                         "envelope, gains, metrics, flags, detail, stopped, samples, lost) "
+                         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, '{}', '{}', '[\"aborted\"]', "
+                         "'the program ended before the trial did', 0, 0, 0)",
+            {now(), qt(trial.device), qt(trial.unit), qt(trial.firmware), trial.simulated, qt(toString(trial.mode)),
+                trial.axis, trial.slot, textOf(toJson(trial.stimulus, trial.repeat)), textOf(toJson(trial.envelope))});
+    if (!added)
+        co_return fail(added.error());
+    co_return m_database.lastRow();
+}
+
+Task<void> TrialBook::owe(std::int64_t trial, std::string unit, std::vector<tuning::OwedValue> values)
+{
+    const double time = now();
+    co_return m_database.transact([&]() -> Result<void> {
+        for (const tuning::OwedValue &value : values) {
+            auto added = m_database.run("INSERT INTO owed (trial, unit, key, raw, time) VALUES (?, ?, ?, ?, ?)",
+                {static_cast<qint64>(trial), qt(unit), qt(value.key), static_cast<qint64>(value.raw), time});
+            if (!added)
+                return added;
+        }
+        return {};
+    });
+}
+
+Task<void> TrialBook::settle(std::int64_t trial)
+{
+    co_return m_database.run("DELETE FROM owed WHERE trial = ?", {static_cast<qint64>(trial)});
+}
+
+Task<void> TrialBook::complete(std::int64_t number, tuning::Trial trial)
+{
+    co_return m_database.transact([&]() -> Result<void> {
+        const QVariant reason = trial.reason.empty() ? QVariant(QVariant::String) : QVariant(qt(trial.reason));
+        auto changed = changeOne(number,
+            "UPDATE trial SET gains = ?, metrics = ?, flags = ?, reason = ?, detail = ?, stopped = ?, samples = ?, "
+            "lost = ? "
+            "WHERE id = ?",
+            {textOf(gainsToJson(trial)), textOf(metricsToJson(trial)), textOf(flagsToJson(trial)), reason,
+                qt(trial.detail), trial.stopped, static_cast<qint64>(trial.samples), static_cast<qint64>(trial.lost),
+                static_cast<qint64>(number)});
+        return changed ? keepSignals(number, trial.signals) : changed;
+    });
+}
+
+Result<void> TrialBook::keepSignals(std::int64_t number, const std::vector<tuning::Signal> &signals)
+{
+    for (const tuning::Signal &signal : signals) {
+        auto added = m_database.run("INSERT INTO signal (trial, channel, unit, samples, data) VALUES (?, ?, ?, ?, ?)",
+            {static_cast<qint64>(number), qt(signal.channel), qt(signal.unit), static_cast<qint64>(signal.trace.size()),
+                packed(signal.trace)});
+        if (!added)
+            return added;
+    }
+    return {};
+}
+
+Result<void> TrialBook::changeOne(std::int64_t number, const char *statement, const QVariantList &values)
+{
+    if (auto done = m_database.run(statement, values); !done)
+        return done;
+    if (m_database.changed() == 1)
+        return {};
+    return fail(Fault::OutOfRange,
+        "there is no trial " + std::to_string(number) + "; 'motorbenchctl trials' lists those there are");
+}
+
+Result<std::vector<KeptTrial>> TrialBook::list(const std::string &device)
+{
+    std::vector<KeptTrial> trials;
+    const std::string all = columns;
+    const std::string statement = device.empty() ? all + " ORDER BY id" : all + " WHERE device = ? ORDER BY id";
+    const QVariantList values = device.empty() ? QVariantList() : QVariantList{qt(device)};
+    const auto read = m_database.run(
+        statement.c_str(), values, [&trials](const QSqlQuery &row) { trials.push_back(trialOf(row)); });
+    if (!read)
+        return fail(read.error());
+    return trials;
+}
+
+Result<KeptTrial> TrialBook::find(std::int64_t number)
+{
+    std::optional<KeptTrial> found;
+    const std::string statement = std::string(columns) + " WHERE id = ?";
+    const auto read = m_database.run(
+        statement.c_str(), {static_cast<qint64>(number)}, [&found](const QSqlQuery &row) { found = trialOf(row); });
+    if (!read)
+        return fail(read.error());
+    if (!found)
+        return fail(Fault::OutOfRange,
+            "there is no trial " + std::to_string(number) + "; 'motorbenchctl trials' lists those there are");
+    return *found;
+}
+
+Result<std::vector<tuning::Signal>> TrialBook::signals(std::int64_t number)
+{
+    std::vector<tuning::Signal> signals;
+    const auto read = m_database.run("SELECT channel, unit, samples, data FROM signal WHERE trial = ? ORDER BY channel",
+        {static_cast<qint64>(number)}, [&signals](const QSqlQuery &row) {
+            signals.push_back(
+                {text(row, 0), text(row, 1), unpacked(row.value(3).toByteArray(), row.value(2).toULongLong())});
+        });
+    if (!read)
+        return fail(read.error());
+    return signals;
+}
+
+Result<void> TrialBook::setStar(std::int64_t number, bool star)
+{
+    return changeOne(number, "UPDATE trial SET star = ? WHERE id = ?", {star, static_cast<qint64>(number)});
+}
+
+Result<void> TrialBook::setNote(std::int64_t number, const std::string &note)
+{
+    return changeOne(number, "UPDATE trial SET note = ? WHERE id = ?", {qt(note), static_cast<qint64>(number)});
+}
+
+Result<void> TrialBook::remove(std::int64_t number)
+{
+    return changeOne(number, "DELETE FROM trial WHERE id = ?", {static_cast<qint64>(number)});
+}
+
+Result<std::vector<Debt>> TrialBook::debts(const std::string &unit)
+{
+    std::vector<Debt> debts;
+    const auto read = m_database.run("SELECT trial, key, raw, time FROM owed WHERE unit = ? ORDER BY trial, key",
+        {qt(unit)}, [&debts](const QSqlQuery &row) {
+            const std::int64_t trial = row.value(0).toLongLong();
+            if (debts.empty() || debts.back().trial != trial)
+                debts.push_back({trial, row.value(3).toDouble(), {}});
+            debts.back().values.push_back({text(row, 1), row.value(2).toLongLong()});
+        });
+    if (!read)
+        return fail(read.error());
+    return debts;
+}
+
+} // namespace mb

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/direction.h"
+
+#include "async/sleep.h"
+#include "model/axis.h"
+#include "model/family.h"
+#include "tuning/experiment.h"
+
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double firstDuty = 0.08;
+constexpr double harder = 1.5;
+constexpr double mostDuty = 0.6;
+constexpr Duration pulse = 300ms;
+constexpr Duration nudgeTime = 1s;
+constexpr double clearMove = 15.0; ///< counts
+constexpr double leastNudge = 3.0; ///< counts; friction holds the rest
+constexpr Duration glancePeriod = 5ms;
+constexpr Duration stopLimit = 2s;
+constexpr Duration stopAgain = 100ms;
+constexpr Duration restLimit = 5s;
+constexpr Duration restSpan = 100ms;
+constexpr double restCounts = 3.0;
+
+/// Counts that the motor went while it was pushed.
+Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &recorder, SetPoint setPoint,
+    double enough, Duration limit)
+{
+    const double before = recorder.latest("position").value_or(0.0);
+    if (auto started = stream.start(setPoint, experimentLease); !started)
+        co_return fail(started.error());
+    const Instant end = device.clock().now() + limit;
+    double moved = 0.0;
+    while (stream.isRunning() && device.clock().now() < end && std::abs(moved) < enough) {
+        Sleep nap(device.clock(), glancePeriod);
+        co_await nap;
+        moved = recorder.latest("position").value_or(before) - before;
+    }
+    if (stream.isRunning())
+        stream.stop();
+    auto stopping = confirmStop(device);
+    (void)co_await std::move(stopping);
+    auto resting = waitForRest(device, recorder);
+    (void)co_await std::move(resting);
+    co_return recorder.latest("position").value_or(before) - before;
+}
+
+std::string verdictKey(const Device &device, int axis)
+{
+    return axisKey(device.family().capabilities.axes > 1 ? axis : 0, "direction");
+}
+
+tl::unexpected<Error> wrong(Device &device, int axis, std::optional<Trip> &trip, Guard guard, std::string detail)
+{
+    device.setVerdict(verdictKey(device, axis), guard == Guard::NoMotion ? "no motion" : "reversed");
+    trip = Trip{guard, detail, device.clock().now()};
+    return fail(Fault::Unsafe, std::move(detail));
+}
+
+} // namespace
+
+Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorder &recorder, int axis, GuardPlan guards,
+    const Interruption &interruption, std::optional<Trip> &trip)
+{
+    const TrialTraits &traits = *device.family().trials;
+    const double largest = std::min(guards.envelope.duty.value_or(mostDuty), mostDuty);
+    SetPoint setPoint;
+    setPoint.axis = axis;
+    if (device.family().capabilities.outputOptions)
+        setPoint.brake = true;
+    if (traits.nudge > 0.0) { // it stops by itself where it was sent
+        guards.envelope.travel = std::min(guards.envelope.travel.value_or(traits.nudgeTravel), traits.nudgeTravel);
+        guards.lag = 0.0;
+        guards.telemetry = guards.command = Duration::zero();
+    }
+    guards.breakaway = 1.0; // nothing is known of its friction yet
+    guards.dutyKnown = true;
+    recorder.guard(guards);
+    const double enough = traits.nudge > 0.0 ? leastNudge : clearMove / 2.0;
+    double moved = 0.0;
+    double duty = traits.nudge > 0.0 ? 0.0 : std::min(firstDuty, largest);
+    for (bool last = false; !last && std::abs(moved) < enough; duty = std::min(duty * harder, largest)) {
+        last = traits.nudge > 0.0 || duty >= largest;
+        setPoint.mode = traits.nudge > 0.0 ? Mode::Position : Mode::Duty;
+        setPoint.relative = traits.nudge > 0.0;
+        setPoint.target = traits.nudge > 0.0 ? traits.nudge : duty;
+        ++setPoint.order;
+        const double pushed = duty;
+        auto pushing = push(device, stream, recorder, setPoint, clearMove, traits.nudge > 0.0 ? nudgeTime : pulse);
+        moved = co_await std::move(pushing);
+        if (recorder.trip()) {
+            trip = recorder.trip();
+            co_return fail(Fault::Unsafe, trip->detail);
+        }
+        if (interruption.isRequested() || stream.end() != SetPointStream::End::Stopped)
+            co_return fail(Fault::Unsafe, stream.reason());
+        if (moved >= enough) {
+            device.setVerdict(verdictKey(device, axis), "agrees");
+            co_return pushed;
+        }
+    }
+    const std::string how = traits.nudge > 0.0 ? "when it was sent 20 counts up"
+                                               : "at up to " + numberText(std::round(largest * 100.0)) + " % duty";
+    if (std::abs(moved) < enough)
+        co_return wrong(device, axis, trip, Guard::NoMotion,
+            "the motor did not move " + how + " (" + numberText(moved) + " counts): stalled, or the encoder is dead");
+    co_return wrong(device, axis, trip, Guard::WrongDirection,
+        "the sensor counts down when the motor is driven up (" + numberText(moved)
+            + " counts): one of them is reversed");
+}
+
+Task<bool> confirmStop(Device &device)
+{
+    Clock &clock = device.clock();
+    const Instant limit = clock.now() + stopLimit;
+    Instant again = clock.now() + stopAgain;
+    while (!device.isSeenStopped()) {
+        if (clock.now() >= limit || device.link().state() != LinkState::Open)
+            co_return false;
+        if (clock.now() >= again) { // a frame may have been lost
+            device.stop();
+            again = limit;
+        }
+        Sleep nap(clock, glancePeriod);
+        co_await nap;
+    }
+    co_return true;
+}
+
+Task<bool> waitForRest(Device &device, const TrialRecorder &recorder)
+{
+    Clock &clock = device.clock();
+    const Instant limit = clock.now() + restLimit;
+    std::optional<double> place = recorder.latest("position");
+    Instant since = clock.now();
+    while (clock.now() - since < restSpan) {
+        if (clock.now() >= limit || device.link().state() != LinkState::Open)
+            co_return false;
+        Sleep nap(clock, glancePeriod);
+        co_await nap;
+        const auto now = recorder.latest("position");
+        if (now && (!place || std::abs(*now - *place) > restCounts)) {
+            place = now;
+            since = clock.now();
+        }
+    }
+    co_return true;
+}
+
+} // namespace mb::tuning

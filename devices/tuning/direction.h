@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/interruption.h"
+#include "tuning/trialrecorder.h"
+
+#include <set>
+#include <string>
+
+namespace mb::tuning {
+
+/// Which axes were found to count the right way during this run of the program. What a profile kept is shown, and never skips
+/// the check.
+class DirectionBook {
+public:
+    [[nodiscard]] bool has(const std::string &device, int axis) const { return m_checked.contains({device, axis}); }
+    void add(const std::string &device, int axis) { m_checked.insert({device, axis}); }
+    /// Motor or sensor may have been plugged differently.
+    void forget(const std::string &device)
+    {
+        std::erase_if(m_checked, [&device](const auto &entry) { return entry.first == device; });
+    }
+
+private:
+    std::set<std::pair<std::string, int>> m_checked;
+};
+
+/// Pushes the motor at 8 % duty for at most 0.3 s, harder until it moves, each time only as far as is clear; without a duty
+/// command, sends it the short way of TrialTraits::nudge. Yields the duty that moved it (0 where it was sent).
+/// The verdict goes into the device's profile; a wrong one, and no motion up to the duty limit, are trips of the recorder's kind:
+/// the error is Unsafe, and `trip` says which. The stream is idle before and after.
+[[nodiscard]] Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorder &recorder, int axis,
+    GuardPlan guards, const Interruption &interruption, std::optional<Trip> &trip);
+
+/// Waits until the device is seen stopped, at most 2 s, telling it again meanwhile; whether it was.
+[[nodiscard]] Task<bool> confirmStop(Device &device);
+/// Waits until its position stands, at most 5 s; whether it does.
+[[nodiscard]] Task<bool> waitForRest(Device &device, const TrialRecorder &recorder);
+
+} // namespace mb::tuning

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/device.h"
+#include "model/trialtraits.h"
+#include "tuning/stimulus.h"
+
+namespace mb::tuning {
+
+/// Key of a parameter of a family's traits, for this axis and slot.
+[[nodiscard]] std::string gainKey(const Family &family, std::string_view pattern, int axis, int slot);
+/// Channel of an axis; nothing where the family has none of this key.
+[[nodiscard]] std::optional<ChannelIndex> axisChannel(const Device &device, std::string_view key, int axis);
+/// The device tells its current in ampere.
+[[nodiscard]] bool hasCurrentScale(const Device &device, int axis);
+/// What a mode's measured value is called: velocity, position, current; velocity for an open loop.
+[[nodiscard]] std::string_view measuredOf(Mode mode);
+[[nodiscard]] bool isClosedLoop(Mode mode);
+
+/// The limits that the device itself has and that are on, seen from `position`. What cannot be read is not known.
+[[nodiscard]] Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position);
+
+/// What bounds a trial: of what was asked for and the device's own the narrower; on simulated units the bench's figures for
+/// the rest. OutOfRange, naming what must be given, where travel or duty (speed, in a velocity loop) are not known.
+[[nodiscard]] Result<Envelope> resolve(
+    const Device &device, Mode mode, int axis, const Envelope &asked, const Envelope &own);
+
+/// OutOfRange with the numbers when a stimulus would leave the envelope from where the motor stands.
+[[nodiscard]] Result<void> checkInside(
+    const Envelope &envelope, Mode mode, const Stimulus &stimulus, int repeat, double position);
+
+} // namespace mb::tuning

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/equivalenttime.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace mb::tuning {
+
+double ditherOf(int index, int count, double period)
+{
+    return count > 0 ? period * (index % count) / count : 0.0;
+}
+
+Trace merged(const std::vector<Trace> &runs)
+{
+    if (runs.size() == 1)
+        return runs.front();
+    Trace all;
+    for (const Trace &run : runs) {
+        all.t.insert(all.t.end(), run.t.begin(), run.t.end());
+        all.y.insert(all.y.end(), run.y.begin(), run.y.end());
+    }
+    std::vector<std::size_t> order(all.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&all](std::size_t a, std::size_t b) { return all.t[a] < all.t[b]; });
+    Trace sorted;
+    for (const std::size_t at : order)
+        sorted.add(all.t[at], all.y[at]);
+    return sorted;
+}
+
+} // namespace mb::tuning

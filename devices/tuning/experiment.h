@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/setpointstream.h"
+#include "tuning/direction.h"
+#include "tuning/experimentjournal.h"
+
+#include <functional>
+
+namespace mb::tuning {
+
+/// What an experiment is asked to do. Numbers are in the unit of the mode.
+struct ExperimentPlan {
+    Mode mode = Mode::Velocity;
+    int axis = 1;
+    int slot = 0;
+    std::optional<double> from; ///< nothing: the present position in position mode, else 0
+    double to = 0.0;
+    Profile profile = Profile::Step;
+    std::optional<double> seconds; ///< of the profile; nothing: the usual
+    int repeat = 1;
+    std::vector<ParameterChange> gains; ///< in force while it runs
+    bool keep = false;                  ///< and afterwards
+    Envelope limits;                    ///< what the caller allows
+};
+
+/// OutOfRange for what no device of the family could do: a mode without a loop, edges too fine, a parameter that is no part of
+/// an experiment. Needs no device.
+[[nodiscard]] Result<void> checkPlan(const Family &family, const ExperimentPlan &plan);
+
+/// What an experiment shares with who started it, who outlives it. Thread of the session.
+struct ExperimentSurroundings {
+    ExperimentJournal *journal = nullptr; ///< nullptr: nothing is kept, and gains are written with `keep` only
+    DirectionBook *directions = nullptr;  ///< of this run of the program
+    Interruption *interruption = nullptr;
+    std::function<void(const std::string &)> note; ///< a line for people
+};
+
+/// One guarded experiment: checks the envelope from where the motor stands, writes the gains given, checks the direction
+/// before the first closed loop of a run, goes to X, follows the stimulus, returns to X, stops, puts back what it changed.
+/// Whatever ends it, the motor was told to stop at once; the trial says why, and whether it was seen stopped.
+///
+/// The stream is of the same device, idle, and its lease (1 s) is the caller's to renew while the task runs. Fails, and nothing
+/// has moved, with OutOfRange (the remedy in the text), Unsafe, Refused, Unsupported, Timeout or LinkLost. Deterministic for a
+/// simulated device on a virtual clock.
+[[nodiscard]] Task<Trial> runExperiment(
+    Device &device, SetPointStream &stream, ExperimentPlan plan, ExperimentSurroundings surroundings);
+
+/// Of the stream's lease while an experiment runs.
+constexpr Duration experimentLease = std::chrono::seconds(1);
+
+} // namespace mb::tuning

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/task.h"
+#include "tuning/trial.h"
+
+namespace mb::tuning {
+
+/// A value that an experiment has changed and owes to the unit.
+struct OwedValue {
+    std::string key;
+    std::int64_t raw = 0;
+
+    friend bool operator==(const OwedValue &, const OwedValue &) = default;
+};
+
+/// Where an experiment writes down what must outlive this program. Thread of the session; whoever implements it waits for a
+/// disk in a thread of its own where that matters.
+class ExperimentJournal {
+public:
+    virtual ~ExperimentJournal() = default;
+
+    /// A row for a trial that is about to begin; its number.
+    [[nodiscard]] virtual Task<std::int64_t> begin(Trial trial) = 0;
+    /// What must be put back whatever happens: on the disk when this ends.
+    [[nodiscard]] virtual Task<void> owe(std::int64_t trial, std::string unit, std::vector<OwedValue> values) = 0;
+    /// It was put back, and the unit has it for good.
+    [[nodiscard]] virtual Task<void> settle(std::int64_t trial) = 0;
+    /// What came of it.
+    [[nodiscard]] virtual Task<void> complete(std::int64_t number, Trial trial) = 0;
+};
+
+} // namespace mb::tuning

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/experimentrun.h"
+
+#include "async/sleep.h"
+#include "model/family.h"
+#include "tuning/envelope.h"
+#include "tuning/equivalenttime.h"
+#include "tuning/gains.h"
+#include "tuning/seconds.h"
+#include "tuning/verdict.h"
+
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration hearLimit = 1s;
+constexpr Duration hearPeriod = 5ms;
+constexpr Duration rateTime = 200ms; ///< until samples come as often as was asked for
+constexpr Duration approachLimit = 3s;
+constexpr double nearX = 0.02; ///< of |Y − X|
+constexpr Duration beforeEdge = 250ms;
+constexpr Duration leastHold = 400ms;
+constexpr double settledShare = 0.5;
+constexpr double settledWidth = 0.02; ///< of |Y − X|
+constexpr double longestReturn = 5.0; ///< s
+
+} // namespace
+
+ExperimentRun::ExperimentRun(
+    Device &device, SetPointStream &stream, ExperimentPlan plan, ExperimentSurroundings surroundings)
+    : m_device(device)
+    , m_stream(stream)
+    , m_plan(std::move(plan))
+    , m_around(std::move(surroundings))
+    , m_beat(inSeconds(device.family().capabilities.commandPeriod))
+    , m_recorder(device, stream, m_plan.mode, m_plan.axis)
+{
+    if (m_around.interruption)
+        m_around.interruption->setStream(&stream);
+}
+
+ExperimentRun::~ExperimentRun()
+{
+    if (m_around.interruption)
+        m_around.interruption->setStream(nullptr);
+    if (m_stream.isRunning())
+        m_stream.stop();
+}
+
+void ExperimentRun::note(const std::string &text) const
+{
+    if (m_around.note)
+        m_around.note(text);
+}
+
+Task<void> ExperimentRun::hearPosition()
+{
+    const Instant limit = m_device.clock().now() + hearLimit;
+    while (!m_recorder.latest("position") || !m_device.liveness().heard) {
+        if (m_device.clock().now() >= limit)
+            co_return fail(Fault::Timeout, m_device.selector() + " does not tell its position");
+        Sleep nap(m_device.clock(), hearPeriod);
+        co_await nap;
+    }
+    m_origin = *m_recorder.latest("position");
+    co_return {};
+}
+
+Task<void> ExperimentRun::prepare()
+{
+    if (auto allowed = m_device.mayMove(); !allowed)
+        co_return fail(allowed.error());
+    auto hearing = hearPosition();
+    co_await std::move(hearing);
+    const bool counted = m_plan.mode == Mode::Position && m_device.family().capabilities.zeroPosition;
+    if (counted)
+        m_origin = 0.0; // it counts from its start
+    auto reading = readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_origin);
+    const Envelope own = co_await std::move(reading);
+    const auto envelope = resolve(m_device, m_plan.mode, m_plan.axis, m_plan.limits, own);
+    if (!envelope)
+        co_return fail(envelope.error());
+    const double from = m_plan.from.value_or(m_plan.mode == Mode::Position ? m_origin : 0.0);
+    const auto stimulus = Stimulus::make(m_plan.profile, from, m_plan.to, m_plan.seconds, m_beat);
+    if (!stimulus)
+        co_return fail(stimulus.error());
+    if (stimulus->from == stimulus->to)
+        co_return fail(Fault::OutOfRange, "there is no way from " + numberText(from) + " to itself; give another --to");
+    if (auto inside = checkInside(*envelope, m_plan.mode, *stimulus, m_plan.repeat, m_origin); !inside)
+        co_return fail(inside.error());
+    m_trial.stimulus = *stimulus;
+    m_trial.envelope = *envelope;
+    if (!counted) {
+        for (const double target : {stimulus->from, stimulus->to}) {
+            if (auto legal = m_device.check(setPointAt(target)); !legal)
+                co_return fail(legal.error());
+        }
+    }
+    if (!m_plan.keep) {
+        auto replacing = readReplaced(m_device, m_plan.gains);
+        m_owed = co_await std::move(replacing);
+    }
+    describe(m_trial, m_device);
+    m_trial.mode = m_plan.mode;
+    m_trial.axis = m_plan.axis;
+    m_trial.slot = m_plan.slot;
+    m_trial.repeat = m_plan.repeat;
+    co_return {};
+}
+
+Task<void> ExperimentRun::perform()
+{
+    if (needsRestart(m_device, m_plan.gains))
+        m_trial.flags.emplace_back(flag::restartNeeded);
+    auto writing = writeDown();
+    co_await std::move(writing);
+    if (m_plan.mode == Mode::Position && m_device.family().capabilities.zeroPosition) {
+        auto zeroing = m_device.zeroPosition();
+        co_await std::move(zeroing);
+    }
+    auto raising = raiseRates();
+    co_await std::move(raising);
+    auto finding = findDirection();
+    co_await std::move(finding);
+    auto driving = drive();
+    co_await std::move(driving);
+    co_return {};
+}
+
+Task<void> ExperimentRun::writeDown()
+{
+    const bool owes = !m_plan.gains.empty() && !m_plan.keep;
+    if (m_around.journal) {
+        auto beginning = m_around.journal->begin(m_trial);
+        const Result<std::int64_t> number = co_await std::move(beginning).attempt();
+        if (!number && owes)
+            co_return fail(number.error());
+        if (number)
+            m_number = *number;
+        else
+            note("this trial is not kept: " + number.error().detail);
+    }
+    if (owes && !m_number)
+        co_return fail(Fault::Unsafe,
+            "nothing could put the gains back after a crash; give --keep, or a notebook that can be written");
+    if (owes) {
+        auto owing = m_around.journal->owe(*m_number, m_trial.unit, m_owed);
+        co_await std::move(owing);
+    }
+    if (!m_plan.gains.empty()) {
+        m_wrote = true;
+        auto writing = writeGains(m_device, m_plan.gains);
+        co_await std::move(writing);
+    }
+    auto reading = readGains(m_device, m_plan.mode, m_plan.axis, m_plan.slot);
+    m_trial.gains = co_await std::move(reading);
+    co_return {};
+}
+
+Task<void> ExperimentRun::raiseRates()
+{
+    for (const std::string_view key : {"position", "velocity", "current", "duty"}) {
+        const auto channel = axisChannel(m_device, key, m_plan.axis);
+        if (!channel)
+            continue;
+        auto setting = m_device.setRate(*channel, m_device.family().trials->rate);
+        const Result<void> set = co_await std::move(setting).attempt();
+        if (set)
+            m_raised.push_back(*channel);
+        else if (set.error().fault == Fault::LinkLost)
+            co_return fail(set.error());
+    }
+    Sleep listening(m_device.clock(), rateTime);
+    co_await listening;
+    co_return {};
+}
+
+Task<void> ExperimentRun::lowerRates()
+{
+    for (const ChannelIndex channel : m_raised) {
+        auto setting = m_device.setRate(channel, 0.0);
+        const Result<void> set = co_await std::move(setting).attempt();
+        if (!set && m_device.link().state() == LinkState::Open)
+            note("the device's rate was not put back: " + set.error().detail);
+    }
+    m_raised.clear();
+    co_return {};
+}
+
+SetPoint ExperimentRun::setPointAt(double target) const
+{
+    SetPoint setPoint;
+    setPoint.mode = m_plan.mode;
+    setPoint.target = target;
+    setPoint.axis = m_plan.axis;
+    setPoint.slot = m_plan.slot;
+    if (m_device.family().capabilities.outputOptions)
+        setPoint.brake = true; // a coasting motor goes on many times as far
+    return setPoint;
+}
+
+GuardPlan ExperimentRun::guardPlan() const
+{
+    const TrialTraits &traits = *m_device.family().trials;
+    const Stimulus &stimulus = m_trial.stimulus;
+    GuardPlan plan;
+    plan.envelope = m_trial.envelope;
+    plan.origin = m_origin;
+    plan.swing = std::abs(stimulus.to - stimulus.from);
+    plan.dutyKnown = axisChannel(m_device, "duty", m_plan.axis).has_value();
+    plan.breakaway = m_breakaway;
+    plan.hottest = traits.hottest;
+    plan.lowestBus = traits.lowestBus;
+    plan.highestBus = traits.highestBus;
+    plan.telemetry = ofSeconds(std::max(1.0 / traits.rate, m_recorder.positionPeriod()));
+    plan.command = m_device.family().capabilities.commandPeriod;
+    const double once = 2.0 * inSeconds(beforeEdge) + stimulus.length() + std::min(stimulus.length(), longestReturn);
+    plan.longest = approachLimit + ofSeconds(once * m_plan.repeat);
+    return plan;
+}
+
+Task<void> ExperimentRun::findDirection()
+{
+    if (!isClosedLoop(m_plan.mode) || !m_around.directions
+        || m_around.directions->has(m_device.selector(), m_plan.axis))
+        co_return {};
+    Interruption alone;
+    const Interruption &interruption = m_around.interruption ? *m_around.interruption : alone;
+    m_moved = true;
+    auto checking = checkDirection(m_device, m_stream, m_recorder, m_plan.axis, guardPlan(), interruption, m_trip);
+    const Result<double> duty = co_await std::move(checking).attempt();
+    m_recorder.unguard();
+    if (!duty)
+        co_return fail(duty.error());
+    if (*duty > 0.0)
+        m_breakaway = *duty;
+    m_around.directions->add(m_device.selector(), m_plan.axis);
+    co_return {};
+}
+
+bool ExperimentRun::isOver() const
+{
+    return m_recorder.trip() || !m_stream.isRunning()
+        || (m_around.interruption && m_around.interruption->isRequested());
+}
+
+void ExperimentRun::aim(double target)
+{
+    m_recorder.expect(target);
+    if (m_stream.isRunning() && m_stream.setPoint().target != target)
+        (void)m_stream.update(setPointAt(target)); // a refusal ends the stream, and that is seen
+}
+
+Task<void> ExperimentRun::drive()
+{
+    if (m_around.interruption && m_around.interruption->isRequested())
+        co_return {};
+    m_recorder.guard(guardPlan());
+    m_recorder.expect(m_trial.stimulus.from);
+    m_moved = true;
+    if (auto started = m_stream.start(setPointAt(m_trial.stimulus.from), experimentLease); !started)
+        co_return fail(started.error());
+    auto going = goTo(m_trial.stimulus.from);
+    co_await std::move(going);
+    const double period = 1.0 / m_device.family().trials->rate;
+    for (int i = 0; i < m_plan.repeat && !isOver(); ++i) {
+        auto following = followOnce(ditherOf(i, m_plan.repeat, period));
+        co_await std::move(following);
+    }
+    m_recorder.unguard();
+    if (m_stream.isRunning())
+        m_stream.stop();
+    co_return {};
+}
+
+Task<void> ExperimentRun::goTo(double target)
+{
+    const double width = nearX * std::abs(m_trial.stimulus.to - m_trial.stimulus.from);
+    const std::string_view key = measuredOf(m_plan.mode);
+    const Instant from = m_device.clock().now();
+    const Instant limit = from + approachLimit;
+    while (!isOver()) {
+        const double here = m_recorder.latest(key).value_or(0.0);
+        const bool rests = m_recorder.isSettled(from, beforeEdge, settledShare, 2.0 * width);
+        const bool arrived
+            = m_plan.mode == Mode::Duty || m_plan.mode == Mode::Current || std::abs(here - target) <= width;
+        if (rests && arrived)
+            break;
+        if (m_device.clock().now() >= limit) {
+            if (arrived || m_plan.mode == Mode::Current)
+                break; // noise, or a slow creep
+            m_stream.stop();
+            co_return fail(Fault::Refused,
+                "the unit stays " + numberText(std::round(std::abs(here - target) * 100.0) / 100.0)
+                    + " away from where the experiment begins, more than 2 % of its step; take a larger one, or --from "
+                      "where it stands");
+        }
+        Sleep nap(m_device.clock(), hearPeriod);
+        co_await nap;
+    }
+    co_return {};
+}
+
+/// X for a moment, the stimulus on the device's beat, and back to X.
+Task<void> ExperimentRun::followOnce(double dither)
+{
+    const Stimulus &stimulus = m_trial.stimulus;
+    Clock &clock = m_device.clock();
+    const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
+    Sleep waiting(clock, beforeEdge + ofSeconds(dither));
+    co_await waiting;
+    const Instant begin = clock.now();
+    const Instant end = begin + ofSeconds(stimulus.length());
+    for (int beat = 0; !isOver() && clock.now() < end; ++beat) {
+        aim(stimulus.at(inSeconds(clock.now() - begin)));
+        if (stimulus.ends && m_recorder.isSettled(begin, leastHold, settledShare, width))
+            break;
+        Sleep nap(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
+        co_await nap;
+    }
+    const Instant back = clock.now();
+    for (const double edge : stimulus.edges())
+        m_holds.emplace_back(begin + ofSeconds(edge), std::min(begin + ofSeconds(edge + stimulus.hold()), back));
+    if (stimulus.edges().empty())
+        m_holds.emplace_back(begin, back);
+    aim(stimulus.from);
+    const Instant limit = back + ofSeconds(std::min(stimulus.length(), longestReturn));
+    while (!isOver() && clock.now() < limit && !m_recorder.isSettled(back, leastHold, settledShare, width)) {
+        Sleep nap(clock, ofSeconds(m_beat));
+        co_await nap;
+    }
+    m_returns.emplace_back(back, clock.now());
+    co_return {};
+}
+
+Task<void> ExperimentRun::putBack()
+{
+    if (!m_wrote || m_plan.keep)
+        co_return {};
+    auto writing = writeGains(m_device, changesOf(m_device.family(), m_owed));
+    const Result<void> written = co_await std::move(writing).attempt();
+    if (!written) {
+        note("the gains were not put back: " + written.error().detail
+            + "; the notebook has them, 'motorbenchctl trials' lists what is owed");
+        co_return {};
+    }
+    // a unit that stores by itself, later, has them for good only then: the next connection looks; a simulated one ends with us
+    if (m_trial.simulated || m_device.family().capabilities.storesAfter == Duration::zero()) {
+        auto settling = m_around.journal->settle(*m_number);
+        (void)co_await std::move(settling).attempt();
+    }
+    co_return {};
+}
+
+void ExperimentRun::judge(const std::optional<Error> &error)
+{
+    if (m_recorder.trip() && !m_trip)
+        m_trip = m_recorder.trip();
+    const Ending ending{m_trip, m_stream.end(), m_stream.reason(),
+        m_around.interruption && m_around.interruption->isRequested(), m_device.link().state() == LinkState::Open,
+        error};
+    nameEnding(m_trial, ending);
+}
+
+Task<void> ExperimentRun::conclude(std::optional<Error> error)
+{
+    if (m_stream.isRunning())
+        m_stream.stop();
+    m_recorder.unguard();
+    judge(error);
+    if (m_moved) {
+        auto confirming = confirmStop(m_device);
+        m_trial.stopped = co_await std::move(confirming);
+        auto resting = waitForRest(m_device, m_recorder);
+        (void)co_await std::move(resting);
+    }
+    m_trial.samples = m_recorder.samples();
+    m_trial.lost = m_recorder.lost();
+    measure(m_trial, m_recorder, m_holds, m_returns);
+    if (m_device.link().state() == LinkState::Open) {
+        auto putting = putBack();
+        co_await std::move(putting);
+        auto lowering = lowerRates();
+        co_await std::move(lowering);
+    }
+    if (m_number) {
+        auto completing = m_around.journal->complete(*m_number, m_trial);
+        const Result<void> completed = co_await std::move(completing).attempt();
+        if (!completed)
+            note("this trial is kept without its result: " + completed.error().detail);
+    }
+    co_return {};
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/gains.h"
+
+#include "model/family.h"
+#include "model/progress.h"
+#include "tuning/envelope.h"
+
+#include <algorithm>
+
+namespace mb::tuning {
+namespace {
+
+bool isReadable(const Device &device, ParameterIndex index)
+{
+    return device.parameters().parameter(index).access != Access::WriteOnly && device.offers(index);
+}
+
+bool isKnown(const Device &device, ParameterIndex index)
+{
+    const auto &entry = device.parameters().entry(index);
+    return entry.raw && entry.state != ParameterState::Unknown && entry.state != ParameterState::Failed;
+}
+
+/// Rank of a change in the order of writing.
+int rankOf(const ParameterStore &known, const ParameterChange &change)
+{
+    const std::string_view key = known.parameter(change.index).key;
+    const auto before = known.entry(change.index).raw;
+    const bool rises = !before || std::abs(change.raw) > std::abs(*before);
+    if (key.ends_with(".p"))
+        return rises ? 2 : 1;
+    if (key.ends_with(".d"))
+        return rises ? 0 : 3;
+    return key.ends_with(".i") ? 5 : 4;
+}
+
+} // namespace
+
+const LoopGains *loopOf(const Family &family, Mode mode)
+{
+    if (!family.trials)
+        return nullptr;
+    const auto &loops = family.trials->loops;
+    const auto found
+        = std::find_if(loops.begin(), loops.end(), [mode](const LoopGains &loop) { return loop.mode == mode; });
+    return found == loops.end() ? nullptr : &*found;
+}
+
+Result<void> checkTried(const Family &family, ParameterIndex index)
+{
+    const Parameter &parameter = family.parameters[index.value];
+    const std::string key(parameter.key);
+    if (parameter.access == Access::ReadOnly)
+        return fail(Fault::OutOfRange, key + " is read-only; it cannot be tried");
+    if (parameter.nature != Nature::Setting || parameter.afterRestart || key == family.trials->never)
+        return fail(Fault::OutOfRange, key + " is never part of an experiment; write it with 'motorbenchctl set'");
+    return {};
+}
+
+Task<std::vector<std::pair<std::string, std::optional<double>>>> readGains(
+    Device &device, Mode mode, int axis, int slot)
+{
+    std::vector<std::pair<std::string, std::optional<double>>> gains;
+    const LoopGains *const loop = loopOf(device.family(), mode);
+    for (std::size_t i = 0; loop && i < loop->names.size(); ++i) {
+        const std::string key
+            = gainKey(device.family(), std::string(loop->prefix) + std::string(loop->names[i]), axis, slot);
+        const auto index = findParameter(device.family().parameters, key);
+        if (!index || !device.offers(*index))
+            continue;
+        if (isReadable(device, *index)) {
+            auto reading = device.read(*index);
+            co_await std::move(reading);
+        }
+        std::optional<double> value;
+        if (isKnown(device, *index)) {
+            const Value known = toValue(device.parameters().parameter(*index), *device.parameters().entry(*index).raw);
+            if (const double *number = std::get_if<double>(&known))
+                value = *number;
+        }
+        gains.emplace_back(key, value);
+    }
+    co_return gains;
+}
+
+Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterChange> changes)
+{
+    std::vector<OwedValue> values;
+    for (const ParameterChange &change : changes) {
+        const std::string key(device.parameters().parameter(change.index).key);
+        if (isReadable(device, change.index)) {
+            auto reading = device.read(change.index);
+            co_await std::move(reading);
+        } else if (!isKnown(device, change.index) || device.profile().lost.contains(key)) {
+            co_return fail(Fault::OutOfRange,
+                key
+                    + " cannot be read, so it could not be put back; write the gains of this loop once with "
+                      "'motorbenchctl set', or give --keep");
+        }
+        values.push_back({key, *device.parameters().entry(change.index).raw});
+    }
+    co_return values;
+}
+
+void orderGains(const ParameterStore &known, std::vector<ParameterChange> &changes)
+{
+    std::stable_sort(changes.begin(), changes.end(),
+        [&known](const ParameterChange &a, const ParameterChange &b) { return rankOf(known, a) < rankOf(known, b); });
+}
+
+Task<void> writeGains(Device &device, std::vector<ParameterChange> changes)
+{
+    orderGains(device.parameters(), changes);
+    NoProgress progress;
+    auto writing = writeParameters(device, std::move(changes), progress);
+    const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
+    for (const TransferOutcome &outcome : outcomes) {
+        if (!outcome.raw)
+            co_return fail(outcome.raw.error());
+        if (outcome.verified == false)
+            co_return fail(Fault::BadCheck,
+                std::string(device.parameters().parameter(outcome.index).key)
+                    + " reads back different from what was written");
+    }
+    co_return {};
+}
+
+std::vector<ParameterChange> changesOf(const Family &family, const std::vector<OwedValue> &values)
+{
+    std::vector<ParameterChange> changes;
+    for (const OwedValue &value : values) {
+        if (const auto index = findParameter(family.parameters, value.key))
+            changes.push_back({*index, value.raw});
+    }
+    return changes;
+}
+
+bool needsRestart(const Device &device, const std::vector<ParameterChange> &changes)
+{
+    const TrialTraits &traits = *device.family().trials;
+    if (traits.atBoot.empty() || traits.atBootDialects.find(device.identity().dialect) == std::string_view::npos)
+        return false;
+    return std::any_of(changes.begin(), changes.end(), [&](const ParameterChange &change) {
+        const auto before = device.parameters().entry(change.index).raw;
+        return device.parameters().parameter(change.index).key == traits.atBoot && before != change.raw;
+    });
+}
+
+} // namespace mb::tuning

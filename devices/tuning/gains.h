@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/parametertransfer.h"
+#include "tuning/experimentjournal.h"
+#include "tuning/trial.h"
+
+namespace mb::tuning {
+
+/// The loop of a mode; nullptr where the family has none that can be tried.
+[[nodiscard]] const LoopGains *loopOf(const Family &family, Mode mode);
+
+/// OutOfRange for a parameter that is no part of an experiment: read-only, live, or named so by the family.
+[[nodiscard]] Result<void> checkTried(const Family &family, ParameterIndex index);
+
+/// Values of the loop's parameters, read where they can be; nothing for what is not known.
+[[nodiscard]] Task<std::vector<std::pair<std::string, std::optional<double>>>> readGains(
+    Device &device, Mode mode, int axis, int slot);
+
+/// What `changes` would replace. OutOfRange with the remedy where that cannot be read, and was not written by this program
+/// since the unit's last known reset.
+[[nodiscard]] Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterChange> changes);
+
+/// The order that passes through stable loops only: D up before P up, P down before D down, I last.
+void orderGains(const ParameterStore &known, std::vector<ParameterChange> &changes);
+
+/// Writes and compares; BadCheck when a read-back differs. Ends at the first error.
+[[nodiscard]] Task<void> writeGains(Device &device, std::vector<ParameterChange> changes);
+
+[[nodiscard]] std::vector<ParameterChange> changesOf(const Family &family, const std::vector<OwedValue> &values);
+
+/// A changed value that is fully in force after a restart only (TrialTraits::atBoot).
+[[nodiscard]] bool needsRestart(const Device &device, const std::vector<ParameterChange> &changes);
+
+} // namespace mb::tuning

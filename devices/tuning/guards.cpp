@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/guards.h"
+
+#include "model/parameter.h"
+#include "tuning/seconds.h"
+
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration handling = 25ms; ///< from a sample to the bridge being off, besides the periods
+constexpr double speedMargin = 1.2;
+constexpr Duration overloadTime = 100ms;
+constexpr double peakMargin = 1.5;
+constexpr double heatBudget = 10.0; ///< s at the current limit
+constexpr double heatMargin = 5.0;  ///< K
+constexpr double dutyMargin = 0.02;
+constexpr int wrongSamples = 5;
+constexpr double surelyMoves = 3.0; ///< times what friction takes
+constexpr Duration stuckTime = 500ms;
+constexpr int growingPeaks = 6;
+constexpr int mostFlips = 20; ///< a second
+constexpr double planMargin = 1.5;
+constexpr Duration silence = 100ms;
+constexpr int silentPeriods = 5;
+constexpr double mostLost = 0.05;
+
+std::string rounded(double value)
+{
+    return numberText(std::round(value * 100.0) / 100.0);
+}
+
+std::string milliseconds(Duration time)
+{
+    return rounded(inSeconds(time) * 1e3) + " ms";
+}
+
+} // namespace
+
+std::string_view toString(Guard guard)
+{
+    switch (guard) {
+    case Guard::Travel: return "travel";
+    case Guard::Speed: return "speed";
+    case Guard::Current: return "current";
+    case Guard::Duty: return "duty";
+    case Guard::Energy: return "energy";
+    case Guard::Temperature: return "temperature";
+    case Guard::BusVoltage: return "bus V";
+    case Guard::WrongDirection: return "wrong direction";
+    case Guard::NoMotion: return "no motion";
+    case Guard::Oscillation: return "oscillation";
+    case Guard::Time: return "time";
+    case Guard::Link: return "link";
+    case Guard::User: return "user";
+    }
+    return "";
+}
+
+Guards::Guards(const GuardPlan &plan, Instant start)
+    : m_plan(plan)
+    , m_start(start)
+    , m_heardAt(start)
+{
+}
+
+std::optional<Trip> Guards::trip(Guard guard, Instant at, std::string detail)
+{
+    if (m_tripped)
+        return std::nullopt;
+    m_tripped = true;
+    return Trip{guard, std::move(detail), at};
+}
+
+/// What drives the motor, at the end of a sentence about what it does.
+std::string Guards::push() const
+{
+    return m_plan.dutyKnown ? " at " + rounded(m_motion.pushed() * 100.0) + " % duty"
+                            : ", more than half a step from its target";
+}
+
+std::optional<Trip> Guards::position(Instant time, double counts)
+{
+    heard(time);
+    m_speed = m_slope.add(time, counts);
+    m_motion.position(time, counts);
+    if (m_motion.wrong() >= wrongSamples)
+        return trip(Guard::WrongDirection, time,
+            "the sensor is reversed: it counts " + std::string(m_motion.pushed() > 0.0 ? "down" : "up") + push());
+    if (m_motion.stuck() >= stuckTime)
+        return trip(Guard::NoMotion, time,
+            "stalled, or the encoder is dead: less than 3 counts in " + milliseconds(m_motion.stuck()) + push());
+    const auto &limit = m_plan.envelope.travel;
+    const double latency = inSeconds(m_plan.telemetry + m_plan.command + handling);
+    const double stops = counts + m_speed * (latency + m_plan.lag);
+    const double farthest = std::max(std::abs(stops - m_plan.origin), std::abs(counts - m_plan.origin));
+    if (limit && farthest > *limit)
+        return trip(Guard::Travel, time,
+            "it would stop " + rounded(farthest) + " counts from the start, " + rounded(*limit) + " are allowed");
+    return std::nullopt;
+}
+
+std::optional<Trip> Guards::velocity(Instant time, double perSecond)
+{
+    heard(time);
+    const auto &planned = m_plan.envelope.speed;
+    if (planned && std::abs(perSecond) > speedMargin * *planned)
+        return trip(Guard::Speed, time,
+            "speed " + rounded(std::abs(perSecond)) + " counts/s is above 1.2 × " + rounded(*planned) + " counts/s");
+    return std::nullopt;
+}
+
+std::optional<Trip> Guards::current(Instant time, double amperes)
+{
+    heard(time);
+    const auto &limit = m_plan.envelope.current;
+    if (!limit)
+        return std::nullopt;
+    m_overload.add(time, amperes, *limit);
+    if (std::abs(amperes) > peakMargin * *limit)
+        return trip(Guard::Current, time,
+            "current " + rounded(std::abs(amperes)) + " A is above 1.5 × " + rounded(*limit) + " A");
+    if (m_overload.above() >= overloadTime)
+        return trip(Guard::Current, time,
+            "current was above " + rounded(*limit) + " A for " + milliseconds(m_overload.above()));
+    if (m_overload.heat() > heatBudget)
+        return trip(Guard::Energy, time,
+            "the motor took the heat of " + rounded(m_overload.heat()) + " s at " + rounded(*limit)
+                + " A, 10 s are allowed; let it cool");
+    return std::nullopt;
+}
+
+std::optional<Trip> Guards::duty(Instant time, double fraction)
+{
+    heard(time);
+    m_motion.duty(time, fraction, surelyMoves * m_plan.breakaway);
+    const double limit = m_plan.envelope.duty.value_or(1.0);
+    m_oscillation.duty(time, fraction, limit);
+    if (std::abs(fraction) > limit + dutyMargin)
+        return trip(Guard::Duty, time,
+            "duty " + rounded(std::abs(fraction) * 100.0) + " % is above " + rounded(limit * 100.0) + " %");
+    if (m_oscillation.flips() > mostFlips)
+        return trip(Guard::Oscillation, time,
+            "the duty changed its direction " + std::to_string(m_oscillation.flips()) + " times in a second");
+    return std::nullopt;
+}
+
+std::optional<Trip> Guards::temperature(Instant time, double celsius)
+{
+    heard(time);
+    if (celsius <= m_plan.hottest - heatMargin)
+        return std::nullopt;
+    return trip(Guard::Temperature, time,
+        "temperature " + rounded(celsius) + " °C is within 5 K of " + rounded(m_plan.hottest) + " °C");
+}
+
+std::optional<Trip> Guards::busVoltage(Instant time, double volts)
+{
+    heard(time);
+    if (volts >= m_plan.lowestBus && volts <= m_plan.highestBus)
+        return std::nullopt;
+    return trip(Guard::BusVoltage, time,
+        "supply " + rounded(volts) + " V is outside " + rounded(m_plan.lowestBus) + " … " + rounded(m_plan.highestBus)
+            + " V");
+}
+
+std::optional<Trip> Guards::error(Instant time, double error)
+{
+    m_oscillation.error(error, m_plan.swing);
+    if (!m_plan.dutyKnown)
+        m_motion.duty(time, std::abs(error) > m_plan.swing / 2.0 ? std::copysign(1.0, error) : 0.0, 0.5);
+    if (m_oscillation.growing() < growingPeaks)
+        return std::nullopt;
+    return trip(Guard::Oscillation, time,
+        "the loop swings itself up: " + std::to_string(m_oscillation.growing()) + " swings, each larger than the last");
+}
+
+std::optional<Trip> Guards::look(Instant now, std::uint64_t samples, std::uint64_t lost)
+{
+    const Duration patience = std::max<Duration>(silence, silentPeriods * m_plan.telemetry);
+    if (now - m_heardAt > patience)
+        return trip(Guard::Link, m_heardAt + patience, "no sample for " + milliseconds(now - m_heardAt));
+    m_loss.add(now, samples, lost);
+    if (m_loss.share() > mostLost)
+        return trip(Guard::Link, now, rounded(m_loss.share() * 100.0) + " % of the samples were lost in a second");
+    const auto longest = std::chrono::duration_cast<Duration>(m_plan.longest * planMargin);
+    if (now - m_start > longest)
+        return trip(
+            Guard::Time, m_start + longest, "it took longer than 1.5 × " + rounded(inSeconds(m_plan.longest)) + " s");
+    return std::nullopt;
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/trialrecorder.h"
+
+namespace mb::tuning {
+
+/// What is known when an experiment is over.
+struct Ending {
+    std::optional<Trip> trip;
+    SetPointStream::End stream = SetPointStream::End::None;
+    std::string streamReason;
+    bool interrupted = false;
+    bool linkOpen = true;
+    std::optional<Error> error;
+};
+
+/// Who a device is across links and runs: its serial number, or this place; simulated units apart.
+[[nodiscard]] std::string unitOf(const Device &device);
+/// Who the device of a trial is.
+void describe(Trial &trial, const Device &device);
+/// Reason, detail and the flag `aborted`.
+void nameEnding(Trial &trial, const Ending &ending);
+/// Metrics with their errors, signals and flags, from the steps to Y (edge and end) and the ways back.
+void measure(Trial &trial, const TrialRecorder &recorder, const std::vector<std::pair<Instant, Instant>> &holds,
+    const std::vector<std::pair<Instant, Instant>> &returns);
+
+} // namespace mb::tuning

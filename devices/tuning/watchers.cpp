@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/watchers.h"
+
+#include "tuning/seconds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t slopePoints = 3;
+constexpr double leastMove = 3.0;     ///< counts
+constexpr double clearlyMoved = 10.0; ///< counts
+constexpr double runawayMargin = 1.2;
+constexpr double realPeak = 0.05; ///< of the swing
+constexpr double growth = 1.05;   ///< of a peak over the one before
+constexpr double strong = 0.5;    ///< of the duty limit
+constexpr std::uint64_t enoughSamples = 40;
+
+} // namespace
+
+double SlopeWatch::add(Instant time, double counts)
+{
+    m_points.emplace_back(time, counts);
+    if (m_points.size() > slopePoints)
+        m_points.pop_front();
+    const double span = inSeconds(m_points.back().first - m_points.front().first);
+    return span > 0.0 ? (m_points.back().second - m_points.front().second) / span : 0.0;
+}
+
+void OverloadWatch::add(Instant time, double amperes, double limit)
+{
+    if (m_last)
+        m_seconds += m_amperes * m_amperes * inSeconds(time - *m_last) / (limit * limit);
+    m_amperes = amperes;
+    m_last = time;
+    if (std::abs(amperes) <= limit) {
+        m_since.reset();
+        m_above = Duration::zero();
+        return;
+    }
+    m_since = m_since.value_or(time);
+    m_above = time - *m_since;
+}
+
+void MotionWatch::pushAnew(Instant time)
+{
+    m_pushedAt = time;
+    m_pushedFrom = m_movedTo = m_counts.value_or(0.0);
+    m_entrySpeed = std::abs(m_speed);
+    m_movedAt = time;
+    m_wrong = 0;
+    m_stuck = Duration::zero();
+}
+
+void MotionWatch::duty(Instant time, double fraction, double breakaway)
+{
+    const bool same = m_pushedAt && (fraction < 0.0) == (m_duty < 0.0);
+    m_duty = fraction;
+    if (std::abs(fraction) < breakaway) {
+        m_pushedAt.reset();
+        m_wrong = 0;
+        m_stuck = Duration::zero();
+    } else if (!same) {
+        pushAnew(time);
+    }
+}
+
+void MotionWatch::position(Instant time, double counts)
+{
+    const bool first = !m_counts;
+    const double span = inSeconds(time - m_lastAt);
+    const double step = first ? 0.0 : counts - m_lastCounts;
+    m_speed = !first && span > 0.0 ? step / span : 0.0;
+    m_counts = m_lastCounts = counts;
+    m_lastAt = time;
+    if (!m_pushedAt)
+        return;
+    if (first)
+        pushAnew(*m_pushedAt);
+    if (std::abs(counts - m_movedTo) >= leastMove) {
+        m_movedTo = counts;
+        m_movedAt = time;
+    }
+    m_stuck = time - m_movedAt;
+    const double sign = m_duty < 0.0 ? -1.0 : 1.0;
+    const bool away = m_speed * sign < 0.0 && (counts - m_pushedFrom) * sign < -clearlyMoved;
+    if (away && std::abs(m_speed) > runawayMargin * m_entrySpeed)
+        ++m_wrong;
+    else if (step != 0.0)
+        m_wrong = 0;
+}
+
+void OscillationWatch::error(double error, double swing)
+{
+    m_peak = std::max(m_peak, std::abs(error));
+    const bool positive = error > 0.0;
+    if (error == 0.0 || positive == m_isPositive)
+        return;
+    m_isPositive = positive;
+    m_growing = m_peak > realPeak * swing && m_peak > growth * m_lastPeak ? m_growing + 1 : 0;
+    m_lastPeak = m_peak;
+    m_peak = std::abs(error);
+}
+
+void OscillationWatch::duty(Instant time, double fraction, double limit)
+{
+    if (std::abs(fraction) > strong * limit) {
+        if (fraction * m_strongDuty < 0.0)
+            m_flips.push_back(time);
+        m_strongDuty = fraction;
+    }
+    while (!m_flips.empty() && time - m_flips.front() > 1s)
+        m_flips.pop_front();
+}
+
+void LossWatch::add(Instant now, std::uint64_t samples, std::uint64_t lost)
+{
+    m_counts.push_back({now, samples, lost});
+    while (m_counts.size() > 1 && now - m_counts.front().at > 1s)
+        m_counts.pop_front();
+    const std::uint64_t came = samples - m_counts.front().samples;
+    const std::uint64_t missing = lost - m_counts.front().lost;
+    m_share = came + missing < enoughSamples ? 0.0 : static_cast<double>(missing) / static_cast<double>(came + missing);
+}
+
+} // namespace mb::tuning

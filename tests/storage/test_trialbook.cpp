@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/virtualclock.h"
+#include "storage/trialbook.h"
+#include "support/simulatedsession.h"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <sys/resource.h>
+
+namespace mb {
+namespace {
+
+class Notebooks : public testing::Test {
+protected:
+    Notebooks()
+    {
+        if (!QCoreApplication::instance()) {
+            static int count = 1;
+            static char name[] = "test_storage";
+            static char *arguments[] = {name, nullptr};
+            static QCoreApplication application(count, arguments);
+        }
+        clock.advance(std::chrono::hours(1000));
+    }
+    [[nodiscard]] std::unique_ptr<Database> open() const
+    {
+        auto opened = Database::open(path);
+        EXPECT_TRUE(opened) << (opened ? "" : opened.error().detail);
+        return opened ? std::move(*opened) : nullptr;
+    }
+    [[nodiscard]] static tuning::Trial trial()
+    {
+        tuning::Trial trial;
+        trial.device = "sim:can/dmc60c:5";
+        trial.unit = "dmc60c 210334ABCDEF";
+        trial.firmware = "1.23";
+        trial.simulated = true;
+        trial.slot = 1;
+        trial.stimulus = *tuning::Stimulus::make(tuning::Profile::Step, 0.0, 1500.0, {}, 0.02);
+        trial.repeat = 4;
+        trial.envelope.travel = 4000.0;
+        trial.gains = {{"slot1.i", std::nullopt}, {"slot1.p", 1.165}};
+        trial.metrics.rise = 0.117;
+        trial.metrics.overshoot = 0.0;
+        trial.errors.rise = 0.002;
+        trial.flags = {"saturated"};
+        trial.reason = "done";
+        trial.stopped = true;
+        trial.samples = 4711;
+        tuning::Trace trace;
+        for (int i = 0; i < 500; ++i)
+            trace.add(0.005 * i, 0.1 * i);
+        trial.signals = {{"velocity", "counts/s", trace}};
+        return trial;
+    }
+    std::int64_t keep(TrialBook &book, const tuning::Trial &done)
+    {
+        const auto number = test::run(clock, book.begin(done));
+        EXPECT_TRUE(number) << (number ? "" : number.error().detail);
+        const auto completed = test::run(clock, book.complete(number.value_or(0), done));
+        EXPECT_TRUE(completed) << (completed ? "" : completed.error().detail);
+        return number.value_or(0);
+    }
+
+    QTemporaryDir folder;
+    std::string path = folder.path().toStdString() + "/below/motorbench.db";
+    VirtualClock clock;
+};
+
+TEST_F(Notebooks, ATrialComesBackAsItWasKept)
+{
+    const tuning::Trial kept = trial();
+    {
+        const auto database = open();
+        TrialBook book(*database, clock);
+        EXPECT_EQ(keep(book, kept), 1);
+    }
+    const auto database = open();
+    TrialBook book(*database, clock);
+    const auto found = book.find(1);
+    ASSERT_TRUE(found);
+    const tuning::Trial &back = found->trial;
+    EXPECT_DOUBLE_EQ(found->time, 3'600'000.0);
+    EXPECT_EQ(back.device, kept.device);
+    EXPECT_EQ(back.unit, kept.unit);
+    EXPECT_EQ(back.firmware, kept.firmware);
+    EXPECT_EQ(back.stimulus, kept.stimulus);
+    EXPECT_EQ(back.repeat, kept.repeat);
+    EXPECT_EQ(back.envelope, kept.envelope);
+    EXPECT_EQ(back.gains, kept.gains);
+    EXPECT_EQ(back.metrics, kept.metrics);
+    EXPECT_EQ(back.errors, kept.errors);
+    EXPECT_EQ(back.flags, kept.flags);
+    EXPECT_EQ(back.reason, kept.reason);
+    EXPECT_EQ(back.samples, kept.samples);
+    EXPECT_TRUE(back.stopped);
+    EXPECT_TRUE(back.simulated);
+    const auto signals = book.signals(1);
+    ASSERT_TRUE(signals);
+    EXPECT_EQ(*signals, kept.signals);
+}
+
+TEST_F(Notebooks, ATrialThatNobodySawEndIsThereAsAborted)
+{
+    {
+        const auto database = open();
+        TrialBook book(*database, clock);
+        ASSERT_TRUE(test::run(clock, book.begin(trial())));
+    }
+    const auto database = open();
+    const auto rows = TrialBook(*database, clock).list();
+    ASSERT_TRUE(rows);
+    ASSERT_EQ(rows->size(), 1U);
+    EXPECT_TRUE(rows->front().trial.has("aborted"));
+    EXPECT_TRUE(rows->front().trial.reason.empty());
+    EXPECT_FALSE(rows->front().trial.stopped);
+    EXPECT_EQ(rows->front().trial.stimulus, trial().stimulus);
+}
+
+TEST_F(Notebooks, WhatIsOwedOutlivesTheProgramUntilItIsSettled)
+{
+    const std::vector<tuning::OwedValue> values{{"slot0.i", -5}, {"slot0.p", 76349}};
+    {
+        const auto database = open();
+        TrialBook book(*database, clock);
+        const auto number = test::run(clock, book.begin(trial()));
+        ASSERT_TRUE(test::run(clock, book.owe(*number, "dmc60c A", values)));
+    }
+    const auto database = open();
+    TrialBook book(*database, clock);
+    const auto debts = book.debts("dmc60c A");
+    ASSERT_TRUE(debts);
+    ASSERT_EQ(debts->size(), 1U);
+    EXPECT_EQ(debts->front().values, values);
+    EXPECT_TRUE(book.debts("dmc60c B")->empty());
+    ASSERT_TRUE(test::run(clock, book.settle(debts->front().trial)));
+    EXPECT_TRUE(book.debts("dmc60c A")->empty());
+}
+
+TEST_F(Notebooks, StarsNotesAndRemovalsConcernOneTrialAndANumberIsNeverUsedAgain)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    for (int i = 0; i < 3; ++i)
+        keep(book, trial());
+    ASSERT_TRUE(book.setStar(2, true));
+    ASSERT_TRUE(book.setNote(2, "with \"quotes\", commas; and 'DROP TABLE trial;--"));
+    ASSERT_TRUE(book.remove(3));
+    EXPECT_EQ(keep(book, trial()), 4);
+    const auto rows = book.list();
+    ASSERT_EQ(rows->size(), 3U);
+    EXPECT_TRUE((*rows)[1].star);
+    EXPECT_FALSE((*rows)[0].star);
+    EXPECT_EQ((*rows)[1].note, "with \"quotes\", commas; and 'DROP TABLE trial;--");
+    EXPECT_TRUE(book.signals(3)->empty());
+    for (const auto &refused : {book.setStar(3, true), book.setNote(99, "x"), book.remove(3)}) {
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+    }
+    EXPECT_FALSE(book.find(3));
+    EXPECT_EQ(book.list("sim:can/dmc60c:7")->size(), 0U);
+    EXPECT_EQ(book.list("sim:can/dmc60c:5")->size(), 3U);
+}
+
+TEST_F(Notebooks, TenThousandTrialsAreListedInAFifthOfASecond)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    ASSERT_TRUE(database->transact([&]() -> Result<void> {
+        for (int i = 0; i < 10'000; ++i) {
+            auto added = database->run(
+                "INSERT INTO trial (time, device, unit, firmware, simulated, mode, axis, slot, stimulus, envelope, "
+                "gains, metrics, "
+                "flags, reason, detail, stopped, samples, lost) VALUES (?, 'sim:can/dmc60c:5', 'u', '1.23', 1, "
+                "'velocity', 1, 0, "
+                "'{\"profile\":\"step\",\"from\":0,\"to\":1500,\"time\":5,\"repeat\":1}', '{\"travel\":4000}', "
+                "'{\"slot0.p\":1.165,\"slot0.i\":0.00346,\"slot0.d\":0,\"slot0.f\":0}', "
+                "'{\"rise\":0.117,\"settle\":0.32,\"overshoot\":0.044,\"sse\":0.0001,\"iae\":0.071,\"itae\":0.01}', "
+                "'[\"saturated\"]', 'done', '', 1, 4711, 0)",
+                {i});
+            if (!added)
+                return added;
+        }
+        return {};
+    }));
+    const auto before = std::chrono::steady_clock::now();
+    const auto rows = book.list();
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
+    ASSERT_TRUE(rows);
+    EXPECT_EQ(rows->size(), 10'000U);
+    EXPECT_DOUBLE_EQ(rows->back().trial.metrics.rise.value_or(0.0), 0.117);
+    std::printf("10000 trials listed in %.3f s (to reach: 0.2 s)\n", took.count());
+}
+
+TEST_F(Notebooks, ADamagedFileIsPutAsideWithAWordAndNeverDeleted)
+{
+    const QByteArray rubbish(8192, 'x');
+    for (const char *aside : {".damaged", ".damaged-2"}) {
+        QDir().mkpath(folder.path() + "/below");
+        QFile file(QString::fromStdString(path));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        file.write(rubbish);
+        file.close();
+        const auto database = open();
+        ASSERT_TRUE(database);
+        EXPECT_NE(database->remark().find(path + aside), std::string::npos) << database->remark();
+        TrialBook book(*database, clock);
+        EXPECT_EQ(keep(book, trial()), 1);
+        QFile kept(QString::fromStdString(path + aside));
+        ASSERT_TRUE(kept.open(QIODevice::ReadOnly)) << aside;
+        EXPECT_EQ(kept.readAll(), rubbish);
+    }
+}
+
+TEST_F(Notebooks, AFileOfANewerVersionIsLeftAloneAndSaidSo)
+{
+    ASSERT_TRUE(open()->run("PRAGMA user_version = 1000"));
+    const auto refused = Database::open(path);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().detail.find("newer version"), std::string::npos) << refused.error().detail;
+    EXPECT_FALSE(QFile::exists(QString::fromStdString(path + ".damaged")));
+}
+
+TEST_F(Notebooks, TwoProgramsWriteAtOnceAndNeitherLosesATrial)
+{
+    const auto one = open();
+    const auto two = open();
+    TrialBook first(*one, clock);
+    TrialBook second(*two, clock);
+    for (int i = 0; i < 20; ++i) {
+        keep(first, trial());
+        keep(second, trial());
+    }
+    EXPECT_EQ(first.list()->size(), 40U);
+    EXPECT_EQ(second.list()->size(), 40U);
+}
+
+/// Files cannot grow beyond a size while this lives: what a full disk is like.
+class FullDisk {
+public:
+    explicit FullDisk(rlim_t bytes)
+    {
+        m_handler = std::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &m_before);
+        const rlimit small{bytes, m_before.rlim_max};
+        ::setrlimit(RLIMIT_FSIZE, &small);
+    }
+    FullDisk(const FullDisk &) = delete;
+    FullDisk &operator=(const FullDisk &) = delete;
+    ~FullDisk()
+    {
+        ::setrlimit(RLIMIT_FSIZE, &m_before);
+        std::signal(SIGXFSZ, m_handler);
+    }
+
+private:
+    rlimit m_before{};
+    void (*m_handler)(int) = nullptr;
+};
+
+TEST_F(Notebooks, AFullDiskFailsTheTrialButKeepsTheOthers)
+{
+    const auto database = open();
+    TrialBook book(*database, clock);
+    keep(book, trial());
+    tuning::Trial large = trial();
+    std::uint64_t noise = 1;
+    for (int i = 0; i < 200'000; ++i) {
+        noise = noise * 6364136223846793005ULL + 1442695040888963407ULL;
+        large.signals.front().trace.add(i, static_cast<double>(noise >> 11U));
+    }
+    {
+        const FullDisk full(300'000);
+        const auto failed = test::run(clock, book.complete(1, large));
+        ASSERT_FALSE(failed);
+        EXPECT_EQ(failed.error().fault, Fault::OutOfRange);
+    }
+    EXPECT_EQ(book.find(1)->trial.samples, 4711U);
+    EXPECT_EQ(keep(book, trial()), 2);
+}
+
+TEST_F(Notebooks, AFolderThatCannotBeMadeIsSaidSo)
+{
+    const auto refused = Database::open("/proc/motorbench/motorbench.db");
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().detail.find("/proc/motorbench"), std::string::npos);
+}
+
+} // namespace
+} // namespace mb

@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/tuning/experimentbench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace mb::tuning {
+namespace {
+
+using namespace std::chrono_literals;
+using test::ExperimentBench;
+using test::stepTo;
+
+void expectDone(const Result<Trial> &trial)
+{
+    ASSERT_TRUE(trial) << trial.error().detail;
+    EXPECT_EQ(trial->reason, "done") << trial->detail;
+    EXPECT_TRUE(trial->stopped);
+    EXPECT_TRUE(trial->simulated);
+}
+
+TEST(Experiment, AVelocityStepOfTheWellTunedUnitOvershootsLittleAndOfTheOtherMuch)
+{
+    ExperimentBench good;
+    const auto five = good.run(stepTo(Mode::Velocity, 60'000.0));
+    expectDone(five);
+    EXPECT_LE(five->metrics.overshoot.value_or(1.0), 0.06);
+    EXPECT_NEAR(five->metrics.sse.value_or(1.0), 0.0, 0.01);
+    EXPECT_TRUE(five->metrics.settle);
+    EXPECT_GT(five->metrics.peakCurrent.value_or(0.0), 1.0);
+    EXPECT_GT(five->samples, 100U);
+    EXPECT_EQ(five->lost, 0U);
+
+    ExperimentBench bad("sim:can", "dmc60c", 7);
+    const auto seven = bad.run(stepTo(Mode::Velocity, 200'000.0));
+    expectDone(seven);
+    EXPECT_NEAR(seven->metrics.overshoot.value_or(0.0), 0.20, 0.05);
+}
+
+TEST(Experiment, APositionStepStartsAtThePresentPositionAndComesBack)
+{
+    ExperimentBench bench;
+    const double before = bench.device->telemetry()->latest(*bench.device->telemetry()->find("position"))->value;
+    const auto trial = bench.run(stepTo(Mode::Position, before + 8000.0));
+    expectDone(trial);
+    EXPECT_EQ(trial->stimulus.from, before);
+    EXPECT_NEAR(trial->metrics.sse.value_or(1.0), 0.0, 0.02);
+    EXPECT_TRUE(trial->metrics.undershoot);
+    EXPECT_NEAR(bench.simulator()->position(), before, 200.0);
+}
+
+struct Unit {
+    std::string_view link;
+    std::string_view family;
+    int address;
+    Mode mode;
+    double to;
+};
+
+class EveryFamily : public testing::TestWithParam<Unit> { };
+
+TEST_P(EveryFamily, RunsAStepThatEndsStoppedAndMeasured)
+{
+    const Unit &unit = GetParam();
+    ExperimentBench bench(unit.link, unit.family, unit.address);
+    const auto trial = bench.run(stepTo(unit.mode, unit.to));
+    if (unit.family == "dmc60c" || unit.mode != Mode::Position) {
+        expectDone(trial);
+    } else {
+        ExperimentPlan plan = stepTo(unit.mode, unit.to);
+        ASSERT_TRUE(trial) << trial.error().detail;
+    }
+    ASSERT_TRUE(trial);
+    EXPECT_EQ(trial->reason, "done") << trial->detail;
+    EXPECT_TRUE(trial->metrics.rise) << unit.family;
+    EXPECT_TRUE(trial->metrics.sse) << unit.family;
+    EXPECT_FALSE(trial->has(flag::didNotMove));
+    EXPECT_FALSE(bench.simulator()->isOutputOn());
+    std::printf("%-14s %-9s rise %.3f s  overshoot %.1f %%  settle %.3f s  sse %.2f %%\n",
+        std::string(unit.family).c_str(), std::string(toString(unit.mode)).c_str(), trial->metrics.rise.value_or(0.0),
+        trial->metrics.overshoot.value_or(-1.0) * 100.0, trial->metrics.settle.value_or(-1.0),
+        trial->metrics.sse.value_or(-1.0) * 100.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfTheBench, EveryFamily,
+    testing::Values(Unit{"sim:can", "dmc60c", 5, Mode::Velocity, 60'000.0},
+        Unit{"sim:can", "dmc60c", 5, Mode::Position, 8000.0}, Unit{"sim:can", "abstractdc", 3, Mode::Velocity, 4000.0},
+        Unit{"sim:can", "abstractdc", 3, Mode::Position, 2000.0},
+        Unit{"sim:can", "abstractdc", 3, Mode::Velocity, 2000.0},
+        Unit{"sim:serial", "supermodified", 4, Mode::Position, 400.0},
+        Unit{"sim:serial", "supermodified", 5, Mode::Position, 4000.0},
+        Unit{"sim:spi", "quadquad2drv", 0, Mode::Velocity, 1000.0},
+        Unit{"sim:spi", "quadquad2drv", 0, Mode::Position, 1000.0}),
+    [](const auto &row) {
+        return std::string(row.param.family) + std::to_string(row.param.address) + std::string(toString(row.param.mode))
+            + std::to_string(static_cast<int>(row.param.to));
+    });
+
+TEST(Experiment, IsTheSameEveryTime)
+{
+    const auto run = [] {
+        ExperimentBench bench;
+        return bench.run(stepTo(Mode::Velocity, 60'000.0)).value_or(Trial());
+    };
+    const Trial one = run();
+    const Trial two = run();
+    EXPECT_EQ(one.metrics, two.metrics);
+    EXPECT_EQ(one.signals, two.signals);
+    EXPECT_FALSE(one.signals.empty());
+}
+
+TEST(Experiment, RepeatsTellHowSureTheyAre)
+{
+    ExperimentBench bench;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
+    plan.repeat = 3;
+    const auto trial = bench.run(plan);
+    expectDone(trial);
+    EXPECT_TRUE(trial->errors.rise);
+    EXPECT_LT(trial->errors.overshoot.value_or(1.0), 0.05);
+}
+
+TEST(Experiment, EveryProfileRunsAndReturns)
+{
+    for (const Profile profile : {Profile::Square, Profile::Ramp, Profile::Sine, Profile::Prbs}) {
+        ExperimentBench bench;
+        ExperimentPlan plan = stepTo(Mode::Velocity, 40'000.0);
+        plan.profile = profile;
+        plan.seconds = profile == Profile::Prbs ? 6.35 : 4.0;
+        const auto trial = bench.run(plan);
+        expectDone(trial);
+        EXPECT_EQ(trial->metrics.rise.has_value(), profile == Profile::Square) << toString(profile);
+        EXPECT_TRUE(trial->metrics.peakCurrent) << toString(profile);
+    }
+}
+
+TEST(Experiment, GainsAreInForceWhileItRunsAndPutBackToTheBitAfterwards)
+{
+    ExperimentBench bench;
+    const ParameterIndex p = bench.bench.index(*bench.device, "slot0.p");
+    const auto before = test::run(bench.bench.clock, bench.device->read(p));
+    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
+    plan.gains = {bench.change("slot0.p", 0.5)};
+    const auto trial = bench.run(plan);
+    expectDone(trial);
+    const auto gain = std::find_if(
+        trial->gains.begin(), trial->gains.end(), [](const auto &row) { return row.first == "slot0.p"; });
+    ASSERT_NE(gain, trial->gains.end());
+    EXPECT_NEAR(gain->second.value_or(0.0), 0.5, 1e-4);
+    EXPECT_EQ(*test::run(bench.bench.clock, bench.device->read(p)), *before);
+    EXPECT_EQ(bench.journal.log, (std::vector<std::string>{"begin", "owe", "settle", "complete"}));
+}
+
+TEST(Experiment, KeptGainsAreOwedToNobody)
+{
+    ExperimentBench bench;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
+    plan.gains = {bench.change("slot0.p", 0.5)};
+    plan.keep = true;
+    expectDone(bench.run(plan));
+    EXPECT_EQ(bench.journal.log, (std::vector<std::string>{"begin", "complete"}));
+    const auto now = test::run(bench.bench.clock, bench.device->read(plan.gains.front().index));
+    EXPECT_EQ(*now, plan.gains.front().raw);
+}
+
+TEST(Experiment, WithoutANotebookGainsAreNotTriedButAPlainStepIs)
+{
+    ExperimentBench bench;
+    bench.journal.isFull = true;
+    ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
+    expectDone(bench.run(plan));
+    ASSERT_FALSE(bench.notes.empty());
+    EXPECT_NE(bench.notes.front().find("the disk is full"), std::string::npos);
+    plan.gains = {bench.change("slot0.p", 0.5)};
+    EXPECT_FALSE(bench.run(plan));
+}
+
+TEST(Experiment, GainsThatNobodyCanReadAreRefusedWithTheRemedyUntilTheyWereWrittenHere)
+{
+    ExperimentBench bench("sim:can", "abstractdc", 3);
+    ExperimentPlan plan = stepTo(Mode::Velocity, 4000.0);
+    plan.gains = {bench.change("velocity.p", 100.0)};
+    const auto refused = bench.run(plan);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+    EXPECT_NE(refused.error().detail.find("--keep"), std::string::npos) << refused.error().detail;
+    EXPECT_FALSE(bench.simulator()->isOutputOn());
+    plan.gains = {bench.change("current.averaging", 1.0)};
+    EXPECT_FALSE(bench.run(plan));
+}
+
+TEST(Experiment, ASlotOrAModeThatTheFamilyHasNotIsRefused)
+{
+    ExperimentBench servo("sim:serial", "supermodified", 4);
+    const auto refused = servo.run(stepTo(Mode::Velocity, 100.0));
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().detail.find("position"), std::string::npos) << refused.error().detail;
+}
+
+TEST(Experiment, AStepOutsideTheEnvelopeIsRefusedWithBothNumbersBeforeAnythingMoves)
+{
+    ExperimentBench bench;
+    ExperimentPlan plan = stepTo(Mode::Position, 8000.0);
+    plan.limits.travel = 5000.0;
+    const auto refused = bench.run(plan);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
+    EXPECT_NE(refused.error().detail.find("8000"), std::string::npos) << refused.error().detail;
+    EXPECT_NE(refused.error().detail.find("5000"), std::string::npos) << refused.error().detail;
+    EXPECT_TRUE(bench.journal.log.empty());
+    EXPECT_FALSE(bench.simulator()->isOutputOn());
+}
+
+TEST(Experiment, AnInterruptionStopsAtOnceAndIsNoFault)
+{
+    ExperimentBench bench;
+    auto task = bench.start(stepTo(Mode::Velocity, 60'000.0));
+    task.start();
+    ASSERT_TRUE(bench.bench.clock.runUntil([&] { return bench.simulator()->speed() > 50'000.0; }, 10s));
+    bench.interruption.interrupt();
+    bench.bench.clock.advance(20ms);
+    EXPECT_FALSE(bench.simulator()->isOutputOn());
+    ASSERT_TRUE(bench.bench.clock.runUntil([&] { return task.isFinished(); }, 20s));
+    ASSERT_TRUE(task.result());
+    EXPECT_EQ(task.result()->reason, "interrupted");
+    EXPECT_TRUE(task.result()->stopped);
+    EXPECT_TRUE(task.result()->has(flag::aborted));
+}
+
+TEST(Experiment, AProgramThatHangsLosesItsLeaseAndTheTrialSaysSo)
+{
+    ExperimentBench bench;
+    auto task = bench.start(stepTo(Mode::Velocity, 60'000.0));
+    task.start();
+    ASSERT_TRUE(bench.bench.clock.runUntil([&] { return bench.simulator()->speed() > 50'000.0; }, 10s));
+    bench.renewal.stop();
+    ASSERT_TRUE(bench.bench.clock.runUntil([&] { return task.isFinished(); }, 20s));
+    ASSERT_TRUE(task.result());
+    EXPECT_TRUE(task.result()->reason == "user" || task.result()->reason == "done") << task.result()->reason;
+}
+
+TEST(Experiment, DestroyedAtAnyMomentItLeavesTheMotorStopped)
+{
+    for (int moment = 0; moment < 40; ++moment) {
+        ExperimentBench bench;
+        auto task = bench.start(stepTo(Mode::Velocity, 60'000.0));
+        task.start();
+        bench.bench.clock.advance(moment * 100ms);
+        task.cancel();
+        bench.bench.clock.advance(200ms);
+        EXPECT_FALSE(bench.simulator()->isOutputOn()) << moment;
+    }
+}
+
+TEST(Experiment, TheDirectionIsCheckedOnceARunAndItsVerdictKept)
+{
+    ExperimentBench bench;
+    expectDone(bench.run(stepTo(Mode::Velocity, 60'000.0)));
+    EXPECT_EQ(bench.device->profile().verdicts.at("direction"), "agrees");
+    EXPECT_TRUE(bench.directions.has(bench.device->selector(), 1));
+    const auto first = bench.bench.clock.now();
+    expectDone(bench.run(stepTo(Mode::Velocity, 60'000.0)));
+    EXPECT_LT(bench.bench.clock.now() - first, 8s);
+}
+
+} // namespace
+} // namespace mb::tuning
