@@ -73,18 +73,17 @@ Result<Mode> parseLoop(const Family &family, const std::string &text)
             return *modeFromString(text);
         list += (list.empty() ? "" : ", ") + std::string(mode);
     }
-    return fail(Fault::OutOfRange,
-        std::string(family.key) + " has no loop '" + text + "' that can be tried; it has " + list
-            + suggestion(text, known));
+    return fail(Fault::Usage, std::string(family.key) + " has no loop '" + text + "' that can be tried",
+        suggestion(text, known, "it has " + list));
 }
 
 Result<Profile> parseProfile(const std::string &text)
 {
     if (const auto profile = profileFromString(text.empty() ? "step" : text))
         return *profile;
-    return fail(Fault::OutOfRange,
-        "unknown profile '" + text + "'; there are step, square, ramp, sine, chirp and prbs"
-            + suggestion(text, {"step", "square", "ramp", "sine", "chirp", "prbs"}));
+    return fail(Fault::Usage, "unknown profile '" + text + "'",
+        suggestion(text, {"step", "square", "ramp", "sine", "chirp", "prbs"},
+            "there are step, square, ramp, sine, chirp and prbs"));
 }
 
 Result<void> parseNumbers(const Family &family, const Arguments &a, ExperimentPlan &plan)

@@ -19,9 +19,9 @@ enum class Cause {
     Saturated,           ///< the duty was at its limit, so gains cannot help
     CurrentLimited,
     RampLimited,
-    HiddenDelay,         ///< the measured velocity comes late
-    SlowIntegral,        ///< the end is reached by I alone, slowly
-    Underdamped,         ///< it rings
+    HiddenDelay,  ///< the measured velocity comes late
+    SlowIntegral, ///< the end is reached by I alone, slowly
+    Underdamped,  ///< it rings
     DidNotMove,
 };
 [[nodiscard]] std::string_view toString(Cause cause);
@@ -36,18 +36,18 @@ struct StagedGain {
 
 struct Advice {
     Cause cause = Cause::DidNotMove;
-    double number = 0.0;   ///< what it saw: a share, seconds, counts, by cause
-    std::string sentence;  ///< English, with that number and what to do
+    double number = 0.0;            ///< what it saw: a share, seconds, counts, by cause
+    std::string sentence;           ///< English, with that number and what to do
     std::vector<StagedGain> remedy; ///< empty: the remedy is no gain
 };
 
 /// What is known of the plant and the device, beside the trial; what is not stays empty, and whoever needs it is silent.
 struct AdviserKnowledge {
-    std::optional<double> friction;       ///< duty that overcomes it
-    std::optional<double> countDuty;      ///< duty that D gives for one count of change
-    std::optional<double> steps;          ///< least number of raw steps that a gain other than 0 has
-    std::optional<double> stiffness;      ///< duty per count of error, of P in a position loop
-    std::optional<double> feedForward;    ///< F over what the plant needs: 1 is exact
+    std::optional<double> friction;    ///< duty that overcomes it
+    std::optional<double> countDuty;   ///< duty that D gives for one count of change
+    std::optional<double> steps;       ///< least number of raw steps that a gain other than 0 has
+    std::optional<double> stiffness;   ///< duty per count of error, of P in a position loop
+    std::optional<double> feedForward; ///< F over what the plant needs: 1 is exact
 };
 
 /// Every cause that fits, the gravest first. Pure.

@@ -45,7 +45,7 @@ Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &r
         stream.stop();
     auto stopping = confirmStop(device);
     (void)co_await std::move(stopping);
-    auto resting = waitForRest(device, recorder);
+    auto resting = untilAtRest(device, recorder);
     (void)co_await std::move(resting);
     co_return recorder.latest("position").value_or(before) - before;
 }
@@ -132,7 +132,7 @@ Task<bool> confirmStop(Device &device)
     co_return true;
 }
 
-Task<bool> waitForRest(Device &device, const TrialRecorder &recorder)
+Task<bool> untilAtRest(Device &device, const TrialRecorder &recorder)
 {
     Clock &clock = device.clock();
     const Instant limit = clock.now() + restLimit;

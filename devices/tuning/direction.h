@@ -35,6 +35,6 @@ private:
 /// Waits until the device is seen stopped, at most 2 s, telling it again meanwhile; whether it was.
 [[nodiscard]] Task<bool> confirmStop(Device &device);
 /// Waits until its position stands, at most 5 s; whether it does.
-[[nodiscard]] Task<bool> waitForRest(Device &device, const TrialRecorder &recorder);
+[[nodiscard]] Task<bool> untilAtRest(Device &device, const TrialRecorder &recorder);
 
 } // namespace mb::tuning

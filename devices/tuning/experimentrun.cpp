@@ -374,7 +374,7 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
     if (m_moved) {
         auto confirming = confirmStop(m_device);
         m_trial.stopped = co_await std::move(confirming);
-        auto resting = waitForRest(m_device, m_recorder);
+        auto resting = untilAtRest(m_device, m_recorder);
         (void)co_await std::move(resting);
     }
     m_trial.samples = m_recorder.samples();

@@ -42,7 +42,7 @@ private:
     VirtualSerialLink m_bridge;
     Subscription m_received;
     int m_master = -1;
-    int m_claim = -1; ///< holds the path as long as this lives
+    int m_claim = -1;       ///< holds the path as long as this lives
     std::string m_terminal; ///< /dev/pts/N
     bool m_linked = false;
     std::unique_ptr<QSocketNotifier> m_notifier;
