@@ -260,6 +260,7 @@ Task<int> drive(Console &console, Arguments arguments)
     Device *const device = co_await std::move(connecting);
     Sleep listening(console.clock(), listen);
     co_await listening;
+    console.begin(); // it was asked, and told nothing yet
     if (auto ready = needsApplication(*device); !ready)
         co_return fail(ready.error());
     if (auto allowed = device->mayMove(); !allowed)

@@ -131,7 +131,10 @@ class Cable:
         self.thread.start()
 
     def pull(self):
+        """Yields when nothing passes any more."""
         self.plugged.clear()
+        while os.path.lexists(self.path):
+            time.sleep(0.001)
 
     def plug_in(self):
         """Yields when the program can open its end again."""
@@ -175,8 +178,8 @@ class SerialCable(Cable):
                         os.write(far if source == near else near, data)
                     except OSError:  # nobody hears it
                         pass
-            os.unlink(self.path)
             os.close(near)
+            os.unlink(self.path)
         os.close(far)
 
 
@@ -192,8 +195,8 @@ class SocketCable(Cable):
             listener.bind(self.path)
             listener.listen()
             self.serve(listener)
-            os.unlink(self.path)
             listener.close()
+            os.unlink(self.path)
 
     def serve(self, listener):
         pairs = {}

@@ -118,6 +118,10 @@ private:
     bool m_polling = false;
     bool m_checking = false;
     bool m_learning = false;
+    struct LastResort {
+        int unanswered = 0; ///< stops in a row, since one was confirmed
+        bool tried = false; ///< the reset line was pulsed
+    } m_lastResort;
     bool m_stopConfirmed = false;
     std::optional<Instant> m_motionAt;
     std::optional<Instant> m_streamAt;

@@ -213,22 +213,26 @@ void Controller::doStop()
             noteSetPoint(axis, std::nullopt);
     }
     m_drives = {};
+    if (m_stopConfirmed)
+        m_lastResort = {};
     m_stopConfirmed = false;
     (void)m_port.urgent(setControlMode(allAxes, ControlMode::Off));
     m_scope.spawn<void>(confirmStop());
     updateLiveness();
 }
 
-/// Answered twice in a row: the first may be the late answer to an order from before the stop.
+/// Answered twice in a row: the first may be the late answer to an order from before the stop. A stop that is repeated does
+/// not put off the last resort.
 Task<void> Controller::confirmStop()
 {
     const std::uint64_t stops = m_stops;
     for (int i = 0, answered = 0; i < stopTries && stops == m_stops; ++i) {
-        if (i == triesBeforeReset && answered == 0)
+        if (m_lastResort.unanswered >= triesBeforeReset && !m_lastResort.tried)
             resetAsLastResort();
         auto asking = m_port.request(setControlMode(allAxes, ControlMode::Off), 1);
         const Result<Packet> reply = co_await std::move(asking).attempt();
         answered = reply ? answered + 1 : 0;
+        m_lastResort.unanswered = reply ? 0 : m_lastResort.unanswered + 1;
         if (answered == 2) {
             m_stopConfirmed = stops == m_stops;
             break;
@@ -244,6 +248,7 @@ Task<void> Controller::confirmStop()
 /// A reset takes the modes of all axes, and the settings too. Not while its firmware is written: the bootloader would begin anew.
 void Controller::resetAsLastResort()
 {
+    m_lastResort.tried = true;
     if (busy().empty() && m_spi.pulseReset())
         forgetBoard();
 }
