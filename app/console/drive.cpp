@@ -197,8 +197,10 @@ Task<Outcome> move(Console &console, Device &device, SetPoint setPoint, Duration
     SetPointStream &stream = console.session().stream(device);
     const Subscription signal = console.interrupted().add([&console] { console.session().stopAll(StopCause::User); });
     if (!console.isInterrupted()) {
-        if (auto started = stream.start(setPoint, leaseTerm); !started)
+        if (auto started = stream.start(setPoint, leaseTerm); !started) {
+            console.begin(); // whatever was asked, the motor was told nothing
             co_return fail(started.error());
+        }
     }
     const Instant end = console.clock().now() + time;
     while (stream.isRunning() && !console.isInterrupted()) {
