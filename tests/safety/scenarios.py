@@ -87,7 +87,8 @@ class MotionScenarios(Rounds):
                 continue
             taken.append(self.off_after(at, max(self.silence(), seconds + 0.1), f"frozen for {seconds} s"))
             self.assertTrue(self.rig.motor.stays_off(RESUMES), "what was thawed does not drive on")
-            self.assertEqual(program.process.wait(PATIENCE), 4, "and says that it stopped for safety")
+            # 5: what the line brought meanwhile was more than a terminal holds.
+            self.assertIn(program.process.wait(PATIENCE), (4, 5), "and says that it did not go on")
         stopped_by = "nothing needs to" if not taken else self.by() if seconds > 0.5 or self.rig.watchdog else "the thawed program itself"
         ROWS.add(self.rig.family, f"the program is frozen for {1000 * seconds:.0f} ms", stopped_by, taken, self.silence() if taken else None)
 
