@@ -156,7 +156,7 @@ class CableScenarios(Rounds):
                 self.assertTrue(self.rig.first_order_is_stop(before), "before anything else")
             self.assertTrue(self.rig.motor.stays_off(RESUMES), "motion does not resume by itself")
         if self.rig.watchdog:
-            ROWS.add(self.rig.family, fault, self.by(), without_power, self.silence())
+            ROWS.add(self.rig.family, fault, self.by(), without_power, None)  # with the time that the pulling takes
         else:
             ROWS.add(self.rig.family, fault, "nothing: cut its power", [], None)
             ROWS.add(self.rig.family, fault + ", and is back", "the stop that is owed, the first on the line", back, BACK)
