@@ -8165,38 +8165,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>dieses Programm war %1 ms lang aufgehalten, länger als der Motor ohne Sollwert läuft</translation>
     </message>
     <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory; switch it off and on</source>
-        <translation>seine Mittelung wurde verkleinert, soweit man das wissen kann, und bis er einmal stromlos war, kann er seinen eigenen Speicher überschreiben; schalten Sie ihn aus und wieder ein</translation>
-    </message>
-    <message>
-        <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
-        <translation>Seine Mittelung wurde, soweit man das wissen kann, verkleinert und gespeichert. Schalten Sie ihn jetzt aus und wieder ein: bis dahin kann er seinen Speicher überschreiben.</translation>
-    </message>
-    <message>
-        <source>current is limited</source>
-        <translation>Strom ist begrenzt</translation>
-    </message>
-    <message>
-        <source>forward limit switch holds</source>
-        <translation>Endschalter vorwärts hält</translation>
-    </message>
-    <message>
-        <source>reverse limit switch holds</source>
-        <translation>Endschalter rückwärts hält</translation>
-    </message>
-    <message>
-        <source>forward soft limit holds</source>
-        <translation>Weggrenze vorwärts hält</translation>
-    </message>
-    <message>
-        <source>reverse soft limit holds</source>
-        <translation>Weggrenze rückwärts hält</translation>
-    </message>
-    <message>
-        <source>halted</source>
-        <translation>angehalten</translation>
-    </message>
-    <message>
         <source>found on %1</source>
         <translation>gefunden an %1</translation>
     </message>
