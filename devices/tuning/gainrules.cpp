@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/gainrules.h"
+
+#include "tuning/margins.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+constexpr double slower = 1.05;
+constexpr int mostRounds = 120;
+constexpr double offGain = 1.2;
+constexpr double offDelay = 1.3;
+constexpr double dampingOfPosition = 1.0;
+
+struct AimName {
+    Aim aim;
+    std::string_view name;
+};
+constexpr std::array<AimName, 3> aims{{{Aim::Calm, "calm"}, {Aim::Normal, "normal"}, {Aim::Brisk, "brisk"}}};
+
+ContinuousGains rule(Mode loop, const PlantModel &plant, double response)
+{
+    if (loop == Mode::Position)
+        return positionRule(plant, 1.0 / response, dampingOfPosition);
+    return loop == Mode::Current ? currentRule(plant, response) : velocityRule(plant, response);
+}
+
+bool hasMargin(Mode loop, const PlantModel &plant, const ContinuousGains &gains, double mostMs, double mostMsOff)
+{
+    PlantModel off = plant;
+    off.gain *= offGain;
+    off.delay *= offDelay;
+    return marginsOf(loop, plant, gains).ms <= mostMs && marginsOf(loop, off, gains).ms <= mostMsOff;
+}
+
+} // namespace
+
+std::string_view toString(Aim aim)
+{
+    return std::find_if(aims.begin(), aims.end(), [aim](const AimName &known) { return known.aim == aim; })->name;
+}
+
+std::optional<Aim> aimFromString(std::string_view text)
+{
+    for (const AimName &known : aims) {
+        if (known.name == text)
+            return known.aim;
+    }
+    return std::nullopt;
+}
+
+ContinuousGains velocityRule(const PlantModel &plant, double response)
+{
+    const double lag = response + plant.delay;
+    const double p = plant.tau / (plant.gain * lag);
+    return {p, p / std::min(plant.tau, 4.0 * lag), 0.0, 0.0};
+}
+
+ContinuousGains positionRule(const PlantModel &plant, double omega, double zeta)
+{
+    const double d = (2.0 * zeta * omega * plant.tau - 1.0) / plant.gain;
+    const double natural = d > 0.0 ? omega : std::min(omega, 1.0 / (2.0 * zeta * plant.tau));
+    return {plant.tau * natural * natural / plant.gain, 0.0, std::max(d, 0.0), 0.0};
+}
+
+ContinuousGains positionRuleWithIntegral(const PlantModel &plant, double omega, double zeta, double alpha)
+{
+    const double scale = plant.tau * omega / plant.gain;
+    return {scale * omega * (1.0 + 2.0 * zeta * alpha), scale * omega * omega * alpha,
+        std::max((plant.tau * omega * (2.0 * zeta + alpha) - 1.0) / plant.gain, 0.0), 0.0};
+}
+
+ContinuousGains currentRule(const PlantModel &plant, double lambda)
+{
+    const double i = 1.0 / (plant.gain * (lambda + plant.delay));
+    return {plant.tau * i, i, 0.0, 0.0};
+}
+
+ContinuousGains relayRule(double ultimateGain, double period)
+{
+    const double p = ultimateGain / 2.2;
+    return {p, p / (2.2 * period), p * period / 6.3, 0.0};
+}
+
+double responseOf(Mode loop, Aim aim, const PlantModel &plant)
+{
+    const auto step = static_cast<std::size_t>(aim);
+    if (loop == Mode::Current)
+        return std::array<double, 3>{0.003, 0.002, 0.0015}[step];
+    if (loop == Mode::Position)
+        return plant.delay / std::array<double, 3>{0.1, 0.2, 0.25}[step];
+    return plant.delay * std::array<double, 3>{3.0, 1.5, 1.0}[step];
+}
+
+Design design(
+    Mode loop, const PlantModel &plant, double response, const LoopBounds &bounds, double mostMs, double mostMsOff)
+{
+    Design result;
+    result.response = response;
+    const auto bound = [&result](std::string_view name) {
+        if (std::find(result.bounds.begin(), result.bounds.end(), name) == result.bounds.end())
+            result.bounds.push_back(name);
+    };
+    for (int round = 0; round < mostRounds; ++round, result.response *= slower) {
+        result.gains = rule(loop, plant, result.response);
+        const bool noisy
+            = bounds.period > 0.0 && result.gains.d / bounds.period > bounds.derivativeShare; // of one count
+        const bool relayLike
+            = bounds.largestError > 0.0 && result.gains.p * bounds.largestError > bounds.strongestError;
+        if (noisy)
+            bound("derivative noise");
+        else if (relayLike)
+            bound("largest error");
+        else if (!hasMargin(loop, plant, result.gains, mostMs, mostMsOff))
+            bound("margin");
+        else
+            break;
+    }
+    return result;
+}
+
+double deadband(const PlantModel &plant, const ContinuousGains &gains)
+{
+    return gains.p > 0.0 ? plant.friction / gains.p : 0.0;
+}
+
+double conflictArea(const PlantModel &plant, const ContinuousGains &gains, double response, double step)
+{
+    if (gains.i <= 0.0 || step == 0.0)
+        return 0.0;
+    const double area = ((1.0 - gains.f * plant.gain) / plant.gain + plant.friction / std::abs(step)) / gains.i;
+    return std::max(response + plant.delay - area, 0.0);
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/setpoint.h"
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace mb::tuning {
+
+/// A motor as one of its loops sees it: gain·e^(−delay·s)/(tau·s + 1) from duty to what the loop measures; to its speed in a
+/// position loop, which integrates it.
+struct PlantModel {
+    double gain = 0.0;     ///< counts/s per duty; A per duty in a current loop
+    double tau = 0.0;      ///< s
+    double delay = 0.0;    ///< s, of the whole loop
+    double friction = 0.0; ///< duty
+
+    friend bool operator==(const PlantModel &, const PlantModel &) = default;
+};
+
+/// duty = p·e + i·∫e dt + d·de/dt + f·target, in duty per counts/s, counts or A, and seconds.
+struct ContinuousGains {
+    double p = 0.0;
+    double i = 0.0;
+    double d = 0.0;
+    double f = 0.0;
+
+    friend bool operator==(const ContinuousGains &, const ContinuousGains &) = default;
+};
+
+enum class Aim { Calm, Normal, Brisk };
+[[nodiscard]] std::string_view toString(Aim aim);
+[[nodiscard]] std::optional<Aim> aimFromString(std::string_view text);
+
+/// SIMC: the closed loop answers like a lag of `response` seconds behind the delay.
+[[nodiscard]] ContinuousGains velocityRule(const PlantModel &plant, double response);
+/// Pole placement of a PD loop: natural frequency `omega` rad/s, damping `zeta`. Without D (0) where the motor's own damping is
+/// more than that; P is then what `zeta` allows.
+[[nodiscard]] ContinuousGains positionRule(const PlantModel &plant, double omega, double zeta = 1.0);
+/// The same with an integral of weight `alpha`, for loops that must hold a load.
+[[nodiscard]] ContinuousGains positionRuleWithIntegral(
+    const PlantModel &plant, double omega, double zeta, double alpha);
+/// Lambda tuning of a current loop; `plant.tau` is L/R.
+[[nodiscard]] ContinuousGains currentRule(const PlantModel &plant, double lambda);
+/// Tyreus–Luyben PID out of a relay's ultimate gain (duty per count, corrected for friction) and period. A fallback.
+[[nodiscard]] ContinuousGains relayRule(double ultimateGain, double period);
+
+/// The closed loop that an aim means: s of response in a velocity or current loop, 1/omega in a position loop.
+[[nodiscard]] double responseOf(Mode loop, Aim aim, const PlantModel &plant);
+
+/// What the loop of a device can carry.
+struct LoopBounds {
+    double period = 0.0;          ///< s, of the device's loop; 0: unknown
+    double derivativeShare = 0.1; ///< of full duty that one count may make through D
+    double strongestError = 3.0;  ///< full duties that P may make of the largest error
+    double largestError = 0.0;    ///< in the unit of the loop; 0: unknown
+};
+
+/// Gains for this loop, and what kept them from being as quick as was asked for. `response` as of responseOf().
+struct Design {
+    ContinuousGains gains;
+    double response = 0.0;                ///< s, as it came out
+    std::vector<std::string_view> bounds; ///< "delay", "derivative noise", "largest error", "margin"; empty: none
+};
+/// Within `bounds`, and with a sensitivity peak of `mostMs` at most on the model (and `mostMsOff` where the gain is 20 % and the
+/// delay 30 % more than thought): slower until they hold.
+[[nodiscard]] Design design(Mode loop, const PlantModel &plant, double response, const LoopBounds &bounds,
+    double mostMs = 1.6, double mostMsOff = 1.9);
+
+/// Duty that friction keeps the loop from using: the error at rest of a loop without I, in its unit.
+[[nodiscard]] double deadband(const PlantModel &plant, const ContinuousGains &gains);
+/// By how much the area under the error comes short of the unavoidable lag: what a feed-forward and an integral that fight each
+/// other must give back as overshoot, in seconds of the step. 0: none.
+[[nodiscard]] double conflictArea(const PlantModel &plant, const ContinuousGains &gains, double response, double step);
+
+} // namespace mb::tuning

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/gainrules.h"
+
+#include <complex>
+
+namespace mb::tuning {
+
+/// How far a loop is from swinging.
+struct Margins {
+    double ms = 0.0;        ///< largest sensitivity; infinite for an unstable loop
+    double gain = 0.0;      ///< factor that the gain may grow by
+    double phase = 0.0;     ///< degrees
+    double crossover = 0.0; ///< rad/s
+    [[nodiscard]] bool isStable() const { return gain > 1.0 && phase > 0.0; }
+};
+
+/// Of the open loop, rad/s.
+[[nodiscard]] std::complex<double> openLoop(
+    Mode loop, const PlantModel &plant, const ContinuousGains &gains, double omega);
+[[nodiscard]] Margins marginsOf(Mode loop, const PlantModel &plant, const ContinuousGains &gains);
+
+} // namespace mb::tuning
