@@ -25,7 +25,7 @@ QJsonObject objectOf(Duration time, std::string_view link, const std::optional<D
         {QStringLiteral("data"), QString()},
         {QStringLiteral("family"), decoded ? QJsonValue(qt(decoded->family)) : QJsonValue()},
         {QStringLiteral("message"), decoded ? QJsonValue(qt(decoded->message)) : QJsonValue()},
-        {QStringLiteral("address"), decoded ? QJsonValue(decoded->address) : QJsonValue()},
+        {QStringLiteral("address"), decoded && decoded->address >= 0 ? QJsonValue(decoded->address) : QJsonValue()},
         {QStringLiteral("fields"), fields},
     };
 }
@@ -35,8 +35,8 @@ std::string textOf(const std::optional<DecodedFrame> &decoded)
 {
     if (!decoded)
         return {};
-    std::string text = "  " + std::string(decoded->family) + ':' + std::to_string(decoded->address) + ' '
-        + std::string(decoded->message);
+    const std::string address = decoded->address < 0 ? "?" : std::to_string(decoded->address);
+    std::string text = "  " + std::string(decoded->family) + ':' + address + ' ' + std::string(decoded->message);
     for (const DecodedField &field : decoded->fields) {
         text += ' ' + std::string(field.name) + '=' + numberText(field.value);
         if (!field.unit.empty())

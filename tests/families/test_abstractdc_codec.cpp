@@ -136,7 +136,7 @@ TEST(AbstractDcDecode, NamesEveryMessageInBothDirections)
     EXPECT_EQ(text("389#03"), "log request 5 LOG=3");
     EXPECT_EQ(text("405#F4010000"), "speed log 5 value=500counts/s");
     EXPECT_EQ(text("480#FFFFFFFF"), "position log 0 value=-1counts");
-    EXPECT_EQ(text("680#9CFFFFFF"), "voltage log 0 value=-100PWM");
+    EXPECT_EQ(text("680#9CFFFFFF"), "voltage log -1 value=-100PWM");
 }
 
 TEST(AbstractDcDecode, TheSameBitsMeanSomethingElseInAnotherDialect)
@@ -170,17 +170,17 @@ TEST(AbstractDcDecode, AVoltageLogIsThatOfTheDriveThatWasAskedForIt)
         frame.time = Instant(time);
         const auto decoded = follow(frame);
         EXPECT_TRUE(decoded);
-        return decoded ? decoded->address : -1;
+        return decoded ? decoded->address : -2;
     };
     using namespace std::chrono_literals;
-    EXPECT_EQ(address("680#01000000", 1s), 0) << "nobody was asked";
+    EXPECT_EQ(address("680#01000000", 1s), -1) << "nobody was asked";
     EXPECT_EQ(address("387#04", 2s), 3);
     EXPECT_EQ(address("680#01000000", 2s + 1ms), 3);
     EXPECT_EQ(address("387#04", 3s), 3);
-    EXPECT_EQ(address("680#01000000", 4s + 1ms), 0) << "too late";
+    EXPECT_EQ(address("680#01000000", 4s + 1ms), -1) << "too late";
     EXPECT_EQ(address("387#04", 5s), 3);
     EXPECT_EQ(address("388#04", 5s), 4);
-    EXPECT_EQ(address("680#01000000", 5s + 1ms), 0) << "one of two";
+    EXPECT_EQ(address("680#01000000", 5s + 1ms), -1) << "one of two";
 }
 
 TEST(AbstractDcDecode, WhatIsNotExactlyItsOwnIsNothing)

@@ -25,6 +25,7 @@ private Q_SLOTS:
     void bytesOfASerialLineHaveRowsToo();
     void errorFramesHaveRows();
     void aDialectDecidesHowADeviceIsRead();
+    void aVoltageLogIsOfTheDriveThatWasAsked();
     void identifiersKeepTheirPlaces();
     void identifiersHaveExactNumbers();
     void identifiersFollowTheFilter();
@@ -244,6 +245,34 @@ void BusModelsTest::aDialectDecidesHowADeviceIsRead()
     QCOMPARE(decoder.decode(canFrameFromText("004#").value())->frame.message, std::string_view("OTHER"));
     QCOMPARE(asked, std::string("L"));
     QVERIFY(decoder.control(canFrameFromText("003#").value())); // it moves a motor in a dialect that is spoken here
+}
+
+void BusModelsTest::aVoltageLogIsOfTheDriveThatWasAsked()
+{
+    FakeTraffic traffic;
+    FrameModel model(m_theme);
+    model.setDecoder(FrameDecoder(families()));
+    model.setSource(traffic.log);
+    traffic.add("680#9CFFFFFF"); // nobody was asked
+    traffic.add("387#04", Direction::Sent);
+    traffic.add("680#9CFFFFFF");
+    QVERIFY(model.fetch());
+    QCOMPARE(cell(model, 0, FrameModel::Message), QStringLiteral("voltage log"));
+    QCOMPARE(cell(model, 0, FrameModel::Address), QString::fromUtf8("–"));
+    QCOMPARE(cell(model, 1, FrameModel::Address), QStringLiteral("3"));
+    QCOMPARE(cell(model, 2, FrameModel::Address), QStringLiteral("3"));
+    model.setFilter(FrameFilter(QStringLiteral("device:3")));
+    QCOMPARE(model.rowCount(), 2);
+    model.setFilter(FrameFilter(QStringLiteral("device:0")));
+    QCOMPARE(model.rowCount(), 0);
+    IdModel ids(m_theme);
+    ids.setDecoder(FrameDecoder(families()));
+    ids.setSource(traffic.log);
+    ids.refresh(traffic.now);
+    for (int row = 0; row < ids.rowCount(); ++row) {
+        if (cell(ids, row, IdModel::Id) == QStringLiteral("680"))
+            QCOMPARE(cell(ids, row, IdModel::Address), QString::fromUtf8("–")); // one identifier of all drives
+    }
 }
 
 void BusModelsTest::identifiersKeepTheirPlaces()

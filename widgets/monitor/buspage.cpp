@@ -62,6 +62,10 @@ BusPage::BusPage(Workbench &workbench, Arming &arming, const ThemeSource &theme,
     m_tick.setInterval(refreshTime);
     connect(&m_tick, &QTimer::timeout, this, &BusPage::tick);
     connect(&workbench, &Workbench::changed, this, &BusPage::followLinks);
+    connect(&theme, &ThemeSource::changed, this, [this] {
+        if (const LinkView *shown = link())
+            showState(*shown); // whose words carry their colours with them
+    });
 }
 
 void BusPage::buildTables()

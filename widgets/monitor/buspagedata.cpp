@@ -143,7 +143,7 @@ void BusPage::showState(const LinkView &link)
     };
     const Theme &theme = m_theme.theme();
     const auto count = [](std::uint64_t number) { return formatCount(static_cast<qint64>(number)); };
-    QString state = tr("load %1 &nbsp; frames/s %2 &nbsp; lost %3 &nbsp; errors %4")
+    QString state = tr("load %1 &nbsp; frames/s %2 &nbsp; dropped %3 &nbsp; errors %4")
                         .arg(bold(formatValue(link.load * 100.0, 0, QStringLiteral("%")), theme.text),
                             bold(formatNumber(m_rate, 0), theme.text),
                             bold(count(link.counters.lost), link.counters.lost > 0 ? theme.caution : theme.ok),

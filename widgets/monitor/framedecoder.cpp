@@ -48,6 +48,27 @@ std::optional<FrameMeaning> FrameDecoder::control(const CanFrame &frame) const
     return std::nullopt;
 }
 
+FrameFollower::FrameFollower()
+{
+    for (const Family *family : families()) {
+        if (family->followCan)
+            m_decoders.emplace_back(family, family->followCan({}));
+    }
+}
+
+std::optional<int> FrameFollower::addressOf(const CanFrame &frame)
+{
+    std::optional<int> address;
+    for (const auto &[family, follow] : m_decoders) {
+        const auto followed = follow(frame);
+        if (!followed || followed->address < 0)
+            continue;
+        if (const auto alone = family->decodeCan(frame, {}); alone && alone->address < 0)
+            address = followed->address;
+    }
+    return address;
+}
+
 FrameDecoder decoderFor(const Snapshot &shot, const std::string &link)
 {
     FrameDecoder decoder(families());

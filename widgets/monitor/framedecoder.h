@@ -37,6 +37,17 @@ private:
     std::map<std::pair<const Family *, int>, std::string> m_dialects;
 };
 
+/// Shown all frames of one link in their order: whom a frame is from that does not tell it by itself (Family::followCan).
+class FrameFollower {
+public:
+    FrameFollower();
+    /// Nothing where the frame says it itself, or nobody can know.
+    [[nodiscard]] std::optional<int> addressOf(const CanFrame &frame);
+
+private:
+    std::vector<std::pair<const Family *, CanDecoder>> m_decoders;
+};
+
 /// Every family of the program, and the dialects of the devices that were found on a link.
 [[nodiscard]] FrameDecoder decoderFor(const Snapshot &shot, const std::string &link);
 

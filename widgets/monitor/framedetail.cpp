@@ -175,9 +175,7 @@ void FrameDetail::show(const FrameRow &row, const FrameMeaning *meaning, const F
     const QString direction = record.direction == Direction::Sent ? tr("sent") : tr("received");
     m_id->setText(m_frame.error ? errorFrameText(m_frame)
             : meaning           ? tr("%1 · %2 #%3 · %4")
-                            .arg(hexId(m_frame), qt(meaning->family->title))
-                            .arg(meaning->frame.address)
-                            .arg(direction)
+                            .arg(hexId(m_frame), qt(meaning->family->title), addressText(meaning->frame), direction)
             : record.isFrame() ? tr("%1 · %2").arg(hexId(m_frame), direction)
                                : direction);
     const auto bits = meaning ? fieldBits(m_frame, decoder) : std::vector<std::uint64_t>{};

@@ -83,6 +83,8 @@ const FrameMeaning *FrameFacts::meaning() const
 {
     if (!m_looked && m_record.isFrame())
         m_meaning = m_decoder.decode(m_record.frame);
+    if (!m_looked && m_meaning && m_asked)
+        m_meaning->frame.address = *m_asked;
     m_looked = true;
     return m_meaning ? &*m_meaning : nullptr;
 }
@@ -159,7 +161,7 @@ bool FrameFilter::holdsMeaning(const Term &term, const FrameFacts &facts)
     case Test::Device:
         return std::any_of(term.ranges.begin(), term.ranges.end(), [&meaning](const Range &range) {
             const auto address = static_cast<std::uint32_t>(meaning.frame.address);
-            return address >= range.low && address <= range.high;
+            return meaning.frame.address >= 0 && address >= range.low && address <= range.high;
         });
     case Test::Control: return meaning.frame.control;
     case Test::Field: return holdsField(term, meaning.frame);

@@ -15,9 +15,11 @@ namespace mb {
 /// A record as a filter looks at it: decoded at most once, and only when a term asks.
 class FrameFacts {
 public:
-    FrameFacts(const TrafficRecord &record, const FrameDecoder &decoder)
+    /// `asked`: whom it is from, where it does not tell (FrameFollower).
+    FrameFacts(const TrafficRecord &record, const FrameDecoder &decoder, std::optional<int> asked = {})
         : m_record(record)
         , m_decoder(decoder)
+        , m_asked(asked)
     {
     }
     [[nodiscard]] const TrafficRecord &record() const { return m_record; }
@@ -27,6 +29,7 @@ public:
 private:
     const TrafficRecord &m_record;
     const FrameDecoder &m_decoder;
+    std::optional<int> m_asked;
     mutable bool m_looked = false;
     mutable std::optional<FrameMeaning> m_meaning;
 };

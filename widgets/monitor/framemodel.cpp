@@ -35,6 +35,7 @@ void FrameModel::setSource(std::shared_ptr<const TrafficLog> log)
     if (log == m_log)
         return;
     m_log = std::move(log);
+    m_follower = {};
     m_origin = {};
     m_joins = true;
     m_begin = 0;
@@ -118,7 +119,7 @@ int FrameModel::findFrom(int from, bool forward) const
     if (m_search.isEmpty())
         return -1;
     for (int i = from; i >= 0 && i < rowCount(); i += forward ? 1 : -1) {
-        if (m_search.passes({row(i).record, m_decoder}))
+        if (m_search.passes({row(i).record, m_decoder, row(i).asked}))
             return i;
     }
     return -1;
@@ -141,7 +142,9 @@ void FrameModel::setFrozen(bool frozen)
 
 void FrameModel::keep(TrafficRecord record)
 {
-    FrameRow row{std::move(record), 0.0};
+    FrameRow row{std::move(record), 0.0, {}};
+    if (row.record.isFrame())
+        row.asked = m_follower.addressOf(row.record.frame);
     const Instant time = row.record.frame.time;
     if (m_last.size() > mostIdentifiers)
         m_last.clear();
@@ -211,6 +214,8 @@ const FrameMeaning *FrameModel::meaning(const FrameRow &row) const
     if (cached.number != row.record.number) {
         cached.number = row.record.number;
         cached.meaning = row.record.isFrame() ? m_decoder.decode(row.record.frame) : std::nullopt;
+        if (cached.meaning && row.asked)
+            cached.meaning->frame.address = *row.asked;
     }
     return cached.meaning ? &*cached.meaning : nullptr;
 }
@@ -240,7 +245,7 @@ QString FrameModel::text(const FrameRow &row, int column) const
             : frame.error        ? tr("error frame")
             : known              ? qt(known->frame.message)
                                  : tr("unknown");
-    case Address: return known ? QString::number(known->frame.address) : QString(UnknownMark);
+    case Address: return known ? addressText(known->frame) : QString(UnknownMark);
     case Decoded:
         return frame.error     ? errorFrameText(frame)
             : known            ? fieldsLine(known->frame)
@@ -271,7 +276,7 @@ QVariant FrameModel::background(const FrameRow &row) const
 {
     if (row.record.frame.error)
         return m_theme.theme().bannerDanger;
-    if (!m_search.isEmpty() && m_search.passes({row.record, m_decoder}))
+    if (!m_search.isEmpty() && m_search.passes({row.record, m_decoder, row.asked}))
         return m_theme.theme().bannerCaution;
     return {};
 }

@@ -17,7 +17,8 @@ namespace mb {
 /// One row of the chronological view.
 struct FrameRow {
     TrafficRecord record;
-    double sinceSame = 0.0; ///< seconds since the last frame of this identifier and direction; 0 for the first
+    double sinceSame = 0.0;   ///< seconds since the last frame of this identifier and direction; 0 for the first
+    std::optional<int> asked; ///< whom it is from, where the frame does not tell
 };
 
 /// The newest records of one link that pass the filter, oldest first. Frames are decoded only when a cell of theirs is asked for, or when the
@@ -80,7 +81,7 @@ private:
         std::uint64_t number = 0;
         std::optional<FrameMeaning> meaning;
     };
-    [[nodiscard]] bool passes(const FrameRow &row) const { return m_filter.passes({row.record, m_decoder}); }
+    [[nodiscard]] bool passes(const FrameRow &row) const { return m_filter.passes({row.record, m_decoder, row.asked}); }
     void keep(TrafficRecord record);
     void trim();
     void restart();
@@ -106,6 +107,7 @@ private:
     std::uint64_t m_skipped = 0;
     bool m_joins = true; ///< the next fetch is the first of a series
     std::vector<TrafficRecord> m_batch;
+    FrameFollower m_follower;
     mutable std::array<Cached, 512> m_meanings;
     QTimer m_scan;
 };

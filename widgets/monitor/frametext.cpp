@@ -107,6 +107,11 @@ QString fieldsLine(const DecodedFrame &frame)
     return parts.join(QStringLiteral("  "));
 }
 
+QString addressText(const DecodedFrame &frame)
+{
+    return frame.address < 0 ? QString(UnknownMark) : QString::number(frame.address);
+}
+
 std::optional<std::size_t> tellingField(const DecodedFrame &frame)
 {
     const auto found = std::find_if(

@@ -28,6 +28,8 @@ namespace mb {
 [[nodiscard]] bool isFlag(const DecodedField &field);
 /// "modeSelect=1  trgt=1 200 counts": the fields in one line, without flags that are off.
 [[nodiscard]] QString fieldsLine(const DecodedFrame &frame);
+/// "5"; "–" where the frame does not tell whom it is from or for.
+[[nodiscard]] QString addressText(const DecodedFrame &frame);
 /// The field that a small line shows unless the user names another: the first that has a unit, otherwise the first. Nothing when there are none.
 [[nodiscard]] std::optional<std::size_t> tellingField(const DecodedFrame &frame);
 

@@ -74,7 +74,7 @@ QString IdModel::text(const Row &row, int column) const
     }
     case Address: {
         const FrameMeaning *known = meaningOf(row);
-        return known ? QString::number(known->frame.address) : QString(UnknownMark);
+        return known ? addressText(known->frame) : QString(UnknownMark);
     }
     case Rate: return formatNumber(traffic.rate, 0);
     case Jitter: return millisecondsText(traffic.jitter, 2);

@@ -38,6 +38,8 @@ double valueAt(const CanFrame &frame, std::size_t place)
     return static_cast<std::int32_t>(readU32le(frame.data, place));
 }
 
+constexpr int untold = -1; ///< address: the same identifier comes from all drives
+
 DecodedFrame made(std::string_view message, int offset)
 {
     DecodedFrame decoded;
@@ -112,7 +114,7 @@ std::optional<DecodedFrame> logReply(const Dialect &dialect, const CanFrame &fra
         const bool plain = i == static_cast<std::size_t>(Log::Voltage) && !dialect.voltageOffset;
         if (!offset || (plain && *offset != 0))
             continue;
-        DecodedFrame decoded = made(logNames.at(i), *offset);
+        DecodedFrame decoded = made(logNames.at(i), plain ? untold : *offset);
         decoded.fields.push_back({"value", valueAt(frame, 0), logUnits.at(i)});
         return decoded;
     }
