@@ -182,6 +182,22 @@ TEST_F(Dmc60cStream, StillTakesALateFrameForLateWhenTheDeviceConfirmsThePeriod)
     EXPECT_EQ(lost(), 0U);
 }
 
+TEST_F(Dmc60cStream, ADeviceThatIsToldItsPeriodAgainMayBeginANewOne)
+{
+    for (const auto gap : {17ms, 12ms, 19ms}) {
+        after(10ms);
+        after(10ms);
+        stream.setPeriod(10ms);
+        after(gap); // the write fell between two frames, and the timer began again with it
+        after(10ms);
+        EXPECT_EQ(lost(), 0U);
+    }
+    stream.setPeriod(10ms);
+    after(20ms);
+    after(10ms);
+    EXPECT_EQ(lost(), 1U) << "that is a frame";
+}
+
 TEST_F(Dmc60cStream, BreaksTheLineButCountsNothingAfterASilence)
 {
     after(10ms);

@@ -2,6 +2,7 @@
 #include "families/dmc60c/statusstream.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb::dmc60c {
 namespace {
@@ -30,6 +31,11 @@ void StatusStream::add(Instant time, const Values &values)
         return;
     }
     const Duration gap = time - *m_last;
+    if (std::exchange(m_mayRestart, false) && m_held.empty() && gap < 2 * m_period - m_period / 32) {
+        startAt(time); // longer than a period and shorter than two: it began anew, and nothing is missing
+        emit({time, values});
+        return;
+    }
     const std::int64_t periods = periodsSince(time);
     const Frame frame{time, values, periods};
     adjustPhase(time, periods);
@@ -151,6 +157,7 @@ void StatusStream::setPeriod(Duration period)
     const bool known = period * 9 < m_period * 10 && m_period * 9 < period * 10; // perhaps learned, and now made exact
     m_period = period;
     m_confirmed = known;
+    m_mayRestart = known;
     if (known)
         return; // the next frame tells whether one is missing, or was only late
     release();

@@ -54,9 +54,10 @@ private:
     Duration m_initial;
     Duration m_period;
     std::optional<Instant> m_last;
-    Instant m_phase{};        ///< when the last frame was due; jitter is smoothed out of it
-    bool m_unsure = false;    ///< the period changed: the next gap is a mixture
-    bool m_confirmed = false; ///< by the device, since the last regular frame
+    Instant m_phase{};         ///< when the last frame was due; jitter is smoothed out of it
+    bool m_unsure = false;     ///< the period changed: the next gap is a mixture
+    bool m_mayRestart = false; ///< the device was told its period again, and may have begun a new one with that
+    bool m_confirmed = false;  ///< by the device, since the last regular frame
     int m_shortGaps = 0;
     Duration m_shortSum{};
     std::vector<Frame> m_held;
