@@ -137,6 +137,22 @@ std::optional<double> parseNumber(const QString &text, std::optional<double> ful
     return percent ? number / 100.0 * *fullScale : number;
 }
 
+QString withDot(const QString &typed)
+{
+    return parseNumber(typed, 1.0) ? QString(typed).replace(QLatin1Char(','), QLatin1Char('.')) : typed;
+}
+
+QString understoodText(const QString &typed)
+{
+    static const QRegularExpression other(QStringLiteral("[,eExX]"));
+    const auto percent = parseNumber(typed, 100.0);
+    const auto whole = percent ? std::nullopt : parseInteger(typed);
+    if (!typed.contains(other) || (!percent && !whole))
+        return {};
+    const QString unit = typed.contains(QLatin1Char('%')) ? QStringLiteral(" %") : QString();
+    return QStringLiteral("= ") + editText(percent.value_or(static_cast<double>(whole.value_or(0)))) + unit;
+}
+
 std::optional<qint64> parseInteger(const QString &text)
 {
     QString plain = text.trimmed();

@@ -36,6 +36,11 @@ QString editText(double value, int decimals);
 /// grouping ("1,000.5", "1 000"), two signs, hex and any rest. A trailing "%" is understood when `fullScale` is
 /// given: "55 %" is 0.55 × fullScale. Empty when it is not a finite number.
 std::optional<double> parseNumber(const QString &text, std::optional<double> fullScale = {});
+/// "= 1.5" for "1,5", "= 31" for "0x1F": what is understood of a text that is not written as the program writes numbers. Empty where
+/// there is nothing to add. "1,500" is 1.5: a comma is the decimal sign, never a group of thousands.
+QString understoodText(const QString &typed);
+/// The same number with a dot, where it was typed with a comma; anything else as it is.
+QString withDot(const QString &typed);
 /// As parseNumber, but only whole numbers; also "0x1A".
 std::optional<qint64> parseInteger(const QString &text);
 

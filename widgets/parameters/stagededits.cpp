@@ -2,6 +2,7 @@
 #include "widgets/parameters/stagededits.h"
 
 #include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
 #include "widgets/parameters/leap.h"
 
 #include <algorithm>
@@ -80,7 +81,7 @@ void StagedEdits::endTyping(bool keep)
     const ParameterIndex index = *m_typing;
     m_typing.reset();
     if (keep)
-        push(index, m_typed.text);
+        push(index, withDot(m_typed.text)); // what stands in the table is what will be written
     Q_EMIT changed(index);
 }
 

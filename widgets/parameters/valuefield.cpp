@@ -13,8 +13,10 @@ ValueField::ValueField(const Parameter &parameter, QWidget *parent)
     , m_parameter(parameter)
 {
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    if (parameter.type != WireType::Boolean && parameter.choices.empty()) // those are words
+    if (parameter.type != WireType::Boolean && parameter.choices.empty()) { // those are words
         setValidator(new NumberValidator(this));
+        new UnderstoodNote(*this, [&parameter](const QString &typed) { return understoodValue(parameter, typed); });
+    }
     setToolTip(rangeText(parameter));
     connect(this, &QLineEdit::textChanged, this, &ValueField::check);
 }

@@ -165,6 +165,17 @@ bool isEditable(const Parameter &parameter)
     return parameter.access != Access::ReadOnly && parameter.nature != Nature::Counter;
 }
 
+QString understoodValue(const Parameter &parameter, const QString &text)
+{
+    const auto raw = parseValue(parameter, text).raw;
+    if (!raw || parameter.type == WireType::Boolean || !parameter.choices.empty())
+        return {};
+    const QString written = fieldText(parameter, *raw);
+    const auto typed = parseNumber(text);
+    const bool same = typed && typed == parseNumber(written) && !text.contains(QLatin1Char(','));
+    return same ? QString() : QStringLiteral("= ") + written;
+}
+
 ParsedValue parseValue(const Parameter &parameter, const QString &text)
 {
     const QString typed = text.trimmed();

@@ -35,6 +35,8 @@ struct ParsedValue {
     QString remedy;                      ///< "Enter 0 … 32767, or a percentage such as 55 %."
     std::optional<std::int64_t> nearest; ///< the legal value that was meant, where one is near
 };
+/// "= 1.1649" where that is what will be written and something else was typed; empty where there is nothing to add.
+[[nodiscard]] QString understoodValue(const Parameter &parameter, const QString &text);
 [[nodiscard]] ParsedValue parseValue(const Parameter &parameter, const QString &text);
 
 } // namespace mb
