@@ -136,20 +136,22 @@ Application::~Application() = default;
 /// The recording begins with the program, not with a wish.
 void Application::setUpPlots()
 {
-    auto *plots = qobject_cast<PlotsPage *>(m_window->page(PageId::Plots));
-    if (!plots)
-        return;
     QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
     if (m_options.demo) {
         m_demoFolder = std::make_unique<QTemporaryDir>();
         folder = m_demoFolder->path();
-    } else {
-        plots->setLayoutFolder(
-            QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/plots"));
     }
     m_recorder = std::make_unique<Recorder>(*m_engine, folder + QStringLiteral("/recordings"));
-    plots->setRecorder(m_recorder.get(),
-        QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/MotorBench"));
+    QObject::connect(m_window.get(), &MainWindow::pageMade, m_recorder.get(), [this](PageId id, QWidget *page) {
+        auto *plots = qobject_cast<PlotsPage *>(page);
+        if (id != PageId::Plots || !plots)
+            return;
+        if (!m_options.demo)
+            plots->setLayoutFolder(
+                QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/plots"));
+        plots->setRecorder(m_recorder.get(),
+            QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/MotorBench"));
+    });
 }
 
 void Application::translate(const QString &language)

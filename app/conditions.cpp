@@ -41,14 +41,8 @@ Conditions::Conditions(Workbench &workbench, Arming &arming, BannerStack &banner
 
 void Conditions::follow()
 {
-    for (const LinkView &link : m_workbench.snapshot().links) {
-        const QString key = QStringLiteral("link ") + QString::fromStdString(link.address);
-        if (link.state == LinkState::Lost)
-            m_banners.post(key, BannerKind::Danger, tr("%1 is lost").arg(QString::fromStdString(link.name)),
-                tableText(link.reason));
-        else
-            m_banners.clear(key);
-    }
+    for (const LinkView &link : m_workbench.snapshot().links)
+        followLink(link);
     for (const DeviceView &device : m_workbench.snapshot().devices) {
         followDevice(device);
         followReset(device);
@@ -69,6 +63,19 @@ void Conditions::follow()
             tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the lamp for 1 s to arm again."));
     else
         m_banners.clear(QStringLiteral("stopped"));
+}
+
+void Conditions::followLink(const LinkView &link)
+{
+    const QString key = QStringLiteral("link ") + QString::fromStdString(link.address);
+    const QString name = QString::fromStdString(link.name);
+    if (link.state == LinkState::Lost)
+        m_banners.post(key, BannerKind::Danger, tr("%1 is lost").arg(name), tableText(link.reason));
+    else if (!link.diagnosis.isHealthy())
+        m_banners.post(key, BannerKind::Caution, name + QStringLiteral(": ") + tableText(link.diagnosis.cause),
+            tableText(link.diagnosis.remedy));
+    else
+        m_banners.clear(key);
 }
 
 void Conditions::followDevice(const DeviceView &device)

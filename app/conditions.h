@@ -22,6 +22,7 @@ public:
     void follow();
 
 private:
+    void followLink(const LinkView &link);
     void followDevice(const DeviceView &device);
     void followUpdates();
     void followReset(const DeviceView &device);

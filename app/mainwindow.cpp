@@ -31,10 +31,12 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
+#include <QWindow>
 
 #include <algorithm>
 #include <optional>
@@ -110,10 +112,12 @@ void MainWindow::buildHeader()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     m_header = new HeaderBar(m_theme, top);
-    m_stripe = new DemoStripe(m_theme, top);
-    m_stripe->hide();
+    auto *strip = new NoticeStrip(m_theme, top); // nothing below moves when a notice comes or goes
+    m_stripe = &strip->stripe();
+    m_banners = &strip->banners();
+    m_conditions = new Conditions(m_workbench, *m_arming, *m_banners, this);
     column->addWidget(m_header);
-    column->addWidget(m_stripe);
+    column->addWidget(strip);
     setMenuWidget(top);
     auto *menu = new QMenu(this);
     menu->addAction(tr("Add link…"), this, &MainWindow::addLink);
@@ -153,15 +157,15 @@ void MainWindow::buildDevices()
     });
 }
 
-void MainWindow::addPage(QWidget *page, const QString &title)
+void MainWindow::addPage(const QString &title, std::function<QWidget *(QWidget *)> make)
 {
     m_tabs->addTab(title);
     auto *scroll = new QScrollArea(m_pages); // for large fonts in a small window
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setWidget(page);
     m_pages->addWidget(scroll);
+    m_makers.push_back(std::move(make));
 }
 
 void MainWindow::buildPages()
@@ -172,32 +176,36 @@ void MainWindow::buildPages()
     column->setSpacing(0);
     m_tabs = new PageTabs(m_theme, central);
     m_tabs->setAccessibleName(tr("Pages"));
-    m_banners = new BannerStack(m_theme, central);
-    m_banners->setReserved(true); // nothing below moves when a notice comes or goes
-    m_conditions = new Conditions(m_workbench, *m_arming, *m_banners, this);
     m_line = new DeviceLine(m_workbench, m_selection, m_theme, central);
     m_pages = new QStackedWidget(central);
     column->addWidget(m_tabs);
     column->addWidget(separatorLine(Qt::Horizontal, central));
-    column->addWidget(m_banners);
     column->addWidget(m_line);
     column->addWidget(m_pages, 1);
     setCentralWidget(central);
     central->setMinimumSize(1, 1); // as the docks
-    auto *overview = new OverviewPage(m_workbench, m_selection, m_theme, m_pages);
-    addPage(overview, tr("Overview"));
-    addPage(new ParametersPage(m_workbench, m_selection, m_theme, m_pages), tr("Parameters"));
-    addPage(new TunePage(m_workbench, m_selection, *m_arming, m_theme, m_pages), tr("Tune"));
-    addPage(new PlotsPage(m_workbench, m_selection, m_theme, m_pages), tr("Plots"));
-    addPage(new FirmwarePage(m_workbench, m_selection, m_theme, m_pages), tr("Firmware"));
-    addPage(new BusPage(m_workbench, *m_arming, m_theme, m_pages), tr("Bus"));
-    addPage(new LogPage(m_workbench, m_theme, m_pages), tr("Log"));
+    addPage(tr("Overview"), [this](QWidget *parent) { return makeOverview(parent); });
+    addPage(tr("Parameters"),
+        [this](QWidget *parent) { return new ParametersPage(m_workbench, m_selection, m_theme, *m_banners, parent); });
+    addPage(tr("Tune"),
+        [this](QWidget *parent) { return new TunePage(m_workbench, m_selection, *m_arming, m_theme, parent); });
+    addPage(tr("Plots"), [this](QWidget *parent) { return new PlotsPage(m_workbench, m_selection, m_theme, parent); });
+    addPage(tr("Firmware"),
+        [this](QWidget *parent) { return new FirmwarePage(m_workbench, m_selection, m_theme, parent); });
+    addPage(tr("Bus"), [this](QWidget *parent) { return new BusPage(m_workbench, *m_arming, m_theme, parent); });
+    addPage(tr("Log"), [this](QWidget *parent) { return new LogPage(m_workbench, m_theme, parent); });
     connect(m_tabs, &QTabBar::currentChanged, this, &MainWindow::followPages);
+    connect(m_banners, &BannerStack::allRequested, this, [this] { showPage(PageId::Log); });
+}
+
+QWidget *MainWindow::makeOverview(QWidget *parent)
+{
+    auto *overview = new OverviewPage(m_workbench, m_selection, m_theme, parent);
     connect(overview, &OverviewPage::simulateRequested, this, &MainWindow::openSimulation);
     connect(overview, &OverviewPage::addLinkRequested, this, &MainWindow::addLink);
     connect(overview, &OverviewPage::openRecordingRequested, this, &MainWindow::openRecording);
     connect(overview, &OverviewPage::updateRequested, this, [this] { showPage(PageId::Firmware); });
-    connect(m_banners, &BannerStack::allRequested, this, [this] { showPage(PageId::Log); });
+    return overview;
 }
 
 void MainWindow::buildInspector()
@@ -210,7 +218,12 @@ void MainWindow::buildInspector()
     scroll->setWidget(inspector);
     m_inspector = makeDock(*this, QStringLiteral("inspectorDock"), tr("Inspector"), scroll, Qt::RightDockWidgetArea);
     m_inspector->hide();
-    scroll->setMinimumWidth(inspector->sizeHint().width());
+    resizeDocks({m_devices}, {m_devices->widget()->sizeHint().width()}, Qt::Horizontal); // whatever is in the list
+    for (QWidget *part : inspector->findChildren<QWidget *>())
+        part->ensurePolished();    // what a button needs depends on the style sheet
+    inspector->setMinimumWidth(1); // long words of one device are elided, and hold nothing wide
+    scroll->setMinimumWidth(inspector->sizeHint().width() + scroll->verticalScrollBar()->sizeHint().width());
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 }
 
 void MainWindow::buildStatus()
@@ -251,9 +264,40 @@ void MainWindow::buildActions()
     });
 }
 
-QWidget *MainWindow::page(PageId id) const
+QWidget *MainWindow::page(PageId id)
 {
-    return static_cast<QScrollArea *>(m_pages->widget(static_cast<int>(id)))->widget();
+    const auto place = static_cast<std::size_t>(id);
+    auto *scroll = static_cast<QScrollArea *>(m_pages->widget(static_cast<int>(id)));
+    if (!scroll->widget()) {
+        scroll->setWidget(m_makers[place](m_pages));
+        Q_EMIT pageMade(id, scroll->widget());
+    }
+    return scroll->widget();
+}
+
+/// One a turn of the event loop: keys and the mouse wait for one page at most.
+void MainWindow::makePages(int from)
+{
+    if (from >= m_pages->count())
+        return;
+    (void)page(static_cast<PageId>(from));
+    QTimer::singleShot(0, this, [this, from] { makePages(from + 1); });
+}
+
+void MainWindow::showEvent(QShowEvent *event)
+{
+    QMainWindow::showEvent(event);
+    if (windowHandle())
+        windowHandle()->installEventFilter(this);
+}
+
+bool MainWindow::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Expose && watched == windowHandle()) {
+        watched->removeEventFilter(this);
+        QTimer::singleShot(0, this, [this] { makePages(0); });
+    }
+    return QMainWindow::eventFilter(watched, event);
 }
 
 void MainWindow::showPage(PageId id)
@@ -365,7 +409,6 @@ void MainWindow::followLinks(const Snapshot &shot)
     m_header->setLinks(chips);
     m_header->setRecording(recordingTime(shot));
     m_stripe->setSources(simulated ? tr("simulated bench") : QString(), recordings);
-    m_stripe->setVisible(simulated || !recordings.empty());
 }
 
 void MainWindow::showNotice(const Notice &notice)

@@ -9,6 +9,7 @@
 
 #include <QMainWindow>
 
+#include <functional>
 #include <vector>
 
 class QDockWidget;
@@ -38,10 +39,16 @@ public:
 
     [[nodiscard]] Arming &arming() { return *m_arming; }
     [[nodiscard]] Selection &selection() { return m_selection; }
-    [[nodiscard]] QWidget *page(PageId id) const;
+    /// Pages are made when they are asked for first, the others once the window has been painted.
+    [[nodiscard]] QWidget *page(PageId id);
     void showPage(PageId id);
 
+Q_SIGNALS:
+    void pageMade(mb::PageId id, QWidget *page);
+
 protected:
+    void showEvent(QShowEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
@@ -52,7 +59,9 @@ private:
     void buildInspector();
     void buildStatus();
     void buildActions();
-    void addPage(QWidget *page, const QString &title);
+    void addPage(const QString &title, std::function<QWidget *(QWidget *)> make);
+    QWidget *makeOverview(QWidget *parent);
+    void makePages(int from);
     void addLink();
     void openRecording();
     void openSimulation();
@@ -81,6 +90,7 @@ private:
     Conditions *m_conditions = nullptr;
     DeviceLine *m_line = nullptr;
     QStackedWidget *m_pages = nullptr;
+    std::vector<std::function<QWidget *(QWidget *)>> m_makers; ///< by place in m_pages
     QLabel *m_message = nullptr;
     QLabel *m_footprint = nullptr;
     QTimer m_messageTime;

@@ -11,7 +11,7 @@ constexpr std::chrono::milliseconds afterPaint{1200};
 constexpr int other = 7;
 constexpr double triggerLevel = 30000.0; // counts/s
 
-PlotsPage &plotsOf(const MainWindow &window)
+PlotsPage &plotsOf(MainWindow &window)
 {
     return *qobject_cast<PlotsPage *>(window.page(PageId::Plots));
 }

@@ -1160,10 +1160,6 @@
         <translation>Buslast, %</translation>
     </message>
     <message>
-        <source>load %1 &amp;nbsp; frames/s %2 &amp;nbsp; lost %3 &amp;nbsp; errors %4</source>
-        <translation>Last %1 &amp;nbsp; Frames/s %2 &amp;nbsp; verloren %3 &amp;nbsp; Fehler %4</translation>
-    </message>
-    <message>
         <source>not kept %1</source>
         <translation>nicht aufbewahrt %1</translation>
     </message>
@@ -1210,6 +1206,10 @@
     <message>
         <source>%1 frames written to %2</source>
         <translation>%1 Frames geschrieben nach %2</translation>
+    </message>
+    <message>
+        <source>load %1 &amp;nbsp; frames/s %2 &amp;nbsp; dropped %3 &amp;nbsp; errors %4</source>
+        <translation>Last %1 &amp;nbsp; Frames/s %2 &amp;nbsp; verworfen %3 &amp;nbsp; Fehler %4</translation>
     </message>
 </context>
 <context>
@@ -1484,6 +1484,14 @@
     <message>
         <source>Replay  ·  %1  ·  shows what was recorded, moves no motor</source>
         <translation>Wiedergabe  ·  %1  ·  zeigt Aufgenommenes, bewegt keinen Motor</translation>
+    </message>
+    <message>
+        <source>Replay</source>
+        <translation>Wiedergabe</translation>
+    </message>
+    <message>
+        <source>Demo</source>
+        <translation>Demo</translation>
     </message>
 </context>
 <context>
@@ -3803,10 +3811,6 @@ Die Aufnahme läuft dabei weiter.</translation>
         <translation>Kurve geschrieben nach %1</translation>
     </message>
     <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 lässt sich nicht schreiben</translation>
-    </message>
-    <message>
         <source>Pause view</source>
         <translation>Anzeige anhalten</translation>
     </message>
@@ -5468,10 +5472,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>plot written to %1</source>
         <translation>Kurve geschrieben nach %1</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written</source>
-        <translation>%1 lässt sich nicht schreiben</translation>
     </message>
     <message>
         <source>Set-point</source>
@@ -8183,6 +8183,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the window did not respond in time</source>
         <translation>das Fenster hat nicht rechtzeitig reagiert</translation>
+    </message>
+    <message>
+        <source>%1 has a name that ends in no kind of picture; end it in .png, .svg or .pdf</source>
+        <translation>%1 hat einen Namen, der auf keine Bildart endet; mit .png, .svg oder .pdf enden lassen</translation>
     </message>
 </context>
 </TS>

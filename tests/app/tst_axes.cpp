@@ -4,6 +4,7 @@
 #include "model/axis.h"
 #include "model/registry.h"
 #include "support/windowtests.h"
+#include "widgets/common/banner.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/connection/devicetree.h"
@@ -96,6 +97,7 @@ private:
     void picture(QWidget &widget, const char *name);
 
     ThemeSource m_theme{darkTheme()};
+    BannerStack m_banners{m_theme};
     std::unique_ptr<Engine> m_engine;
     std::unique_ptr<Selection> m_selection;
     std::unique_ptr<Arming> m_arming;
@@ -116,7 +118,7 @@ void AxesTest::init()
     m_tree = new DeviceTree(*m_engine, *m_selection, m_theme, m_desk.get());
     m_tune = new TunePage(*m_engine, *m_selection, *m_arming, m_theme, m_desk.get());
     m_plots = new PlotsPage(*m_engine, *m_selection, m_theme, m_desk.get());
-    m_parameters = std::make_unique<ParametersPage>(*m_engine, *m_selection, m_theme, nullptr);
+    m_parameters = std::make_unique<ParametersPage>(*m_engine, *m_selection, m_theme, m_banners, nullptr);
     m_parameters->resize(1000, 800);
     m_parameters->show();
     m_desk->setSizes({240, 980, 980});

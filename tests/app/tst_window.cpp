@@ -5,7 +5,9 @@
 #include "support/windowtests.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/connection/devicetree.h"
+#include "widgets/connection/overviewpage.h"
 #include "widgets/firmware/firmwarepage.h"
+#include "widgets/monitor/logpage.h"
 #include "widgets/parameters/parameterspage.h"
 #include "widgets/plots/plotspage.h"
 
@@ -21,12 +23,28 @@ using namespace mb::test;
 class WindowTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void pagesThatNobodyAskedForAreMadeOnceTheWindowIsPainted();
     void theScanFillsTheTree();
     void aTypedGainReachesTheDevice();
     void thePlotShowsSamplesOfTheDevice();
     void anUpdateEndsVerified();
     void anImageThatIsNoneStartsNothing();
 };
+
+void WindowTest::pagesThatNobodyAskedForAreMadeOnceTheWindowIsPainted()
+{
+    WindowBench bench;
+    const auto made = [&bench](auto *page) { return bench.window().findChild<decltype(page)>() != nullptr; };
+    QVERIFY(made(static_cast<OverviewPage *>(nullptr)));
+    QVERIFY(!made(static_cast<PlotsPage *>(nullptr)));
+    QVERIFY(!made(static_cast<FirmwarePage *>(nullptr)));
+    bench.window().showPage(PageId::Firmware);
+    QVERIFY(made(static_cast<FirmwarePage *>(nullptr)));
+    QVERIFY(!made(static_cast<PlotsPage *>(nullptr)));
+    QTRY_VERIFY_WITH_TIMEOUT(made(static_cast<PlotsPage *>(nullptr)), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(made(static_cast<LogPage *>(nullptr)), patience);
+    QCOMPARE(bench.window().findChildren<FirmwarePage *>().size(), 1);
+}
 
 void WindowTest::theScanFillsTheTree()
 {

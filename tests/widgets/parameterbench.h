@@ -3,6 +3,7 @@
 
 #include "model/registry.h"
 #include "support/fakeworkbench.h"
+#include "widgets/common/banner.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/theme.h"
 #include "widgets/parameters/parameterspage.h"
@@ -56,15 +57,17 @@ struct ParameterBench {
     FakeWorkbench workbench;
     Selection selection;
     ThemeSource theme{lightTheme()};
+    BannerStack banners{theme};
     std::unique_ptr<ParametersPage> page;
 
     explicit ParameterBench(const DeviceView &device = readDrive(), QSize size = {1208, 760})
     {
         workbench.shot.devices.push_back(device);
         selection.select(device.id);
-        page = std::make_unique<ParametersPage>(workbench, selection, theme, nullptr);
+        page = std::make_unique<ParametersPage>(workbench, selection, theme, banners, nullptr);
         page->resize(size);
         page->show();
+        banners.show();
         QApplication::setActiveWindow(page.get());
     }
     [[nodiscard]] ParameterModel &model() { return page->model(); }
@@ -102,7 +105,8 @@ inline void open(ParameterBench &bench, const char *key)
 
 inline QAbstractButton *button(ParameterBench &bench, const QString &text)
 {
-    for (auto *candidate : bench.page->findChildren<QAbstractButton *>()) {
+    for (auto *candidate :
+        bench.page->findChildren<QAbstractButton *>() + bench.banners.findChildren<QAbstractButton *>()) {
         if (candidate->isVisible() && candidate->text().startsWith(text))
             return candidate;
     }
@@ -111,7 +115,7 @@ inline QAbstractButton *button(ParameterBench &bench, const QString &text)
 
 inline bool says(ParameterBench &bench, const QString &part)
 {
-    for (const auto *label : bench.page->findChildren<QLabel *>()) {
+    for (const auto *label : bench.page->findChildren<QLabel *>() + bench.banners.findChildren<QLabel *>()) {
         if (label->isVisible() && label->text().replace(QChar(QChar::Nbsp), QLatin1Char(' ')).contains(part))
             return true;
     }

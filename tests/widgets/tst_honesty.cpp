@@ -2,7 +2,7 @@
 // What the window says of gaps, losses, units and noise; and that nothing moves under the mouse.
 #include "parameterbench.h"
 #include "support/windowtests.h"
-#include "widgets/common/banner.h"
+#include "widgets/common/headerbar.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/devicecard.h"
@@ -25,8 +25,11 @@ private Q_SLOTS:
     void aStripHasTwoLabelsAtLeast();
     void gapLabelsMergeInsteadOfOverlapping();
     void wordsGiveWayToWords();
+    void wordsInAStripNeverOverlap_data();
+    void wordsInAStripNeverOverlap();
     void anIdleSetPointIsNoGap();
     void lossIsOneCount();
+    void aStripOfNoticesKeepsItsHeight_data();
     void aStripOfNoticesKeepsItsHeight();
     void newRowsWaitWhileTheMouseIsOverTheTree();
     void aWindowThatHungSaysSoInWordsForPeople();
@@ -40,6 +43,11 @@ class AskedTicker : public NumberTicker {
 public:
     using NumberTicker::getTickStep;
 };
+
+QString s(const char *text)
+{
+    return QString::fromUtf8(text);
+}
 
 DeviceView driveAt(std::uint32_t id, int address, const char *link)
 {
@@ -110,6 +118,53 @@ void HonestyTest::wordsGiveWayToWords()
     QVERIFY(!freePlace(wanted, box, {box}));
 }
 
+void HonestyTest::wordsInAStripNeverOverlap_data()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::newRow("large") << QSize(900, 500);
+    QTest::newRow("flat") << QSize(600, 120);
+    QTest::newRow("narrow") << QSize(180, 300);
+}
+
+void HonestyTest::wordsInAStripNeverOverlap()
+{
+    QFETCH(QSize, size);
+    QCustomPlot plot;
+    plot.resize(size);
+    plot.xAxis->setRange(0, 10);
+    plot.yAxis->setRange(0, 100);
+    plot.replot();
+    const Theme theme = lightTheme();
+    const QRectF box = plot.axisRect()->rect();
+    StripDecor decor;
+    decor.first = true;
+    decor.gaps = {{1.0, 1.2}, {5.0, 6.0}};
+    decor.limits = {{60, s("peak limit 60 A"), TraceRole::Current},
+        {61, s("continuous limit 61 A"), TraceRole::Current}, {99, s("highest"), TraceRole::Current}};
+    decor.trigger = TriggerLine{60, s("trigger, 0.5 s before"), false};
+    decor.bands = {{58, 60, s("±2 % band"), Tone::Ok}};
+    decor.spans = {{0.9, 1.4, s("duty at limit, 107 ms"), TraceRole::Current},
+        {1.1, 1.6, s("duty at limit, 90 ms"), TraceRole::Current},
+        {5.0, 5.2, s("current at limit"), TraceRole::Current}};
+    decor.notes = {{1.0, 5, s("settles 286 ms"), {12, -12}, true}, {1.1, 5, s("peak 4 %"), {12, -12}, false},
+        {9.9, 60, s("settles 300 ms"), {12, -12}, false}};
+    decor.marks = {{5.0, s("first")}, {5.1, s("second")}, {9.9, s("at the end")}};
+    const auto words = stripWords(decor, *plot.axisRect(), plot.font(), theme);
+    std::vector<QRectF> taken;
+    for (const GapLabel &gap : gapLabels(decor, *plot.xAxis, box, QFontMetrics(plot.font()), theme))
+        taken.push_back(gap.place);
+    for (const StripWord &word : words) {
+        for (const QRectF &other : taken)
+            QVERIFY(!other.intersects(word.place));
+        taken.push_back(word.place);
+    }
+    QVERIFY(!words.empty());
+    const auto all
+        = decor.limits.size() + 1 + decor.bands.size() + decor.spans.size() + decor.notes.size() + decor.marks.size();
+    if (size.height() >= 500)
+        QCOMPARE(words.size(), all); // where there is room nobody gives way
+}
+
 void HonestyTest::anIdleSetPointIsNoGap()
 {
     const ThemeSource theme(lightTheme());
@@ -153,31 +208,49 @@ void HonestyTest::lossIsOneCount()
     QCOMPARE(samplesOn(shot).lost, std::uint64_t(63));
 }
 
+void HonestyTest::aStripOfNoticesKeepsItsHeight_data()
+{
+    QTest::addColumn<int>("width");
+    QTest::newRow("one line") << 1280;
+    QTest::newRow("two lines") << 700;
+}
+
 void HonestyTest::aStripOfNoticesKeepsItsHeight()
 {
+    QFETCH(int, width);
     const ThemeSource theme(lightTheme());
     QWidget page;
     auto *column = new QVBoxLayout(&page);
-    auto *stack = new BannerStack(theme, &page);
-    stack->setReserved(true);
+    auto *strip = new NoticeStrip(theme, &page);
     auto *below = new QPushButton(QStringLiteral("below"), &page);
-    column->addWidget(stack);
+    column->addWidget(strip);
     column->addWidget(below);
-    page.resize(700, 400);
+    page.resize(width, 400);
     page.show();
     QCoreApplication::processEvents();
     const QRect place = below->geometry();
     const QString longWords = QStringLiteral("words that go on and on ").repeated(20);
-    for (const char *key : {"a", "b", "c"}) {
-        stack->post(QString::fromLatin1(key), BannerKind::Danger, longWords, longWords, QStringLiteral("Do it"));
+    const auto verifySame = [&] {
         QCoreApplication::processEvents();
         QCOMPARE(below->geometry(), place);
+        QCOMPARE(page.width(), width);
+    };
+    strip->stripe().setSources(QStringLiteral("simulated bench"), {longWords});
+    verifySame();
+    for (const char *key : {"a", "b", "c"}) {
+        strip->banners().post(
+            QString::fromLatin1(key), BannerKind::Danger, longWords, longWords, QStringLiteral("Do it"));
+        verifySame();
+    }
+    for (const QPushButton *button : strip->findChildren<QPushButton *>()) {
+        if (button->isVisible()) // what can be pressed is whole
+            QVERIFY(strip->rect().contains(QRect(button->mapTo(strip, QPoint()), button->size())));
     }
     for (const char *key : {"a", "b", "c"})
-        stack->clear(QString::fromLatin1(key));
-    QCoreApplication::processEvents();
-    QCOMPARE(below->geometry(), place);
-    QVERIFY(stack->isVisible());
+        strip->banners().clear(QString::fromLatin1(key));
+    strip->stripe().setSources({}, {});
+    verifySame();
+    QVERIFY(strip->isVisible());
 }
 
 void HonestyTest::newRowsWaitWhileTheMouseIsOverTheTree()

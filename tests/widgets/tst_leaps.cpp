@@ -2,6 +2,7 @@
 // A gain that changes by more than ten times is looked at once more; the end of a range is no remedy for a gain.
 #include "support/windowtests.h"
 #include "tunehand.h"
+#include "widgets/common/banner.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/parameters/changespanel.h"
 #include "widgets/parameters/editdesk.h"
@@ -110,7 +111,8 @@ void LeapsTest::theTunePageAsksToo()
 void LeapsTest::whatIsStagedOnOnePageIsStagedOnTheOther()
 {
     TuneBench bench;
-    ParametersPage parameters(bench.workbench, bench.selection, bench.theme, nullptr);
+    BannerStack banners(bench.theme);
+    ParametersPage parameters(bench.workbench, bench.selection, bench.theme, banners, nullptr);
     parameters.resize(1208, 760);
     parameters.show();
     type(bench.find<QLineEdit>("P"), "2");

@@ -208,7 +208,8 @@ void TestParametersPage::nothingIsCutAtTwiceTheFont()
     {
         ParameterBench bench;
         bench.theme.setTheme(lightTheme(20));
-        bench.page = std::make_unique<ParametersPage>(bench.workbench, bench.selection, bench.theme, nullptr);
+        bench.page
+            = std::make_unique<ParametersPage>(bench.workbench, bench.selection, bench.theme, bench.banners, nullptr);
         bench.page->resize(1208, 760);
         bench.page->show();
         bench.stage("slot1.p", "2");

@@ -451,6 +451,9 @@ void PlotsTest::anUnknownSuffixOrFolderFails()
     QVERIFY(!stack->exportTo(folder.filePath(s("plot.xyz"))));
     QVERIFY(!stack->exportTo(folder.filePath(s("missing/plot.csv"))));
     QCOMPARE(failed.count(), 2);
+    QVERIFY2(failed.at(0).first().toString().contains(s(".pdf")), qPrintable(failed.at(0).first().toString()));
+    QVERIFY2(
+        failed.at(1).first().toString().contains(s("no such folder")), qPrintable(failed.at(1).first().toString()));
 }
 
 void PlotsTest::tableHasOneColumnPerTraceAndBlanksInGaps()

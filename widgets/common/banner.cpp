@@ -3,10 +3,12 @@
 
 #include "widgets/common/stateglyph.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QPainter>
 #include <QPushButton>
-#include <QVBoxLayout>
+
+#include <utility>
 
 namespace mb {
 namespace {
@@ -33,16 +35,6 @@ GlyphState kindGlyph(BannerKind kind)
     return GlyphState::Warning;
 }
 
-constexpr int narrow = 480; ///< below it the buttons stand under the words
-
-QLabel *wrapped(TextRole role, Tone tone, QWidget *parent)
-{
-    QLabel *label = textLabel({}, role, tone, parent);
-    label->setWordWrap(true);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    return label;
-}
-
 } // namespace
 
 Banner::Banner(const ThemeSource &theme, BannerKind kind, const QString &cause, const QString &remedy, QWidget *parent)
@@ -51,19 +43,17 @@ Banner::Banner(const ThemeSource &theme, BannerKind kind, const QString &cause, 
     , m_kind(kind)
 {
     setProperty("banner", kindWord(kind));
-    auto *row = new QHBoxLayout(this);
-    auto *words = new QVBoxLayout;
-    words->setSpacing(0);
-    m_cause = wrapped(TextRole::Emphasis, Tone::Text, this);
-    m_remedy = wrapped(TextRole::Body, Tone::Dim, this);
-    words->addWidget(m_cause);
-    words->addWidget(m_remedy);
-    row->addLayout(words, 1);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_cause = new ElidedLabel({}, this);
+    setTextRole(*m_cause, TextRole::Emphasis);
+    m_remedy = new ElidedLabel({}, this);
+    setTone(*m_remedy, Tone::Dim);
+    m_remedy->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_action = new QPushButton(this);
-    m_action->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     m_dismiss = linkButton(tr("Dismiss"), this);
-    row->addWidget(m_action);
-    row->addWidget(m_dismiss);
+    for (QPushButton *button : {m_action, m_dismiss})
+        button->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    new QGridLayout(this);
     connect(m_action, &QPushButton::clicked, this, &Banner::actionTriggered);
     connect(m_dismiss, &QPushButton::clicked, this, &Banner::dismissed);
     connect(&theme, &ThemeSource::changed, this, &Banner::restyle);
@@ -77,14 +67,18 @@ QString Banner::cause() const
     return m_cause->text();
 }
 
+QString Banner::remedy() const
+{
+    return m_remedy->text();
+}
+
 void Banner::setText(const QString &cause, const QString &remedy)
 {
     m_cause->setText(cause);
     m_remedy->setText(remedy);
-    m_remedy->setVisible(!remedy.isEmpty());
+    setToolTip(remedy.isEmpty() ? cause : cause + QLatin1Char('\n') + remedy);
     setAccessibleName(cause);
     setAccessibleDescription(remedy);
-    fit();
 }
 
 void Banner::setAction(const QString &text)
@@ -92,38 +86,6 @@ void Banner::setAction(const QString &text)
     m_action->setText(text);
     m_action->setAccessibleName(text);
     m_action->setVisible(!text.isEmpty());
-    fit();
-}
-
-/// Words are never cut, however large the font and narrow the window: what is below gets less room.
-void Banner::fit()
-{
-    m_action->ensurePolished();
-    m_action->setMinimumWidth(m_action->text().isEmpty() ? 0 : m_action->sizeHint().width());
-    setToolTip(m_flat ? cause() + QLatin1Char('\n') + m_remedy->text() : QString());
-    if (m_flat)
-        setMinimumHeight(0);
-    else if (width() > 0 && hasHeightForWidth())
-        setMinimumHeight(heightForWidth(width()));
-}
-
-void Banner::resizeEvent(QResizeEvent *event)
-{
-    QFrame::resizeEvent(event);
-    const bool beside = m_flat || width() >= m_theme.theme().u(narrow);
-    qobject_cast<QBoxLayout *>(layout())->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    fit();
-}
-
-void Banner::setFlat(bool flat)
-{
-    m_flat = flat;
-    for (QLabel *label : {m_cause, m_remedy}) {
-        label->setWordWrap(!flat);
-        label->setSizePolicy(flat ? QSizePolicy::Ignored : QSizePolicy::Preferred, QSizePolicy::Preferred);
-    }
-    restyle();
-    fit();
 }
 
 void Banner::setDismissable(bool dismissable)
@@ -131,13 +93,39 @@ void Banner::setDismissable(bool dismissable)
     m_dismiss->setVisible(dismissable);
 }
 
+void Banner::setTwoLines(bool on)
+{
+    if (std::exchange(m_twoLines, on) != on)
+        restyle();
+}
+
+int Banner::heightOf(const Theme &theme, bool twoLines)
+{
+    return theme.u(twoLines ? 54 : 32);
+}
+
+/// In one line the remedy has what the cause leaves; in two the cause has all.
+void Banner::place()
+{
+    auto *grid = qobject_cast<QGridLayout *>(layout());
+    const int below = m_twoLines ? 1 : 0;
+    for (QWidget *part : std::initializer_list<QWidget *>{m_cause, m_remedy, m_action, m_dismiss})
+        grid->removeWidget(part);
+    grid->addWidget(m_cause, 0, 0, 1, m_twoLines ? 4 : 1);
+    grid->addWidget(m_remedy, below, 1);
+    grid->addWidget(m_action, below, 2);
+    grid->addWidget(m_dismiss, below, 3);
+    grid->setColumnStretch(1, 1);
+}
+
 void Banner::restyle()
 {
     const Theme &theme = m_theme.theme();
-    auto *row = qobject_cast<QHBoxLayout *>(layout());
-    const int air = theme.u(m_flat ? 2 : 10);
-    row->setContentsMargins(theme.u(12 + 20 + 12), air, theme.u(12), air);
-    row->setSpacing(theme.u(12));
+    place();
+    layout()->setContentsMargins(theme.u(12 + 18 + 10), theme.u(2), theme.u(12), theme.u(2));
+    qobject_cast<QGridLayout *>(layout())->setHorizontalSpacing(theme.u(12));
+    qobject_cast<QGridLayout *>(layout())->setVerticalSpacing(0);
+    setFixedHeight(heightOf(theme, m_twoLines));
 }
 
 void Banner::paintEvent(QPaintEvent *event)
@@ -147,38 +135,33 @@ void Banner::paintEvent(QPaintEvent *event)
     const QColor color = m_kind == BannerKind::Info ? theme.accent : glyphColor(kindGlyph(m_kind), theme);
     const double side = theme.u(18);
     QPainter painter(this);
-    paintGlyph(painter, QRectF(theme.u(13), (height() - side) / 2, side, side), kindGlyph(m_kind), color);
+    paintGlyph(painter, QRectF(theme.u(12), (height() - side) / 2, side, side), kindGlyph(m_kind), color);
 }
 
 BannerStack::BannerStack(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    m_column = new QVBoxLayout(this);
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(theme.theme().u(8));
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_row = new QHBoxLayout(this);
+    m_row->setContentsMargins(0, 0, 0, 0);
+    m_row->setSpacing(theme.theme().u(8));
     m_more = linkButton({}, this);
-    m_column->addWidget(m_more);
-    connect(&theme, &ThemeSource::changed, this, &BannerStack::restyle);
+    m_more->setObjectName(QStringLiteral("moreNotices"));
+    m_more->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    m_row->addWidget(m_more);
+    connect(&theme, &ThemeSource::changed, this, [this] { setTwoLines(m_twoLines); });
     connect(m_more, &QPushButton::clicked, this, &BannerStack::allRequested);
+    setTwoLines(false);
     arrange();
 }
 
-void BannerStack::setReserved(bool on)
+void BannerStack::setTwoLines(bool on)
 {
-    m_reserved = on;
-    m_column->setDirection(on ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-    m_more->setSizePolicy(on ? QSizePolicy::Fixed : QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_twoLines = on;
     for (const Entry &entry : m_entries)
-        entry.banner->setFlat(on);
-    restyle();
-    arrange();
-}
-
-void BannerStack::restyle()
-{
-    if (m_reserved)
-        setFixedHeight(2 * fontMetrics().height() + m_theme.theme().u(12));
+        entry.banner->setTwoLines(on);
+    setFixedHeight(Banner::heightOf(m_theme.theme(), on));
 }
 
 BannerStack::Entry *BannerStack::find(const QString &key)
@@ -199,7 +182,7 @@ void BannerStack::post(
     clear(key);
     auto *banner = new Banner(m_theme, kind, cause, remedy, this);
     banner->setAction(action);
-    banner->setFlat(m_reserved);
+    banner->setTwoLines(m_twoLines);
     connect(banner, &Banner::actionTriggered, this, [this, key] { Q_EMIT actionTriggered(key); });
     connect(banner, &Banner::dismissed, this, [this, key] {
         if (Entry *entry = find(key))
@@ -233,20 +216,18 @@ int BannerStack::count() const
 
 void BannerStack::arrange()
 {
-    const int shown = m_reserved ? 1 : 2;
     int standing = 0;
     for (const Entry &entry : m_entries) {
-        m_column->removeWidget(entry.banner);
-        const bool visible = !entry.dismissed && standing < shown;
-        if (visible)
-            m_column->insertWidget(standing, entry.banner);
-        entry.banner->setVisible(visible);
+        const bool first = !entry.dismissed && standing == 0;
+        m_row->removeWidget(entry.banner);
+        if (first)
+            m_row->insertWidget(0, entry.banner, 1);
+        entry.banner->setVisible(first);
         standing += entry.dismissed ? 0 : 1;
     }
-    m_more->setVisible(standing > shown);
-    m_more->setText(standing == shown + 1 ? tr("1 more notice") : tr("%n more notices", nullptr, standing - shown));
+    m_more->setVisible(standing > 1);
+    m_more->setText(standing == 2 ? tr("1 more notice") : tr("%n more notices", nullptr, standing - 1));
     m_more->setAccessibleName(m_more->text());
-    setVisible(standing > 0 || m_reserved);
     Q_EMIT countChanged(standing);
 }
 

@@ -6,13 +6,14 @@
 #include <QFrame>
 #include <vector>
 
-class QVBoxLayout;
+class QHBoxLayout;
 
 namespace mb {
 
 enum class BannerKind { Caution, Danger, Ok, Info };
 
-/// A condition above a page: glyph, bold cause with its number, dim remedy, at most one button, Dismiss.
+/// A condition, in one line (two where the window is narrow for the size of the text): glyph, bold cause with its
+/// number, dim remedy, at most one button, Dismiss. What has no room is in the tooltip.
 class Banner : public QFrame {
     Q_OBJECT
 public:
@@ -21,12 +22,15 @@ public:
 
     BannerKind kind() const { return m_kind; }
     QString cause() const;
+    QString remedy() const;
     void setText(const QString &cause, const QString &remedy);
     /// A verb with an object; empty hides the button.
     void setAction(const QString &text);
     void setDismissable(bool dismissable);
-    /// Two lines whatever the words: what has no room is in the tooltip.
-    void setFlat(bool flat);
+    /// The cause in a line of its own.
+    void setTwoLines(bool on);
+    /// Of any banner, whatever it says.
+    static int heightOf(const Theme &theme, bool twoLines);
 
 Q_SIGNALS:
     void actionTriggered();
@@ -35,22 +39,22 @@ Q_SIGNALS:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void restyle();
-    void fit();
+    void place();
 
     const ThemeSource &m_theme;
     BannerKind m_kind;
-    bool m_flat = false;
+    bool m_twoLines = false;
     QLabel *m_cause = nullptr;
     QLabel *m_remedy = nullptr;
     QPushButton *m_action = nullptr;
     QPushButton *m_dismiss = nullptr;
 };
 
-/// The banners of a page, most severe and newest first: at most two are shown, then "3 more notices".
+/// The notices of the window, most severe and newest first, in a strip of one height, whether one stands in it or none: what
+/// is below never moves. The first is shown, the others are counted: "3 more notices".
 /// Each is known by a key, so that a condition that persists does not pile up. Dismissed keys stay silent until
 /// cleared.
 class BannerStack : public QWidget {
@@ -60,12 +64,11 @@ public:
 
     void post(
         const QString &key, BannerKind kind, const QString &cause, const QString &remedy, const QString &action = {});
-    /// A strip of one height, whether a notice stands in it or none: what is below never moves. One banner is shown, flat.
-    void setReserved(bool on);
     /// The condition has ended.
     void clear(const QString &key);
     /// All that stand, dismissed ones excluded.
     int count() const;
+    void setTwoLines(bool on);
 
 Q_SIGNALS:
     void actionTriggered(const QString &key);
@@ -81,12 +84,11 @@ private:
     };
     Entry *find(const QString &key);
     void arrange();
-    void restyle();
 
+    bool m_twoLines = false;
     const ThemeSource &m_theme;
-    bool m_reserved = false;
     std::vector<Entry> m_entries;
-    QVBoxLayout *m_column = nullptr;
+    QHBoxLayout *m_row = nullptr;
     QPushButton *m_more = nullptr;
 };
 

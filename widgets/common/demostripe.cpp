@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/headerbar.h"
 
+#include <QHBoxLayout>
 #include <QPainter>
 
 namespace mb {
@@ -9,7 +10,7 @@ DemoStripe::DemoStripe(const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_theme(theme)
 {
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
     setSources(tr("simulated bench"), {});
     connect(&theme, &ThemeSource::changed, this, [this] {
         updateGeometry();
@@ -29,17 +30,34 @@ void DemoStripe::setSources(const QString &simulated, const QStringList &recordi
     if (text == m_text)
         return;
     m_text = text;
+    m_word = simulated.isEmpty() ? text.isEmpty() ? QString() : tr("Replay") : tr("Demo");
     setAccessibleName(m_text);
+    updateGeometry();
+    update();
+}
+
+void DemoStripe::setCompact(bool compact)
+{
+    m_compact = compact;
+    setSizePolicy(compact ? QSizePolicy::Fixed : QSizePolicy::Preferred, QSizePolicy::Preferred);
+    setToolTip(compact ? m_text : QString());
+    updateGeometry();
     update();
 }
 
 QSize DemoStripe::sizeHint() const
 {
-    return {m_theme.theme().u(400), m_theme.theme().u(22)};
+    const Theme &theme = m_theme.theme();
+    if (!m_compact)
+        return {theme.u(400), theme.u(22)};
+    const QFontMetrics metrics(theme.font(TextRole::Section, font()));
+    return {metrics.horizontalAdvance(m_word) + theme.u(32), theme.u(22)};
 }
 
 void DemoStripe::paintEvent(QPaintEvent *)
 {
+    if (m_text.isEmpty())
+        return;
     const Theme &theme = m_theme.theme();
     QPainter painter(this);
     painter.fillRect(rect(), theme.demo);
@@ -54,7 +72,60 @@ void DemoStripe::paintEvent(QPaintEvent *)
     QFont text = theme.font(TextRole::Section, font());
     painter.setFont(text);
     painter.setPen(theme.onFill);
-    painter.drawText(rect(), Qt::AlignCenter, m_text);
+    const int room = width() - theme.u(16);
+    painter.drawText(rect(), Qt::AlignCenter,
+        m_compact ? m_word : QFontMetrics(painter.font()).elidedText(m_text, Qt::ElideRight, room));
+}
+
+namespace {
+
+constexpr int narrow = 900; ///< in units of the theme: below it a notice has two lines
+
+} // namespace
+
+NoticeStrip::NoticeStrip(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+    , m_stripe(new DemoStripe(theme, this))
+    , m_banners(new BannerStack(theme, this))
+{
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    row->addWidget(m_stripe);
+    row->addWidget(m_banners, 1);
+    connect(m_banners, &BannerStack::countChanged, this, &NoticeStrip::fit);
+    connect(&theme, &ThemeSource::changed, this, &NoticeStrip::fit);
+    fit();
+}
+
+void NoticeStrip::fit()
+{
+    const bool notices = m_banners->count() > 0;
+    m_banners->setTwoLines(width() < m_theme.theme().u(narrow));
+    m_banners->setVisible(notices);
+    m_stripe->setCompact(notices);
+    setFixedHeight(m_banners->height());
+}
+
+QSize NoticeStrip::minimumSizeHint() const
+{
+    return {1, m_banners->height()};
+}
+
+void NoticeStrip::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fit();
+}
+
+void NoticeStrip::paintEvent(QPaintEvent *)
+{
+    const Theme &theme = m_theme.theme();
+    QPainter painter(this);
+    painter.fillRect(rect(), theme.head);
+    painter.fillRect(0, height() - 1, width(), 1, theme.line);
 }
 
 } // namespace mb

@@ -82,6 +82,7 @@ constexpr auto phrases = std::to_array<const char *>({
     QT_TRANSLATE_NOOP("table", "the disk is full; make room, or choose another place"),
     QT_TRANSLATE_NOOP("table", "no permission to write there; choose another folder"),
     QT_TRANSLATE_NOOP("table", "there is no such folder; choose another one"),
+    QT_TRANSLATE_NOOP("table", "%1 has a name that ends in no kind of picture; end it in .png, .svg or .pdf"),
     QT_TRANSLATE_NOOP("table", "it is a folder; name a file"),
     QT_TRANSLATE_NOOP("table", "the file has reached the greatest size there; choose another place"),
     QT_TRANSLATE_NOOP("table", "%1: it cannot be written (system error %2); check the disk"),

@@ -47,7 +47,7 @@ Inspector::Inspector(Workbench &workbench, Selection &selection, const ThemeSour
 
 QSize Inspector::sizeHint() const
 {
-    return {m_theme.theme().u(248), m_theme.theme().u(600)};
+    return {std::max(m_theme.theme().u(248), layout()->minimumSize().width()), m_theme.theme().u(600)};
 }
 
 ValueLabel *Inspector::addRow(QVBoxLayout &column, const QString &caption)

@@ -58,9 +58,9 @@ void OverviewPage::buildCards()
     m_deviceGrid = new QGridLayout;
     m_deviceGrid->setSpacing(theme.u(8));
     m_ailing = new DoctorCard(m_workbench, m_theme, false, m_canvas);
-    column->addWidget(m_ailing);
     column->addLayout(m_linkGrid);
     column->addLayout(m_deviceGrid);
+    column->addWidget(m_ailing); // comes and goes below what may be under the mouse; the notice says it first
     column->addStretch();
     scroll->setWidget(m_canvas);
     m_states->addWidget(scroll);

@@ -136,9 +136,8 @@ void TunePlot::buildView(QHBoxLayout &row)
     connect(fit, &QToolButton::clicked, m_stack, &PlotStack::fit);
     connect(m_stack, &PlotStack::exported, this,
         [this](const QString &path) { m_workbench.report(Severity::Good, {}, tr("plot written to %1").arg(path)); });
-    connect(m_stack, &PlotStack::exportFailed, this, [this](const QString &path) {
-        m_workbench.report(Severity::Danger, {}, tr("%1 cannot be written").arg(path));
-    });
+    connect(m_stack, &PlotStack::exportFailed, this,
+        [this](const QString &cause) { m_workbench.report(Severity::Danger, {}, cause); });
 }
 
 void TunePlot::countsTyped()

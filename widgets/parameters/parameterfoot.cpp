@@ -21,10 +21,14 @@ ParameterFoot::ParameterFoot(const ThemeSource &theme, QWidget *parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     m_help = textLabel({}, TextRole::Caption, Tone::Dim, this);
-    m_help->setContentsMargins(t.u(12), t.u(6), t.u(12), t.u(6));
+    m_help->setIndent(0);
+    auto *about = new QWidget(this); // a style sheet takes the margins of a label for its own
+    auto *line = new QHBoxLayout(about);
+    line->setContentsMargins(t.u(12), t.u(6), t.u(12), t.u(6));
+    line->addWidget(m_help);
     m_help->setAccessibleName(tr("What the parameter does"));
     column->addWidget(separatorLine(Qt::Horizontal, this));
-    column->addWidget(m_help);
+    column->addWidget(about);
     column->addWidget(separatorLine(Qt::Horizontal, this));
     buildLegend();
     column->addWidget(m_legend);

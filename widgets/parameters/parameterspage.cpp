@@ -30,21 +30,21 @@ constexpr int besideFrom = 900; ///< narrower than this the panel goes below the
 
 } // namespace
 
-ParametersPage::ParametersPage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
+ParametersPage::ParametersPage(
+    Workbench &workbench, Selection &selection, const ThemeSource &theme, BannerStack &banners, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
     , m_desk(EditDesk::of(workbench))
     , m_selection(selection)
     , m_theme(theme)
+    , m_banners(banners)
     , m_model(new ParameterModel(this))
 {
     setObjectName(QStringLiteral("parametersPage"));
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    m_banners = new BannerStack(theme, this);
     m_stack = new QStackedWidget(this);
-    column->addWidget(m_banners);
     column->addWidget(m_stack, 1);
     buildEmpty();
     m_stack->addWidget(buildTable());
@@ -68,10 +68,7 @@ void ParametersPage::buildEmpty()
     m_stack->addWidget(m_empty);
     connect(m_openFile, &QPushButton::clicked, this,
         [this] { askForFile(*this, tr("Open a parameter file"), [this](const QString &path) { openFile(path); }); });
-    connect(m_banners, &BannerStack::actionTriggered, this, [this](const QString &key) {
-        m_banners->clear(key);
-        undo(false);
-    });
+    connect(&m_banners, &BannerStack::actionTriggered, this, &ParametersPage::act);
 }
 
 QWidget *ParametersPage::buildHead()

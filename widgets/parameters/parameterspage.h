@@ -34,7 +34,9 @@ class Segmented;
 class ParametersPage : public QWidget {
     Q_OBJECT
 public:
-    ParametersPage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent);
+    /// Notices of the page stand in `banners`.
+    ParametersPage(
+        Workbench &workbench, Selection &selection, const ThemeSource &theme, BannerStack &banners, QWidget *parent);
     ~ParametersPage() override;
 
     [[nodiscard]] ParameterModel &model() { return *m_model; }
@@ -82,6 +84,8 @@ private:
     void comparisonChosen(int row);
     void setFilter();
     void undo(bool redo);
+    void act(const QString &key);
+    void refuse(const char *key, DeviceId device, const QString &cause, const QString &remedy);
     void written(DeviceId device, const std::vector<ParameterChange> &sent, const Result<void> &result);
     [[nodiscard]] const DeviceView *device() const;
     [[nodiscard]] StagedEdits &editsOf(const DeviceView &device) { return m_desk.editsOf(device); }
@@ -90,6 +94,7 @@ private:
     EditDesk &m_desk;
     Selection &m_selection;
     const ThemeSource &m_theme;
+    BannerStack &m_banners;
     RamLedger m_ledger;
     /// What the page showed last of a device; the same again needs no work.
     struct Shown {
@@ -108,11 +113,11 @@ private:
     std::map<DeviceId, std::uint64_t> m_revisions;
     std::map<DeviceId, ParameterReference> m_asFound;
     std::set<DeviceId> m_asked;
+    DeviceId m_importedInto;
     std::unique_ptr<StagedEdits> m_fileEdits;
     QString m_fileName;
     std::optional<ParameterReference> m_fileReference;
     ParameterModel *m_model = nullptr;
-    BannerStack *m_banners = nullptr;
     QStackedWidget *m_stack = nullptr;
     EmptyState *m_empty = nullptr;
     CommandButton *m_openFile = nullptr;

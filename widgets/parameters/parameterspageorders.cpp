@@ -14,12 +14,31 @@
 namespace mb {
 namespace {
 
-// Conditions that stand above the page.
-constexpr auto writeKey = "write";
-constexpr auto importKey = "import";
-constexpr auto fileKey = "file";
+// Notices of this page, in the strip of the window.
+constexpr auto writeKey = "parameters write";
+constexpr auto importKey = "parameters import";
+constexpr auto fileKey = "parameters file";
 
 } // namespace
+
+/// Also after another device or page was chosen: it says of which device it speaks.
+void ParametersPage::refuse(const char *key, DeviceId device, const QString &cause, const QString &remedy)
+{
+    const DeviceView *of = m_workbench.snapshot().device(device);
+    m_banners.post(
+        QLatin1String(key), BannerKind::Danger, of ? titleOf(*of) + QStringLiteral(": ") + cause : cause, remedy);
+}
+
+/// The only button of this page's notices: "Undo the import".
+void ParametersPage::act(const QString &key)
+{
+    if (key != QLatin1String(importKey))
+        return;
+    m_banners.clear(key);
+    m_view->commitField();
+    if (StagedEdits *edits = m_desk.find(m_importedInto))
+        edits->undoStack().undo();
+}
 
 void ParametersPage::readAll()
 {
@@ -36,8 +55,8 @@ void ParametersPage::write()
     refresh();
     if (!m_panel->mayWrite())
         return;
-    m_banners->clear(QLatin1String(writeKey));
-    m_banners->clear(QLatin1String(importKey));
+    m_banners.clear(QLatin1String(writeKey));
+    m_banners.clear(QLatin1String(importKey));
     const DeviceId id = m_selection.device();
     const auto changes = m_model->edits()->toWrite();
     m_workbench.writeParameters(
@@ -52,7 +71,7 @@ void ParametersPage::written(DeviceId device, const std::vector<ParameterChange>
     if (StagedEdits *edits = m_desk.find(device); result && edits)
         edits->settle(sent);
     if (!result)
-        m_banners->post(QLatin1String(writeKey), BannerKind::Danger, errorText(result.error()),
+        refuse(writeKey, device, errorText(result.error()),
             tr("What was written before it is in force; the rest is still staged. Nothing was stored."));
     refresh();
 }
@@ -62,11 +81,11 @@ void ParametersPage::store()
     const DeviceView *shown = device();
     if (!shown)
         return;
-    m_banners->clear(QLatin1String(writeKey));
-    m_workbench.storeParameters(shown->id, [page = QPointer<ParametersPage>(this)](const Result<void> &result) {
+    m_banners.clear(QLatin1String(writeKey));
+    m_workbench.storeParameters(shown->id, [page = QPointer(this), id = shown->id](const Result<void> &result) {
         if (page && !result)
-            page->m_banners->post(QLatin1String(writeKey), BannerKind::Danger, errorText(result.error()),
-                page->tr("Nothing is proved to be in flash. Store again, and keep power on."));
+            page->refuse(writeKey, id, errorText(result.error()),
+                tr("Nothing is proved to be in flash. Store again, and keep power on."));
     });
 }
 
@@ -75,10 +94,10 @@ void ParametersPage::importFrom(const QString &path)
     const DeviceView *shown = device();
     if (!shown || !m_model->edits() || m_fileEdits)
         return;
-    m_banners->clear(QLatin1String(importKey));
+    m_banners.clear(QLatin1String(importKey));
     auto file = loadParameterFile(path, *shown->family, titleOf(*shown));
     if (!file) {
-        m_banners->post(QLatin1String(importKey), BannerKind::Danger, file.error().cause, file.error().remedy);
+        m_banners.post(QLatin1String(importKey), BannerKind::Danger, file.error().cause, file.error().remedy);
         return;
     }
     const ParameterSource source{*shown->family, shown->identity, shown->selector, m_model->edits()->entries()};
@@ -91,17 +110,18 @@ void ParametersPage::importFrom(const QString &path)
                 + " belongs to the unit that the file was saved from");
     }
     if (changes.empty()) {
-        m_banners->post(QLatin1String(importKey), BannerKind::Info,
+        m_banners.post(QLatin1String(importKey), BannerKind::Info,
             tr("%1 says what the device has.").arg(fileNameOf(path)), tr("Nothing is staged."));
         return;
     }
     m_view->commitField();
+    m_importedInto = shown->id;
     m_model->edits()->stageAll(changes, tr("Import of %1").arg(fileNameOf(path)));
     QString remedy = tr("Nothing is written yet: look through the list, then write.");
     if (!file->notes.empty())
         remedy
             += QLatin1Char(' ') + tr("Left out: %1, for one: %2.").arg(file->notes.size()).arg(qt(file->notes.front()));
-    m_banners->post(QLatin1String(importKey), BannerKind::Info,
+    m_banners.post(QLatin1String(importKey), BannerKind::Info,
         tr("Staged from %1: %2 of its values differ.").arg(fileNameOf(path)).arg(changes.size()), remedy,
         tr("Undo the import"));
     m_segments->setCurrent(ParameterFilter::Edited);
@@ -112,10 +132,10 @@ void ParametersPage::exportTo(const QString &path)
     const DeviceView *shown = device();
     if (!shown)
         return;
-    m_banners->clear(QLatin1String(fileKey));
+    m_banners.clear(QLatin1String(fileKey));
     const QByteArray text = parameterFileText({*shown->family, shown->identity, shown->selector, shown->parameters});
     if (const auto saved = saveFile(path.toStdString(), text); !saved)
-        m_banners->post(
+        m_banners.post(
             QLatin1String(fileKey), BannerKind::Danger, errorText(saved.error()), tr("Choose another place."));
     else
         m_workbench.report(Severity::Good, titleOf(*shown),
@@ -127,10 +147,10 @@ void ParametersPage::compareWith(const QString &path)
     const Family *family = m_model->family();
     if (!family)
         return;
-    m_banners->clear(QLatin1String(fileKey));
+    m_banners.clear(QLatin1String(fileKey));
     const auto file = loadParameterFile(path, *family, device() && !m_fileEdits ? titleOf(*device()) : m_fileName);
     if (!file) {
-        m_banners->post(QLatin1String(fileKey), BannerKind::Danger, file.error().cause, file.error().remedy);
+        m_banners.post(QLatin1String(fileKey), BannerKind::Danger, file.error().cause, file.error().remedy);
         fillComparisons();
         return;
     }
@@ -144,12 +164,12 @@ void ParametersPage::compareWith(const QString &path)
 
 void ParametersPage::openFile(const QString &path)
 {
-    m_banners->clear(QLatin1String(fileKey));
+    m_banners.clear(QLatin1String(fileKey));
     const auto family = loadFamily(path);
     const auto file = family ? loadParameterFile(path, **family, fileNameOf(path))
                              : FromFile<ParameterFile>(tl::unexpected<RefusedFile>(family.error()));
     if (!file) {
-        m_banners->post(QLatin1String(fileKey), BannerKind::Danger, file.error().cause, file.error().remedy);
+        m_banners.post(QLatin1String(fileKey), BannerKind::Danger, file.error().cause, file.error().remedy);
         return;
     }
     auto edits = std::make_unique<StagedEdits>(**family);

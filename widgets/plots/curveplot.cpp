@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/curveplot.h"
 
-#include "model/parameterfile.h"
 #include "widgets/plots/picturefile.h"
 #include "widgets/plots/plotdecor.h"
 
@@ -159,7 +158,7 @@ QPixmap CurvePlot::picture()
     return m_plot->toPixmap(0, 0, 2.0);
 }
 
-bool CurvePlot::exportTo(const QString &path)
+Result<void> CurvePlot::exportTo(const QString &path)
 {
     const QString kind = QFileInfo(path).suffix().toLower();
     const QSize size = m_plot->size();
@@ -168,7 +167,7 @@ bool CurvePlot::exportTo(const QString &path)
         : drawingAs(kind, {size, accessibleName(), {}, [&](QCPPainter &painter) {
                                m_plot->toPainter(&painter, size.width(), size.height());
                            }});
-    return !content.isEmpty() && saveFile(path.toStdString(), content);
+    return savePlot(path, content);
 }
 
 } // namespace mb

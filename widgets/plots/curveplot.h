@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/result.h"
 #include "widgets/plots/traceplottable.h"
 
 #include <QWidget>
@@ -27,7 +28,7 @@ public:
     void setNote(const QString &note);
     void setWatermark(const QString &text);
     void fit();
-    [[nodiscard]] bool exportTo(const QString &path);
+    [[nodiscard]] Result<void> exportTo(const QString &path);
     [[nodiscard]] QPixmap picture();
     [[nodiscard]] const std::vector<Curve> &curves() const { return m_curves; }
     [[nodiscard]] QString note() const { return m_note; }

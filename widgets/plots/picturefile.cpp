@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/picturefile.h"
 
+#include "model/parameterfile.h"
 #include "widgets/plots/qcustomplotkeywords.h"
 
 #include <QApplication>
@@ -50,6 +51,14 @@ QByteArray pngOf(const QImage &picture)
     QBuffer content;
     content.open(QIODevice::WriteOnly);
     return picture.save(&content, "PNG") ? content.data() : QByteArray();
+}
+
+Result<void> savePlot(const QString &path, const QByteArray &content)
+{
+    if (content.isEmpty())
+        return fail(Fault::OutOfRange, path.toStdString() + " has a name that ends in no kind of picture",
+            "end it in .png, .svg or .pdf");
+    return saveFile(path.toStdString(), content);
 }
 
 QByteArray drawingAs(const QString &kind, const Drawing &drawing)

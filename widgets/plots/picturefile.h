@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/result.h"
+
 #include <QByteArray>
 #include <QImage>
 #include <QString>
@@ -24,5 +26,8 @@ struct Drawing {
 [[nodiscard]] QByteArray pngOf(const QImage &picture);
 /// `kind`: svg or pdf.
 [[nodiscard]] QByteArray drawingAs(const QString &kind, const Drawing &drawing);
+
+/// Writes what was drawn or listed; nothing drawn is a name that ends in no kind of file that is known here.
+[[nodiscard]] Result<void> savePlot(const QString &path, const QByteArray &content);
 
 } // namespace mb

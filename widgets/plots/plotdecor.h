@@ -97,6 +97,18 @@ struct GapLabel {
 [[nodiscard]] std::optional<QRectF> freePlace(
     const QRectF &wanted, const QRectF &box, const std::vector<QRectF> &taken);
 
+/// Words in a strip: those of `limits`, `bands` and so on, by their place in the list.
+struct StripWord {
+    enum class Kind { Mark, Limit, Trigger, Note, Band, Span };
+    Kind kind = Kind::Limit;
+    std::size_t index = 0;
+    QRectF place;
+};
+/// Where each of them stands, so that none covers another or a gap's label: near what it names, else on another side of it or some
+/// lines away. Those that have no place give way, the last kinds first.
+[[nodiscard]] std::vector<StripWord> stripWords(
+    const StripDecor &decor, const QCPAxisRect &rect, const QFont &caption, const Theme &theme);
+
 /// Behind the traces: watermark, bands, spans, gaps.
 class StripBackdrop : public QCPAbstractItem {
     Q_OBJECT
@@ -134,10 +146,12 @@ private:
     void drawHead(QCPPainter &painter, const QRectF &box) const;
     void drawKeyUnit(QCPPainter &painter, const QRectF &box) const;
     void drawLimits(QCPPainter &painter, const QRectF &box) const;
-    void drawNotes(QCPPainter &painter, const QRectF &box) const;
     void drawTags(QCPPainter &painter, const QRectF &box) const;
     void drawMarks(QCPPainter &painter, const QRectF &box) const;
     void drawTrigger(QCPPainter &painter, const QRectF &box) const;
+    void drawWords(QCPPainter &painter) const;
+    void drawNote(QCPPainter &painter, const PlotNote &note, const QRectF &place) const;
+    void drawFlag(QCPPainter &painter, const PlotMark &mark, const QRectF &place) const;
     QFont caption() const;
 
     QCPAxisRect &m_rect;

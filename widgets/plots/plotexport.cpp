@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/parameterfile.h"
+#include "widgets/common/devicetext.h"
 #include "widgets/plots/picturefile.h"
 #include "widgets/plots/plotcursors.h"
 #include "widgets/plots/plotstack.h"
@@ -34,15 +34,15 @@ QString csvNumber(double value)
 
 } // namespace
 
-bool PlotStack::exportTo(const QString &path)
+Result<void> PlotStack::exportTo(const QString &path)
 {
     const QString kind = QFileInfo(path).suffix().toLower();
     const QByteArray content = kind == QLatin1String("csv") ? table() : pictureAs(kind);
-    const bool written = !content.isEmpty() && saveFile(path.toStdString(), content);
+    const Result<void> written = savePlot(path, content);
     if (written)
         Q_EMIT exported(path);
     else
-        Q_EMIT exportFailed(path);
+        Q_EMIT exportFailed(errorText(written.error()));
     return written;
 }
 

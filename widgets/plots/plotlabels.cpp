@@ -79,12 +79,162 @@ std::optional<QRectF> freePlace(const QRectF &wanted, const QRectF &box, const s
         return place.top() >= box.top() && place.bottom() <= box.bottom()
             && std::none_of(taken.begin(), taken.end(), [&](const QRectF &other) { return other.intersects(place); });
     };
-    for (const double lines : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {
+    for (const double lines : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0, 4.0, -4.0, 5.0, -5.0}) {
         const QRectF place = wanted.translated(0, lines * wanted.height());
         if (isFree(place))
             return place;
     }
     return std::nullopt;
+}
+
+namespace {
+
+/// Places words one after the other; what was placed before stays.
+class Placing {
+public:
+    Placing(const StripDecor &decor, const QCPAxisRect &rect, const QFont &caption, const Theme &theme)
+        : m_decor(decor)
+        , m_keys(*rect.axis(QCPAxis::atBottom))
+        , m_left(*rect.axis(QCPAxis::atLeft))
+        , m_right(*rect.axis(QCPAxis::atRight))
+        , m_box(rect.rect())
+        , m_theme(theme)
+        , m_caption(caption)
+        , m_metrics(caption)
+    {
+        for (const GapLabel &gap : gapLabels(decor, m_keys, m_box, m_metrics, theme))
+            m_taken.push_back(gap.place);
+    }
+    std::vector<StripWord> words()
+    {
+        marks();
+        limits();
+        trigger();
+        notes();
+        bands();
+        spans();
+        return std::move(m_words);
+    }
+
+private:
+    [[nodiscard]] QSizeF sizeOf(const QString &text) const
+    {
+        return {m_metrics.horizontalAdvance(text) + 2.0, static_cast<double>(m_metrics.height())};
+    }
+    [[nodiscard]] QRectF between(QRectF wanted) const
+    {
+        wanted.moveRight(std::min(wanted.right(), m_box.right() - 2));
+        wanted.moveLeft(std::max(wanted.left(), m_box.left() + 2));
+        return wanted;
+    }
+    void take(StripWord::Kind kind, std::size_t index, const std::optional<QRectF> &place)
+    {
+        if (!place)
+            return;
+        m_taken.push_back(*place);
+        m_words.push_back({kind, index, *place});
+    }
+    /// Above or below a line, at its right end or at its left.
+    void beside(StripWord::Kind kind, std::size_t index, const QString &text, double y, bool rightFirst)
+    {
+        const QSizeF size = sizeOf(text);
+        const double left = m_box.left() + m_theme.u(14);
+        const double right = m_box.right() - m_theme.u(4) - size.width();
+        for (const double x : {rightFirst ? right : left, rightFirst ? left : right}) {
+            for (const double top : {y - size.height() - 1, y + 1}) {
+                const QRectF place(QPointF(x, top), size);
+                const bool inside = place.top() >= m_box.top() && place.bottom() <= m_box.bottom();
+                if (inside && freePlace(place, place, m_taken)) {
+                    take(kind, index, place);
+                    return;
+                }
+            }
+        }
+    }
+    void marks()
+    {
+        for (std::size_t i = 0; m_decor.first && i < m_decor.marks.size(); ++i) {
+            const double x = m_keys.coordToPixel(m_decor.marks[i].key);
+            if (x < m_box.left() || x > m_box.right())
+                continue;
+            const QSizeF size = sizeOf(m_decor.marks[i].text) + QSizeF(m_theme.u(8), m_theme.u(4));
+            QRectF flag(QPointF(x, m_box.top() + m_theme.u(20)), size);
+            if (flag.right() > m_box.right())
+                flag.moveRight(x);
+            take(StripWord::Kind::Mark, i, freePlace(flag, m_box, m_taken));
+        }
+    }
+    void limits()
+    {
+        for (std::size_t i = 0; i < m_decor.limits.size(); ++i) {
+            const double y = m_left.coordToPixel(m_decor.limits[i].value);
+            if (y >= m_box.top() && y <= m_box.bottom())
+                beside(StripWord::Kind::Limit, i, m_decor.limits[i].text, y, true);
+        }
+    }
+    void trigger()
+    {
+        if (!m_decor.trigger)
+            return;
+        const double y = (m_decor.trigger->second ? m_right : m_left).coordToPixel(m_decor.trigger->level);
+        beside(StripWord::Kind::Trigger, 0, m_decor.trigger->text, std::clamp(y, m_box.top(), m_box.bottom()), false);
+    }
+    void notes()
+    {
+        for (std::size_t i = 0; i < m_decor.notes.size(); ++i) {
+            const PlotNote &note = m_decor.notes[i];
+            const QPointF at(m_keys.coordToPixel(note.key), m_left.coordToPixel(note.value));
+            if (at.x() < m_box.left() || at.x() > m_box.right())
+                continue;
+            QFont font = note.strong ? m_theme.font(TextRole::Emphasis, m_caption) : m_caption;
+            font.setPointSizeF(m_caption.pointSizeF());
+            const QSizeF size(QFontMetricsF(font).horizontalAdvance(note.text) + 2, m_metrics.height());
+            QRectF text(at + QPointF(m_theme.u(note.offset.x()), m_theme.u(note.offset.y())), size);
+            text = between(text);
+            text.moveBottom(std::clamp(text.bottom(), m_box.top() + text.height(), m_box.bottom()));
+            take(StripWord::Kind::Note, i, freePlace(text, m_box, m_taken));
+        }
+    }
+    void bands()
+    {
+        for (std::size_t i = 0; i < m_decor.bands.size(); ++i) {
+            QRectF text(QPointF(), sizeOf(m_decor.bands[i].text));
+            text.moveBottomRight(
+                {m_box.left() + m_box.width() * 0.62, m_left.coordToPixel(m_decor.bands[i].upper) - m_theme.u(2)});
+            take(StripWord::Kind::Band, i, freePlace(between(text), m_box, m_taken));
+        }
+    }
+    void spans()
+    {
+        for (std::size_t i = 0; i < m_decor.spans.size(); ++i) {
+            const PlotSpan &span = m_decor.spans[i];
+            const double from = m_keys.coordToPixel(span.from);
+            if (span.text.isEmpty() || from > m_box.right() || m_keys.coordToPixel(span.to) < m_box.left())
+                continue;
+            QRectF text(QPointF(), sizeOf(span.text));
+            text.moveBottomLeft({from + m_theme.u(4), m_box.bottom() - m_theme.u(4)});
+            take(StripWord::Kind::Span, i, freePlace(between(text), m_box, m_taken));
+        }
+    }
+
+    const StripDecor &m_decor;
+    const QCPAxis &m_keys;
+    const QCPAxis &m_left;
+    const QCPAxis &m_right;
+    const QRectF m_box;
+    const Theme &m_theme;
+    const QFont m_caption;
+    const QFontMetrics m_metrics;
+    std::vector<QRectF> m_taken;
+    std::vector<StripWord> m_words;
+};
+
+} // namespace
+
+std::vector<StripWord> stripWords(
+    const StripDecor &decor, const QCPAxisRect &rect, const QFont &caption, const Theme &theme)
+{
+    return Placing(decor, rect, caption, theme).words();
 }
 
 } // namespace mb

@@ -120,9 +120,8 @@ void PlotsPage::connectStack()
     connect(m_board, &PlotBoard::changed, this, &PlotsPage::boardChanged);
     connect(m_stack, &PlotStack::exported, this,
         [this](const QString &path) { m_workbench.report(Severity::Good, {}, tr("plot written to %1").arg(path)); });
-    connect(m_stack, &PlotStack::exportFailed, this, [this](const QString &path) {
-        m_workbench.report(Severity::Danger, {}, tr("%1 cannot be written").arg(path));
-    });
+    connect(m_stack, &PlotStack::exportFailed, this,
+        [this](const QString &cause) { m_workbench.report(Severity::Danger, {}, cause); });
     connect(m_stack, &PlotStack::dropped, this, [this](const QByteArray &dropped, int strip) {
         const std::vector<Signal> all = signalsFromMime(dropped);
         if (all.size() == 1)

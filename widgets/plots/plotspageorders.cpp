@@ -42,9 +42,9 @@ void PlotsPage::exportView(const QString &suffix, const QString &filter)
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(suffix);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
-        const bool written = curves(m_plots->currentIndex() == 2 ? View::Against : View::Spectrum).exportTo(path);
+        const auto written = curves(m_plots->currentIndex() == 2 ? View::Against : View::Spectrum).exportTo(path);
         m_workbench.report(written ? Severity::Good : Severity::Danger, {},
-            written ? tr("plot written to %1").arg(path) : tr("%1 cannot be written").arg(path));
+            written ? tr("plot written to %1").arg(path) : errorText(written.error()));
     });
     dialog->open();
 }
@@ -88,7 +88,7 @@ void PlotsPage::finished(const QString &path, const Result<ExportReport> &report
     else if (report.error().fault == Fault::Cancelled)
         m_workbench.report(Severity::Info, {}, tr("export cancelled, nothing was written"));
     else
-        m_workbench.report(Severity::Danger, {}, qt(report.error().text()));
+        m_workbench.report(Severity::Danger, {}, errorText(report.error()));
 }
 
 void PlotsPage::setLayoutFolder(const QString &folder)

@@ -142,7 +142,7 @@ void PlotStack::updateHeads()
         decor.watermark = m_watermark;
         decor.entries.clear();
         decor.marks = m_marks;
-        decor.secondRoom = anySecond ? m_theme.theme().u(48) : 0;
+        decor.secondRoom = anySecond ? m_theme.theme().u(56) : 0;
         QStringList units;
         QStringList secondUnits;
         for (const auto &[id, trace] : m_traces) {

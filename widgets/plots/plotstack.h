@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/result.h"
 #include "widgets/common/paintbudget.h"
 #include "widgets/plots/autorange.h"
 #include "widgets/plots/plotdecor.h"
@@ -130,7 +131,7 @@ public:
 
     /// Writes the picture, or the visible data as a table. The kind follows from the suffix: png, svg, pdf, csv.
     /// False when the file cannot be written or the suffix is another.
-    bool exportTo(const QString &path);
+    Result<void> exportTo(const QString &path);
     /// The content of such a file of a picture: png, svg, pdf. Empty when it cannot be painted.
     [[nodiscard]] QByteArray pictureAs(const QString &kind);
     /// Adds the entries of the context menu.
@@ -157,7 +158,8 @@ Q_SIGNALS:
     void menuRequested(QMenu *menu, int strip, double key);
     /// Every chosen export ends in one of these.
     void exported(const QString &path);
-    void exportFailed(const QString &path);
+    /// In words, with the cause.
+    void exportFailed(const QString &cause);
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;

@@ -40,8 +40,8 @@ void StripFace::draw(QCPPainter *painter)
     painter->save();
     painter->setClipRect(box.adjusted(0, -2, 2, 0));
     drawLimits(*painter, box);
-    drawNotes(*painter, box);
     drawMarks(*painter, box);
+    drawWords(*painter);
     painter->restore();
     drawTrigger(*painter, box);
 }
@@ -96,70 +96,54 @@ void StripFace::drawKeyUnit(QCPPainter &painter, const QRectF &box) const
 
 void StripFace::drawLimits(QCPPainter &painter, const QRectF &box) const
 {
-    const Theme &theme = m_theme.theme();
-    const QCPAxis &values = *m_rect.axis(QCPAxis::atLeft);
-    const QFontMetrics metrics(caption());
-    painter.setFont(caption());
     for (const PlotLimit &limit : m_decor.limits) {
-        const double y = std::floor(values.coordToPixel(limit.value)) + 0.5;
+        const double y = std::floor(m_rect.axis(QCPAxis::atLeft)->coordToPixel(limit.value)) + 0.5;
         if (y < box.top() || y > box.bottom())
             continue;
-        QPen pen(theme.trace(limit.role), 1);
+        QPen pen(m_theme.theme().trace(limit.role), 1);
         pen.setCosmetic(true);
         pen.setDashPattern({4, 3});
         painter.setPen(pen);
         painter.drawLine(QLineF(box.left(), y, box.right(), y));
-        const bool below = y - metrics.height() < box.top();
-        const double top = below ? y + 1 : y - metrics.height() - 1;
-        painter.setPen(theme.text);
-        painter.drawText(
-            QRectF(box.left(), top, box.width() - theme.u(4), metrics.height()), Qt::AlignRight, limit.text);
-    }
-    for (const PlotBand &band : m_decor.bands) {
-        const double y = values.coordToPixel(band.upper) - metrics.height() - theme.u(2);
-        painter.setPen(theme.tone(band.tone));
-        painter.drawText(QRectF(box.left(), y, box.width() * 0.62, metrics.height()), Qt::AlignRight, band.text);
-    }
-    for (const PlotSpan &span : m_decor.spans) {
-        const double x = m_rect.axis(QCPAxis::atBottom)->coordToPixel(span.from) + theme.u(4);
-        painter.setPen(theme.dim);
-        painter.drawText(QPointF(x, box.bottom() - theme.u(6)), span.text);
     }
 }
 
-void StripFace::drawNotes(QCPPainter &painter, const QRectF &box) const
+void StripFace::drawWords(QCPPainter &painter) const
 {
     const Theme &theme = m_theme.theme();
-    const QCPAxis &keys = *m_rect.axis(QCPAxis::atBottom);
-    const QCPAxis &values = *m_rect.axis(QCPAxis::atLeft);
-    std::vector<QRectF> taken;
-    for (const GapLabel &gap : gapLabels(m_decor, keys, box, QFontMetrics(caption()), theme))
-        taken.push_back(gap.place);
-    for (const PlotNote &note : m_decor.notes) {
-        const QPointF at(keys.coordToPixel(note.key), values.coordToPixel(note.value));
-        if (at.x() < box.left() || at.x() > box.right())
-            continue;
-        const QFont font = note.strong ? theme.font(TextRole::Emphasis, caption()) : caption();
-        QFont small = font;
-        small.setPointSizeF(caption().pointSizeF());
-        const QFontMetrics metrics(small);
-        QRectF text(at + QPointF(theme.u(note.offset.x()), theme.u(note.offset.y())),
-            QSizeF(metrics.horizontalAdvance(note.text) + 2, metrics.height()));
-        text.moveRight(std::min(text.right(), box.right() - 2));
-        text.moveBottom(std::clamp(text.bottom(), box.top() + text.height(), box.bottom()));
-        const auto place = freePlace(text, box, taken);
-        if (!place)
-            continue;
-        text = *place;
-        taken.push_back(text);
-        QPen leader(theme.dim, 1, Qt::DotLine);
-        leader.setCosmetic(true);
-        painter.setPen(leader);
-        painter.drawLine(QLineF(at, QPointF(text.left() - 2, text.center().y())));
-        painter.setFont(small);
-        painter.setPen(theme.text);
-        painter.drawText(text, Qt::AlignVCenter, note.text);
+    const auto write = [&painter](const QRectF &place, const QString &text, const QColor &color) {
+        painter.setPen(color);
+        painter.drawText(place, Qt::AlignCenter, text);
+    };
+    for (const StripWord &word : stripWords(m_decor, m_rect, caption(), theme)) {
+        painter.setFont(caption());
+        switch (word.kind) {
+        case StripWord::Kind::Mark: drawFlag(painter, m_decor.marks[word.index], word.place); break;
+        case StripWord::Kind::Limit: write(word.place, m_decor.limits[word.index].text, theme.text); break;
+        case StripWord::Kind::Trigger: write(word.place, m_decor.trigger->text, theme.accent); break;
+        case StripWord::Kind::Note: drawNote(painter, m_decor.notes[word.index], word.place); break;
+        case StripWord::Kind::Band:
+            write(word.place, m_decor.bands[word.index].text, theme.tone(m_decor.bands[word.index].tone));
+            break;
+        case StripWord::Kind::Span: write(word.place, m_decor.spans[word.index].text, theme.dim); break;
+        }
     }
+}
+
+void StripFace::drawNote(QCPPainter &painter, const PlotNote &note, const QRectF &place) const
+{
+    const Theme &theme = m_theme.theme();
+    const QPointF at(
+        m_rect.axis(QCPAxis::atBottom)->coordToPixel(note.key), m_rect.axis(QCPAxis::atLeft)->coordToPixel(note.value));
+    QPen leader(theme.dim, 1, Qt::DotLine);
+    leader.setCosmetic(true);
+    painter.setPen(leader);
+    painter.drawLine(QLineF(at, QPointF(place.left() - 2, place.center().y())));
+    QFont font = note.strong ? theme.font(TextRole::Emphasis, caption()) : caption();
+    font.setPointSizeF(caption().pointSizeF());
+    painter.setFont(font);
+    painter.setPen(theme.text);
+    painter.drawText(place, Qt::AlignVCenter, note.text);
 }
 
 void StripFace::drawTags(QCPPainter &painter, const QRectF &box) const

@@ -9,8 +9,6 @@ void StripFace::drawMarks(QCPPainter &painter, const QRectF &box) const
 {
     const Theme &theme = m_theme.theme();
     const QCPAxis &keys = *m_rect.axis(QCPAxis::atBottom);
-    const QFontMetrics metrics(caption());
-    painter.setFont(caption());
     for (const PlotMark &mark : m_decor.marks) {
         const double x = std::floor(keys.coordToPixel(mark.key)) + 0.5;
         if (x < box.left() || x > box.right())
@@ -20,19 +18,19 @@ void StripFace::drawMarks(QCPPainter &painter, const QRectF &box) const
         painter.setAntialiasing(false);
         painter.setPen(pen);
         painter.drawLine(QLineF(x, box.top(), x, box.bottom()));
-        if (!m_decor.first)
-            continue;
-        const int width = metrics.horizontalAdvance(mark.text) + theme.u(10);
-        QRectF flag(x, box.top() + theme.u(20), width, metrics.height() + theme.u(4));
-        if (flag.right() > box.right())
-            flag.moveRight(x);
-        painter.setAntialiasing(true);
-        painter.setPen(QPen(theme.outline, 1));
-        painter.setBrush(theme.panel);
-        painter.drawRoundedRect(flag, theme.u(3), theme.u(3));
-        painter.setPen(theme.text);
-        painter.drawText(flag, Qt::AlignCenter, mark.text);
     }
+    painter.setAntialiasing(true);
+}
+
+void StripFace::drawFlag(QCPPainter &painter, const PlotMark &mark, const QRectF &place) const
+{
+    const Theme &theme = m_theme.theme();
+    painter.setPen(QPen(theme.outline, 1));
+    painter.setBrush(theme.panel);
+    painter.drawRoundedRect(place, theme.u(3), theme.u(3));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(theme.text);
+    painter.drawText(place, Qt::AlignCenter, mark.text);
 }
 
 void StripFace::drawTrigger(QCPPainter &painter, const QRectF &box) const
@@ -56,12 +54,6 @@ void StripFace::drawTrigger(QCPPainter &painter, const QRectF &box) const
     painter.setBrush(theme.accent);
     const double size = theme.u(6);
     painter.drawPolygon(QPolygonF({{box.left(), y - size}, {box.left() + size, y}, {box.left(), y + size}}));
-    painter.setFont(caption());
-    painter.setPen(theme.accent);
-    const double height = QFontMetricsF(caption()).height();
-    const double top = y - height - 1 > box.top() ? y - height - 1 : y + 1;
-    painter.drawText(QRectF(box.left() + theme.u(14), top, box.width() * 0.6, height), Qt::AlignLeft | Qt::AlignVCenter,
-        m_decor.trigger->text);
 }
 
 } // namespace mb

@@ -55,7 +55,6 @@ void TriggerBar::buildChoices()
 {
     m_trace = new QComboBox(this);
     m_trace->setAccessibleName(tr("Trace that triggers"));
-    m_trace->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_kind = new QComboBox(this);
     m_kind->addItems({tr("↑ rises through"), tr("↓ falls through"), tr("↕ crosses"), tr("is above"), tr("is below")});
     m_kind->setAccessibleName(tr("Edge or level"));
@@ -66,8 +65,11 @@ void TriggerBar::buildChoices()
     m_before->setAccessibleName(tr("Part of the window before the event"));
     m_mode = new Segmented(tr("What follows an event"), {tr("Normal"), tr("Single")}, this);
     m_mode->setToolTip(tr("Normal shows every event, single stops at the first"));
-    for (QComboBox *box : {m_trace, m_kind, m_before})
+    for (QComboBox *box : {m_trace, m_kind, m_before}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // holds no window wide
+        box->setMinimumContentsLength(box == m_before ? 7 : 10);
         connect(box, qOverload<int>(&QComboBox::activated), this, &TriggerBar::changed);
+    }
     connect(m_trace, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int place) {
         m_unit->setText(place >= 0 && place < static_cast<int>(m_choices.size())
                 ? m_choices[static_cast<std::size_t>(place)].unit

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Nothing that may be under the mouse moves because the program has something to say.
+#include "support/windowtests.h"
+#include "widgets/common/segmented.h"
+#include "widgets/connection/devicetree.h"
+#include "windowbench.h"
+
+using namespace mb;
+using namespace mb::test;
+
+class StillTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void noticesMoveNothing_data();
+    void noticesMoveNothing();
+    void openingTheSimulatedBenchMovesNoFrame();
+};
+
+void StillTest::noticesMoveNothing_data()
+{
+    QTest::addColumn<double>("fontScale");
+    QTest::newRow("normal text") << 1.0;
+    QTest::newRow("text of twice the size") << 2.0;
+}
+
+void StillTest::noticesMoveNothing()
+{
+    QFETCH(double, fontScale);
+    WindowBench bench(fontScale);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    auto &banners = bench.part<NoticeStrip>().banners();
+    const QString words = QStringLiteral("words that go on and on ").repeated(30);
+    for (const PageId id : {PageId::Overview, PageId::Parameters, PageId::Plots, PageId::Firmware, PageId::Bus}) {
+        bench.window().showPage(id);
+        QTRY_VERIFY_WITH_TIMEOUT(id != PageId::Parameters || bench.isRead(WindowBench::tuned), patience);
+        QCoreApplication::processEvents();
+        const auto *page = bench.window().page(id);
+        const QPoint corner = page->mapTo(&bench.window(), QPoint());
+        const QPoint tabs = bench.part<PageTabs>().mapTo(&bench.window(), QPoint());
+        const QPoint tree = bench.part<DeviceTree>().mapTo(&bench.window(), QPoint());
+        const QSize size = page->parentWidget()->size(); // what is seen of it
+        for (int round = 0; round < 2; ++round) {
+            for (const char *key : {"a", "b", "c"}) {
+                if (round == 0)
+                    banners.post(QLatin1String(key), BannerKind::Danger, words, words, QStringLiteral("Do it"));
+                else
+                    banners.clear(QLatin1String(key));
+                QCoreApplication::processEvents();
+                QCOMPARE(page->mapTo(&bench.window(), QPoint()), corner);
+                QCOMPARE(page->parentWidget()->size(), size);
+                QCOMPARE(bench.part<PageTabs>().mapTo(&bench.window(), QPoint()), tabs);
+                QCOMPARE(bench.part<DeviceTree>().mapTo(&bench.window(), QPoint()), tree);
+            }
+        }
+    }
+}
+
+void StillTest::openingTheSimulatedBenchMovesNoFrame()
+{
+    Options options;
+    options.size = QStringLiteral("1280x800");
+    options.language = QStringLiteral("en");
+    Application application(*qApp, options);
+    MainWindow &window = application.window();
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    QCoreApplication::processEvents();
+    QVERIFY(window.findChild<DemoStripe *>()->isEmpty());
+    const auto frames = [&window] {
+        QCoreApplication::processEvents();
+        QString places;
+        for (const QWidget *part : std::initializer_list<const QWidget *>{
+                 window.findChild<PageTabs *>(), window.findChild<DeviceTree *>(), window.page(PageId::Overview)}) {
+            const QPoint at = part->mapTo(&window, QPoint());
+            places += QStringLiteral("%1 %2, ").arg(at.x()).arg(at.y());
+        }
+        return places;
+    };
+    const QString before = frames();
+    LinkAddress address;
+    address.scheme = "sim";
+    application.engine().openLink(address, {});
+    QTRY_VERIFY_WITH_TIMEOUT(!window.findChild<DemoStripe *>()->isEmpty(), patience);
+    QCOMPARE(frames(), before);
+}
+
+MB_WINDOW_TEST(StillTest);
+#include "tst_still.moc"
