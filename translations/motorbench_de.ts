@@ -8185,8 +8185,68 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>das Fenster hat nicht rechtzeitig reagiert</translation>
     </message>
     <message>
+        <source>Forward limit switch</source>
+        <translation>Endschalter vorwärts</translation>
+    </message>
+    <message>
+        <source>Reverse limit switch</source>
+        <translation>Endschalter rückwärts</translation>
+    </message>
+    <message>
+        <source>Limit override</source>
+        <translation>Endschalter übersteuert</translation>
+    </message>
+    <message>
+        <source>the set-point decides which limit switches count</source>
+        <translation>der Sollwert bestimmt, welche Endschalter gelten</translation>
+    </message>
+    <message>
+        <source>Halt</source>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>Pin of the forward limit switch</source>
+        <translation>Pin des Endschalters vorwärts</translation>
+    </message>
+    <message>
+        <source>Pin of the reverse limit switch</source>
+        <translation>Pin des Endschalters rückwärts</translation>
+    </message>
+    <message>
+        <source>Encoder pin A</source>
+        <translation>Geberpin A</translation>
+    </message>
+    <message>
+        <source>Encoder pin B</source>
+        <translation>Geberpin B</translation>
+    </message>
+    <message>
+        <source>Encoder index pin</source>
+        <translation>Indexpin des Gebers</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Eingang</translation>
+    </message>
+    <message>
+        <source>Digital input 1</source>
+        <translation>Digitaleingang 1</translation>
+    </message>
+    <message>
+        <source>Digital input 2</source>
+        <translation>Digitaleingang 2</translation>
+    </message>
+    <message>
+        <source>Digital input 3</source>
+        <translation>Digitaleingang 3</translation>
+    </message>
+    <message>
+        <source>Digital input 4</source>
+        <translation>Digitaleingang 4</translation>
+    </message>
+    <message>
         <source>%1 has a name that ends in no kind of picture; end it in .png, .svg or .pdf</source>
-        <translation>%1 hat einen Namen, der auf keine Bildart endet; mit .png, .svg oder .pdf enden lassen</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -50,6 +50,8 @@ public:
         std::string all;
         for (const Channel &channel : family.channels)
             add(all, channel.key);
+        for (const StateRow &state : family.states)
+            add(all, state.key);
         return all;
     }
     [[nodiscard]] static std::string modes(const Family &family)

@@ -34,6 +34,8 @@ public:
     [[nodiscard]] int fails(const Error &error) const;
     /// The device of the verb is found: what is sent from now on is meant for it.
     void begin();
+    /// Whatever is asked meanwhile, the device is told nothing until begin(): what is refused till then is wrong usage.
+    void onlyAsk() { m_sentBefore.reset(); }
     /// Something was, so that a refusal is no wrong usage any more.
     [[nodiscard]] bool hasSent() const;
 

@@ -6,6 +6,8 @@
 #include "transport/linkcatalog.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <memory>
 
 namespace mb::console {
@@ -18,6 +20,7 @@ constexpr Duration renewEvery = 100ms;
 constexpr Duration listen = 150ms; // another master sends at least this often
 constexpr Duration stopLimit = 1s;
 constexpr Duration stopAgain = 100ms;
+constexpr Duration haltLimit = 2s;
 constexpr Duration lookEvery = 5ms;
 constexpr double huge = 1e12;
 
@@ -36,10 +39,14 @@ struct Arguments {
     bool reverseMotor = false;
     bool reverseSensor = false;
     bool zero = false;
+    bool relative = false;
+    bool buffered = false;
+    bool halt = false;
+    std::string limitOverride;
 
     [[nodiscard]] bool hasOutputOptions() const
     {
-        return !ramp.empty() || brake || coast || reverseMotor || reverseSensor;
+        return !ramp.empty() || brake || coast || reverseMotor || reverseSensor || !limitOverride.empty();
     }
 };
 
@@ -48,6 +55,7 @@ struct Plan {
     SetPoint setPoint;
     Duration time{};
     bool zero = false;
+    bool halt = false; ///< before it is switched off
 };
 
 Result<Mode> parseMode(const Family &family, const std::string &text)
@@ -67,8 +75,39 @@ Result<double> optionalNumber(std::string_view name, const std::string &text, do
     return text.empty() ? Result<double>(0.0) : parseNumber(name, text, low, high);
 }
 
+/// Brakes to a halt and holds the position.
+SetPoint holding()
+{
+    SetPoint setPoint;
+    setPoint.mode = Mode::Position;
+    setPoint.relative = true;
+    setPoint.order = 2; // after the move
+    return setPoint;
+}
+
+constexpr std::array<std::string_view, 4> overrides{"none", "forward", "reverse", "both"};
+
+/// Which limit switches do not count while this set-point is in force, whatever the device's parameters say.
+Result<void> overrideLimits(SetPoint &setPoint, const std::string &which)
+{
+    if (which.empty())
+        return {};
+    const std::vector<std::string_view> known(overrides.begin(), overrides.end());
+    if (std::find(known.begin(), known.end(), which) == known.end())
+        return fail(Fault::Usage, "--limit-override cannot be '" + which + "'",
+            suggestion(which, known, "it switches off " + joined(known)));
+    setPoint.overrideLimits = true;
+    setPoint.disableForwardLimit = which == "forward" || which == "both";
+    setPoint.disableReverseLimit = which == "reverse" || which == "both";
+    return {};
+}
+
 Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
 {
+    if (a.halt && a.mode.empty() && a.target.empty())
+        return holding();
+    if (a.mode.empty())
+        return fail(Fault::Usage, "--mode is missing", "give a mode, or --halt alone to hold the position");
     const auto mode = parseMode(family, a.mode);
     if (!mode)
         return fail(mode.error());
@@ -102,6 +141,11 @@ Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
     setPoint.reverseSensor = a.reverseSensor;
     if (a.brake || a.coast)
         setPoint.brake = a.brake;
+    setPoint.relative = a.relative;
+    setPoint.buffered = a.buffered;
+    setPoint.order = 1;
+    if (auto chosen = overrideLimits(setPoint, a.limitOverride); !chosen)
+        return fail(chosen.error());
     return setPoint;
 }
 
@@ -135,8 +179,18 @@ Result<void> checkOffered(const Family &family, const Arguments &arguments)
         return fail(
             Fault::OutOfRange, "--zero: " + std::string(family.key) + " has no command that zeroes its position");
     if (arguments.hasOutputOptions() && !family.capabilities.outputOptions)
-        return fail(Fault::Usage, std::string(family.key) + " has no ramp, brake or direction of its output",
+        return fail(Fault::Usage,
+            std::string(family.key) + " has no ramp, brake, direction or limit override of its output",
             "leave these options out");
+    if ((arguments.relative || arguments.halt) && !family.capabilities.relativeMoves)
+        return fail(Fault::Usage, std::string(family.key) + " has no relative moves and no halt",
+            "leave --relative and --halt out");
+    if (arguments.buffered && !family.capabilities.bufferedMoves)
+        return fail(Fault::Usage, std::string(family.key) + " has no buffered moves", "leave --buffered out");
+    const bool positional
+        = arguments.mode == toString(Mode::Position) || arguments.mode == toString(Mode::RampPosition);
+    if (arguments.relative && !positional)
+        return fail(Fault::Usage, "--relative means a distance", "give it with --mode position or ramp-position");
     return {};
 }
 
@@ -145,15 +199,16 @@ Result<Plan> check(Console &console, const Arguments &arguments)
     auto target = parseTarget(console, arguments.device);
     if (!target)
         return fail(target.error());
+    if (auto offered = checkOffered(*target->family, arguments); !offered)
+        return fail(offered.error());
     const auto setPoint = parseSetPoint(*target->family, arguments);
     if (!setPoint)
         return fail(setPoint.error());
     const auto time = parseSpan(arguments.seconds);
     if (!time)
         return fail(time.error());
-    if (auto offered = checkOffered(*target->family, arguments); !offered)
-        return fail(offered.error());
-    Plan plan{std::move(*target), *setPoint, time->value_or(Duration::zero()), arguments.zero};
+    Plan plan{std::move(*target), *setPoint, time->value_or(Duration::zero()), arguments.zero,
+        arguments.halt && !arguments.mode.empty()};
     if (auto legal = checkSetPoint(console, plan); !legal)
         return fail(legal.error());
     return plan;
@@ -165,6 +220,7 @@ struct Outcome {
     std::string why;
     bool interrupted = false;
     bool stopped = false;
+    Result<void> released; ///< of a buffered move
 
     [[nodiscard]] bool isGuarded() const
     {
@@ -191,19 +247,12 @@ Task<bool> confirmStop(Console &console, Device &device)
     co_return true;
 }
 
-/// Renews the lease from this program's own loop: if that hangs, the stream stops the motor.
-Task<Outcome> move(Console &console, Device &device, SetPoint setPoint, Duration time)
+/// Keeps the set-point alive from this program's own loop: if that hangs, the stream stops the motor. Ends early when the
+/// stream does, at a signal, and once `done` says so.
+Task<void> keepAlive(Console &console, SetPointStream &stream, Duration time, std::function<bool()> done)
 {
-    SetPointStream &stream = console.session().stream(device);
-    const Subscription signal = console.interrupted().add([&console] { console.session().stopAll(StopCause::User); });
-    if (!console.isInterrupted()) {
-        if (auto started = stream.start(setPoint, leaseTerm); !started) {
-            console.begin(); // whatever was asked, the motor was told nothing
-            co_return fail(started.error());
-        }
-    }
     const Instant end = console.clock().now() + time;
-    while (stream.isRunning() && !console.isInterrupted()) {
+    while (stream.isRunning() && !console.isInterrupted() && !done()) {
         const Duration left = end - console.clock().now();
         if (left <= Duration::zero())
             break;
@@ -211,7 +260,56 @@ Task<Outcome> move(Console &console, Device &device, SetPoint setPoint, Duration
         co_await nap;
         stream.renew();
     }
+    co_return {};
+}
+
+/// Starts what the device keeps, as soon as it has acknowledged it.
+Task<void> release(Console &console, Device &device)
+{
+    SetPointStream &stream = console.session().stream(device);
+    const Instant limit = console.clock().now() + stopLimit;
+    Result<void> released = fail(Fault::Unsafe, "the buffered move was not acknowledged");
+    while (!released && stream.isRunning() && !console.isInterrupted() && console.clock().now() < limit) {
+        auto waiting = keepAlive(console, stream, lookEvery, [] { return false; });
+        co_await std::move(waiting);
+        if (device.liveness().mode == stream.setPoint().mode)
+            released = console.session().releaseMoves(device);
+    }
+    co_return released;
+}
+
+/// Whether the shaft stands, by the newest velocity that is younger than the halt.
+bool stands(const Device &device, Instant since)
+{
+    const auto velocity = findChannel(device.family().channels, "velocity");
+    const auto latest = velocity ? device.telemetry()->latest(*velocity) : std::nullopt;
+    return latest && latest->time > since && latest->value == 0.0;
+}
+
+Task<Outcome> move(Console &console, Device &device, Plan plan)
+{
+    SetPointStream &stream = console.session().stream(device);
+    const Subscription signal = console.interrupted().add([&console] { console.session().stopAll(StopCause::User); });
+    if (!console.isInterrupted()) {
+        if (auto started = stream.start(plan.setPoint, leaseTerm); !started) {
+            console.onlyAsk();
+            co_return fail(started.error());
+        }
+    }
+    Result<void> released;
+    if (plan.setPoint.buffered) {
+        auto releasing = release(console, device);
+        released = co_await std::move(releasing).attempt();
+    }
+    auto moving = keepAlive(console, stream, released ? plan.time : Duration::zero(), [] { return false; });
+    co_await std::move(moving);
+    if (plan.halt && stream.isRunning() && !console.isInterrupted() && stream.update(holding())) {
+        const Instant since = device.clock().now();
+        auto halting = keepAlive(console, stream, haltLimit, [&device, since] { return stands(device, since); });
+        co_await std::move(halting);
+    }
     Outcome outcome;
+    outcome.released = released;
     outcome.interrupted = console.isInterrupted();
     if (stream.isRunning() || stream.end() == SetPointStream::End::None)
         stream.stop();
@@ -247,6 +345,8 @@ Result<int> verdictOf(const Device &device, const Outcome &outcome)
             "the stop was not confirmed by " + device.selector() + " within a second"
                 + (outcome.isGuarded() ? " (" + outcome.why + ')' : ""),
             "cut its power if the motor still turns");
+    if (!outcome.released && !outcome.interrupted)
+        return fail(outcome.released.error());
     if (outcome.isGuarded())
         return fail(Fault::Unsafe, "stopped for safety: " + outcome.why, "remove the cause before it is driven again");
     return exitDone;
@@ -262,7 +362,7 @@ Task<int> drive(Console &console, Arguments arguments)
     Device *const device = co_await std::move(connecting);
     Sleep listening(console.clock(), listen);
     co_await listening;
-    console.begin(); // it was asked, and told nothing yet
+    console.onlyAsk();
     if (auto ready = needsApplication(*device); !ready)
         co_return fail(ready.error());
     if (auto allowed = device->mayMove(); !allowed)
@@ -271,6 +371,7 @@ Task<int> drive(Console &console, Arguments arguments)
         co_return fail(legal.error()); // now that the device itself is known
     if (const std::string caution = device->caution(plan->setPoint); !caution.empty())
         console.note(device->selector() + ": " + caution);
+    console.begin();
     if (plan->zero) {
         auto zeroing = device->zeroPosition();
         co_await std::move(zeroing);
@@ -278,7 +379,7 @@ Task<int> drive(Console &console, Arguments arguments)
     Outcome outcome;
     {
         SampleStream samples(console, *device, {});
-        auto moving = move(console, *device, plan->setPoint, plan->time);
+        auto moving = move(console, *device, *plan);
         outcome = co_await std::move(moving);
         report(console, outcome, samples.count());
     }
@@ -291,10 +392,8 @@ Job declareDrive(CLI::App &arguments)
 {
     const auto a = std::make_shared<Arguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
-    arguments
-        .add_option(
-            "--mode", a->mode, "duty, velocity, position, current, voltage, follow, ramp-position, ramp-velocity, off")
-        ->required();
+    arguments.add_option(
+        "--mode", a->mode, "duty, velocity, position, current, voltage, follow, ramp-position, ramp-velocity, off");
     arguments.add_option("--target", a->target, "-1…1, counts/s, counts, A, V, a device number, by mode");
     arguments.add_option("--for", a->seconds, "Seconds, then it is stopped")->required();
     arguments.add_option("--axis", a->axis, "1…, on boards with several");
@@ -306,6 +405,13 @@ Job declareDrive(CLI::App &arguments)
     arguments.add_flag("--coast", a->coast, "Coast at zero output");
     arguments.add_flag("--reverse-motor", a->reverseMotor, "Exchange the directions of the output");
     arguments.add_flag("--reverse-sensor", a->reverseSensor, "Exchange the directions of the encoder");
+    arguments.add_flag("--limit-override{both}", a->limitOverride,
+        "Limit switches do not count meanwhile, whatever the device's own settings; =forward, =reverse, =none: these");
+    arguments.add_flag("--relative", a->relative, "The target is a distance, where the device has relative moves");
+    arguments.add_flag(
+        "--buffered", a->buffered, "Give the move first and start it with the command for the whole line");
+    arguments.add_flag("--halt", a->halt,
+        "Brake to a halt and hold before it is switched off; without --mode: hold the position, nothing else");
     arguments.add_flag("--zero", a->zero, "Stop first, and let the position count from 0, where the device can");
     return [a](Console &console) { return drive(console, *a); };
 }

@@ -2,6 +2,7 @@
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "async/sleep.h"
 #include "transport/canlink.h"
 #include "transport/linkcatalog.h"
 
@@ -11,6 +12,11 @@
 
 namespace mb::console {
 namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration statesLimit = 300ms;
+constexpr Duration lookEvery = 5ms;
 
 using Faults = std::optional<std::vector<FaultRecord>>;
 
@@ -38,6 +44,37 @@ QJsonObject toJson(const LinkCounters &counters)
     };
 }
 
+/// What the device tells of itself, by the rows of its family.
+QJsonObject statesOf(const Device &device)
+{
+    QJsonObject object;
+    for (std::size_t i = 0; i < device.family().states.size(); ++i) {
+        const auto on = device.states()[{static_cast<std::uint16_t>(i)}];
+        object.insert(qt(device.family().states[i].key), on ? QJsonValue(*on) : QJsonValue());
+    }
+    return object;
+}
+
+bool areAllTold(const Device &device)
+{
+    for (std::size_t i = 0; i < device.family().states.size(); ++i) {
+        if (!device.states()[{static_cast<std::uint16_t>(i)}])
+            return false;
+    }
+    return true;
+}
+
+/// They come with telemetry, at its own pace.
+Task<void> awaitStates(Console &console, const Device &device)
+{
+    const Instant limit = console.clock().now() + statesLimit;
+    while (!areAllTold(device) && console.clock().now() < limit && device.link().state() == LinkState::Open) {
+        Sleep nap(console.clock(), lookEvery);
+        co_await nap;
+    }
+    co_return {};
+}
+
 void printJson(Console &console, const Device &device, const Faults &faults)
 {
     QJsonObject object = scanRow(device);
@@ -48,6 +85,7 @@ void printJson(Console &console, const Device &device, const Faults &faults)
         descriptors.insert(qt(key), qt(numberText(number)));
     object.insert(QStringLiteral("descriptors"), descriptors);
     object.insert(QStringLiteral("faults"), faults ? QJsonValue(toJson(*faults)) : QJsonValue());
+    object.insert(QStringLiteral("states"), statesOf(device));
     object.insert(QStringLiteral("counters"), toJson(device.link().counters()));
     console.out().json(object);
 }
@@ -111,8 +149,12 @@ void printText(Console &console, const Device &device, const Faults &faults)
     }
     for (const FaultRecord &fault : faults.value_or(std::vector<FaultRecord>{}))
         table.add({"fault " + fault.key, describe(fault)});
-    for (const std::string_view condition : device.liveness().conditions)
-        table.add({"now", std::string(condition)});
+    for (const StateRow *const condition : conditionsOf(device.family().states, device.states()))
+        table.add({"now", std::string(condition->clause)});
+    for (std::size_t i = 0; i < device.family().states.size(); ++i) {
+        const auto on = device.states()[{static_cast<std::uint16_t>(i)}];
+        table.add({std::string(device.family().states[i].key), !on ? "not told" : *on ? "on" : "off"});
+    }
     const LinkCounters &counters = device.link().counters();
     table.add({"link frames",
         std::to_string(counters.rx) + " received, " + std::to_string(counters.tx) + " sent, "
@@ -219,6 +261,10 @@ Task<int> info(Console &console, Arguments arguments)
     if (!recorded && device->identity().state != DeviceState::Bootloader) {
         auto reading = device->readFaults();
         faults = co_await std::move(reading);
+    }
+    if (!recorded && device->identity().state == DeviceState::Online) {
+        auto waiting = awaitStates(console, *device);
+        co_await std::move(waiting);
     }
     device->link().recount();
     if (console.json())

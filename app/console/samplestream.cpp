@@ -3,19 +3,23 @@
 
 #include "app/console/target.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
 namespace mb::console {
 
-SampleStream::SampleStream(Console &console, Device &device, std::vector<ChannelIndex> channels)
+SampleStream::SampleStream(Console &console, Device &device, Watched watched)
     : m_console(console)
     , m_device(device)
     , m_time(device.clock(), device.link().address())
     , m_start(device.clock().now())
-    , m_chosen(device.telemetry()->channels().size(), channels.empty())
+    , m_chosen(device.telemetry()->channels().size(), watched.channels.empty() && watched.states.empty())
+    , m_states(std::move(watched.states))
+    , m_noted(device.states())
+    , m_faults(device.liveness().faults)
 {
-    for (const ChannelIndex channel : channels)
+    for (const ChannelIndex channel : watched.channels)
         m_chosen[channel.value] = true;
     device.telemetry()->commit();
     device.link().recount();
@@ -23,6 +27,13 @@ SampleStream::SampleStream(Console &console, Device &device, std::vector<Channel
     if (!console.json())
         console.out().line("t,channel,value,unit");
     m_samples = device.telemetry()->samples().add([this](const Sample &sample) { print(sample); });
+    m_stateChanged = device.statesChanged().add([this](Instant time) { printStates(time); });
+    printStates(m_start);
+    if (console.json())
+        return; // programs name the states they want
+    m_changed = device.changed().add([this] { noteStates(); });
+    for (const StateRow *const row : conditionsOf(device.family().states, m_noted))
+        console.note(device.selector() + ": " + std::string(row->clause));
 }
 
 void SampleStream::print(const Sample &sample)
@@ -31,22 +42,66 @@ void SampleStream::print(const Sample &sample)
         return;
     ++m_count;
     const Channel &channel = m_device.telemetry()->channels()[sample.channel.value];
+    print(sample.time, channel.key, sample.value, channel.unit, sample.value);
+}
+
+void SampleStream::print(
+    Instant time, std::string_view key, double value, std::string_view unit, const QJsonValue &json)
+{
     if (m_console.json()) {
         m_console.out().json({
-            {QStringLiteral("t"), m_time.seconds(sample.time)},
-            {QStringLiteral("channel"), qt(channel.key)},
-            {QStringLiteral("value"), sample.value},
-            {QStringLiteral("unit"), qt(channel.unit)},
+            {QStringLiteral("t"), m_time.seconds(time)},
+            {QStringLiteral("channel"), qt(key)},
+            {QStringLiteral("value"), json},
+            {QStringLiteral("unit"), qt(unit)},
         });
         return;
     }
-    std::array<char, 40> time{};
-    std::snprintf(time.data(), time.size(), "%.6f,", m_time.seconds(sample.time));
-    std::string line = time.data();
-    line += channel.key;
-    line += ',' + numberText(sample.value) + ',';
-    line += channel.unit;
+    std::array<char, 40> seconds{};
+    std::snprintf(seconds.data(), seconds.size(), "%.6f,", m_time.seconds(time));
+    std::string line = seconds.data();
+    line += key;
+    line += ',' + numberText(value) + ',';
+    line += unit;
     m_console.out().line(line);
+}
+
+void SampleStream::printStates(Instant time)
+{
+    const LiveStates now = m_device.states();
+    for (const StateIndex index : m_states) {
+        const auto on = now[index];
+        if (!on || on == m_printed[index])
+            continue;
+        ++m_count;
+        print(std::max(time, m_start), m_device.family().states[index.value].key, *on ? 1.0 : 0.0, {}, *on);
+    }
+    m_printed = now;
+}
+
+void SampleStream::noteStates()
+{
+    const auto table = m_device.family().states;
+    const LiveStates now = m_device.states();
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const StateIndex index{static_cast<std::uint16_t>(i)};
+        if (table[i].kind == StateKind::Condition && m_noted.isOn(index) != now.isOn(index))
+            m_console.note(
+                m_device.selector() + ": " + std::string(table[i].clause) + (now.isOn(index) ? "" : ": over"));
+    }
+    m_noted = now;
+    const std::vector<std::string> &faults = m_device.liveness().faults;
+    if (faults == m_faults)
+        return;
+    for (const std::string &fault : faults) {
+        if (std::find(m_faults.begin(), m_faults.end(), fault) == m_faults.end())
+            m_console.note(m_device.selector() + ": fault " + fault);
+    }
+    for (const std::string &fault : m_faults) {
+        if (std::find(faults.begin(), faults.end(), fault) == faults.end())
+            m_console.note(m_device.selector() + ": fault " + fault + ": over");
+    }
+    m_faults = faults;
 }
 
 std::uint64_t SampleStream::lost() const
@@ -67,22 +122,24 @@ std::uint64_t SampleStream::lostSoFar() const
     return lost;
 }
 
-Result<std::vector<ChannelIndex>> parseChannels(const Family &family, const std::vector<std::string> &names)
+Result<Watched> parseWatched(const Family &family, const std::vector<std::string> &names)
 {
     std::vector<std::string_view> known;
     for (const Channel &channel : family.channels)
         known.push_back(channel.key);
-    std::vector<ChannelIndex> channels;
+    for (const StateRow &state : family.states)
+        known.push_back(state.key);
+    Watched watched;
     for (const std::string &name : names) {
-        const auto channel = findChannel(family.channels, name);
-        if (channel) {
-            channels.push_back(*channel);
-            continue;
-        }
-        return fail(Fault::Usage, std::string(family.key) + " has no channel '" + name + "'",
-            suggestion(name, known, "it has " + joined(known)));
+        if (const auto channel = findChannel(family.channels, name))
+            watched.channels.push_back(*channel);
+        else if (const auto state = findState(family.states, name))
+            watched.states.push_back(*state);
+        else
+            return fail(Fault::Usage, std::string(family.key) + " has no channel '" + name + "'",
+                suggestion(name, known, "it has " + joined(known)));
     }
-    return channels;
+    return watched;
 }
 
 } // namespace mb::console

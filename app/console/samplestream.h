@@ -8,12 +8,19 @@
 
 namespace mb::console {
 
+/// Channels and states of one family, by name.
+struct Watched {
+    std::vector<ChannelIndex> channels;
+    std::vector<StateIndex> states;
+};
+
 /// Prints the samples of one device as they come, from its construction on, and counts them: CSV with a header, or
-/// JSON.
+/// JSON. A state that was named is a sample of true or false (CSV: 1, 0) at the beginning and whenever it changes. Conditions
+/// and faults that begin or end are notes, without --json.
 class SampleStream {
 public:
-    /// No channels: all of them.
-    SampleStream(Console &console, Device &device, std::vector<ChannelIndex> channels);
+    /// Nothing named: all channels.
+    SampleStream(Console &console, Device &device, Watched watched);
 
     [[nodiscard]] std::uint64_t count() const { return m_count; }
     /// Samples known missing, and frames that the link knows missing.
@@ -21,6 +28,9 @@ public:
 
 private:
     void print(const Sample &sample);
+    void print(Instant time, std::string_view key, double value, std::string_view unit, const QJsonValue &json);
+    void printStates(Instant time);
+    void noteStates();
     [[nodiscard]] std::uint64_t lostSoFar() const;
 
     Console &m_console;
@@ -30,11 +40,16 @@ private:
     std::vector<bool> m_chosen;
     std::uint64_t m_count = 0;
     std::uint64_t m_lostBefore = 0;
+    std::vector<StateIndex> m_states;
+    LiveStates m_printed;
+    LiveStates m_noted;
+    std::vector<std::string> m_faults; ///< that were noted
     Subscription m_samples;
+    Subscription m_stateChanged;
+    Subscription m_changed;
 };
 
-/// OutOfRange for a channel that the family has not.
-[[nodiscard]] Result<std::vector<ChannelIndex>> parseChannels(
-    const Family &family, const std::vector<std::string> &names);
+/// Usage for what the family has neither as a channel nor as a state.
+[[nodiscard]] Result<Watched> parseWatched(const Family &family, const std::vector<std::string> &names);
 
 } // namespace mb::console

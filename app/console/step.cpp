@@ -248,7 +248,7 @@ Task<int> performOn(Console &console, Stage &stage, Plan plan)
     {
         std::optional<SampleStream> samples;
         if (plan.samples)
-            samples.emplace(console, *device, std::vector<ChannelIndex>());
+            samples.emplace(console, *device, Watched{});
         auto running = experiment(console, stage.session(), *device, plan, notebook);
         trial = co_await std::move(running).attempt();
     }

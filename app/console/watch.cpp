@@ -21,7 +21,7 @@ struct Arguments {
 
 struct Plan {
     Target target;
-    std::vector<ChannelIndex> channels; ///< none: all
+    Watched watched; ///< nothing: all channels
     std::optional<Duration> time;
     double rate = 0.0; ///< 0: as it is
 };
@@ -31,13 +31,13 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
     auto target = parseTarget(console, arguments.device);
     if (!target)
         return fail(target.error());
-    auto channels = parseChannels(*target->family, arguments.channels);
-    if (!channels)
-        return fail(channels.error());
+    auto watched = parseWatched(*target->family, arguments.channels);
+    if (!watched)
+        return fail(watched.error());
     const auto time = parseSpan(arguments.seconds);
     if (!time)
         return fail(time.error());
-    Plan plan{std::move(*target), std::move(*channels), *time, 0.0};
+    Plan plan{std::move(*target), std::move(*watched), *time, 0.0};
     if (arguments.rate.empty())
         return plan;
     const auto rate = parseNumber("--rate", arguments.rate, 0.01, fastest);
@@ -49,10 +49,11 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
 
 /// Asks for a rate of every watched channel; 0 puts it back. Goes on after an error, and yields the first. A channel
 /// that nobody named may have no rate: the set-point comes from the host.
-Task<std::optional<Error>> setRates(Device &device, std::vector<ChannelIndex> named, double rate)
+Task<std::optional<Error>> setRates(Device &device, Watched watched, double rate)
 {
+    const std::vector<ChannelIndex> &named = watched.channels;
     std::vector<ChannelIndex> channels = named;
-    for (std::size_t i = 0; named.empty() && i < device.family().channels.size(); ++i)
+    for (std::size_t i = 0; named.empty() && watched.states.empty() && i < device.family().channels.size(); ++i)
         channels.push_back(ChannelIndex{static_cast<std::uint16_t>(i)});
     std::optional<Error> error;
     for (const ChannelIndex channel : channels) {
@@ -85,7 +86,7 @@ Task<int> stream(Console &console, Device &device, Plan plan, Ending &ending)
 {
     std::optional<Error> error;
     {
-        SampleStream samples(console, device, plan.channels);
+        SampleStream samples(console, device, plan.watched);
         const Instant start = device.clock().now();
         ending.after(plan.time);
         co_await ending.wait();
@@ -98,7 +99,7 @@ Task<int> stream(Console &console, Device &device, Plan plan, Ending &ending)
         error = Error::fromPhrase(
             Fault::LinkLost, device.link().address().text() + " was lost: " + device.link().reason());
     if (plan.rate > 0.0) {
-        auto restoring = setRates(device, plan.channels, 0.0);
+        auto restoring = setRates(device, plan.watched, 0.0);
         const std::optional<Error> failed = co_await std::move(restoring);
         if (failed && !error)
             error = failed->about("the device's rate was not put back");
@@ -113,7 +114,7 @@ Task<void> raiseAgain(Device &device, Plan plan)
 {
     if (plan.rate <= 0.0)
         co_return {};
-    auto raising = setRates(device, plan.channels, plan.rate);
+    auto raising = setRates(device, plan.watched, plan.rate);
     (void)co_await std::move(raising);
     co_return {};
 }
@@ -130,10 +131,10 @@ Task<int> watch(Console &console, Arguments arguments)
     if (device->identity().state == DeviceState::Bootloader)
         console.note(device->selector() + " waits in its bootloader and sends no samples");
     if (plan->rate > 0.0) {
-        auto raising = setRates(*device, plan->channels, plan->rate);
+        auto raising = setRates(*device, plan->watched, plan->rate);
         const std::optional<Error> failed = co_await std::move(raising);
         if (failed) {
-            auto restoring = setRates(*device, plan->channels, 0.0);
+            auto restoring = setRates(*device, plan->watched, 0.0);
             (void)co_await std::move(restoring);
             co_return fail(*failed);
         }
@@ -149,7 +150,8 @@ Job declareWatch(CLI::App &arguments)
 {
     const auto a = std::make_shared<Arguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
-    arguments.add_option("--channel", a->channels, "Only this channel; may be repeated")->allow_extra_args(false);
+    arguments.add_option("--channel", a->channels, "Only this channel or state (of info); may be repeated")
+        ->allow_extra_args(false);
     arguments.add_option("--for", a->seconds, "Seconds; until a signal otherwise");
     arguments.add_option("--rate", a->rate, "Samples per second; what the device sends otherwise");
     return [a](Console &console) { return watch(console, *a); };

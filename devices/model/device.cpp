@@ -8,6 +8,11 @@
 #include <utility>
 
 namespace mb {
+namespace {
+
+constexpr Duration inputsToldEvery = std::chrono::milliseconds(50);
+
+} // namespace
 
 Device::Device(const Family &family, Link &link, Clock &clock, Identity identity)
     : m_family(family)
@@ -161,11 +166,28 @@ void Device::setVerdict(const std::string &key, std::string verdict)
 
 void Device::setLiveness(const Liveness &liveness)
 {
+    setLiveness(liveness, m_states, m_statesToldAt);
+}
+
+void Device::setLiveness(const Liveness &liveness, const LiveStates &states, Instant time)
+{
     m_keepsMove = m_keepsMove && (m_liveness.restarted || !liveness.restarted);
-    if (liveness == m_liveness)
-        return;
-    m_liveness = liveness;
-    m_changed.notify();
+    const bool changed = liveness != m_liveness;
+    if (changed)
+        m_liveness = liveness;
+    const bool moved = states != m_states;
+    m_states = states;
+    if (moved)
+        m_statesChanged.notify(time);
+    const bool due = states != m_toldStates
+        && (time - m_statesToldAt >= inputsToldEvery
+            || conditionsOf(m_family.states, states) != conditionsOf(m_family.states, m_toldStates));
+    if (due) {
+        m_toldStates = states;
+        m_statesToldAt = time;
+    }
+    if (changed || due)
+        m_changed.notify();
 }
 
 Task<std::int64_t> Device::read(ParameterIndex index)

@@ -6,6 +6,7 @@
 #include "model/deviceprofile.h"
 #include "model/devicestop.h"
 #include "model/identity.h"
+#include "model/livestate.h"
 #include "model/parameterstore.h"
 #include "model/progress.h"
 #include "model/setpoint.h"
@@ -44,9 +45,6 @@ struct Liveness {
     bool restarted = false;          ///< it was reset or changed its session since it was opened; read it again
     std::vector<std::string> faults; ///< keys of the faults it reports in its telemetry; of an axis: "ch1.glitch"
     std::vector<AxisLiveness> axes;  ///< from axis 1 on; empty where there is only one
-    /// What else it reports and its user should see, most important first: limits that hold, a halt. English literals,
-    /// marked for translation ("table").
-    std::vector<std::string_view> conditions;
 
     friend bool operator==(const Liveness &, const Liveness &) = default;
 };
@@ -71,8 +69,12 @@ public:
     [[nodiscard]] const ParameterStore &parameters() const { return m_parameters; }
     [[nodiscard]] const std::shared_ptr<Telemetry> &telemetry() const { return m_telemetry; }
     [[nodiscard]] const Liveness &liveness() const { return m_liveness; }
-    /// Identity, liveness or faults changed.
+    /// What it tells of itself by the rows of Family::states: limits that hold, a halt, levels of pins. Nothing while it is not heard.
+    [[nodiscard]] const LiveStates &states() const { return m_states; }
+    /// Identity, liveness, faults or states changed; of inputs it is told every 50 ms at most.
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
+    /// Any of states() changed, with the time of the frame that told it; as often as frames come.
+    [[nodiscard]] Listeners<Instant> &statesChanged() { return m_statesChanged; }
 
     /// False for a parameter of the family's table that this device's dialect does not have.
     [[nodiscard]] bool offers(ParameterIndex index) const { return doOffers(index); }
@@ -161,6 +163,9 @@ protected:
     Device(const Family &family, Link &link, Clock &clock, Identity identity);
     /// For families: updates what is known, and notifies if it differs.
     void setLiveness(const Liveness &liveness);
+    /// The same with what it tells of itself; `time` is that of the frame that told. Call it with every such frame.
+    void setLiveness(const Liveness &liveness, const LiveStates &states, Instant time);
+    void setStates(const LiveStates &states, Instant time) { setLiveness(m_liveness, states, time); }
     [[nodiscard]] Instant stoppedAt() const { return m_stoppedAt; }
     /// For families: a write-only parameter is known to have been set to this, by us or by somebody we heard.
     void assume(ParameterIndex index, std::int64_t raw);
@@ -214,6 +219,10 @@ private:
     ParameterStore m_parameters;
     std::shared_ptr<Telemetry> m_telemetry;
     Liveness m_liveness;
+    LiveStates m_states;
+    LiveStates m_toldStates; ///< as changed() told them
+    Instant m_statesToldAt{};
+    Listeners<Instant> m_statesChanged;
     Listeners<> m_changed;
     Listeners<> m_profileChanged;
     std::string m_busy;

@@ -217,6 +217,7 @@ struct Family {
     std::span<const Calibration> calibrations{}; ///< empty: everything is known
     std::span<const Experiment> experiments{};   ///< empty: nothing can be found out
     std::span<const UpdateRoute> routes{};       ///< of update(); empty: the device's own link
+    std::span<const StateRow> states{};          ///< empty: its devices tell no limits and no pins
     const LoopScale *loop = nullptr;             ///< nullptr: what the gains mean is not known
     const TrialTraits *trials = nullptr;         ///< nullptr: no loop of it can be tried
     /// Puts changes of write-only or interlocked parameters into the order that passes through safe states only.

@@ -43,6 +43,7 @@ DeviceView viewOf(Session &session, Device &device)
     view.selector = device.selector();
     view.link = device.link().address().text();
     view.liveness = device.liveness();
+    view.states = device.states();
     view.busy = device.busy();
     const SetPointStream &stream = session.stream(device);
     view.motion = {stream.isRunning(), stream.setPoint(), stream.setPoints(), stream.end(), stream.reason()};

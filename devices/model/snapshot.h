@@ -57,7 +57,8 @@ struct DeviceView {
     std::string selector;
     std::string link; ///< address of its link
     Liveness liveness;
-    std::string busy; ///< what it does now, in English
+    LiveStates states; ///< by the rows of family->states
+    std::string busy;  ///< what it does now, in English
     MotionView motion;
     std::shared_ptr<const Telemetry> telemetry;
     std::vector<double> rates;                     ///< samples per second, in table order of the channels

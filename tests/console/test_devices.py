@@ -60,7 +60,7 @@ class DeviceVerbs(ContractTest):
 
     def test_info_adds_descriptors_faults_and_counters(self):
         row = self.run_one("info", CIM)
-        self.assertEqual(set(row), SCAN_ROW | {"descriptors", "faults", "counters"})
+        self.assertEqual(set(row), SCAN_ROW | {"descriptors", "faults", "states", "counters"})
         self.assertEqual(set(row["counters"]), {"rx", "tx", "lost", "errors"})
         self.assertEqual(row["descriptors"]["serial"], row["serial"])
         for fault in row["faults"].values():

@@ -37,6 +37,25 @@ class Motion(ContractTest):
         self.assertEqual(lines[0], "t,channel,value,unit")
         self.assertEqual({tuple(line.split(",")[1::2]) for line in lines[1:]}, {("position", "counts"), ("velocity", "counts/s")})
 
+    def test_states_are_told_by_info_and_are_channels_of_watch(self):
+        states = self.run_one("info", CIM)["states"]
+        self.assertEqual((states["halted"], states["limit.forward.switch"], states["limit.current"]), (True, False, False))
+        self.assertIn(states["input.encoder.a"], (True, False))
+        lines = self.run_json("watch", CIM, "--channel", "halted", "--channel", "input.limit.forward", "--for", "0.3")
+        self.assertEqual({line["channel"]: line["value"] for line in lines[:-1]}, {"halted": True, "input.limit.forward": True})
+        self.assertEqual(set(lines[0]), SAMPLE)
+        self.assertEqual(lines[-1]["summary"]["samples"], 2)
+        self.assertIn(CIM + ": halted", Run(["watch", CIM, "--for", "0.2"]).err)
+
+    def test_limit_switches_are_overridden_while_the_set_point_lives(self):
+        for option, known in (("--limit-override", True), ("--limit-override=reverse", True), ("--limit-override=left", False)):
+            with self.subTest(option=option):
+                run = Run(["drive", CIM, "--mode", "duty", "--target", "0.1", "--for", "0.3", option])
+                self.assertEqual(run.status, 0 if known else 2, run.err)
+                self.assertEqual("which limit switches count" in run.err, known)
+        self.assert_error(2, "drive", "sim:can/abstractdc:3", "--mode", "duty", "--target", "0", "--for", "1", "--limit-override", says="limit override")
+        self.assert_error(2, "drive", CIM, "--mode", "position", "--target", "0", "--relative", "--for", "1", says="no relative moves")
+
     def test_watch_raises_the_rate_when_asked(self):
         arguments = ("watch", CIM, "--channel", "velocity", "--for", "1")
         usual, _ = self.split(self.run_json(*arguments), {"summary"})

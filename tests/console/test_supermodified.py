@@ -202,6 +202,18 @@ class SupermodifiedTest(ContractTest):
         self.assert_error(2, "drive", contract.CIM, "--mode", "duty", "--target", "0", "--zero", "--for", "1", says="zeroes its position")
         self.assert_error(2, "drive", node, "--mode", "velocity", "--target", "1", "--ramp", "1", "--for", "1", says="has no ramp")
 
+    def test_moves_are_relative_buffered_and_end_in_a_halt(self):
+        node = "sim:serial/supermodified:4"
+        positions = lambda *more: [line["value"] for line in self.run_json("drive", node, *more)[:-1] if line["channel"] == "position"]
+        self.assertAlmostEqual(positions("--mode", "position", "--target", "300", "--relative", "--for", "1.5")[-1], 300, delta=10)
+        self.assertAlmostEqual(positions("--mode", "position", "--target", "-300", "--buffered", "--for", "1.5")[-1], -300, delta=10)
+        running = positions("--mode", "velocity", "--target", "500", "--for", "1", "--halt")
+        self.assertGreater(running[-1], 300)
+        self.assertLess(abs(running[-1] - running[-5]), 5, "it stood before it was switched off")
+        self.assertLess(max(map(abs, positions("--halt", "--for", "0.5"))), 5)
+        self.assert_error(2, "drive", node, "--mode", "velocity", "--target", "1", "--relative", "--for", "1", says="a distance")
+        self.assert_error(2, "drive", node, "--for", "1", says="--mode is missing")
+
     def test_a_terminal_that_is_pulled_away_during_a_drive_is_reported(self):
         nodes = Nodes(self, "supermodified:4")
         drive = self.spawn("drive", f"serial:{nodes.path}?baud=115200/supermodified:4", "--mode", "velocity", "--target", "1500", "--for", "30")

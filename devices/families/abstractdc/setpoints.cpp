@@ -48,6 +48,9 @@ Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile
         return fail(Error::fromPhrase(Fault::Unsupported,
             QT_TRANSLATE_NOOP("table",
                 "an Abstract DC Drive cannot exchange directions; exchange the wires, or the sign of the divisor")));
+    if (setPoint.overrideLimits)
+        return fail(Fault::Unsupported, "an Abstract DC Drive has no limit switches, so there is no limit override",
+            "leave it out");
     if (!std::isfinite(setPoint.target))
         return fail(Fault::OutOfRange, std::string(toString(setPoint.mode)) + " needs a number");
     if (!std::isfinite(setPoint.ramp) || setPoint.ramp < 0.0)

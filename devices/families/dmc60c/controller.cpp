@@ -3,6 +3,7 @@
 
 #include "families/dmc60c/channels.h"
 #include "families/dmc60c/setpoints.h"
+#include "families/dmc60c/states.h"
 #include "families/dmc60c/unitidentity.h"
 #include "model/family.h"
 
@@ -151,7 +152,10 @@ void Controller::onGeneral(const StatusGeneral &status, Instant time)
     m_generalAt = time;
     const bool first = !m_heard;
     m_heard = true;
+    takeStates(m_told, status);
+    m_toldAt = time;
     updateLiveness();
+    askFaults();
     if (first)
         armTick();
 }
@@ -161,6 +165,10 @@ void Controller::onEncoder(const StatusEncoder &status, Instant time)
     m_encoder.add(
         time, {static_cast<double>(status.position), static_cast<double>(status.velocity) * velocityPerSecond});
     askPeriod(m_encoder, param::encoderPeriod);
+    if (m_heard) {
+        takeStates(m_told, status);
+        m_toldAt = time;
+    }
     m_turning = status.velocity != 0;
     m_turningAt = time;
     updateLiveness();
@@ -177,6 +185,8 @@ void Controller::onParameter(const ParamResponse &response)
     StatusStream *const stream = streamOf(response.parameter);
     if (stream && response.status == ParameterStatus::NoError && response.field > 0)
         stream->setPeriod(std::chrono::milliseconds(response.field));
+    m_faultWatch.take(response, clock().now());
+    updateLiveness();
 }
 
 void Controller::onVendorStatus(const VendorStatus &status)
@@ -230,6 +240,16 @@ void Controller::askPeriod(const StatusStream &stream, std::uint8_t parameter)
         return;
     m_periodAskedAt = clock().now();
     (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
+}
+
+/// With no task waiting: an answer that does not come is asked for again a second later.
+void Controller::askFaults()
+{
+    const bool listened = identity().state == DeviceState::Online && busy().empty() && !link().address().isRecording();
+    if (!listened || !m_faultWatch.isDue(clock().now()))
+        return;
+    for (const std::uint8_t parameter : FaultWatch::questions)
+        (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
 }
 
 std::unique_ptr<Device> open(Link &link, Clock &clock, const Identity &identity)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "families/dmc60c/faultwatch.h"
 #include "families/dmc60c/flashproof.h"
 #include "families/dmc60c/parameterexchange.h"
 #include "families/dmc60c/statusstream.h"
@@ -14,8 +15,9 @@
 namespace mb::dmc60c {
 
 /// One DMC60C. Listens to its number on the bus all the time: telemetry, liveness, restarts, other masters. Talks only
-/// in tasks and control frames, with two exceptions, neither while the device is busy: it enumerates the bus when the
-/// device is silent or its session looks wrong (section 8), and asks for a period when frames seem to be missing.
+/// in tasks and control frames, with three exceptions, none while the device is busy: it enumerates the bus when the
+/// device is silent or its session looks wrong (section 8), asks for a period when frames seem to be missing, and once a
+/// second for the faults that no status frame tells (trap 24); that question clears none.
 ///
 /// A new session under the number, with the old one silent, is the unit after a power cycle: it is adopted, and
 /// `liveness().restarted` holds until refresh() succeeds. With both answering, the identity becomes a duplicate.
@@ -69,6 +71,7 @@ private:
     void onSession(std::uint16_t session, Instant time);
     void onVersions(const EnumResponse1 &response);
     void askPeriod(const StatusStream &stream, std::uint8_t parameter);
+    void askFaults();
 
     // What follows from it, and from silence: controllerpresence.cpp
     void tick();
@@ -99,6 +102,9 @@ private:
     std::map<std::uint8_t, std::uint32_t> m_usualPeriods;  ///< what setRate() goes back to, ms
     std::map<std::uint8_t, std::uint32_t> m_wantedPeriods; ///< what it asked for; the device forgets it in a restart
     Instant m_periodAskedAt{};
+    FaultWatch m_faultWatch;
+    LiveStates m_told; ///< by the frames of the device
+    Instant m_toldAt{};
 
     bool m_heard = false;
     bool m_restarted = false;

@@ -5,10 +5,7 @@
 #include "families/dmc60c/setpoints.h"
 #include "families/dmc60c/unitidentity.h"
 
-#include <QtGlobal>
-
 #include <algorithm>
-#include <array>
 
 namespace mb::dmc60c {
 namespace {
@@ -21,39 +18,6 @@ constexpr Duration foreignMemory = 500ms;
 constexpr int candidateRounds = 3;
 constexpr Duration stallTolerance = 20ms;
 constexpr Duration turningMemory = 500ms;
-
-/// Most important first.
-constexpr std::array<std::string_view, 6> conditionNames{
-    QT_TRANSLATE_NOOP("table", "current is limited"),
-    QT_TRANSLATE_NOOP("table", "forward limit switch holds"),
-    QT_TRANSLATE_NOOP("table", "reverse limit switch holds"),
-    QT_TRANSLATE_NOOP("table", "forward soft limit holds"),
-    QT_TRANSLATE_NOOP("table", "reverse soft limit holds"),
-    QT_TRANSLATE_NOOP("table", "halted"),
-};
-
-/// One bit each, in the order of their names.
-std::uint32_t conditionsOf(const StatusGeneral &status)
-{
-    const auto holds = [&status](const LimitSwitch &limit, bool disabledByFrame) {
-        return limit.hit && !(status.limitOverride ? disabledByFrame : limit.disabled);
-    };
-    return (status.currentLimitActive ? 1U : 0U) | (holds(status.forward, status.forwardDisabledByFrame) ? 2U : 0U)
-        | (holds(status.reverse, status.reverseDisabledByFrame) ? 4U : 0U)
-        | (status.softForwardHit && status.softForwardEnabled ? 8U : 0U)
-        | (status.softReverseHit && status.softReverseEnabled ? 16U : 0U)
-        | (status.mode == ControlMode::NoDrive ? 32U : 0U);
-}
-
-std::vector<std::string_view> namesOf(std::uint32_t conditions)
-{
-    std::vector<std::string_view> names;
-    for (std::size_t i = 0; i < conditionNames.size(); ++i) {
-        if ((conditions >> i & 1U) != 0U)
-            names.push_back(conditionNames.at(i));
-    }
-    return names;
-}
 
 } // namespace
 
@@ -97,6 +61,8 @@ void Controller::fallSilent()
 {
     m_heard = false;
     m_turning = false;
+    m_faultWatch.forget();
+    m_told = {};
     m_general.interrupt();
     m_encoder.interrupt();
     m_analog.interrupt();
@@ -172,13 +138,16 @@ void Controller::updateLiveness()
     const bool turning
         = m_turning && clock().now() - m_turningAt < std::max<Duration>(turningMemory, 3 * m_encoder.period());
     const bool moving = m_heard && (m_lastGeneral.duty != 0 || turning);
+    const std::uint32_t frameless = m_faultWatch.present(clock().now());
     // One frame in ten thousand changes any of this: compare a word before building texts.
     const std::uint32_t key = (m_heard ? 1U : 0U) | (moving ? 2U : 0U) | (m_foreignAt ? 4U : 0U)
         | (m_restarted ? 8U : 0U) | (m_lastGeneral.overTemperature ? 16U : 0U) | (m_lastGeneral.underVoltage ? 32U : 0U)
         | (m_lastGeneral.gateDriver ? 64U : 0U) | (static_cast<std::uint32_t>(m_lastGeneral.mode) << 8U)
-        | (conditionsOf(m_lastGeneral) << 16U);
-    if (key == m_livenessKey)
+        | (frameless << 16U);
+    if (key == m_livenessKey) {
+        setStates(m_told, m_toldAt);
         return;
+    }
     m_livenessKey = key;
     Liveness now;
     now.heard = m_heard;
@@ -187,15 +156,18 @@ void Controller::updateLiveness()
     now.restarted = m_restarted;
     if (m_heard) {
         now.mode = modeOf(m_lastGeneral.mode);
+        if ((frameless & faultbit::overCurrent) != 0U)
+            now.faults.emplace_back("over_current");
         if (m_lastGeneral.overTemperature)
             now.faults.emplace_back("over_temperature");
         if (m_lastGeneral.underVoltage)
             now.faults.emplace_back("under_voltage");
         if (m_lastGeneral.gateDriver)
             now.faults.emplace_back("gate_driver");
-        now.conditions = namesOf(conditionsOf(m_lastGeneral));
+        if ((frameless & faultbit::communication) != 0U)
+            now.faults.emplace_back("communication");
     }
-    setLiveness(now);
+    setLiveness(now, m_told, m_toldAt);
 }
 
 } // namespace mb::dmc60c

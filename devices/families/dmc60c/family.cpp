@@ -9,6 +9,7 @@
 #include "families/dmc60c/protocol.h"
 #include "families/dmc60c/scan.h"
 #include "families/dmc60c/simulator.h"
+#include "families/dmc60c/states.h"
 #include "families/dmc60c/unitidentity.h"
 
 #include <QtGlobal>
@@ -90,6 +91,7 @@ const Family family{
     .modes = modes,
     .capabilities = capabilities,
     .bench = bench,
+    .states = stateTable(),
     .loop = &loop,
     .trials = &trials,
     .scan = scan,

@@ -40,8 +40,7 @@ void Unit::armStatus(std::uint8_t period, Duration delay)
     statusTimer(period).start(due, [this, period, due] {
         const Duration late = m_clock.now() - due; // on a busy computer; the pace is that of a crystal all the same
         armStatus(period, std::max(this->period(period) - late, Duration::zero()));
-        if (m_stalls.empty())
-            sendStatusFrame(period);
+        sendStatusFrame(period);
     });
 }
 

@@ -3,6 +3,7 @@
 #include "families/quadquad2drv/controller.h"
 
 #include "families/quadquad2drv/channels.h"
+#include "families/quadquad2drv/states.h"
 #include "model/family.h"
 
 #include <algorithm>
@@ -63,12 +64,16 @@ void Controller::onMotion(const Motion &motion, Instant time)
 {
     m_motionAt = time;
     m_heard = true;
+    LiveStates told = states();
     for (int axis = 0; axis < axes; ++axis) {
         const auto lost = motion.elapsed.value_or(0);
         for (std::uint16_t i = 0; lost > 0 && i < measuredPerAxis; ++i)
             telemetry()->lost(channelOf(axis, static_cast<AxisChannel>(i)), lost);
         onAxis(axis, motion.channels[static_cast<std::size_t>(axis)], time);
+        if (const auto &status = motion.channels[static_cast<std::size_t>(axis)].status)
+            takeStates(told, axis, *status);
     }
+    setStates(told, time);
     telemetry()->commit();
     updateLiveness();
 }
@@ -135,6 +140,8 @@ void Controller::look()
     const Instant now = clock().now();
     if (m_motionAt && now - *m_motionAt > silence)
         m_heard = false;
+    if (!m_heard)
+        setStates({}, now);
     const bool streamGone = m_streamPeriod > 0 && (!m_streamAt || now - *m_streamAt > silence);
     if ((streamGone || m_changed || (m_heard && !m_judged)) && !m_checking && busy().empty()
         && m_spi.state() == LinkState::Open) {

@@ -10,6 +10,7 @@
 #include "families/quadquad2drv/parameters.h"
 #include "families/quadquad2drv/scan.h"
 #include "families/quadquad2drv/simulator.h"
+#include "families/quadquad2drv/states.h"
 
 #include <array>
 
@@ -70,6 +71,7 @@ const Family family{
     .calibrations = calibration::table(),
     .experiments = experiments(),
     .routes = routes(),
+    .states = stateTable(),
     .trials = &trials,
     .scan = scan,
     .probe = probe,

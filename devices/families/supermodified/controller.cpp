@@ -3,6 +3,7 @@
 
 #include "families/supermodified/channels.h"
 #include "families/supermodified/parameters.h"
+#include "families/supermodified/states.h"
 #include "model/family.h"
 
 #include <algorithm>
@@ -39,7 +40,8 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
               [this](const Frame &reply) { m_polls.takePosition(reply); },
               [this](Command command, std::int64_t raw) { onStored(command, raw); }})
     , m_polls(*m_line, m_node, *telemetry(),
-          {[this](const Result<Frame> &reply) { onAnswer(reply); }, [this](std::int64_t raw) { onPosition(raw); }})
+          {[this](const Result<Frame> &reply) { onAnswer(reply); }, [this](std::int64_t raw) { onPosition(raw); },
+              [this](std::uint8_t levels) { setStates(statesOf(levels), this->clock().now()); }})
     , m_foreignTimer(clock)
     , m_overheard(m_line->overheard().add([this](const Frame &frame) { onOverheard(frame); }))
     , m_linkState(link.stateChanged().add([this](LinkState state) { onLinkState(state); }))
@@ -250,6 +252,8 @@ void Controller::setHeard(bool heard)
     if (std::exchange(m_heard, heard) && !heard)
         m_motion.doubt(); // whatever happens to it now is not seen
     m_polls.setHeard(heard);
+    if (!heard)
+        setStates({}, clock().now());
     updateLiveness();
 }
 

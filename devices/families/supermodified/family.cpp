@@ -10,6 +10,7 @@
 #include "families/supermodified/protocol.h"
 #include "families/supermodified/scan.h"
 #include "families/supermodified/simulator.h"
+#include "families/supermodified/states.h"
 
 #include <QtGlobal>
 
@@ -93,6 +94,7 @@ const Family family{
     .bench = bench,
     .calibrations = calibrations,
     .routes = routes,
+    .states = stateTable(),
     .trials = &trials,
     .scan = scan,
     .probe = probe,

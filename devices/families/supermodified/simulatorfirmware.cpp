@@ -353,7 +353,7 @@ void Firmware::get(std::uint8_t command, std::vector<std::uint8_t> &reply)
     switch (command) {
     case 0x67: put(reply, m_ram.acceleration, profile); break;
     case 0x68: put(reply, m_ram.velocity, profile); break;
-    case 0x6D: put(reply, (0x0F & ~m_ram.direction) | m_outputs, 1); break;
+    case 0x6D: put(reply, (inputs & ~m_ram.direction) | m_outputs, 1); break;
     case 0x6E:
         for (const std::uint16_t raw : analog)
             put(reply, raw, 2);

@@ -62,6 +62,8 @@ public:
     [[nodiscard]] Drive &drive() { return m_drive; }
     /// Counts of the analog inputs, 10 bits.
     std::array<std::uint16_t, analogInputs> analog{512, 512, 512, 512};
+    /// Levels of the digital pins, DIO1 in bit 0; nothing is on them.
+    std::uint8_t inputs = 0x0F;
     /// Frames of this node (its own id) since it was made: what the fault `power` counts.
     std::function<bool()> beforeAction; ///< false: the supply just went
 

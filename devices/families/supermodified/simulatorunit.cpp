@@ -248,7 +248,11 @@ bool Unit::disturb(std::string_view what, double value)
         m_drive.motor().setSupplyVoltage(value);
     else if (what == "error")
         m_firmware.report(static_cast<std::uint8_t>(value));
-    else if (what.starts_with("analog") && what.size() == 7 && what[6] >= '1' && what[6] <= '4')
+    else if (what.starts_with("input") && what.size() == 6 && what[5] >= '1' && what[5] <= '4') {
+        const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(what[5] - '1'));
+        m_firmware.inputs
+            = static_cast<std::uint8_t>(value != 0.0 ? m_firmware.inputs | bit : m_firmware.inputs & ~bit);
+    } else if (what.starts_with("analog") && what.size() == 7 && what[6] >= '1' && what[6] <= '4')
         m_firmware.analog.at(static_cast<std::size_t>(what[6] - '1'))
             = static_cast<std::uint16_t>(std::clamp(value / adcVolts, 0.0, 1023.0));
     else

@@ -182,6 +182,8 @@ void TelemetryPolls::take(const Poll &poll, const Frame &reply)
     if (poll.command == Command::GetCurrent)
         value *= m_node.dialect == Dialect::D3 ? ampereOfMilli : m_currentScale > 0.0 ? m_currentScale : 1.0;
     append(poll.first, value);
+    if (poll.command == Command::GetInputs)
+        m_events.inputs(static_cast<std::uint8_t>(*raw));
 }
 
 } // namespace mb::supermodified

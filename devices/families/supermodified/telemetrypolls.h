@@ -18,6 +18,7 @@ public:
     struct Events {
         std::function<void(const Result<Frame> &)> answered; ///< every answer, error frames and time-outs too
         std::function<void(std::int64_t)> positioned;        ///< a position of the node, before its origin is added
+        std::function<void(std::uint8_t)> inputs;            ///< levels of the digital inputs, DIO1 in bit 0
     };
 
     TelemetryPolls(Line &line, const Node &node, Telemetry &telemetry, Events events);
