@@ -16,6 +16,7 @@
 #include "widgets/connection/deviceline.h"
 #include "widgets/connection/devicetree.h"
 #include "widgets/connection/inspector.h"
+#include "widgets/connection/livestatebar.h"
 #include "widgets/connection/overviewpage.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/firmware/firmwarepage.h"
@@ -181,6 +182,8 @@ void MainWindow::buildPages()
     column->addWidget(m_tabs);
     column->addWidget(separatorLine(Qt::Horizontal, central));
     column->addWidget(m_line);
+    m_states = new LiveStateBar(m_workbench, m_selection, m_theme, central);
+    column->addWidget(m_states);
     column->addWidget(m_pages, 1);
     setCentralWidget(central);
     central->setMinimumSize(1, 1); // as the docks
@@ -312,6 +315,7 @@ void MainWindow::followPages()
     const bool ofDevice = id == PageId::Parameters || id == PageId::Tune;
     m_pages->setCurrentIndex(m_tabs->currentIndex());
     page(static_cast<PageId>(m_pages->currentIndex()))->setFocus();
+    m_states->setWanted(id == PageId::Tune);
     m_line->setVisible(ofDevice && m_workbench.snapshot().device(m_selection.device()));
     followInspector();
 }

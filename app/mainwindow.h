@@ -24,6 +24,7 @@ class Conditions;
 class DemoStripe;
 class DeviceLine;
 class HeaderBar;
+class LiveStateBar;
 class PageTabs;
 
 /// The pages, in the order of their tabs.
@@ -89,6 +90,7 @@ private:
     BannerStack *m_banners = nullptr;
     Conditions *m_conditions = nullptr;
     DeviceLine *m_line = nullptr;
+    LiveStateBar *m_states = nullptr;
     QStackedWidget *m_pages = nullptr;
     std::vector<std::function<QWidget *(QWidget *)>> m_makers; ///< by place in m_pages
     QLabel *m_message = nullptr;

@@ -114,6 +114,10 @@ QString lineOf(const DeviceView &device)
             word = axesLine(device);
             break;
         }
+        if (const QStringList alerts = alertsOf(device); !alerts.isEmpty()) {
+            word = alerts.first();
+            break;
+        }
         const auto velocity = liveValue(device, "velocity", device.telemetry->last({}).value_or(Point{}).time);
         word = velocity ? formatValue(*velocity, 0, DeviceText::tr("counts/s")) : DeviceText::tr("online");
         break;
@@ -121,6 +125,50 @@ QString lineOf(const DeviceView &device)
     }
     const QString name = QString::fromStdString(device.identity.name);
     return name.isEmpty() ? word : name + QStringLiteral(" · ") + word;
+}
+
+QStringList conditionsText(const DeviceView &device)
+{
+    QStringList clauses;
+    for (const StateRow *row : conditionsOf(device.family->states, device.states))
+        clauses += tableText(row->clause);
+    return clauses;
+}
+
+QStringList alertsOf(const DeviceView &device)
+{
+    QStringList clauses;
+    for (const StateRow *row : conditionsOf(device.family->states, device.states)) {
+        if (row->key != "halted")
+            clauses += tableText(row->clause);
+    }
+    return clauses;
+}
+
+bool isOfAxis(const StateRow &row, int axis)
+{
+    const bool ofOne = row.key.size() > 3 && row.key.substr(0, 2) == "ch" && row.key[3] == '.';
+    return axis == 0 || !ofOne || row.key[2] - '0' == axis;
+}
+
+QString stateLabel(const StateRow &row)
+{
+    const bool ofOne = row.key.size() > 3 && row.key.substr(0, 2) == "ch" && row.key[3] == '.';
+    return ofOne ? DeviceText::tr("axis %1: %2").arg(row.key[2] - '0').arg(tableText(row.label)) : tableText(row.label);
+}
+
+QString statesText(const DeviceView &device)
+{
+    QStringList lines;
+    for (std::size_t i = 0; i < device.family->states.size(); ++i) {
+        const StateRow &row = device.family->states[i];
+        const auto on = device.states[StateIndex{static_cast<std::uint16_t>(i)}];
+        lines += DeviceText::tr("%1: %2").arg(stateLabel(row),
+            !on       ? QString(UnknownMark)
+                : *on ? DeviceText::tr("on")
+                      : DeviceText::tr("off"));
+    }
+    return lines.join(QLatin1Char('\n'));
 }
 
 QString badgeOf(const DeviceView &device)
@@ -143,6 +191,7 @@ QString tooltipOf(const DeviceView &device)
         lines += tableText(device.identity.detail);
     if (!device.mayNotMove.empty())
         lines += tableText(device.mayNotMove);
+    lines += conditionsText(device);
     return lines.join(QLatin1Char('\n'));
 }
 

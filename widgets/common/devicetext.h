@@ -5,6 +5,7 @@
 #include "widgets/common/stateglyph.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 #include <string_view>
@@ -30,6 +31,16 @@ namespace mb {
 [[nodiscard]] QString titleOf(const DeviceView &device);
 /// Second line of the tree: name and what it does now.
 [[nodiscard]] QString lineOf(const DeviceView &device);
+/// What it says holds now, most important first: "forward limit switch holds", "halted".
+[[nodiscard]] QStringList conditionsText(const DeviceView &device);
+/// Those of them that keep a motor from what it is told. A halt is none: at rest every one is halted.
+[[nodiscard]] QStringList alertsOf(const DeviceView &device);
+/// "Encoder pin A"; of an axis "axis 2: Input".
+[[nodiscard]] QString stateLabel(const StateRow &row);
+/// Of the whole board, or of this axis; every row with axis 0.
+[[nodiscard]] bool isOfAxis(const StateRow &row, int axis);
+/// Every limit and pin in a line of its own: "Encoder pin A: on".
+[[nodiscard]] QString statesText(const DeviceView &device);
 /// "boot", "2 ×", a dialect; empty when nothing is unusual.
 [[nodiscard]] QString badgeOf(const DeviceView &device);
 /// One sentence: state, cause, remedy.

@@ -191,8 +191,10 @@ void DeviceCard::showFoot(const DeviceView &device)
     m_rate->setText(tr("%1 Hz   lost %2").arg(formatNumber(rate), formatCount(static_cast<qint64>(lost))));
     const auto &faults = device.liveness.faults;
     m_faultGlyph->show();
-    m_faultGlyph->setState(faults.empty() ? GlyphState::Done : GlyphState::Fault);
-    m_faults->setText(faults.empty() ? tr("no faults") : faultText(faults.front()));
+    const QStringList alerts = alertsOf(device);
+    const bool alert = faults.empty() && !alerts.isEmpty();
+    m_faultGlyph->setState(alert ? GlyphState::Warning : faults.empty() ? GlyphState::Done : GlyphState::Fault);
+    m_faults->setText(alert ? alerts.first() : faults.empty() ? tr("no faults") : faultText(faults.front()));
 }
 
 } // namespace mb

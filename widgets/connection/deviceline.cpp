@@ -130,6 +130,20 @@ void DeviceLine::showValues(const DeviceView &device)
     show(m_temperature, "temperature", 1.0, 1, 980);
 }
 
+/// With large text what has no room is left out whole: a value without its number says nothing.
+void DeviceLine::fitValues()
+{
+    const int gap = m_theme.theme().u(12);
+    int room = width() - 4 * m_theme.theme().u(16) - m_glyph->sizeHint().width() - m_title->minimumWidth()
+        - m_faultGlyph->sizeHint().width() - m_faults->minimumWidth() - 2 * gap;
+    for (ValueLabel *label : {m_current, m_velocity, m_duty, m_position, m_bus, m_temperature}) {
+        if (label->isHidden())
+            continue;
+        room -= label->sizeHint().width() + gap;
+        label->setVisible(room >= 0);
+    }
+}
+
 void DeviceLine::follow()
 {
     const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
@@ -144,9 +158,13 @@ void DeviceLine::follow()
     m_identity->setText(tr("SN %1 · fw %2").arg(known(device->identity.serial), known(device->identity.firmware)));
     showValues(*device);
     const auto &faults = device->liveness.faults;
-    m_faultGlyph->setState(faults.empty() ? GlyphState::Done : GlyphState::Fault);
-    showWhole(*m_faults, faults.empty() ? tr("no faults") : faultText(faults.front()));
-    setTone(*m_faults, faults.empty() ? Tone::Text : Tone::Danger);
+    const QStringList alerts = alertsOf(*device);
+    const bool alert = faults.empty() && !alerts.isEmpty();
+    m_faultGlyph->setState(alert ? GlyphState::Warning : faults.empty() ? GlyphState::Done : GlyphState::Fault);
+    showWhole(*m_faults, alert ? alerts.first() : faults.empty() ? tr("no faults") : faultText(faults.front()));
+    setTone(*m_faults, alert ? Tone::Caution : faults.empty() ? Tone::Text : Tone::Danger);
+    m_faults->setToolTip(statesText(*device));
+    fitValues();
 }
 
 } // namespace mb

@@ -32,6 +32,7 @@ private:
     void buildValues(QHBoxLayout &row);
     void follow();
     void showValues(const DeviceView &device);
+    void fitValues();
     [[nodiscard]] QString aboutOf(const DeviceView &device) const;
 
     Workbench &m_workbench;

@@ -113,6 +113,7 @@ void Inspector::buildParameters(QVBoxLayout &column)
     column.addWidget(new SectionLabel(tr("State"), this));
     m_faults = addRow(column, tr("faults"));
     m_faults->setWidest(tr("over-temperature"));
+    m_limits = addRow(column, tr("limits"));
     m_changed = addRow(column, tr("changed from default"));
     m_changed->setWidest(tr("%1 of %2").arg(88).arg(88));
     m_ram = addRow(column, tr("in RAM only"));
@@ -182,6 +183,11 @@ void Inspector::showParameters(const DeviceView &device)
     const auto &faults = device.liveness.faults;
     m_faults->setValue(faults.empty() ? tr("none") : faultText(faults.front()));
     m_faults->setTone(faults.empty() ? Tone::Ok : Tone::Danger);
+    const QStringList alerts = alertsOf(device);
+    m_limits->setVisible(!device.family->states.empty());
+    m_limits->setValue(alerts.isEmpty() ? tr("none") : alerts.first());
+    m_limits->setTone(alerts.isEmpty() ? Tone::Ok : Tone::Caution);
+    m_limits->setToolTip(statesText(device));
     int known = 0;
     int changed = 0;
     int ram = 0;

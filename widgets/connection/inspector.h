@@ -57,6 +57,7 @@ private:
     ValueLabel *m_firmware = nullptr;
     ValueLabel *m_bootloader = nullptr;
     ValueLabel *m_session = nullptr;
+    ValueLabel *m_limits = nullptr;
     ValueLabel *m_faults = nullptr;
     ValueLabel *m_changed = nullptr;
     ValueLabel *m_ram = nullptr;

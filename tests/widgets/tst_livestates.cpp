@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What devices tell of their limits and pins stands where one looks: list, line, card, and under the line on Tune.
+#include "parameterbench.h"
+#include "support/windowtests.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/connection/devicecard.h"
+#include "widgets/connection/deviceline.h"
+#include "widgets/connection/livestatebar.h"
+
+using namespace mb;
+using namespace mb::test;
+
+class LiveStatesTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aLimitThatHoldsIsSaidEverywhere();
+    void aHaltIsNoAlert();
+    void pinsChangeWhatIsDrawn();
+    void theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing();
+
+private:
+    ThemeSource m_theme{lightTheme()};
+};
+
+namespace {
+
+DeviceView drive()
+{
+    DeviceView device = readDrive();
+    device.telemetry = std::make_shared<Telemetry>(dmc60c().channels);
+    return device;
+}
+
+StateIndex state(const char *key)
+{
+    return findState(dmc60c().states, key).value();
+}
+
+bool shows(const QWidget &part, const QString &words)
+{
+    const auto labels = part.findChildren<QLabel *>();
+    return std::any_of(
+        labels.begin(), labels.end(), [&](const QLabel *label) { return label->text().contains(words); });
+}
+
+} // namespace
+
+void LiveStatesTest::aLimitThatHoldsIsSaidEverywhere()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    workbench.shot.devices.push_back(drive());
+    selection.select({1});
+    DeviceLine line(workbench, selection, m_theme);
+    line.resize(1100, 40);
+    line.show();
+    DeviceCard card(m_theme, nullptr);
+    const QString words = QStringLiteral("forward limit switch holds");
+    QVERIFY(!lineOf(workbench.device(0)).contains(words));
+    QVERIFY(shows(line, QStringLiteral("no faults")));
+    workbench.device(0).states.set(state("limit.forward.switch"), true);
+    workbench.publish();
+    card.show(workbench.device(0), {}, false);
+    QVERIFY(lineOf(workbench.device(0)).contains(words));
+    QVERIFY(tooltipOf(workbench.device(0)).contains(words));
+    QVERIFY(shows(line, words));
+    QVERIFY(shows(card, words));
+    workbench.device(0).liveness.faults = {"over_temperature"};
+    workbench.publish();
+    QVERIFY(shows(line, QStringLiteral("over-temperature"))); // a fault matters more
+}
+
+void LiveStatesTest::aHaltIsNoAlert()
+{
+    DeviceView device = drive();
+    device.states.set(state("halted"), true);
+    QCOMPARE(conditionsText(device), QStringList{QStringLiteral("halted")});
+    QVERIFY(alertsOf(device).isEmpty());
+}
+
+void LiveStatesTest::pinsChangeWhatIsDrawn()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    workbench.shot.devices.push_back(drive());
+    selection.select({1});
+    LiveStateBar bar(workbench, selection, m_theme);
+    bar.setWanted(true);
+    bar.resize(1100, bar.height());
+    QVERIFY(bar.isVisible());
+    workbench.device(0).states.set(state("input.encoder.a"), false);
+    workbench.publish();
+    const QImage off = bar.grab().toImage();
+    QVERIFY(bar.accessibleDescription().contains(QStringLiteral("Encoder pin A: off")));
+    workbench.device(0).states.set(state("input.encoder.a"), true);
+    workbench.publish();
+    QVERIFY(bar.grab().toImage() != off);
+    QVERIFY(bar.accessibleDescription().contains(QStringLiteral("Encoder pin A: on")));
+    QVERIFY(bar.accessibleDescription().contains(QString::fromUtf8("Encoder pin B: –")));
+}
+
+void LiveStatesTest::theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    workbench.shot.devices.push_back(drive());
+    DeviceView other = drive();
+    other.id = {2};
+    other.family = findFamily(families(), "abstractdc");
+    workbench.shot.devices.push_back(other);
+    selection.select({1});
+    LiveStateBar bar(workbench, selection, m_theme);
+    QVERIFY(bar.isHidden());
+    bar.setWanted(true);
+    const QSize size = bar.sizeHint();
+    for (std::uint16_t i = 0; i < dmc60c().states.size(); ++i) {
+        workbench.device(0).states.set({i}, true);
+        workbench.publish();
+        QCOMPARE(bar.sizeHint(), size);
+        QVERIFY(bar.isVisible());
+    }
+    selection.select({2});
+    QVERIFY(bar.isHidden());
+}
+
+MB_WINDOW_TEST(LiveStatesTest);
+#include "tst_livestates.moc"

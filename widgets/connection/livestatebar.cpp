@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/connection/livestatebar.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/stateglyph.h"
+
+#include <QPainter>
+
+namespace mb {
+
+LiveStateBar::LiveStateBar(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_selection(selection)
+    , m_theme(theme)
+{
+    setObjectName(QStringLiteral("liveStates"));
+    setAccessibleName(tr("Limits and pins"));
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    connect(&workbench, &Workbench::changed, this, &LiveStateBar::follow);
+    connect(&selection, &Selection::changed, this, &LiveStateBar::follow);
+    connect(&theme, &ThemeSource::changed, this, [this] { update(); });
+    hide();
+}
+
+void LiveStateBar::setWanted(bool wanted)
+{
+    m_wanted = wanted;
+    follow();
+}
+
+QSize LiveStateBar::sizeHint() const
+{
+    return {m_theme.theme().u(400), m_theme.theme().u(26)};
+}
+
+QSize LiveStateBar::minimumSizeHint() const
+{
+    return {1, m_theme.theme().u(26)};
+}
+
+void LiveStateBar::follow()
+{
+    const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    setVisible(m_wanted && device && !device->family->states.empty());
+    if (isHidden())
+        return;
+    const QString conditions = conditionsText(*device).join(QStringLiteral(", "));
+    if (device->id == m_device && device->states == m_shown && conditions == m_conditions)
+        return;
+    m_device = device->id;
+    m_shown = device->states;
+    m_conditions = conditions;
+    setAccessibleDescription(statesText(*device));
+    setToolTip(statesText(*device));
+    update();
+}
+
+/// Limits at the left, pins behind them; what has no room is in the tooltip.
+void LiveStateBar::paintEvent(QPaintEvent *)
+{
+    const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    if (!device)
+        return;
+    const Theme &theme = m_theme.theme();
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(theme.font(TextRole::Caption, font()));
+    const int side = theme.u(12);
+    int left = theme.u(16);
+    const auto put = [&](GlyphState glyph, const QColor &color, const QString &words, const QColor &ink) {
+        const int wide = side + theme.u(6) + painter.fontMetrics().horizontalAdvance(words);
+        if (left + wide > width() - theme.u(12))
+            return;
+        paintGlyph(painter, QRectF(left, (height() - side) / 2.0, side, side), glyph, color);
+        painter.setPen(ink);
+        painter.drawText(QRect(left + side + theme.u(6), 0, wide, height()), Qt::AlignVCenter, words);
+        left += wide + theme.u(16);
+    };
+    const bool alert = !alertsOf(*device).isEmpty();
+    put(alert ? GlyphState::Warning : GlyphState::Done, alert ? theme.caution : theme.ok,
+        m_conditions.isEmpty() ? tr("no limit holds") : m_conditions, alert ? theme.text : theme.dim);
+    for (std::size_t i = 0; i < device->family->states.size(); ++i) {
+        const StateRow &row = device->family->states[i];
+        const auto level = device->states[StateIndex{static_cast<std::uint16_t>(i)}];
+        if (row.kind == StateKind::Input && isOfAxis(row, m_selection.axis()))
+            put(level.value_or(false) ? GlyphState::InRam : GlyphState::Gone,
+                level.value_or(false) ? theme.accent : theme.outline, stateLabel(row),
+                level ? theme.text : theme.faint);
+    }
+}
+
+} // namespace mb

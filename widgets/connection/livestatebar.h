@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/selection.h"
+#include "widgets/common/theme.h"
+#include "widgets/common/workbench.h"
+
+#include <QWidget>
+
+namespace mb {
+
+/// One line under that of the device, of one height: which of its limits hold (by name, with the glyph of a caution), and the
+/// levels of its pins. Hidden for families that tell neither.
+class LiveStateBar : public QWidget {
+    Q_OBJECT
+public:
+    LiveStateBar(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
+    /// Wanted on this page; shown where the device tells something.
+    void setWanted(bool wanted);
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+
+private:
+    void follow();
+
+    Workbench &m_workbench;
+    Selection &m_selection;
+    const ThemeSource &m_theme;
+    bool m_wanted = false;
+    LiveStates m_shown;
+    DeviceId m_device;
+    QString m_conditions;
+};
+
+} // namespace mb
