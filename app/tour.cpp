@@ -20,6 +20,7 @@ constexpr std::string_view toured = "dmc60c"; ///< several families may have a u
 constexpr int tuned = 5;
 constexpr int overshooting = 7;
 constexpr int inBootloader = 9;
+constexpr std::chrono::milliseconds driveAgain{500};
 constexpr double stepTarget = 60000.0; // counts/s
 
 } // namespace
@@ -101,8 +102,9 @@ void Tour::save(const QString &name, bool dark)
 
 void Tour::drive()
 {
-    if (m_window.arming().isMoving())
+    if (m_window.arming().isMoving() || m_workbench.now() - m_drivenAt < driveAgain)
         return;
+    m_drivenAt = m_workbench.now();
     m_window.arming().arm(device(tuned)->id);
     SetPoint setPoint;
     setPoint.mode = Mode::Velocity;
@@ -110,8 +112,10 @@ void Tour::drive()
     m_window.arming().run(setPoint);
 }
 
-bool Tour::isAtSpeed() const
+/// A picture, or a busy computer, may have outlasted the motion lease: then it is driven anew.
+bool Tour::comesToSpeed()
 {
+    drive();
     const auto channel = device(tuned)->telemetry->find("velocity");
     const auto last = device(tuned)->telemetry->last(*channel);
     return last && last->value > 0.95 * stepTarget;
@@ -167,26 +171,16 @@ void Tour::planMotion()
         [this] { return m_window.arming().isArmed(device(tuned)->id); });
     pause(std::chrono::milliseconds(1000));
     add(
-        QStringLiteral("velocity step"), [this] { drive(); }, [this] { return isAtSpeed(); });
+        QStringLiteral("velocity step"), [] {}, [this] { return comesToSpeed(); });
     pause(std::chrono::milliseconds(1500));
     picture(QStringLiteral("tune"));
     add(
-        QStringLiteral("plots"),
-        [this] {
-            m_window.showPage(PageId::Plots);
-            drive();
-        },
-        [this] { return isAtSpeed(); });
+        QStringLiteral("plots"), [this] { m_window.showPage(PageId::Plots); }, [this] { return comesToSpeed(); });
     pause(std::chrono::milliseconds(1500));
     picture(QStringLiteral("plots"));
     planPlots();
     add(
-        QStringLiteral("bus"),
-        [this] {
-            m_window.showPage(PageId::Bus);
-            drive(); // a picture may have outlasted the motion lease
-        },
-        [this] { return isAtSpeed(); });
+        QStringLiteral("bus"), [this] { m_window.showPage(PageId::Bus); }, [this] { return comesToSpeed(); });
     pause(std::chrono::milliseconds(1000));
     picture(QStringLiteral("bus"));
     add(

@@ -48,7 +48,7 @@ private:
     void finish(int status);
     void save(const QString &name, bool dark);
     void drive();
-    [[nodiscard]] bool isAtSpeed() const;
+    [[nodiscard]] bool comesToSpeed();
     [[nodiscard]] const DeviceView *device(int address) const;
     [[nodiscard]] const DeviceView *board() const;
 
@@ -59,6 +59,7 @@ private:
     std::vector<Step> m_steps;
     std::size_t m_current = 0;
     Instant m_begunAt{};
+    Instant m_drivenAt{};
     QTimer m_poll;
     int m_pictures = 0;
 };

@@ -308,6 +308,14 @@
         <source>Dialect %1</source>
         <translation>Dialekt %1</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
 </context>
 <context>
     <name>DialogText</name>
@@ -2690,6 +2698,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>%1 · %2</source>
         <translation>%1 · %2</translation>
     </message>
+    <message>
+        <source>limits</source>
+        <translation>Grenzen</translation>
+    </message>
 </context>
 <context>
     <name>mb::JumperDrawing</name>
@@ -2790,6 +2802,17 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Link %1: %2</source>
         <translation>Verbindung %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::LiveStateBar</name>
+    <message>
+        <source>Limits and pins</source>
+        <translation>Grenzen und Eingänge</translation>
+    </message>
+    <message>
+        <source>no limit holds</source>
+        <translation>keine Grenze hält</translation>
     </message>
 </context>
 <context>
@@ -8246,7 +8269,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>%1 has a name that ends in no kind of picture; end it in .png, .svg or .pdf</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat einen Namen, der auf keine Bildart endet; mit .png, .svg oder .pdf enden lassen</translation>
     </message>
 </context>
 </TS>

@@ -101,7 +101,7 @@ bool measure(bool allPages, Columns *columns)
     QProcess program;
     program.setProcessEnvironment(environment);
     program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    program.start(QCoreApplication::applicationFilePath(), {});
+    program.start(QCoreApplication::applicationFilePath(), QStringList());
     if (!program.waitForFinished(60'000))
         return false;
     const QList<QByteArray> words = program.readAllStandardOutput().simplified().split(' ');

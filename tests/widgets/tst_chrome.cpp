@@ -16,6 +16,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
+#include <QVBoxLayout>
 #include <cmath>
 
 using namespace mb;
@@ -31,6 +33,7 @@ private Q_SLOTS:
     void segmentedTellsOfChangesOnly();
     void segmentedMovesByArrowKeys();
     void theWorstNoticeStandsAndTheOthersAreCounted();
+    void pagesThatHaveNoRoomCanBeReached();
     void aBannerThatPersistsDoesNotPileUp();
     void aDismissedBannerStaysSilentUntilItsConditionEnds();
     void valueFieldKeepsItsWidth();
@@ -179,6 +182,26 @@ void ChromeTest::theWorstNoticeStandsAndTheOthersAreCounted()
     }
     QCOMPARE(shown, QStringList({QStringLiteral("stopped")}));
     QVERIFY(stack.findChild<QPushButton *>(QStringLiteral("moreNotices"))->text().contains(QLatin1Char('5')));
+}
+
+void ChromeTest::pagesThatHaveNoRoomCanBeReached()
+{
+    QWidget page;
+    auto *column = new QVBoxLayout(&page);
+    auto *tabs = new PageTabs(m_theme, &page);
+    column->addWidget(tabs);
+    for (int i = 0; i < 7; ++i)
+        tabs->addTab(QStringLiteral("A page %1").arg(i));
+    page.resize(300, 100);
+    page.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&page));
+    QVERIFY(tabs->width() < 300);
+    const auto buttons = tabs->findChildren<QToolButton *>();
+    QCOMPARE(buttons.size(), 2);
+    for (const QToolButton *button : buttons)
+        QVERIFY(button->isVisible() && tabs->rect().contains(button->geometry()));
+    tabs->setCurrentIndex(6);
+    QVERIFY(tabs->rect().contains(tabs->tabRect(6)));
 }
 
 void ChromeTest::aBannerThatPersistsDoesNotPileUp()

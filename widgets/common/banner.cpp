@@ -101,7 +101,7 @@ void Banner::setTwoLines(bool on)
 
 int Banner::heightOf(const Theme &theme, bool twoLines)
 {
-    return theme.u(twoLines ? 54 : 32);
+    return theme.u(twoLines ? 46 : 32);
 }
 
 /// In one line the remedy has what the cause leaves; in two the cause has all.
@@ -112,7 +112,7 @@ void Banner::place()
     for (QWidget *part : std::initializer_list<QWidget *>{m_cause, m_remedy, m_action, m_dismiss})
         grid->removeWidget(part);
     grid->addWidget(m_cause, 0, 0, 1, m_twoLines ? 4 : 1);
-    grid->addWidget(m_remedy, below, 1);
+    grid->addWidget(m_remedy, below, m_twoLines ? 0 : 1, 1, m_twoLines ? 2 : 1);
     grid->addWidget(m_action, below, 2);
     grid->addWidget(m_dismiss, below, 3);
     grid->setColumnStretch(1, 1);

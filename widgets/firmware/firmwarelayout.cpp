@@ -38,6 +38,10 @@ FirmwarePage::FirmwarePage(Workbench &workbench, Selection &selection, const The
     buildBody(*column);
     connect(m_route, &RoutePanel::changed, this, &FirmwarePage::follow);
     connect(&workbench, &Workbench::changed, this, &FirmwarePage::follow);
+    connect(&theme, &ThemeSource::changed, this, [this] {
+        m_shownOperation = {}; // the lines of the log have colours of their own
+        follow();
+    });
     connect(&selection, &Selection::changed, this, &FirmwarePage::follow);
     inspectImage();
 }
