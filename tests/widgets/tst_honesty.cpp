@@ -11,6 +11,7 @@
 #include "widgets/plots/autorange.h"
 #include "widgets/plots/plotdecor.h"
 #include "widgets/plots/plotstack.h"
+#include "widgets/plots/telemetrysource.h"
 
 #include <QPushButton>
 #include <QTreeView>
@@ -28,6 +29,8 @@ private Q_SLOTS:
     void wordsInAStripNeverOverlap_data();
     void wordsInAStripNeverOverlap();
     void anIdleSetPointIsNoGap();
+    void aLineThatBeginsAnewIsNoGap_data();
+    void aLineThatBeginsAnewIsNoGap();
     void lossIsOneCount();
     void aStripOfNoticesKeepsItsHeight_data();
     void aStripOfNoticesKeepsItsHeight();
@@ -185,6 +188,46 @@ void HonestyTest::anIdleSetPointIsNoGap()
     };
     QVERIFY(summaryOf(TraceRole::Velocity).contains(QStringLiteral("1 gap")));
     QVERIFY(!summaryOf(TraceRole::Setpoint).contains(QStringLiteral("gap")));
+}
+
+void HonestyTest::aLineThatBeginsAnewIsNoGap_data()
+{
+    QTest::addColumn<int>("lost");
+    QTest::addColumn<int>("milliseconds");
+    QTest::addColumn<bool>("isGap");
+    QTest::newRow("another period") << 0 << 20 << false;
+    QTest::newRow("a lost sample") << 1 << 20 << true;
+    QTest::newRow("a silence") << 0 << 600 << true;
+}
+
+void HonestyTest::aLineThatBeginsAnewIsNoGap()
+{
+    QFETCH(int, lost);
+    QFETCH(int, milliseconds);
+    const auto telemetry = std::make_shared<Telemetry>(dmc60c().channels);
+    Instant time{std::chrono::seconds(1)};
+    const auto add = [&](int count) {
+        for (int i = 0; i < count; ++i, time += std::chrono::milliseconds(10))
+            telemetry->append({ChannelIndex{0}, time, 5.0});
+    };
+    add(50);
+    telemetry->lost(ChannelIndex{0}, static_cast<std::uint64_t>(lost));
+    time += std::chrono::milliseconds(milliseconds - 10);
+    add(50);
+    telemetry->commit();
+    const ThemeSource theme(lightTheme());
+    PlotStack stack(theme);
+    TraceStyle style;
+    style.name = QStringLiteral("x");
+    style.role = TraceRole::Velocity;
+    stack.setStrip(0, {});
+    stack.addTrace(style, std::make_shared<TelemetrySource>(telemetry, ChannelIndex{0}));
+    stack.resize(800, 300);
+    stack.setRange(0.5, 3.0);
+    stack.show();
+    stack.refresh(3.0);
+    QFETCH(bool, isGap);
+    QCOMPARE(stack.summary().contains(QStringLiteral("1 gap")), isGap);
 }
 
 void HonestyTest::lossIsOneCount()

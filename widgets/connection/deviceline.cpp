@@ -134,8 +134,9 @@ void DeviceLine::showValues(const DeviceView &device)
 void DeviceLine::fitValues()
 {
     const int gap = m_theme.theme().u(12);
-    int room = width() - 4 * m_theme.theme().u(16) - m_glyph->sizeHint().width() - m_title->minimumWidth()
-        - m_faultGlyph->sizeHint().width() - m_faults->minimumWidth() - 2 * gap;
+    int room = width() - m_theme.theme().u(16 + 16 + 5 * 8 + 60) // edges, spaces, and something of the name
+        - m_glyph->sizeHint().width() - m_title->minimumWidth() - m_faultGlyph->sizeHint().width()
+        - m_faults->minimumWidth() - 2 * gap;
     for (ValueLabel *label : {m_current, m_velocity, m_duty, m_position, m_bus, m_temperature}) {
         if (label->isHidden())
             continue;

@@ -10,6 +10,23 @@ namespace {
 
 constexpr qint64 WordsEvery = 100; ///< milliseconds between two changes of numbers that somebody reads
 
+constexpr double rounding = 1e-6; ///< seconds; of a key
+constexpr double silence = 0.25;  ///< seconds; shorter than that only a loss is a gap
+
+/// Where something is missing. A line that a device began anew, such as with another period, is broken there and nothing more.
+std::vector<std::pair<double, double>> gapsIn(
+    const std::vector<PlotPoint> &points, const TraceSource *source, double shift, double to)
+{
+    auto gaps = gapsOf(points, to);
+    std::erase_if(gaps, [source, shift](const std::pair<double, double> &gap) {
+        if (!source || gap.second - gap.first >= silence)
+            return false;
+        const auto found = source->statistics(gap.first - shift - rounding, gap.second - shift + rounding);
+        return found && found->lost == 0;
+    });
+    return gaps;
+}
+
 /// Decimals that tell a five-hundredth of the axis apart.
 int decimalsFor(double span)
 {
@@ -151,7 +168,8 @@ void PlotStack::updateAxis(Strip &strip, int index, bool second, double to)
                 least, leastSpan(trace.style.role, std::max(std::abs(values->first), std::abs(values->second))));
         if (trace.style.role == TraceRole::Setpoint)
             continue; // it idles between commands: nothing is missing
-        for (const auto &gap : gapsOf(points, std::min(to, m_live ? m_now : to))) {
+        const double shift = trace.style.aligned ? origin() : 0.0;
+        for (const auto &gap : gapsIn(points, trace.source.get(), shift, std::min(to, m_live ? m_now : to))) {
             const auto same = std::find(strip.decor.gaps.begin(), strip.decor.gaps.end(), gap);
             if (same == strip.decor.gaps.end())
                 strip.decor.gaps.push_back(gap);
@@ -295,7 +313,8 @@ QString PlotStack::summary() const
             continue;
         const auto values = valueRange(trace.plottable->points(), m_from, m_to);
         const bool idles = trace.style.role == TraceRole::Setpoint;
-        const std::size_t gaps = idles ? 0 : gapsOf(trace.plottable->points(), m_to).size();
+        const double shift = trace.style.aligned ? origin() : 0.0;
+        const std::size_t gaps = idles ? 0 : gapsIn(trace.plottable->points(), trace.source.get(), shift, m_to).size();
         QString part = values
             ? tr("%1 %2 to %3")
                   .arg(trace.style.name, valueText(trace.style, values->first), valueText(trace.style, values->second))

@@ -38,10 +38,10 @@ TriggerBar::TriggerBar(const ThemeSource &theme, QWidget *parent)
     buildLevel();
     auto *close = new IconButton(theme, Symbol::Close, tr("Trigger off"), this);
     for (QWidget *part : {static_cast<QWidget *>(m_trace), static_cast<QWidget *>(m_kind)})
-        row->addWidget(part);
+        row->addWidget(part, 2);
     row->addWidget(m_level);
     row->addWidget(m_unit);
-    row->addWidget(m_before);
+    row->addWidget(m_before, 1);
     row->addWidget(m_mode);
     auto *again = new IconButton(theme, Symbol::Refresh, tr("Arm again: forgets this event, waits for the next"), this);
     row->addStretch(1);
@@ -67,7 +67,7 @@ void TriggerBar::buildChoices()
     m_mode->setToolTip(tr("Normal shows every event, single stops at the first"));
     for (QComboBox *box : {m_trace, m_kind, m_before}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // holds no window wide
-        box->setMinimumContentsLength(box == m_before ? 7 : 10);
+        box->setMinimumContentsLength(box == m_before ? 5 : 6);
         connect(box, qOverload<int>(&QComboBox::activated), this, &TriggerBar::changed);
     }
     connect(m_trace, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int place) {
