@@ -161,7 +161,8 @@ private:
     }
     [[nodiscard]] bool isQuiet() const;
     [[nodiscard]] bool hasOperation(DeviceId id) const;
-    [[nodiscard]] static std::string labelOf(const Device &device);
+    /// "DMC60C #5", with the link where another one has such a device, too.
+    [[nodiscard]] std::string labelOf(const Device &device) const;
 
     static constexpr const char *updateTitle = "Update firmware";
 

@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/nudge.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "async/sleep.h"
 
+#include <cmath>
+#include <iostream>
 #include <memory>
+#include <unistd.h>
 
 namespace mb::console {
 namespace {
+
+constexpr Duration listen = std::chrono::milliseconds(150); // another master sends at least this often
+
+struct Arguments {
+    std::string device;
+    std::string axis;
+    bool yes = false;
+};
 
 /// Of several axes, all are shown.
 std::string positionOption(const Family &family)
@@ -13,24 +26,61 @@ std::string positionOption(const Family &family)
     return findChannel(family.channels, "position") ? " --channel position" : "";
 }
 
-Task<int> identify(Console &console, std::string text)
+/// Whoever types it stands before the motor; a script has said --yes.
+Result<void> mayNudge(const Target &target, const Arguments &arguments)
 {
-    const auto target = parseTarget(console, text);
+    if (arguments.yes)
+        return {};
+    const std::string family(target.family->key);
+    if (isatty(STDIN_FILENO) == 0)
+        return fail(Fault::Usage, family + " cannot blink, so its shaft would be turned a little to and fro",
+            "give --yes once nothing is in its way, or turn its shaft by hand and see which position moves: "
+            "motorbenchctl watch "
+                + arguments.device + positionOption(*target.family));
+    std::cerr << family << " cannot blink. Turn the shaft of " << arguments.device
+              << " a little to and fro? Nothing may be in its way. [y/N] " << std::flush;
+    std::string answer;
+    std::getline(std::cin, answer);
+    if (answer == "y" || answer == "yes")
+        return {};
+    return fail(Fault::Cancelled, "its shaft was not turned",
+        "turn it by hand and see which position moves: motorbenchctl watch " + arguments.device
+            + positionOption(*target.family));
+}
+
+Task<int> identify(Console &console, Arguments arguments)
+{
+    const auto target = parseTarget(console, arguments.device);
     if (!target)
         co_return fail(target.error());
-    if (!target->family->capabilities.identify)
-        co_return fail(Fault::Unsupported, std::string(target->family->key) + " cannot blink",
-            "turn its shaft by hand and see which position moves: motorbenchctl watch " + text
-                + positionOption(*target->family));
+    const Capabilities &can = target->family->capabilities;
+    const auto axis = arguments.axis.empty() ? Result<int>(1) : parseInteger("--axis", arguments.axis, 1, can.axes);
+    if (!axis)
+        co_return fail(axis.error());
+    if (!can.identify) {
+        if (auto allowed = mayNudge(*target, arguments); !allowed)
+            co_return fail(allowed.error());
+    }
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
-    auto blinking = device->identify();
-    co_await std::move(blinking);
+    std::string shown = "blinks";
+    if (can.identify) {
+        auto blinking = device->identify();
+        co_await std::move(blinking);
+    } else {
+        Sleep listening(console.clock(), listen);
+        co_await listening;
+        if (auto ready = needsApplication(*device); !ready)
+            co_return fail(ready.error());
+        auto nudging = nudge(console, *device, *axis);
+        const double moved = co_await std::move(nudging);
+        shown = "turned to and fro, " + numberText(std::round(std::abs(moved))) + " counts at first";
+    }
     if (console.json())
         console.out().json({{QStringLiteral("device"), qt(device->selector())},
-            {QStringLiteral("result"), QStringLiteral("blinked")}});
+            {QStringLiteral("result"), can.identify ? QStringLiteral("blinked") : QStringLiteral("nudged")}});
     else
-        console.out().line(device->selector() + " blinks");
+        console.out().line(device->selector() + ' ' + shown);
     co_return exitDone;
 }
 
@@ -38,9 +88,11 @@ Task<int> identify(Console &console, std::string text)
 
 Job declareIdentify(CLI::App &arguments)
 {
-    const auto device = std::make_shared<std::string>();
-    arguments.add_option("device", *device, "LINK/FAMILY:ADDRESS")->required();
-    return [device](Console &console) { return identify(console, *device); };
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
+    arguments.add_option("--axis", a->axis, "1…, on boards with several");
+    arguments.add_flag("--yes", a->yes, "Turn the shaft of a device that cannot blink without asking");
+    return [a](Console &console) { return identify(console, *a); };
 }
 
 } // namespace mb::console

@@ -158,6 +158,9 @@ class DeviceVerbs(ContractTest):
 
     def test_identify_number_and_rename(self):
         self.assertEqual(set(self.run_one("identify", CIM)), {"device", "result"})
+        for device in ("sim:can/abstractdc:3", "sim:serial/supermodified:4", "sim:spi/quadquad2drv:0"):
+            self.assert_error(2, "identify", device, says="turn its shaft by hand")
+            self.assertEqual(self.run_one("identify", device, "--yes"), {"device": device, "result": "nudged"})
         self.assertEqual(self.run_one("number", CIM, "6"), {"device": "sim:can/dmc60c:6", "old": 5, "new": 6, "verified": True})
         self.assertEqual(self.run_one("rename", CIM, "Left arm"), {"device": CIM, "old": "DMC60C", "new": "Left arm", "verified": True})
         self.assert_error(2, "number", CIM, "7", says="taken")
