@@ -50,17 +50,6 @@ EngineCore::~EngineCore()
     m_operations.clear();
 }
 
-std::string EngineCore::labelOf(const Device &device) const
-{
-    const std::string label = std::string(device.family().title) + " #" + std::to_string(device.identity().address);
-    const auto all = m_session.devices();
-    const bool isTwofold = std::any_of(all.begin(), all.end(), [&device](const Device *other) {
-        return &other->family() == &device.family() && other->identity().address == device.identity().address
-            && &other->link() != &device.link();
-    });
-    return isTwofold ? label + " on " + device.link().address().shortName() : label;
-}
-
 Snapshot EngineCore::snapshot()
 {
     Snapshot shot;

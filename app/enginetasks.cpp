@@ -125,6 +125,17 @@ void EngineCore::noteWrites(const Device &device, const std::vector<ParameterSto
     }
 }
 
+std::string EngineCore::labelOf(const Device &device) const
+{
+    const std::string label = std::string(device.family().title) + " #" + std::to_string(device.identity().address);
+    const auto all = m_session.devices();
+    const bool isTwofold = std::any_of(all.begin(), all.end(), [&device](const Device *other) {
+        return &other->family() == &device.family() && other->identity().address == device.identity().address
+            && &other->link() != &device.link();
+    });
+    return isTwofold ? label + " on " + device.link().address().shortName() : label;
+}
+
 /// Who came and who fell silent since the last look. Silence of a unit that is busy, such as during an update, is no news.
 void EngineCore::callTheRoll()
 {
