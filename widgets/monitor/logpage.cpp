@@ -99,7 +99,8 @@ void LogPage::buildTable()
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setColumnWidth(NoticeModel::Time, theme.u(124));
     m_table->setColumnWidth(NoticeModel::Glyph, theme.u(32));
-    m_table->setColumnWidth(NoticeModel::Device, theme.u(140));
+    m_table->setColumnWidth(NoticeModel::Device, // a name is whole
+        fontMetrics().horizontalAdvance(QStringLiteral("Supermodified #888")) + theme.u(24));
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_states->addWidget(m_table);
     static_cast<QVBoxLayout *>(layout())->addWidget(m_states, 1);

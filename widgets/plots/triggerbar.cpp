@@ -44,7 +44,7 @@ TriggerBar::TriggerBar(const ThemeSource &theme, QWidget *parent)
     row->addWidget(m_before, 1);
     row->addWidget(m_mode);
     auto *again = new IconButton(theme, Symbol::Refresh, tr("Arm again: forgets this event, waits for the next"), this);
-    row->addStretch(1);
+    row->addStretch();
     row->addWidget(again);
     row->addWidget(close);
     connect(again, &QToolButton::clicked, this, &TriggerBar::changed);
@@ -68,6 +68,7 @@ void TriggerBar::buildChoices()
     for (QComboBox *box : {m_trace, m_kind, m_before}) {
         box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // holds no window wide
         box->setMinimumContentsLength(box == m_before ? 5 : 6);
+        box->setMaximumWidth(m_theme.theme().u(box == m_trace ? 240 : 180));
         connect(box, qOverload<int>(&QComboBox::activated), this, &TriggerBar::changed);
     }
     connect(m_trace, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int place) {
