@@ -21,12 +21,12 @@ void AwaitedPorts::add(const LinkAddress &address)
         m_addresses.insert(address.text());
 }
 
-void AwaitedPorts::look(const std::function<bool(const LinkAddress &)> &open)
+void AwaitedPorts::look(const std::function<void(const LinkAddress &)> &open) const
 {
-    std::erase_if(m_addresses, [&open](const std::string &text) {
-        const auto address = LinkAddress::parse(text);
-        return !isUnplugged(*address) && open(*address); // it may be there and not ready yet
-    });
+    for (const std::string &text : std::set(m_addresses)) { // what opens at once is forgotten meanwhile
+        if (const auto address = LinkAddress::parse(text); !isUnplugged(*address))
+            open(*address);
+    }
 }
 
 } // namespace mb

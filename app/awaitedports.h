@@ -15,8 +15,8 @@ public:
     /// Remembers the port if its device file is not there.
     void add(const LinkAddress &address);
     void forget(const std::string &address) { m_addresses.erase(address); }
-    /// Calls `open` for each whose device file is there now; those that it opened are forgotten.
-    void look(const std::function<bool(const LinkAddress &)> &open);
+    /// Calls `open` for each whose device file is there now. It may be there and not ready yet: each is remembered until forget().
+    void look(const std::function<void(const LinkAddress &)> &open) const;
 
 private:
     std::set<std::string> m_addresses;

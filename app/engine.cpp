@@ -6,6 +6,7 @@
 #include "app/sleep/sleepguard.h"
 #include "model/chunkstore.h"
 #include "transport/linkwatch.h"
+#include "transport/workerthreads.h"
 #include "widgets/common/devicetext.h"
 
 #include <QDir>
@@ -36,6 +37,7 @@ std::shared_ptr<ChunkStore> historyStore()
 struct Engine::Room {
     Room(Engine &owner, std::span<const Family *const> families, bool opensByItself)
         : engine(owner)
+        , workers(owner.m_toEngine)
         , core(clock, families, opensByItself, &guardian)
         , sleepGuard(core.session(), clock, inhibitor)
         , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
@@ -52,6 +54,7 @@ struct Engine::Room {
         mayBeSuspended = inhibitor.troubled().add([this](const std::string &text) {
             engine.m_toWindow.post([to = &engine, text] { to->report(Severity::Caution, {}, tableText(text)); });
         });
+        core.setBackground(&workers);
         core.session().keepHistoriesIn(store);
         core.session().setStopGate(&engine.m_stopLane.isPressed());
         changed = core.session().changed().add([this] { engine.m_stopLane.follow(core.session()); });
@@ -62,8 +65,16 @@ struct Engine::Room {
     void look()
     {
         list.startIn(listingPeriod, [this] { look(); });
-        core.takeListings(listLinks());
         tellStore();
+        if (std::exchange(isListing, true))
+            return;
+        const auto found = std::make_shared<std::vector<LinkListing>>();
+        workers.run(
+            "links", [found] { *found = listLinks(); },
+            [this, found] {
+                isListing = false;
+                core.takeListings(std::move(*found));
+            });
     }
     void publish()
     {
@@ -90,7 +101,9 @@ struct Engine::Room {
     std::string toldFailure;
     QtClock clock;
     GuardianClient guardian;
+    WorkerThreads workers;
     EngineCore core;
+    bool isListing = false;
     LogindInhibitor inhibitor;
     SleepGuard sleepGuard;
     QSocketNotifier arrivals;

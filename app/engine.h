@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/enginecore.h"
-#include "app/stoplane.h"
+#include "app/stopthread.h"
 #include "async/mailbox.h"
 #include "transport/qtclock.h"
 #include "widgets/common/workbench.h"
@@ -76,7 +76,7 @@ private:
     void takeSnapshot(Snapshot snapshot, std::vector<LinkListing> listings);
 
     QtClock m_clock;
-    StopLane m_stopLane;
+    StopThread m_stopLane;
     Mailbox m_toEngine;
     Mailbox m_toWindow;
     std::unique_ptr<QSocketNotifier> m_arrivals;

@@ -23,6 +23,7 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
     : m_clock(clock)
     , m_opensByItself(opensByItself)
     , m_session(clock, families, guard)
+    , m_files(clock)
     , m_sessionChanged(m_session.changed().add([this] { touch(); }))
     , m_remarked(m_session.remarked().add([this](const Link &link, const std::string &text) {
         notice(Severity::Caution, link.address().shortName(), text);
@@ -37,14 +38,16 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
     , m_returned(clock)
 {
     if (guard)
-        m_guardianActed
-            = guard->acted().add([this](const std::string &name, bool confirmed) { guardianActed(name, confirmed); });
+        m_guardianActed = guard->acted().add(
+            [this](const std::string &name, MotionGuard::Verdict verdict) { guardianActed(name, verdict); });
     m_look.startIn(Duration::zero(), [this] { look(); });
 }
 
 EngineCore::~EngineCore()
 {
     m_session.stopAll(StopCause::Program);
+    m_openings.clear();
+    m_files.clear();
     for (auto &[link, watched] : m_watched)
         watched.scan.reset();
     m_operations.clear();
@@ -86,56 +89,12 @@ Snapshot EngineCore::snapshot()
     return shot;
 }
 
-void EngineCore::openLink(const LinkAddress &address, const Finished &finished)
-{
-    for (const LinkAddress &one : expandLink(address, m_session.families())) {
-        m_closedByHand.erase(one.text());
-        auto link = m_session.openLink(one);
-        if (!link) {
-            notice(Severity::Danger, one.shortName(), link.error().text());
-            m_awaited.add(one);
-            m_failed[one.text()] = diagnose(link.error());
-            touch();
-            answer(finished, fail(link.error()));
-            return;
-        }
-        watch(**link);
-        m_watched[*link].byItself = false;
-        m_failed.erase(one.text());
-        scan(**link);
-    }
-    answer(finished, {});
-}
-
-bool EngineCore::openAwaited(const LinkAddress &address)
-{
-    auto link = m_session.openLink(address);
-    if (!link)
-        return false;
-    m_failed.erase(address.text());
-    notice(Severity::Good, address.shortName(), "is there");
-    watch(**link);
-    scan(**link);
-    return true;
-}
-
-void EngineCore::closeLink(const std::string &address)
-{
-    m_awaited.forget(address);
-    m_failed.erase(address);
-    const auto parsed = LinkAddress::parse(address);
-    Link *link = parsed ? m_session.findLink(*parsed) : nullptr;
-    if (!link)
-        return;
-    m_closedByHand.insert(address);
-    removeLink(*link);
-}
-
 void EngineCore::removeLink(Link &link)
 {
     if (const auto watched = m_watched.find(&link); watched != m_watched.end())
         endScan(watched->second);
     forgetWork(link);
+    endRecording(m_watched[&link]);
     m_watched.erase(&link);
     m_session.closeLink(link);
 }
@@ -172,7 +131,7 @@ void EngineCore::look()
     m_look.startIn(lookPeriod, [this] { look(); });
     reopenLost();
     callTheRoll();
-    m_awaited.look([this](const LinkAddress &address) { return openAwaited(address); });
+    m_awaited.look([this](const LinkAddress &address) { openAwaited(address); });
     refreshRestarted();
     if (!isQuiet() || m_clock.now() - m_lastScan < rescanPeriod)
         return;

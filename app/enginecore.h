@@ -6,6 +6,7 @@
 #include "model/parametertransfer.h"
 #include "model/snapshot.h"
 #include "model/trafficrecorder.h"
+#include "model/transcript.h"
 #include "model/unknownframes.h"
 #include "transport/linkcatalog.h"
 
@@ -32,13 +33,16 @@ public:
     ~EngineCore();
 
     [[nodiscard]] Session &session() { return m_session; }
+    /// From now on what may block is done there. Outlives this.
+    void setBackground(Background *background);
     [[nodiscard]] Snapshot snapshot();
     /// Something that a snapshot shows has changed since the last one.
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
     /// Lines for the log: severity, device, English text.
     [[nodiscard]] Listeners<Severity, const std::string &, const std::string &> &noticed() { return m_noticed; }
 
-    /// A serial port that is not plugged in is opened once it is; until then this has failed.
+    /// A serial port that is not plugged in is opened once it is; until then this has failed. One that does not open fails after
+    /// Link::openLimit; nothing waits for it meanwhile.
     void openLink(const LinkAddress &address, const Finished &finished);
     void closeLink(const std::string &address);
     void scanAll();
@@ -94,6 +98,11 @@ private:
         std::uint64_t shown = 0;
         bool isExperiment = false; ///< STOP ends it, whatever it is doing
     };
+    /// A link that is being opened.
+    struct Opening {
+        Finished finished;
+        std::unique_ptr<Scope> scope;
+    };
     struct Presence {
         std::string name;
         bool heard = false; ///< it answered since it was found, or found again
@@ -141,15 +150,25 @@ private:
     void reopenLost();
     void welcomeReturned();
     void followStop(const Device &device);
-    void guardianActed(const std::string &name, bool confirmed);
+    void guardianActed(const std::string &name, MotionGuard::Verdict verdict);
     [[nodiscard]] bool hasOperationOn(const Link &link) const;
     void dropVanished();
     void removeLink(Link &link);
-    bool openAwaited(const LinkAddress &address);
+    void openAwaited(const LinkAddress &address);
+    [[nodiscard]] Task<void> openAll(std::string asked, std::vector<LinkAddress> addresses);
+    void answerOpening(const std::string &address, const Result<void> &result);
+    [[nodiscard]] Task<void> openReturned(LinkAddress address);
+    void couldNotOpen(const LinkAddress &address, const Error &error);
+    void opened(Link &link);
+    [[nodiscard]] Result<void> mayRecord(const std::string &link) const;
+    [[nodiscard]] Task<void> record(std::string link, std::string path);
+    void endRecording(Watched &watched);
+    [[nodiscard]] Task<std::unique_ptr<BackgroundFile>> makeFile(std::string path);
     void noteWrites(const Device &device, const std::vector<ParameterStore::Entry> &before,
         const std::vector<TransferOutcome> &outcomes);
     [[nodiscard]] const Device *updatedBeside(DeviceId id) const;
     void saveTranscript(const Running &running, const Device &device);
+    [[nodiscard]] Task<std::string> keepTranscript(Transcript transcript);
     void probeSilent(Link &link);
     [[nodiscard]] static std::string proofOf(const std::vector<TransferOutcome> &outcomes);
     void streamChanged(DeviceId id);
@@ -181,6 +200,9 @@ private:
     std::string m_transcripts;           ///< folder; empty: none are kept
     std::list<Running> m_operations;
     std::uint32_t m_lastOperation = 0;
+    Background *m_background = nullptr;
+    std::map<std::string, Opening> m_openings; ///< by address
+    Scope m_files;                             ///< that are being made or written
     Subscription m_sessionChanged;
     Subscription m_remarked;
     Subscription m_profileTrouble;

@@ -1,16 +1,115 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Links that come and go by themselves.
+// Links: opened and closed, and those that come and go by themselves.
 #include "app/enginecore.h"
 
 #include <algorithm>
 
 namespace mb {
 
+void EngineCore::setBackground(Background *background)
+{
+    m_background = background;
+    m_session.setBackground(background);
+}
+
+void EngineCore::openLink(const LinkAddress &address, const Finished &finished)
+{
+    const std::string text = address.text();
+    if (m_openings.count(text) > 0) {
+        if (finished)
+            finished(fail(Fault::Unsafe, address.shortName() + " is being opened already"));
+        return;
+    }
+    Opening &opening = m_openings[text];
+    opening.finished = finished;
+    opening.scope = std::make_unique<Scope>(m_clock);
+    opening.scope->spawn<void>(openAll(text, expandLink(address, m_session.families())),
+        [this, text](const Result<void> &) { m_openings.erase(text); });
+}
+
+/// Once.
+void EngineCore::answerOpening(const std::string &address, const Result<void> &result)
+{
+    if (const auto finished = std::exchange(m_openings[address].finished, {}))
+        finished(result);
+}
+
+Task<void> EngineCore::openAll(std::string asked, std::vector<LinkAddress> addresses)
+{
+    for (const LinkAddress &one : addresses) {
+        m_closedByHand.erase(one.text());
+        auto opening = m_session.openLinkSoon(one);
+        const Result<Link *> link = co_await std::move(opening).attempt();
+        if (!link) {
+            couldNotOpen(one, link.error());
+            answerOpening(asked, fail(link.error()));
+            co_return fail(link.error());
+        }
+        opened(**link);
+        m_watched[*link].byItself = false;
+        scan(**link);
+    }
+    answerOpening(asked, {});
+    co_return {};
+}
+
+void EngineCore::couldNotOpen(const LinkAddress &address, const Error &error)
+{
+    notice(Severity::Danger, address.shortName(), error.text());
+    m_awaited.add(address);
+    m_failed[address.text()] = diagnose(error);
+    touch();
+}
+
+void EngineCore::opened(Link &link)
+{
+    m_failed.erase(link.address().text());
+    m_awaited.forget(link.address().text());
+    watch(link);
+}
+
+void EngineCore::openAwaited(const LinkAddress &address)
+{
+    const std::string text = address.text();
+    if (m_openings.count(text) > 0)
+        return;
+    Opening &opening = m_openings[text];
+    opening.scope = std::make_unique<Scope>(m_clock);
+    opening.scope->spawn<void>(openReturned(address),
+        [this, text](const Result<void> &) { m_openings.erase(text); }); // it may not be ready yet
+}
+
+Task<void> EngineCore::openReturned(LinkAddress address)
+{
+    auto opening = m_session.openLinkSoon(address);
+    Link *const link = co_await std::move(opening);
+    opened(*link);
+    notice(Severity::Good, address.shortName(), "is there");
+    scan(*link);
+    co_return {};
+}
+
+void EngineCore::closeLink(const std::string &address)
+{
+    m_awaited.forget(address);
+    m_failed.erase(address);
+    if (m_openings.count(address) > 0) {
+        answerOpening(address, fail(Fault::Cancelled, address + " was closed before it was open"));
+        m_openings.erase(address);
+    }
+    const auto parsed = LinkAddress::parse(address);
+    Link *link = parsed ? m_session.findLink(*parsed) : nullptr;
+    if (!link)
+        return;
+    m_closedByHand.insert(address);
+    removeLink(*link);
+}
+
 void EngineCore::reopenLost()
 {
     for (Link *link : m_session.links()) {
         if (link->state() == LinkState::Lost && !link->address().isRecording())
-            (void)link->open();
+            m_session.reopen(*link);
     }
 }
 

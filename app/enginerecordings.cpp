@@ -7,10 +7,14 @@
 namespace mb {
 namespace {
 
-void answerTo(const EngineCore::Finished &finished, Result<void> result)
+constexpr Duration diskLimit = std::chrono::seconds(10);
+
+Task<void> answered(Task<void> work, EngineCore::Finished finished)
 {
+    const Result<void> result = co_await std::move(work).attempt();
     if (finished)
-        finished(std::move(result));
+        finished(result);
+    co_return {};
 }
 
 } // namespace
@@ -23,28 +27,66 @@ Link *EngineCore::linkUnder(const std::string &address) const
 
 void EngineCore::startRecording(const std::string &link, const std::string &path, const Finished &finished)
 {
+    m_files.spawn<void>(answered(record(link, path), finished));
+}
+
+Task<void> EngineCore::record(std::string link, std::string path)
+{
+    if (auto may = mayRecord(link); !may)
+        co_return may;
+    auto making = makeFile(path);
+    auto file = co_await std::move(making);
+    if (auto may = mayRecord(link); !may) // while the file was being made
+        co_return may;
     Link *const open = linkUnder(link);
-    if (!open) {
-        answerTo(finished, fail(Fault::LinkLost, "the link is not open"));
-        return;
-    }
     watch(*open);
     Watched &watched = m_watched[open];
-    if (watched.recorder && !watched.recorder->state().finished) {
-        answerTo(finished, fail(Fault::Unsafe, open->address().shortName() + " is being recorded already"));
-        return;
-    }
     watched.recorderChanged.reset();
-    auto recorder = TrafficRecorder::start(*open, m_clock, m_session.clockOf(*open).unixOffset(), path);
-    if (!recorder) {
-        answerTo(finished, fail(recorder.error()));
-        return;
-    }
+    auto recorder = TrafficRecorder::start(*open, m_clock, m_session.clockOf(*open).unixOffset(), std::move(file));
+    if (!recorder)
+        co_return fail(recorder.error());
     watched.recorder = std::move(*recorder);
     watched.toldOfRecording = false;
     watched.recorderChanged = watched.recorder->changed().add([this, open] { recorderChanged(*open); });
-    answerTo(finished, {});
     touch();
+    co_return {};
+}
+
+Result<void> EngineCore::mayRecord(const std::string &link) const
+{
+    const Link *const open = linkUnder(link);
+    if (!open)
+        return fail(Fault::LinkLost, "the link is not open");
+    if (open->kind() != LinkKind::Can)
+        return fail(Fault::Unsupported, open->address().shortName() + " is no CAN link", "only those are recorded");
+    const auto watched = m_watched.find(open);
+    if (watched != m_watched.end() && watched->second.recorder && !watched->second.recorder->state().finished)
+        return fail(Fault::Unsafe, open->address().shortName() + " is being recorded already");
+    return {};
+}
+
+Task<std::unique_ptr<BackgroundFile>> EngineCore::makeFile(std::string path)
+{
+    if (!m_background)
+        co_return BackgroundFile::create(path);
+    auto making = inBackground<std::unique_ptr<BackgroundFile>>(
+        *m_background, m_clock, path, diskLimit, [path] { return BackgroundFile::create(path); }, WhenLate::Drop);
+    auto made = co_await std::move(making).attempt();
+    if (!made && made.error().fault == Fault::Timeout)
+        co_return fail(Fault::LinkLost, "the disk has not made " + path + " within 10 s", "name another folder");
+    co_return std::move(made);
+}
+
+/// What is left to write is waited for elsewhere.
+void EngineCore::endRecording(Watched &watched)
+{
+    if (!watched.recorder || !m_background)
+        return;
+    watched.recorderChanged.reset();
+    const auto file = watched.recorder->end();
+    watched.recorder.reset();
+    m_background->run(
+        file->path(), [file] {}, [] {});
 }
 
 void EngineCore::recorderChanged(Link &link)

@@ -68,12 +68,23 @@ void EngineCore::followStop(const Device &device)
     touch();
 }
 
-void EngineCore::guardianActed(const std::string &name, bool confirmed)
+void EngineCore::guardianActed(const std::string &name, MotionGuard::Verdict verdict)
 {
-    notice(confirmed ? Severity::Good : Severity::Danger, name,
-        confirmed ? QT_TRANSLATE_NOOP("table", "the guardian has stopped the motor")
-                  : QT_TRANSLATE_NOOP(
-                      "table", "the guardian tried in vain to stop the motor; it may still turn: cut its power"));
+    switch (verdict) {
+    case MotionGuard::Verdict::Confirmed:
+        notice(Severity::Good, name, QT_TRANSLATE_NOOP("table", "the guardian has stopped the motor"));
+        break;
+    case MotionGuard::Verdict::Sent:
+        notice(Severity::Caution, name,
+            QT_TRANSLATE_NOOP("table",
+                "the guardian has sent the stop, which nothing on this link confirms; look whether the motor stands"));
+        break;
+    case MotionGuard::Verdict::Failed:
+        notice(Severity::Danger, name,
+            QT_TRANSLATE_NOOP(
+                "table", "the guardian tried in vain to stop the motor; it may still turn: cut its power"));
+        break;
+    }
 }
 
 } // namespace mb

@@ -2,8 +2,6 @@
 // Jobs that families bring with them.
 #include "app/enginecore.h"
 
-#include "model/transcript.h"
-
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -27,6 +25,8 @@ Task<void> tryOut(
     co_return {};
 }
 
+constexpr Duration diskLimit = std::chrono::seconds(30);
+
 } // namespace
 
 /// Of writes that all went well: what is known of them.
@@ -47,12 +47,29 @@ void EngineCore::saveTranscript(const Running &running, const Device &device)
 {
     if (m_transcripts.empty())
         return;
-    const auto path = mb::saveTranscript(
-        m_transcripts, device, running.operation->status(), running.update.value_or(UpdateReport{}));
-    if (path)
-        notice(Severity::Info, labelOf(device), "the transcript of the update is in " + *path);
-    else
-        notice(Severity::Caution, labelOf(device), "the transcript of the update is not kept: " + path.error().text());
+    Transcript transcript
+        = transcriptOf(m_transcripts, device, running.operation->status(), running.update.value_or(UpdateReport{}));
+    m_files.spawn<std::string>(
+        keepTranscript(std::move(transcript)), [this, label = labelOf(device)](const Result<std::string> &path) {
+            if (path)
+                notice(Severity::Info, label, "the transcript of the update is in " + *path);
+            else
+                notice(Severity::Caution, label, "the transcript of the update is not kept: " + path.error().text());
+        });
+}
+
+Task<std::string> EngineCore::keepTranscript(Transcript transcript)
+{
+    if (!m_background)
+        co_return save(transcript);
+    const std::string path = transcript.path;
+    auto saving = inBackground<std::string>(
+        *m_background, m_clock, m_transcripts, diskLimit,
+        [transcript = std::move(transcript)] { return save(transcript); }, WhenLate::Finish);
+    const Result<std::string> saved = co_await std::move(saving).attempt();
+    if (!saved && saved.error().fault == Fault::Timeout)
+        co_return fail(Fault::Timeout, "the disk has not taken " + path + " for 30 s");
+    co_return saved;
 }
 
 /// A board on SPI that waits in its bootloader is silent; it must not vanish from the list for that.

@@ -4,61 +4,64 @@
 #include "app/guardian/port.h"
 #include "model/session.h"
 
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
-#include <thread>
 #include <vector>
 
 namespace mb {
 
-/// STOP past a blocked engine thread. A thread of its own holds duplicates of the descriptors of all open links and the stop
-/// messages of their devices; when the engine has not come to a STOP within `patience`, it writes them itself. The engine sends
-/// them again, properly, once it can, and drives nothing before that (Device::setStopGate). Left out are links without a descriptor
-/// (simulated ones live in the engine thread) and `unix:`, whose answers would be taken for others.
+/// One open link, as a thread that does not own it can send stops on it: by a duplicate of its descriptor, or by what the link
+/// gives away for that (Outlet::aside).
+class StopOutlet {
+public:
+    StopOutlet(const Link &link, const Outlet &way);
+    StopOutlet(const StopOutlet &) = delete;
+    StopOutlet &operator=(const StopOutlet &) = delete;
+    ~StopOutlet();
+
+    [[nodiscard]] bool serves(const Link &link, const Outlet &way) const;
+    /// Waits for nothing: what the line does not take now is not sent.
+    void send(const guardian::Bytes &message);
+
+private:
+    const Link *m_link;
+    int m_descriptor; ///< the link's
+    int m_own = -1;   ///< its duplicate
+    std::unique_ptr<guardian::Port> m_port;
+    std::function<bool(std::span<const std::uint8_t>)> m_aside;
+};
+
+/// What is to be sent on one link.
+struct StopOrders {
+    std::shared_ptr<StopOutlet> outlet;
+    std::vector<guardian::Bytes> messages;
+};
+
+/// STOP past an engine thread that is blocked: when the engine has not come to a STOP within `patience`, all orders are sent from
+/// here. The engine sends them again, properly, once it can, and drives nothing before that (Device::setStopGate). Lives in one
+/// thread (StopThread) and knows it not, so that tests drive it in virtual time.
+///
+/// Left out are simulated links: their bus, their motors and their time live in the engine thread, and stand while it does.
 class StopLane {
 public:
     static constexpr std::chrono::milliseconds patience{5};
 
-    StopLane();
-    StopLane(const StopLane &) = delete;
-    StopLane &operator=(const StopLane &) = delete;
-    ~StopLane();
-
-    /// Any thread: STOP. Waits for nothing.
+    explicit StopLane(Clock &clock)
+        : m_due(clock)
+    {
+    }
     void press();
-    /// Engine thread: it has stopped all.
+    /// The engine has stopped all.
     void served();
-    /// True from press() to served().
-    [[nodiscard]] const std::atomic<bool> &isPressed() const { return m_pressed; }
-    /// Engine thread: takes the links as they are now. Cheap when nothing has changed; must be called at once when a link goes, so
-    /// that its descriptor is not held any longer.
-    void follow(const Session &session);
+    void setOrders(std::vector<StopOrders> orders) { m_orders = std::move(orders); }
 
 private:
-    struct Outlet {
-        const Link *link = nullptr;
-        int descriptor = -1; ///< the link's
-        int own = -1;        ///< its duplicate
-        const char *form = nullptr;
-        std::vector<guardian::Bytes> messages;
-        std::unique_ptr<guardian::Port> port;
-    };
-
-    void run();
     void send();
-    [[nodiscard]] static std::vector<Outlet> outletsOf(const Session &session);
 
-    std::atomic<bool> m_pressed = false;
-    bool m_ending = false;
-    bool m_sent = false; ///< since it was pressed
-    std::chrono::steady_clock::time_point m_pressedAt;
-    std::vector<Outlet> m_outlets;
-    std::mutex m_mutex;
-    std::condition_variable m_wake;
-    std::thread m_thread; ///< last: it uses all the others
+    std::vector<StopOrders> m_orders;
+    Timer m_due;
 };
+
+/// Engine thread: what stops the devices of all open links now. Outlets of `known` that still serve are taken over.
+[[nodiscard]] std::vector<StopOrders> stopOrdersOf(const Session &session, const std::vector<StopOrders> &known);
 
 } // namespace mb

@@ -109,7 +109,7 @@ public:
     {
         if (m_operation.status().log.empty())
             return;
-        const auto path = saveTranscript(transcriptFolder(), device, m_operation.status(), how);
+        const auto path = save(transcriptOf(transcriptFolder(), device, m_operation.status(), how));
         m_console.note(path ? "the transcript of the update is in " + *path : path.error().text());
     }
 

@@ -30,7 +30,8 @@ Task<void> linkReturn(Link &link, Clock &clock, Duration limit)
             co_return fail(link.notOpen());
         if (clock.now() >= end)
             co_return fail(cause);
-        if (const Result<void> opened = link.open(); !opened)
+        auto opening = link.openSoon();
+        if (const Result<void> opened = co_await std::move(opening).attempt(); !opened)
             cause = opened.error();
     }
 }

@@ -76,14 +76,20 @@ public:
     virtual void leave(const std::string & /*line*/) { }
     /// A device was seen to stand, or is not to be told any more: its stop is not owed on this line.
     virtual void settle(const std::string & /*line*/, const std::string & /*device*/) { }
-    /// What became of a watch that was given up without release(): name of the device, whether its stop was confirmed.
-    [[nodiscard]] Listeners<const std::string &, bool> &acted() { return m_acted; }
+    /// What became of the stop that a guardian sent.
+    enum class Verdict {
+        Confirmed, ///< the device answered
+        Sent,      ///< it went out, and nothing on this link answers
+        Failed,    ///< it could not be sent, or an answer did not come
+    };
+    /// What became of a watch that was given up without release(): name of the device, and of its stop.
+    [[nodiscard]] Listeners<const std::string &, Verdict> &acted() { return m_acted; }
 
 protected:
-    void tellActed(const std::string &name, bool confirmed) { m_acted.notify(name, confirmed); }
+    void tellActed(const std::string &name, Verdict verdict) { m_acted.notify(name, verdict); }
 
 private:
-    Listeners<const std::string &, bool> m_acted;
+    Listeners<const std::string &, Verdict> m_acted;
 };
 
 } // namespace mb

@@ -2,7 +2,6 @@
 #include "model/session.h"
 
 #include "async/event.h"
-#include "async/scope.h"
 #include "transport/linkcatalog.h"
 #include "transport/seriallink.h"
 
@@ -156,6 +155,7 @@ Result<Session::OpenLink> Session::makeLink(const LinkAddress &address)
     if (!link)
         return fail(link.error());
     made.link = std::move(*link);
+    made.link->setBackground(m_background);
     return made;
 }
 
@@ -174,7 +174,42 @@ Result<Link *> Session::openLink(const LinkAddress &address)
         return fail(made.error());
     if (auto opened = made->link->open(); !opened)
         return fail(opened.error());
-    m_links.push_back(std::move(*made));
+    return &enlist(std::move(*made));
+}
+
+Task<Link *> Session::openLinkSoon(LinkAddress address)
+{
+    if (Link *const known = findLink(address)) {
+        const bool wasOpen = known->state() == LinkState::Open;
+        auto opening = known->openSoon();
+        co_await std::move(opening);
+        if (!wasOpen)
+            remark(*known);
+        co_return known;
+    }
+    auto made = makeLink(address);
+    if (!made)
+        co_return fail(made.error());
+    auto opening = made->link->openSoon();
+    co_await std::move(opening);
+    co_return &enlist(std::move(*made));
+}
+
+void Session::reopen(Link &link)
+{
+    for (OpenLink &open : m_links) {
+        if (open.link.get() != &link || link.isOpening())
+            continue;
+        if (!open.opening)
+            open.opening = std::make_unique<Scope>(m_clock);
+        open.opening->spawn<void>(link.openSoon());
+    }
+}
+
+/// Of an open link.
+Link &Session::enlist(OpenLink made)
+{
+    m_links.push_back(std::move(made));
     OpenLink &open = m_links.back();
     Link &link = *open.link;
     payStops(open); // nothing was sent there yet
@@ -182,7 +217,7 @@ Result<Link *> Session::openLink(const LinkAddress &address)
     open.batch = link.batchEnded().add([this] { scheduleCommit(); });
     m_changed.notify();
     remark(link);
-    return &link;
+    return link;
 }
 
 void Session::remark(const Link &link)
@@ -312,11 +347,10 @@ Task<std::vector<Device *>> Session::ask(Link &link, DeviceSelector selector)
 
 Task<Device *> Session::connect(DeviceSelector selector)
 {
-    auto link = openLink(selector.link);
-    if (!link)
-        co_return fail(link.error());
-    ReplayLink *const recording = replayOf(**link);
-    auto looking = recording ? overhear(*recording) : ask(**link, selector);
+    auto opening = openLinkSoon(selector.link);
+    Link *const link = co_await std::move(opening);
+    ReplayLink *const recording = replayOf(*link);
+    auto looking = recording ? overhear(*recording) : ask(*link, selector);
     const std::vector<Device *> seen = co_await std::move(looking);
     std::vector<Device *> fitting;
     for (Device *device : seen) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/scope.h"
 #include "model/bench.h"
 #include "model/family.h"
 #include "model/scanbook.h"
@@ -10,6 +11,7 @@
 #include <atomic>
 #include <functional>
 #include <list>
+#include <map>
 #include <memory>
 #include <set>
 #include <span>
@@ -57,6 +59,12 @@ public:
 
     /// Opens a link, or yields the one that is open under this address. `sim:` alone must be expanded first (expandLink).
     [[nodiscard]] Result<Link *> openLink(const LinkAddress &address);
+    /// openLink() for a thread that must not wait for a driver (Link::openSoon).
+    [[nodiscard]] Task<Link *> openLinkSoon(LinkAddress address);
+    /// The same for a lost link that may be back; its state tells what comes of it.
+    void reopen(Link &link);
+    /// From now on what may block, opening ports and writing what is kept, is done there. Outlives the session.
+    void setBackground(Background *background) { m_background = background; }
     /// Stops its motors, forgets its devices.
     void closeLink(Link &link);
     [[nodiscard]] std::vector<Link *> links() const;
@@ -123,8 +131,13 @@ private:
         std::string line; ///< linkIdentity() when it was opened last
         Subscription state;
         Subscription batch;
+        std::unique_ptr<Scope> opening; ///< again
     };
     class ScanRound;
+    struct UnsavedProfile {
+        DeviceProfile profile;
+        int writes = 0; ///< under way
+    };
 
     [[nodiscard]] Task<std::vector<Device *>> ask(Link &link, DeviceSelector selector);
     [[nodiscard]] Task<std::vector<Device *>> overhear(ReplayLink &link);
@@ -132,15 +145,17 @@ private:
     Entry &addEntry(Link &link, const Family &family, const Identity &identity);
     void openDevice(Entry &entry, Link &link, const Family &family, const Identity &identity);
     [[nodiscard]] Result<OpenLink> makeLink(const LinkAddress &address);
+    Link &enlist(OpenLink made);
     Device &adopt(Link &link, const Family &family, const Identity &identity, std::vector<Device *> &seen);
     void remark(const Link &link);
     void scheduleCommit();
     void recall(Device &device);
     void keep(const Device &device);
+    void keepInBackground(const std::string &selector, const DeviceProfile &profile);
     [[nodiscard]] std::vector<Identity> rememberedOn(const Link &link, const Family &family);
     [[nodiscard]] std::vector<Identity> knownOn(const Link &link, const Family &family) const;
     void remember(const Link &link, const std::vector<Device *> &seen, bool complete);
-    void tellMemoryTrouble(const Link &link, const Error &error);
+    void tellMemoryTrouble(const std::string &link, const Error &error);
     void linkChanged(OpenLink &open, LinkState state);
     void payStops(OpenLink &open);
     void passOnStop(Entry &entry);
@@ -159,7 +174,10 @@ private:
     Listeners<const std::string &> m_memoryTrouble;
     std::optional<ProfileBook> m_profiles;
     std::optional<ScanBook> m_scans;
-    std::set<std::string> m_toldOfMemory; ///< links and causes
+    Background *m_background = nullptr;
+    std::map<std::string, UnsavedProfile> m_unsaved;                       ///< by selector
+    std::shared_ptr<Session *> m_self = std::make_shared<Session *>(this); ///< for what comes back from the background
+    std::set<std::string> m_toldOfMemory;                                  ///< links and causes
     Listeners<const Device &> m_stopChanged;
     std::list<OwedStop> m_owed;
     const std::atomic<bool> *m_stopGate = nullptr;

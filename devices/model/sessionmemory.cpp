@@ -13,6 +13,20 @@ bool isKept(const Link &link)
     return !link.address().isSimulated() && !link.address().isRecording();
 }
 
+/// Whoever answered takes the place of what was known under its address; a complete scan takes the place of all.
+Result<void> rememberIn(const ScanBook &book, const std::string &link, std::vector<Identity> found, bool complete)
+{
+    auto known = book.load(link);
+    std::vector<Identity> all = complete || !known ? std::vector<Identity>() : std::move(*known);
+    for (Identity &identity : found) {
+        std::erase_if(all, [&identity](const Identity &other) {
+            return other.family == identity.family && other.address == identity.address;
+        });
+        all.push_back(std::move(identity));
+    }
+    return book.save(link, all);
+}
+
 } // namespace
 
 void Session::keepProfiles(std::string directory)
@@ -24,6 +38,10 @@ void Session::recall(Device &device)
 {
     if (!m_profiles || !isKept(device.link()))
         return;
+    if (const auto unsaved = m_unsaved.find(device.selector()); unsaved != m_unsaved.end()) {
+        device.setProfile(unsaved->second.profile);
+        return;
+    }
     auto profile = m_profiles->load(device.selector());
     if (!profile)
         m_profileTrouble.notify(profile.error().text());
@@ -36,8 +54,32 @@ void Session::keep(const Device &device)
     m_changed.notify();
     if (!m_profiles || !isKept(device.link()))
         return;
-    if (auto kept = m_profiles->save(device.selector(), device.profile()); !kept)
+    if (m_background)
+        keepInBackground(device.selector(), device.profile());
+    else if (auto kept = m_profiles->save(device.selector(), device.profile()); !kept)
         m_profileTrouble.notify(kept.error().text());
+}
+
+/// In the order in which they were given; until it is on the disk it is read from here.
+void Session::keepInBackground(const std::string &selector, const DeviceProfile &profile)
+{
+    UnsavedProfile &unsaved = m_unsaved[selector];
+    unsaved.profile = profile;
+    ++unsaved.writes;
+    const auto kept = std::make_shared<Result<void>>();
+    m_background->run(
+        m_profiles->pathOf(selector),
+        [book = *m_profiles, selector, profile, kept] { *kept = book.save(selector, profile); },
+        [self = std::weak_ptr(m_self), selector, kept] {
+            const auto session = self.lock();
+            if (!session)
+                return;
+            const auto written = (*session)->m_unsaved.find(selector);
+            if (--written->second.writes == 0)
+                (*session)->m_unsaved.erase(written);
+            if (!*kept)
+                (*session)->m_profileTrouble.notify(kept->error().text());
+        });
 }
 
 void Session::keepScans(std::string directory)
@@ -45,9 +87,9 @@ void Session::keepScans(std::string directory)
     m_scans.emplace(std::move(directory));
 }
 
-void Session::tellMemoryTrouble(const Link &link, const Error &error)
+void Session::tellMemoryTrouble(const std::string &link, const Error &error)
 {
-    if (m_toldOfMemory.insert(link.address().text() + error.text()).second)
+    if (m_toldOfMemory.insert(link + error.text()).second)
         m_memoryTrouble.notify(error.text());
 }
 
@@ -57,7 +99,7 @@ std::vector<Identity> Session::rememberedOn(const Link &link, const Family &fami
         return {};
     auto all = m_scans->load(link.address().text());
     if (!all) {
-        tellMemoryTrouble(link, all.error());
+        tellMemoryTrouble(link.address().text(), all.error());
         return {};
     }
     std::erase_if(*all, [&family](const Identity &identity) { return identity.family != family.key; });
@@ -76,16 +118,20 @@ void Session::remember(const Link &link, const std::vector<Device *> &seen, bool
     }
     if (found.empty())
         return;
-    auto known = m_scans->load(link.address().text());
-    std::vector<Identity> all = complete || !known ? std::vector<Identity>() : std::move(*known);
-    for (Identity &identity : found) {
-        std::erase_if(all, [&identity](const Identity &other) {
-            return other.family == identity.family && other.address == identity.address;
-        });
-        all.push_back(std::move(identity));
+    const std::string key = link.address().text();
+    const auto trouble = std::make_shared<Result<void>>();
+    const auto work
+        = [book = *m_scans, key, found, complete, trouble] { *trouble = rememberIn(book, key, found, complete); };
+    if (!m_background) {
+        work();
+        if (!*trouble)
+            tellMemoryTrouble(key, trouble->error());
+        return;
     }
-    if (auto kept = m_scans->save(link.address().text(), all); !kept)
-        tellMemoryTrouble(link, kept.error());
+    m_background->run(m_scans->pathOf(key), work, [self = std::weak_ptr(m_self), key, trouble] {
+        if (const auto session = self.lock(); session && !*trouble)
+            (*session)->tellMemoryTrouble(key, trouble->error());
+    });
 }
 
 } // namespace mb

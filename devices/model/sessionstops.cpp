@@ -173,7 +173,7 @@ void Session::retryOwing()
     m_retry.startIn(owingRetry, [this] {
         for (OpenLink &open : m_links) {
             if (isOwing(*open.link))
-                (void)open.link->open();
+                reopen(*open.link);
         }
         retryOwing();
     });

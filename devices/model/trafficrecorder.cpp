@@ -13,12 +13,18 @@ constexpr Duration tickTime = std::chrono::milliseconds(100);
 Result<std::unique_ptr<TrafficRecorder>> TrafficRecorder::start(
     Link &link, Clock &clock, Duration unixOffset, const std::string &path)
 {
-    if (link.kind() != LinkKind::Can)
-        return fail(Fault::Unsupported, link.address().shortName() + " is no CAN link", "only those are recorded");
     auto file = BackgroundFile::create(path);
     if (!file)
         return fail(file.error());
-    return std::unique_ptr<TrafficRecorder>(new TrafficRecorder(link, clock, unixOffset, std::move(*file)));
+    return start(link, clock, unixOffset, std::move(*file));
+}
+
+Result<std::unique_ptr<TrafficRecorder>> TrafficRecorder::start(
+    Link &link, Clock &clock, Duration unixOffset, std::unique_ptr<BackgroundFile> file)
+{
+    if (link.kind() != LinkKind::Can)
+        return fail(Fault::Unsupported, link.address().shortName() + " is no CAN link", "only those are recorded");
+    return std::unique_ptr<TrafficRecorder>(new TrafficRecorder(link, clock, unixOffset, std::move(file)));
 }
 
 TrafficRecorder::TrafficRecorder(Link &link, Clock &clock, Duration unixOffset, std::unique_ptr<BackgroundFile> file)
@@ -76,6 +82,13 @@ void TrafficRecorder::tick()
         m_tick.stop();
     if (news)
         m_changed.notify(); // last: whoever hears it may destroy this
+}
+
+std::shared_ptr<BackgroundFile> TrafficRecorder::end()
+{
+    stop();
+    m_tick.stop();
+    return std::move(m_file);
 }
 
 void TrafficRecorder::stop()

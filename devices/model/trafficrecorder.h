@@ -27,8 +27,11 @@ struct RecordingState {
 /// since 1970, R frames were received, T frames sent by this program. A thread of its own writes.
 class TrafficRecorder {
 public:
-    /// Unsupported for links that are not CAN, LinkLost when the file cannot be made. `clock` drives the writing and outlives
-    /// this; `unixOffset` turns the link's time stamps into Unix time.
+    /// Unsupported for links that are not CAN. `clock` drives the writing and outlives this; `unixOffset` turns the link's time
+    /// stamps into Unix time.
+    [[nodiscard]] static Result<std::unique_ptr<TrafficRecorder>> start(
+        Link &link, Clock &clock, Duration unixOffset, std::unique_ptr<BackgroundFile> file);
+    /// The same into a file that it makes; LinkLost when that cannot be.
     [[nodiscard]] static Result<std::unique_ptr<TrafficRecorder>> start(
         Link &link, Clock &clock, Duration unixOffset, const std::string &path);
     TrafficRecorder(const TrafficRecorder &) = delete;
@@ -39,6 +42,8 @@ public:
     [[nodiscard]] RecordingState state() const;
     /// Ends the recording; state() is `finished` a little later.
     void stop();
+    /// Ends it for good, and yields the file for somebody who can wait until it is on disk. Nothing else may follow.
+    [[nodiscard]] std::shared_ptr<BackgroundFile> end();
     /// The file failed, or is finished: once each.
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
@@ -48,7 +53,7 @@ private:
     void append();
     void tick();
 
-    std::unique_ptr<BackgroundFile> m_file;
+    std::shared_ptr<BackgroundFile> m_file;
     FrameLogWriter m_writer;
     Duration m_unixOffset;
     std::string m_text;

@@ -18,22 +18,30 @@ std::string stampOf(Duration sinceEpoch)
 
 } // namespace
 
-Result<std::string> saveTranscript(
+Transcript transcriptOf(
     const std::string &folder, const Device &device, const OperationStatus &status, const UpdateReport &report)
 {
     const Duration offset = device.clock().unixOffset();
-    std::string text = "# firmware update of " + device.selector() + '\n';
-    for (const LogLine &line : status.log)
-        text += '(' + stampOf(line.time.time_since_epoch() + offset) + ") " + line.text + '\n';
-    text += "# " + std::string(toString(report.outcome)) + ": " + report.evidence + '\n';
     const auto seconds = std::chrono::floor<std::chrono::seconds>(status.startedAt.time_since_epoch() + offset);
-    const std::string path = folder + '/' + std::string(device.family().key) + '-'
-        + std::to_string(device.identity().address) + '-' + std::to_string(seconds.count()) + ".log";
-    if (!QDir().mkpath(QString::fromStdString(folder)))
-        return fail(Fault::OutOfRange, folder + " cannot be made", "check the rights of the folder above it");
-    if (auto saved = saveFile(path, QByteArray::fromStdString(text)); !saved)
+    Transcript made;
+    made.folder = folder;
+    made.path = folder + '/' + std::string(device.family().key) + '-' + std::to_string(device.identity().address) + '-'
+        + std::to_string(seconds.count()) + ".log";
+    made.text = "# firmware update of " + device.selector() + '\n';
+    for (const LogLine &line : status.log)
+        made.text += '(' + stampOf(line.time.time_since_epoch() + offset) + ") " + line.text + '\n';
+    made.text += "# " + std::string(toString(report.outcome)) + ": " + report.evidence + '\n';
+    return made;
+}
+
+Result<std::string> save(const Transcript &transcript)
+{
+    if (!QDir().mkpath(QString::fromStdString(transcript.folder)))
+        return fail(
+            Fault::OutOfRange, transcript.folder + " cannot be made", "check the rights of the folder above it");
+    if (auto saved = saveFile(transcript.path, QByteArray::fromStdString(transcript.text)); !saved)
         return fail(saved.error());
-    return path;
+    return transcript.path;
 }
 
 } // namespace mb

@@ -8,9 +8,16 @@
 
 namespace mb {
 
-/// The log of a firmware update as a file of its own in `folder`, which is made if need be: what was said and answered, with
-/// Unix time, and how it ended. Yields its path; OutOfRange when it cannot be written.
-[[nodiscard]] Result<std::string> saveTranscript(
+/// The log of a firmware update as a file of its own: what was said and answered, with Unix time, and how it ended.
+struct Transcript {
+    std::string folder; ///< made if need be
+    std::string path;
+    std::string text;
+};
+
+[[nodiscard]] Transcript transcriptOf(
     const std::string &folder, const Device &device, const OperationStatus &status, const UpdateReport &report);
+/// Any thread. Yields its path; OutOfRange when it cannot be written.
+[[nodiscard]] Result<std::string> save(const Transcript &transcript);
 
 } // namespace mb

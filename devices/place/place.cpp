@@ -1,21 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "place/place.h"
 
+#include "place/firstline.h"
+
 #include <filesystem>
-#include <fstream>
 
 namespace mb {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string firstLine(const fs::path &file)
-{
-    std::ifstream stream(file);
-    std::string line;
-    std::getline(stream, line);
-    return line;
-}
 
 fs::path realPath(const fs::path &path)
 {

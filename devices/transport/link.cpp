@@ -20,10 +20,7 @@ Result<void> Link::open()
 {
     if (m_state == LinkState::Open)
         return {};
-    if (m_state == LinkState::Lost)
-        doClose();
-    else
-        m_counters = {};
+    beginOpening();
     if (auto opened = doOpen(); !opened)
         return opened;
     m_reason.clear();
@@ -31,8 +28,52 @@ Result<void> Link::open()
     return {};
 }
 
+void Link::beginOpening()
+{
+    ++m_attempt;
+    if (m_state == LinkState::Lost)
+        doClose();
+    else
+        m_counters = {};
+}
+
+Task<void> Link::openSoon()
+{
+    if (m_state == LinkState::Open)
+        co_return {};
+    if (m_opening)
+        co_return fail(Fault::LinkLost, m_address.shortName() + " is being opened already");
+    struct Mark {
+        explicit Mark(bool &opening)
+            : isOpening(opening)
+        {
+            isOpening = true;
+        }
+        Mark(const Mark &) = delete;
+        Mark &operator=(const Mark &) = delete;
+        ~Mark() { isOpening = false; }
+        bool &isOpening;
+    };
+    const Mark mark(m_opening);
+    beginOpening();
+    const int attempt = m_attempt;
+    auto opening = m_background ? doOpenSoon(*m_background) : openNow();
+    const Result<void> opened = co_await std::move(opening).attempt();
+    if (!opened)
+        co_return fail(opened.error());
+    if (attempt != m_attempt) {
+        doClose();
+        co_return fail(Fault::Cancelled, m_address.shortName() + " was closed before it was open");
+    }
+    m_reason.clear();
+    m_opening = false;
+    setState(LinkState::Open);
+    co_return {};
+}
+
 void Link::close()
 {
+    ++m_attempt;
     if (m_state == LinkState::Closed)
         return;
     doClose();

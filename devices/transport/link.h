@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/background.h"
 #include "async/listeners.h"
 #include "async/result.h"
 #include "transport/linkaddress.h"
 #include "wire/canframe.h"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -49,6 +51,9 @@ struct Outlet {
     };
     Form form = Form::None;
     int descriptor = -1; ///< the link's own; whoever keeps it duplicates it
+    /// Any thread of this process: sends one message as another process would, past the link, and waits for nothing; false when it
+    /// cannot now. Set where answers of the line must be told apart; elsewhere a duplicate of the descriptor does. May outlive the link.
+    std::function<bool(std::span<const std::uint8_t>)> aside{};
 
     [[nodiscard]] bool isInheritable() const { return descriptor >= 0; }
 };
@@ -76,6 +81,14 @@ public:
     /// Fails with LinkLost and a cause that names the remedy. Opening an open link does nothing; a lost one starts
     /// afresh, and keeps its counters.
     [[nodiscard]] Result<void> open();
+    /// open() for a thread that must not wait for a driver: what may block is done in the background that was given, for openLimit at
+    /// most, then it ends with LinkLost. One at a time. Ends before the link does.
+    [[nodiscard]] Task<void> openSoon();
+    [[nodiscard]] bool isOpening() const { return m_opening; }
+    static constexpr Duration openLimit = std::chrono::seconds(5);
+    /// Without one openSoon() is open(). Outlives the link.
+    void setBackground(Background *background) { m_background = background; }
+    [[nodiscard]] Background *background() const { return m_background; }
     /// Allowed in notifications of this link; destroying it there is not.
     void close();
     /// Asks the backend for losses that are told on request only, so that counters() holds every one up to now. Some
@@ -100,7 +113,11 @@ protected:
 
 private:
     virtual Result<void> doOpen() = 0;
+    /// For backends whose doOpen() may block.
+    [[nodiscard]] virtual Task<void> doOpenSoon(Background &) { co_return doOpen(); }
     virtual void doClose() = 0;
+    void beginOpening();
+    [[nodiscard]] Task<void> openNow() { co_return doOpen(); }
     [[nodiscard]] virtual Outlet doOutlet() const { return {}; }
     virtual void doRecount() { }
 
@@ -108,6 +125,9 @@ private:
     LinkKind m_kind;
     LinkState m_state = LinkState::Closed;
     std::string m_reason;
+    Background *m_background = nullptr;
+    bool m_opening = false;
+    int m_attempt = 0; ///< of opening or closing it: whatever comes of an earlier one is too late
     LinkCounters m_counters;
     Listeners<LinkState> m_stateChanged;
     Listeners<const Traffic &> m_traffic;

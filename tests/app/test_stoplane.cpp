@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STOP while the engine thread is blocked: the real engine, on a real terminal.
+// STOP while the engine thread is blocked: the lane in virtual time, and the real engine on a real terminal.
 #include "app/engine.h"
+#include "async/virtualclock.h"
+#include "model/registry.h"
 #include "support/eventloop.h"
 #include "support/pseudoterminal.h"
 #include "support/textmotor.h"
@@ -15,6 +17,60 @@ namespace mb {
 namespace {
 
 using namespace std::chrono_literals;
+
+/// The lane, with one line that takes everything.
+class Lane : public testing::Test {
+protected:
+    Lane()
+    {
+        EXPECT_TRUE(bus.openLink(*LinkAddress::parse("sim:can")));
+        Outlet way{Outlet::Form::SpiSocket, 0};
+        way.aside = [this](std::span<const std::uint8_t> bytes) {
+            sent.emplace_back(bytes.begin(), bytes.end());
+            return true;
+        };
+        lane.setOrders({{std::make_shared<StopOutlet>(*bus.links().front(), way), {{1, 2}, {3}}}});
+    }
+    VirtualClock clock;
+    Session bus{clock, families()};
+    StopLane lane{clock};
+    std::vector<guardian::Bytes> sent;
+    const std::vector<guardian::Bytes> all{{1, 2}, {3}};
+};
+
+TEST_F(Lane, LeavesTheEngineItsTimeAndThenSendsEverythingOnce)
+{
+    lane.press();
+    clock.advance(StopLane::patience - 1us);
+    EXPECT_TRUE(sent.empty());
+    clock.advance(2us);
+    EXPECT_EQ(sent, all);
+    clock.advance(10s);
+    EXPECT_EQ(sent, all);
+}
+
+TEST_F(Lane, SendsNothingWhereTheEngineHasComeToIt)
+{
+    lane.press();
+    clock.advance(1ms);
+    lane.served();
+    clock.advance(1s);
+    EXPECT_TRUE(sent.empty());
+}
+
+TEST_F(Lane, SendsAgainWhenItIsPressedAgain)
+{
+    lane.press();
+    clock.advance(1s);
+    lane.press();
+    clock.advance(1s);
+    EXPECT_EQ(sent.size(), 2 * all.size());
+}
+
+TEST_F(Lane, LeavesOutLinksWhoseMotorsStandWithTheEngine)
+{
+    EXPECT_TRUE(stopOrdersOf(bus, {}).empty());
+}
 
 class BlockedEngine : public testing::Test {
 protected:

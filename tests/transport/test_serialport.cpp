@@ -6,8 +6,11 @@
 #include "transport/backends/serialdriver.h"
 #include "transport/backends/serialport.h"
 
+#include <QSocketNotifier>
+
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -203,6 +206,40 @@ TEST_F(SerialPort, GivesTheGuardianItsDescriptorWhileItIsOpen)
     EXPECT_EQ(terminal.read(), stop);
     link->close();
     EXPECT_FALSE(link->outlet().isInheritable());
+}
+
+TEST_F(SerialPort, AnAnswerThatItsGuardianReadsFirstIsNoLostLink)
+{
+    // Another descriptor that is ready in the same turn of the loop plays the guardian: it reads what we were told of.
+    const PseudoTerminal trigger;
+    const int other = ::open(trigger.path().c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK);
+    ASSERT_GE(other, 0);
+    for (const bool first : {true, false}) {
+        std::unique_ptr<SerialLink> link;
+        std::unique_ptr<QSocketNotifier> thief;
+        const auto hire = [&] { thief = std::make_unique<QSocketNotifier>(other, QSocketNotifier::Read); };
+        if (first)
+            hire();
+        link = open();
+        if (!first)
+            hire();
+        bool stole = false;
+        QObject::connect(thief.get(), &QSocketNotifier::activated, thief.get(), [&] {
+            std::array<char, 64> taken{};
+            stole = ::read(link->outlet().descriptor, taken.data(), taken.size()) > 0 || stole;
+            (void)::read(other, taken.data(), taken.size());
+        });
+        terminal.write({1, 2, 3});
+        trigger.write({1});
+        loop.runReady();
+        EXPECT_EQ(link->state(), LinkState::Open) << first << stole;
+        heard.clear();
+        terminal.write({4, 5});
+        EXPECT_TRUE(loop.runUntil([&] { return heard.size() >= 2; }, 5s)) << "it still listens";
+        link->close();
+        loop.runReady();
+    }
+    ::close(other);
 }
 
 TEST(SerialPortCauses, NameWhatIsMissingAndWhatHelps)

@@ -157,6 +157,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     auto link = createLink(*address, device.clock());
     if (!link)
         co_return refused(link.error());
+    (*link)->setBackground(device.link().background());
     if ((*link)->kind() != LinkKind::Serial)
         co_return refused({Fault::OutOfRange, std::string(noWay)});
     Updater updater(device, static_cast<SerialLink &>(**link), image, progress, *settings);

@@ -131,8 +131,8 @@ Task<void> Updater::openLine()
         if (auto set = m_link.setBaudrate(m_settings.baudrate); !set)
             co_return fail(set.error());
     }
-    if (auto opened = m_link.open(); !opened)
-        co_return fail(opened.error());
+    auto opening = m_link.openSoon();
+    co_await std::move(opening);
     co_return {};
 }
 

@@ -4,11 +4,13 @@
 #include "transport/backends/serialports.h"
 
 #include <QSerialPort>
+#include <QThread>
 
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
 
+#include <poll.h>
 #include <unistd.h>
 
 namespace mb {
@@ -16,6 +18,7 @@ namespace {
 
 constexpr Duration echoDelay = std::chrono::milliseconds(100); ///< an adapter hands out its bytes late
 constexpr Duration lookPeriod = std::chrono::seconds(1);
+constexpr int mostEmptyReads = 100; ///< in a row, of a port that is there
 
 /// As QSerialPort reads names: without a slash it is one of /dev. Links are followed, so that a port has one lock.
 std::string deviceFile(const std::string &path)
@@ -31,7 +34,54 @@ bool isPseudoTerminal(const std::string &path)
     return path.starts_with("/dev/pts/");
 }
 
+/// The rate is set, or the nearest that the port can do is told.
+Result<void> applyRate(QSerialPort &port, const std::string &name, int baudrate)
+{
+    if (!port.setBaudRate(baudrate))
+        return fail(Fault::OutOfRange,
+            name + " cannot do " + std::to_string(baudrate) + " bit/s: " + port.errorString().toStdString());
+    const auto real = driverBaudrate(port.handle());
+    if (real && std::abs(*real - baudrate) > baudrate / 50)
+        return fail(Fault::OutOfRange, name + " cannot do " + std::to_string(baudrate) + " bit/s",
+            "the nearest it can is " + std::to_string(*real));
+    return {};
+}
+
+Result<void> applyFormat(QSerialPort &port, const std::string &name, const std::string &format)
+{
+    const auto parity = format[1] == 'E' ? QSerialPort::EvenParity
+        : format[1] == 'O'               ? QSerialPort::OddParity
+                                         : QSerialPort::NoParity;
+    if (format == "8N1"
+        || (port.setParity(parity) && port.setStopBits(format[2] == '2' ? QSerialPort::TwoStop : QSerialPort::OneStop)))
+        return {};
+    return fail(Fault::OutOfRange, name + " cannot do " + format + ": " + port.errorString().toStdString());
+}
+
+/// A guardian shares the terminal, and may read the answer to its own question between the notice and our read: that is reported
+/// as an error, and none.
+bool isGone(int descriptor)
+{
+    pollfd asked{descriptor, POLLIN, 0};
+    return ::poll(&asked, 1, 0) < 0 || (asked.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
+}
+
 } // namespace
+
+/// All that opening needs of the link, which lives in another thread.
+struct SerialPortLink::Order {
+    std::string name;
+    std::string path;
+    int baudrate = 0;
+    Options options;
+    QThread *home = nullptr; ///< the thread of the link
+};
+
+struct SerialPortLink::Opened {
+    std::string path; ///< links followed
+    std::string remark;
+    std::unique_ptr<QSerialPort> port;
+};
 
 SerialPortLink::SerialPortLink(LinkAddress address, Clock &clock, Options options)
     : SerialLink(std::move(address), clock)
@@ -45,69 +95,82 @@ SerialPortLink::~SerialPortLink()
     SerialPortLink::doClose();
 }
 
-Result<void> SerialPortLink::doOpen()
+SerialPortLink::Order SerialPortLink::order() const
 {
-    m_path = deviceFile(address().path);
-    if (const auto cause = whyUnusable(address().path, m_path))
+    return {name(), address().path, baudrate(), m_options, QThread::currentThread()};
+}
+
+/// Any thread; may block for as long as a driver does.
+Result<SerialPortLink::Opened> SerialPortLink::openPort(const Order &order)
+{
+    Opened made;
+    made.path = deviceFile(order.path);
+    if (const auto cause = whyUnusable(order.path, made.path))
         return fail(Error::fromPhrase(Fault::LinkLost, cause->text()));
-    m_port = std::make_unique<QSerialPort>();
-    m_port->setPortName(QString::fromStdString(m_path));
-    m_port->setBaudRate(baudrate());
-    if (!m_port->open(QIODevice::ReadWrite)) {
-        const auto error = m_port->error();
-        const std::string text = m_port->errorString().toStdString();
-        m_port.reset();
-        if (error == QSerialPort::PermissionError)
-            return fail(Fault::LinkLost, name() + " is in use by another program",
-                "close that one first ('fuser " + m_path + "' names it)");
-        return fail(Fault::LinkLost, name() + " cannot be opened: " + text);
+    made.port = std::make_unique<QSerialPort>();
+    QSerialPort &port = *made.port;
+    port.setPortName(QString::fromStdString(made.path));
+    port.setBaudRate(order.baudrate);
+    if (!port.open(QIODevice::ReadWrite)) {
+        if (port.error() == QSerialPort::PermissionError)
+            return fail(Fault::LinkLost, order.name + " is in use by another program",
+                "close that one first ('fuser " + made.path + "' names it)");
+        return fail(Fault::LinkLost, order.name + " cannot be opened: " + port.errorString().toStdString());
     }
-    if (auto dressed = dress(); !dressed) {
-        m_port.reset();
+    auto dressed = applyRate(port, order.name, order.baudrate);
+    if (dressed)
+        dressed = applyFormat(port, order.name, order.options.format);
+    if (!dressed)
         return fail(Fault::LinkLost, dressed.error().detail, dressed.error().remedy);
-    }
+    if (order.options.rs485 && !setDriverRs485(port.handle(), true))
+        made.remark = "the driver of " + order.name
+            + " cannot switch the direction of an RS-485 line, so the adapter has to do it by itself; if nothing "
+              "answers, use one that does";
+    askLowLatency(port.handle());
+    port.clear(QSerialPort::Input);
+    port.moveToThread(order.home);
+    return made;
+}
+
+void SerialPortLink::take(Opened opened)
+{
+    m_path = std::move(opened.path);
+    m_port = std::move(opened.port);
+    setRemark(std::move(opened.remark));
     m_sentAt = m_heardAt = m_lookedAt = clock().now();
     m_driverErrors = driverErrors(m_port->handle());
     watch();
+}
+
+Result<void> SerialPortLink::doOpen()
+{
+    auto opened = openPort(order());
+    if (!opened)
+        return fail(opened.error());
+    take(std::move(*opened));
     return {};
 }
 
-Result<void> SerialPortLink::dress()
+Task<void> SerialPortLink::doOpenSoon(Background &background)
 {
-    if (auto applied = applyRate(baudrate()); !applied)
-        return applied;
-    if (m_options.format != "8N1"
-        && !(m_port->setParity(m_options.format[1] == 'E' ? QSerialPort::EvenParity
-                     : m_options.format[1] == 'O'         ? QSerialPort::OddParity
-                                                          : QSerialPort::NoParity)
-            && m_port->setStopBits(m_options.format[2] == '2' ? QSerialPort::TwoStop : QSerialPort::OneStop)))
-        return fail(
-            Fault::OutOfRange, name() + " cannot do " + m_options.format + ": " + m_port->errorString().toStdString());
-    setRemark({});
-    if (m_options.rs485 && !setDriverRs485(m_port->handle(), true))
-        setRemark("the driver of " + name()
-            + " cannot switch the direction of an RS-485 line, so the adapter has to do it by itself; if nothing "
-              "answers, use one that does");
-    askLowLatency(m_port->handle());
-    m_port->clear(QSerialPort::Input);
-    return {};
-}
-
-Result<void> SerialPortLink::applyRate(int baudrate)
-{
-    if (!m_port->setBaudRate(baudrate))
-        return fail(Fault::OutOfRange,
-            name() + " cannot do " + std::to_string(baudrate) + " bit/s: " + m_port->errorString().toStdString());
-    const auto real = driverBaudrate(m_port->handle());
-    if (real && std::abs(*real - baudrate) > baudrate / 50)
-        return fail(Fault::OutOfRange, name() + " cannot do " + std::to_string(baudrate) + " bit/s",
-            "the nearest it can is " + std::to_string(*real));
-    return {};
+    const Order wanted = order();
+    auto opening = inBackground<Opened>(
+        background, clock(), wanted.path, openLimit, [wanted] { return openPort(wanted); }, WhenLate::Drop);
+    Result<Opened> opened = co_await std::move(opening).attempt();
+    if (!opened && opened.error().fault == Fault::Timeout)
+        co_return fail(Fault::LinkLost,
+            wanted.name + " does not open: its driver has not answered for "
+                + std::to_string(std::chrono::duration_cast<std::chrono::seconds>(openLimit).count()) + " s",
+            "unplug it and plug it in again");
+    if (!opened)
+        co_return fail(opened.error());
+    take(std::move(*opened));
+    co_return {};
 }
 
 Result<void> SerialPortLink::doSetBaudrate(int wanted)
 {
-    auto applied = applyRate(wanted);
+    auto applied = applyRate(*m_port, name(), wanted);
     if (!applied)
         m_port->setBaudRate(baudrate());
     return applied;
@@ -120,6 +183,11 @@ void SerialPortLink::watch()
     QObject::connect(port, &QSerialPort::errorOccurred, port, [this](QSerialPort::SerialPortError error) {
         if (error == QSerialPort::NoError || error == QSerialPort::TimeoutError)
             return;
+        if (!isGone(m_port->handle()) && ++m_emptyReads < mostEmptyReads) {
+            m_port->clearError();
+            (void)m_port->peek(1); // listens again
+            return;
+        }
         if (isPseudoTerminal(m_path))
             end("the other end of " + name() + " hung up; start it again");
         else if (::access(m_path.c_str(), F_OK) != 0)
@@ -199,6 +267,7 @@ void SerialPortLink::receive()
             reportLineError();
         bytes = others;
     }
+    m_emptyReads = 0;
     if (!bytes.empty()) {
         m_heardAt = now;
         deliver(now, bytes);

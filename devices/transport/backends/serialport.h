@@ -13,7 +13,7 @@ class QSerialPort;
 namespace mb {
 
 /// A serial port of the system, or any terminal, watched by the event loop of the thread that opens it. Opened for this
-/// program alone, raw, without flow control.
+/// program alone, raw, without flow control. Whatever a driver may take long for when it is opened can be done in the background.
 ///
 /// Options of the address: `baud` (SerialLink::fixedBaudrate); `rs485=1` lets the driver of the port switch the
 /// transmitter where it can, and otherwise leaves a remark that the adapter must; `echo=1` for adapters that read what
@@ -31,7 +31,11 @@ public:
     ~SerialPortLink() override;
 
 private:
+    struct Order;
+    struct Opened;
+
     Result<void> doOpen() override;
+    Task<void> doOpenSoon(Background &background) override;
     void doClose() override;
     [[nodiscard]] Outlet doOutlet() const override;
     void doRecount() override { lookAtDriver(); }
@@ -39,8 +43,9 @@ private:
     [[nodiscard]] std::size_t doBacklog() const override;
     Result<void> doSetBaudrate(int baudrate) override;
 
-    [[nodiscard]] Result<void> dress();
-    [[nodiscard]] Result<void> applyRate(int baudrate);
+    [[nodiscard]] Order order() const;
+    [[nodiscard]] static Result<Opened> openPort(const Order &order);
+    void take(Opened opened);
     void watch();
     void receive();
     void pump();
@@ -57,6 +62,7 @@ private:
     Instant m_sentAt{};  ///< the last byte handed over has left by then
     Instant m_heardAt{}; ///< the last byte of others
     Instant m_lookedAt{};
+    int m_emptyReads = 0;
     std::optional<DriverErrors> m_driverErrors;
     Timer m_timer;
 };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/backends/serialports.h"
 
+#include "place/firstline.h"
+
 #include <algorithm>
-#include <fstream>
 #include <system_error>
 
 #include <grp.h>
@@ -13,14 +14,6 @@ namespace mb {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string firstLine(const fs::path &file)
-{
-    std::ifstream stream(file);
-    std::string line;
-    std::getline(stream, line);
-    return line;
-}
 
 /// A built-in UART reserves more names than it has ports; the driver knows type 0 of those.
 bool hasHardware(const fs::path &terminal)

@@ -16,8 +16,23 @@ namespace mb {
 namespace {
 
 constexpr std::uint16_t resetPulse = 65535;
+constexpr std::size_t headSize = 2;
 
 } // namespace
+
+/// Never in the middle of a message of the link.
+bool UnixSpiLink::Wire::sendAside(std::span<const std::uint8_t> message)
+{
+    const std::lock_guard lock(mutex);
+    if (descriptor < 0 || !out.empty() || message.size() < headSize)
+        return false;
+    const auto sent = ::send(descriptor, message.data(), message.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent <= 0)
+        return false;
+    out.assign(message.begin() + sent, message.end()); // the link sends the rest before anything else
+    pending.push_back({Ask::Aside, message.size() - headSize});
+    return true;
+}
 
 UnixSpiLink::UnixSpiLink(LinkAddress address, Clock &clock)
     : SpiLink(std::move(address), clock)
@@ -36,6 +51,10 @@ Result<void> UnixSpiLink::doOpen()
     if (!connected)
         return fail(connected.error());
     m_descriptor = *connected;
+    {
+        const std::lock_guard lock(m_wire->mutex);
+        m_wire->descriptor = m_descriptor;
+    }
     setReady(false); // the server always knows its line
     m_readable = std::make_unique<QSocketNotifier>(m_descriptor, QSocketNotifier::Read);
     m_writable = std::make_unique<QSocketNotifier>(m_descriptor, QSocketNotifier::Write);
@@ -52,21 +71,34 @@ void UnixSpiLink::doClose()
     m_writable.reset();
     if (m_descriptor >= 0) {
         flush(); // a stop that was asked for just now still leaves
+        const std::lock_guard lock(m_wire->mutex);
+        m_wire->descriptor = -1;
+        m_wire->out.clear();
+        m_wire->pending.clear();
         ::close(std::exchange(m_descriptor, -1));
     }
-    m_out.clear();
     m_in.clear();
-    m_pending.clear();
     dropTransfers();
+}
+
+Outlet UnixSpiLink::doOutlet() const
+{
+    Outlet way{Outlet::Form::SpiSocket, m_descriptor};
+    way.aside = [wire = m_wire](std::span<const std::uint8_t> message) { return wire->sendAside(message); };
+    return way;
 }
 
 void UnixSpiLink::ask(Pending pending, std::uint16_t length, const Bytes &bytes)
 {
     std::array<std::uint8_t, 2> head{};
     writeU16le(head, 0, length);
-    m_out.insert(m_out.end(), head.begin(), head.end());
-    m_out.insert(m_out.end(), bytes.begin(), bytes.end());
-    m_pending.push_back(pending);
+    {
+        const std::lock_guard lock(m_wire->mutex);
+        Bytes &out = m_wire->out;
+        out.insert(out.end(), head.begin(), head.end());
+        out.insert(out.end(), bytes.begin(), bytes.end());
+        m_wire->pending.push_back(pending);
+    }
     flush();
 }
 
@@ -77,7 +109,11 @@ void UnixSpiLink::doTransfer(const Bytes &mosi)
 
 void UnixSpiLink::doSampleReady()
 {
-    if (m_pending.empty()) // any answer tells the level
+    const auto isIdle = [this] {
+        const std::lock_guard lock(m_wire->mutex);
+        return m_wire->pending.empty();
+    };
+    if (isIdle()) // any answer tells the level
         ask({Ask::Level, 0}, 0, {});
 }
 
@@ -94,17 +130,19 @@ void UnixSpiLink::endOfSimulator()
 
 void UnixSpiLink::flush()
 {
-    while (!m_out.empty() && m_descriptor >= 0) {
-        const auto sent = ::send(m_descriptor, m_out.data(), m_out.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+    const std::lock_guard lock(m_wire->mutex);
+    Bytes &out = m_wire->out;
+    while (!out.empty() && m_descriptor >= 0) {
+        const auto sent = ::send(m_descriptor, out.data(), out.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
         if (sent <= 0) {
             if (sent < 0 && errno != EAGAIN && errno != EINTR)
                 endOfSimulator(); // broken pipe: it is gone, whichever of its two ends tells first
             break;
         }
-        m_out.erase(m_out.begin(), m_out.begin() + sent);
+        out.erase(out.begin(), out.begin() + sent);
     }
     if (m_writable)
-        m_writable->setEnabled(!m_out.empty());
+        m_writable->setEnabled(!out.empty());
 }
 
 void UnixSpiLink::receive()
@@ -121,20 +159,30 @@ void UnixSpiLink::receive()
     takeAnswers();
 }
 
+/// What the bytes that came belong to, once they are whole.
+std::optional<UnixSpiLink::Pending> UnixSpiLink::takePending()
+{
+    const std::lock_guard lock(m_wire->mutex);
+    if (m_wire->pending.empty() || m_in.size() <= m_wire->pending.front().size)
+        return std::nullopt;
+    const Pending done = m_wire->pending.front();
+    m_wire->pending.pop_front();
+    return done;
+}
+
 void UnixSpiLink::takeAnswers()
 {
-    while (!m_pending.empty() && m_in.size() > m_pending.front().size) {
-        const Pending done = m_pending.front();
-        m_pending.pop_front();
-        const auto level = m_in.begin() + static_cast<std::ptrdiff_t>(done.size);
+    while (const auto done = takePending()) {
+        const auto level = m_in.begin() + static_cast<std::ptrdiff_t>(done->size);
         Bytes miso(m_in.begin(), level);
         const bool ready = *level != 0;
         m_in.erase(m_in.begin(), level + 1);
         setReady(ready);
-        if (done.kind == Ask::Transfer)
+        if (done->kind == Ask::Transfer)
             finishTransfer(std::move(miso)); // may close this link
     }
-    if (m_pending.empty() && !m_in.empty())
+    const std::lock_guard lock(m_wire->mutex);
+    if (m_wire->pending.empty() && !m_in.empty())
         end("the simulator at " + address().path + " sent bytes that nobody asked for");
 }
 

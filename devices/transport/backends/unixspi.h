@@ -5,6 +5,8 @@
 
 #include <deque>
 #include <memory>
+#include <mutex>
+#include <optional>
 
 class QSocketNotifier;
 
@@ -19,15 +21,24 @@ public:
     ~UnixSpiLink() override;
 
 private:
-    enum class Ask { Transfer, Level };
+    enum class Ask { Transfer, Level, Aside };
     struct Pending {
         Ask kind = Ask::Level;
         std::size_t size = 0; ///< bytes of the answer without the level
     };
+    /// What is on its way, in the order of the answers. Another thread may send past the link (Outlet::aside).
+    struct Wire {
+        [[nodiscard]] bool sendAside(std::span<const std::uint8_t> message);
+
+        std::mutex mutex;
+        int descriptor = -1;
+        Bytes out;
+        std::deque<Pending> pending;
+    };
 
     Result<void> doOpen() override;
     void doClose() override;
-    [[nodiscard]] Outlet doOutlet() const override { return {Outlet::Form::SpiSocket, m_descriptor}; }
+    [[nodiscard]] Outlet doOutlet() const override;
     void doTransfer(const Bytes &mosi) override;
     void doSampleReady() override;
     [[nodiscard]] bool doSignalsReady() const override { return false; }
@@ -39,12 +50,12 @@ private:
     void flush();
     void receive();
     void takeAnswers();
+    [[nodiscard]] std::optional<Pending> takePending();
     void end(std::string reason);
 
+    std::shared_ptr<Wire> m_wire = std::make_shared<Wire>();
     int m_descriptor = -1;
-    Bytes m_out;
     Bytes m_in;
-    std::deque<Pending> m_pending;
     std::unique_ptr<QSocketNotifier> m_readable;
     std::unique_ptr<QSocketNotifier> m_writable;
     Timer m_failed;

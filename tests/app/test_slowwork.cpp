@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What may block is done elsewhere: the engine goes on while a port does not open and while a disk takes nothing.
+#include "app/enginecore.h"
+#include "async/virtualclock.h"
+#include "support/eventloop.h"
+#include "support/heldbackground.h"
+#include "support/pseudoterminal.h"
+#include "support/temporaryfile.h"
+#include "support/textmotor.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include <poll.h>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+class SlowWork : public testing::Test {
+protected:
+    SlowWork() { core.setBackground(&background); }
+    void open(const test::PseudoTerminal &terminal)
+    {
+        core.openLink(addressOf(terminal), [this](const Result<void> &result) { opened = result; });
+    }
+    static LinkAddress addressOf(const test::PseudoTerminal &terminal)
+    {
+        return *LinkAddress::parse("serial:" + terminal.path());
+    }
+    void openNow(const test::PseudoTerminal &terminal)
+    {
+        open(terminal);
+        background.release();
+        clock.advance(10ms);
+        ASSERT_TRUE(opened && *opened);
+        opened.reset();
+    }
+    [[nodiscard]] bool isOpen(const test::PseudoTerminal &terminal)
+    {
+        const Link *link = core.session().findLink(addressOf(terminal));
+        return link && link->state() == LinkState::Open;
+    }
+    [[nodiscard]] static bool isHeldByNobody(const test::PseudoTerminal &terminal)
+    {
+        pollfd source{terminal.descriptor(), POLLIN, 0};
+        return ::poll(&source, 1, 0) == 1 && (source.revents & POLLHUP) != 0;
+    }
+    [[nodiscard]] bool said(const std::string &part) const
+    {
+        return std::any_of(
+            lines.begin(), lines.end(), [&part](const std::string &l) { return l.find(part) != std::string::npos; });
+    }
+    Device &motor() { return *core.session().devices().front(); }
+
+    test::EventLoop loop;
+    VirtualClock clock;
+    test::HeldBackground background;
+    test::PseudoTerminal slow;
+    test::PseudoTerminal good;
+    EngineCore core{clock, test::textFamilies, false};
+    std::optional<Result<void>> opened;
+    std::vector<std::string> lines;
+    Subscription listening
+        = core.noticed().add([this](Severity, const std::string &, const std::string &text) { lines.push_back(text); });
+};
+
+} // namespace
+
+TEST_F(SlowWork, APortIsOpenOnceItsDriverHasAnswered)
+{
+    open(slow);
+    clock.advance(4s);
+    EXPECT_FALSE(opened);
+    EXPECT_FALSE(isOpen(slow));
+    background.release();
+    clock.advance(10ms);
+    ASSERT_TRUE(opened && *opened);
+    EXPECT_TRUE(isOpen(slow));
+}
+
+TEST_F(SlowWork, APortThatDoesNotOpenEndsWithOneClearError)
+{
+    open(slow);
+    clock.advance(Link::openLimit + 1ms);
+    ASSERT_TRUE(opened && !*opened);
+    EXPECT_EQ(opened->error().fault, Fault::LinkLost);
+    EXPECT_NE(opened->error().text().find("its driver has not answered for 5 s; unplug it"), std::string::npos)
+        << opened->error().text();
+    EXPECT_EQ(lines.size(), 1U);
+    EXPECT_EQ(core.snapshot().failed.size(), 1U) << "the window shows it";
+    background.release();
+    clock.advance(1s);
+    EXPECT_FALSE(isOpen(slow)) << "too late: nobody waits for it";
+    EXPECT_TRUE(isHeldByNobody(slow));
+}
+
+TEST_F(SlowWork, StopsLeaveWhileAnotherPortDoesNotOpen)
+{
+    openNow(good);
+    ASSERT_FALSE(core.session().devices().empty());
+    open(slow);
+    (void)good.read();
+    core.stopAll(StopCause::User);
+    const auto bytes = good.read();
+    EXPECT_NE(std::string(bytes.begin(), bytes.end()).find(test::textStop), std::string::npos);
+    EXPECT_FALSE(opened);
+}
+
+TEST_F(SlowWork, AnOrderForAPortThatIsBeingOpenedIsRefused)
+{
+    open(slow);
+    std::optional<Result<void>> second;
+    core.openLink(addressOf(slow), [&second](const Result<void> &result) { second = result; });
+    ASSERT_TRUE(second && !*second);
+    background.release();
+    clock.advance(10ms);
+    EXPECT_TRUE(opened && *opened);
+}
+
+TEST_F(SlowWork, APortThatIsClosedBeforeItIsOpenStaysClosed)
+{
+    open(slow);
+    core.closeLink(addressOf(slow).text());
+    ASSERT_TRUE(opened && !*opened);
+    background.release();
+    clock.advance(1s);
+    EXPECT_FALSE(isOpen(slow));
+    EXPECT_TRUE(isHeldByNobody(slow));
+    openNow(slow);
+}
+
+TEST_F(SlowWork, ALostPortThatHangsIsAskedForOnceAtATime)
+{
+    openNow(good);
+    good.pull();
+    ASSERT_TRUE(loop.runUntil([this] { return core.snapshot().links[0].state == LinkState::Lost; }));
+    for (int second = 0; second < 4; ++second) {
+        clock.advance(1s);
+        EXPECT_LE(background.waiting(), 1U);
+    }
+    EXPECT_EQ(background.waiting(), 1U) << "it is tried, elsewhere";
+}
+
+TEST_F(SlowWork, WhatIsKnownOfADeviceIsKeptAlthoughTheDiskTakesItLater)
+{
+    const test::TemporaryFolder folder;
+    core.session().keepProfiles(folder.path("profiles"));
+    openNow(good);
+    motor().setVerdict("direction", "reversed");
+    EXPECT_EQ(background.waiting(), 1U);
+    EXPECT_FALSE(std::filesystem::exists(folder.path("profiles")));
+    core.closeLink(addressOf(good).text());
+    open(good);
+    background.release();
+    clock.advance(10ms);
+    ASSERT_TRUE(isOpen(good));
+    EXPECT_EQ(motor().profile().verdicts.at("direction"), "reversed");
+    EXPECT_TRUE(std::filesystem::exists(folder.path("profiles")));
+}
+
+} // namespace mb

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A stop that another thread sends past the link (Outlet::aside): its answer is told from those of the link.
+#include "support/eventloop.h"
+#include "support/temporaryfile.h"
+#include "transport/backends/unixspi.h"
+#include "transport/backends/unixspiserver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <thread>
+
+namespace mb {
+namespace {
+
+using Bytes = SpiLink::Bytes;
+
+/// Answers each byte with its complement.
+struct Echo final : SpiSlave {
+    void transfer(std::span<const std::uint8_t> mosi, std::span<std::uint8_t> miso) override
+    {
+        heard.emplace_back(mosi.begin(), mosi.end());
+        std::transform(mosi.begin(), mosi.end(), miso.begin(), [](auto b) { return static_cast<std::uint8_t>(~b); });
+    }
+    [[nodiscard]] bool isReady() const override { return true; }
+    void reset() override { }
+
+    std::vector<Bytes> heard;
+};
+
+Task<Bytes> transfer(SpiLink &link, Bytes mosi)
+{
+    Result<Bytes> miso = co_await link.transfer(std::move(mosi));
+    co_return miso;
+}
+
+struct UnixSpi : testing::Test {
+    UnixSpi()
+    {
+        server.attach(&board);
+        EXPECT_TRUE(server.open());
+        EXPECT_TRUE(link.open());
+    }
+    test::EventLoop loop;
+    test::TemporaryFolder folder;
+    Echo board;
+    LinkAddress address = *LinkAddress::parse("unix:" + folder.path("board"));
+    UnixSpiServer server{address, loop.clock()};
+    UnixSpiLink link{address, loop.clock()};
+};
+
+} // namespace
+
+TEST_F(UnixSpi, AStopFromAnotherThreadLeavesTheAnswersOfTheLinkWhereTheyBelong)
+{
+    Task<Bytes> before = transfer(link, {0x01, 0x02, 0x03});
+    before.start();
+    const std::function<bool(std::span<const std::uint8_t>)> aside = link.outlet().aside;
+    ASSERT_TRUE(aside);
+    bool sent = false;
+    std::thread([&] { sent = aside(Bytes{2, 0, 0xAA, 0xBB}); }).join();
+    EXPECT_TRUE(sent);
+    Task<Bytes> after = transfer(link, {0x04, 0x05});
+    after.start();
+    ASSERT_TRUE(loop.runUntil([&] { return after.isFinished(); }));
+    EXPECT_EQ(board.heard, (std::vector<Bytes>{{0x01, 0x02, 0x03}, {0xAA, 0xBB}, {0x04, 0x05}}));
+    EXPECT_EQ(*before.result(), (Bytes{0xFE, 0xFD, 0xFC}));
+    EXPECT_EQ(*after.result(), (Bytes{0xFB, 0xFA}));
+    EXPECT_EQ(link.state(), LinkState::Open);
+}
+
+TEST_F(UnixSpi, NothingIsSentAsideOfALinkThatIsClosed)
+{
+    const auto aside = link.outlet().aside;
+    link.close();
+    EXPECT_FALSE(aside(Bytes{2, 0, 0xAA, 0xBB}));
+}
+
+} // namespace mb
