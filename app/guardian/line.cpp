@@ -5,6 +5,7 @@
 #include "place/place.h"
 
 #include <cstring>
+#include <utility>
 
 #include <asm/termbits.h>
 #include <fcntl.h>
@@ -31,6 +32,20 @@ int openCan(const std::string &name)
     address.can_family = AF_CAN;
     address.can_ifindex = static_cast<int>(index);
     if (::bind(made, reinterpret_cast<const sockaddr *>(&address), sizeof address) == 0)
+        return made;
+    ::close(made);
+    return -1;
+}
+
+/// Hears the bus of this socket from now on; −1 where it is none of CAN.
+int openEar(int descriptor)
+{
+    sockaddr_can address{};
+    socklen_t size = sizeof address;
+    if (::getsockname(descriptor, reinterpret_cast<sockaddr *>(&address), &size) != 0 || address.can_family != AF_CAN)
+        return -1;
+    const int made = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
+    if (made < 0 || ::bind(made, reinterpret_cast<const sockaddr *>(&address), sizeof address) == 0)
         return made;
     ::close(made);
     return -1;
@@ -77,7 +92,10 @@ Line::Line(Whereabouts where, int descriptor)
 {
 }
 
-Line::~Line() = default;
+Line::~Line()
+{
+    closeEar();
+}
 
 void Line::remember()
 {
@@ -125,8 +143,15 @@ bool Line::reopen()
     return true;
 }
 
+void Line::closeEar()
+{
+    if (m_ear >= 0)
+        ::close(std::exchange(m_ear, -1));
+}
+
 void Line::close()
 {
+    closeEar();
     ::close(m_descriptor);
     m_descriptor = -1;
     m_port.reset();
@@ -140,8 +165,24 @@ Port::Sent Line::send(std::span<const std::uint8_t> bytes)
     return sent;
 }
 
+void Line::prepare()
+{
+    closeEar();
+    if (m_where.form == "packet")
+        m_ear = openEar(m_descriptor);
+    if (m_ear < 0)
+        (void)read();
+}
+
+std::size_t Line::messageSize() const
+{
+    return m_where.form == "packet" ? sizeof(can_frame) : 1;
+}
+
 Bytes Line::read()
 {
+    if (m_ear >= 0)
+        return makePort(m_where.form, m_ear)->read();
     return m_port ? m_port->read() : Bytes();
 }
 

@@ -32,14 +32,21 @@ public:
 
     Sent send(std::span<const std::uint8_t> bytes) override;
     Bytes read() override;
+    void prepare() override;
+    [[nodiscard]] std::size_t messageSize() const override;
+    /// What can be read when an answer comes. On CAN a socket of its own: the inherited one has what the program has not read yet, and
+    /// what is read there is missing to the program when it thaws.
+    [[nodiscard]] int ear() const { return m_ear >= 0 ? m_ear : m_descriptor; }
 
 private:
     struct Setup;
     [[nodiscard]] int openNow() const;
     void close();
+    void closeEar();
 
     Whereabouts m_where;
     int m_descriptor;
+    int m_ear = -1;
     std::unique_ptr<Port> m_port;
     std::unique_ptr<Setup> m_setup;
 };

@@ -100,7 +100,7 @@ void waitFor(const Watchman &watchman, const Line &line, std::optional<Time> due
 {
     // A negative descriptor is not looked at.
     std::array<pollfd, 2> sources{
-        {{hungUp ? -1 : program, POLLIN, 0}, {watchman.isListening() ? line.descriptor() : -1, POLLIN, 0}}};
+        {{hungUp ? -1 : program, POLLIN, 0}, {watchman.isListening() ? line.ear() : -1, POLLIN, 0}}};
     const Time left = due ? std::max(*due - now(), Time::zero()) : Time::zero();
     const auto whole = std::chrono::duration_cast<std::chrono::seconds>(left);
     const timespec limit{whole.count(), static_cast<long>((left - whole).count())};

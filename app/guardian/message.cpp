@@ -100,7 +100,7 @@ Bytes encode(const Report &report)
     Bytes packet;
     put(packet, static_cast<std::uint8_t>(report.kind));
     put(packet, report.id);
-    put(packet, static_cast<std::uint8_t>(report.confirmed ? 1 : 0));
+    put(packet, static_cast<std::uint8_t>((report.confirmed ? 1U : 0U) | (report.proved ? 2U : 0U)));
     return packet;
 }
 
@@ -131,11 +131,12 @@ std::optional<Report> decodeReport(std::span<const std::uint8_t> packet)
     Report report;
     const auto kind = reader.number<std::uint8_t>();
     report.id = reader.number<std::uint32_t>();
-    const auto confirmed = reader.number<std::uint8_t>();
-    if (!reader.isComplete() || kind > static_cast<std::uint8_t>(Report::Kind::Refused) || confirmed > 1)
+    const auto verdict = reader.number<std::uint8_t>();
+    if (!reader.isComplete() || kind > static_cast<std::uint8_t>(Report::Kind::Refused) || verdict > 3)
         return std::nullopt;
     report.kind = static_cast<Report::Kind>(kind);
-    report.confirmed = confirmed == 1;
+    report.confirmed = (verdict & 1U) != 0;
+    report.proved = (verdict & 2U) != 0;
     return report;
 }
 

@@ -51,6 +51,7 @@ struct Report {
     Kind kind = Kind::Standing;
     std::uint32_t id = 0;
     bool confirmed = false; ///< of Acted: the device answered, where it can
+    bool proved = false;    ///< of Acted: it can, and did
 
     friend bool operator==(const Report &, const Report &) = default;
 };

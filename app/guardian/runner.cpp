@@ -12,9 +12,9 @@ using namespace std::chrono_literals;
 constexpr Time retryAfter = 1ms;
 constexpr std::size_t keptBytes = 4096;
 
-bool contains(const Bytes &heard, const Step &step)
+bool contains(const Bytes &heard, const Step &step, std::size_t messageSize)
 {
-    for (std::size_t start = 0; start + step.reply.size() <= heard.size(); ++start) {
+    for (std::size_t start = 0; start + step.reply.size() <= heard.size(); start += messageSize) {
         bool fits = true;
         for (std::size_t i = 0; fits && i < step.reply.size(); ++i)
             fits = ((heard[start + i] ^ step.reply[i]) & step.mask[i]) == 0;
@@ -22,6 +22,11 @@ bool contains(const Bytes &heard, const Step &step)
             return true;
     }
     return false;
+}
+
+bool asksForAnswers(const Script &script)
+{
+    return std::any_of(script.begin(), script.end(), [](const Step &step) { return !step.reply.empty(); });
 }
 
 } // namespace
@@ -68,7 +73,7 @@ void Runner::listen(Time now)
     m_heard.insert(m_heard.end(), more.begin(), more.end());
     if (m_heard.size() > keptBytes)
         m_heard.erase(m_heard.begin(), m_heard.end() - keptBytes);
-    const bool answered = contains(m_heard, step);
+    const bool answered = contains(m_heard, step, m_port.messageSize());
     if (!answered && now < *m_answerUntil)
         return;
     m_answerUntil.reset();
@@ -90,7 +95,7 @@ bool Runner::attempt(Time now)
     Job &job = m_jobs.front();
     const Step &step = job.script[job.step];
     if (!step.reply.empty()) {
-        (void)m_port.read(); // what came before is no answer
+        m_port.prepare();
         m_heard.clear();
     }
     const Port::Sent sent = m_port.send(step.bytes);
@@ -116,7 +121,7 @@ bool Runner::attempt(Time now)
 void Runner::giveUp()
 {
     for (const Job &job : m_jobs)
-        m_ended.push_back({job.id, false, false});
+        m_ended.push_back({job.id, false, false, false});
     m_jobs.clear();
     m_blockedUntil.reset();
 }
@@ -136,7 +141,7 @@ void Runner::retire()
     if (job.step < job.script.size())
         m_jobs.push_back(std::move(job));
     else
-        m_ended.push_back({job.id, job.confirmed});
+        m_ended.push_back({job.id, job.confirmed, true, job.confirmed && asksForAnswers(job.script)});
 }
 
 } // namespace mb::guardian

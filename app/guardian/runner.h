@@ -26,6 +26,10 @@ public:
     virtual Sent send(std::span<const std::uint8_t> bytes) = 0;
     /// What has come, in order; empty when there is nothing.
     virtual Bytes read() = 0;
+    /// A question is about to be sent: what came before it is no answer to it.
+    virtual void prepare() { (void)read(); }
+    /// Bytes of one message of read(), which answers are looked for in; 1: messages have no bounds.
+    [[nodiscard]] virtual std::size_t messageSize() const { return 1; }
 };
 
 /// Carries out stop scripts on one line, taking turns after each attempt, so that a device that is silent does not hold up the
@@ -36,6 +40,7 @@ public:
         std::uint32_t id = 0;
         bool confirmed = false; ///< all was sent, and every answer came
         bool sent = true;       ///< false: the line takes nothing
+        bool proved = false;    ///< confirmed by the device: there were answers to wait for
     };
 
     explicit Runner(Port &port)

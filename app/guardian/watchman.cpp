@@ -18,7 +18,7 @@ void Watchman::hear(std::span<const std::uint8_t> packet, Time now)
     if (const auto order = decodeOrder(packet))
         obey(*order, now);
     else
-        m_voice.report({Report::Kind::Refused, 0, false});
+        m_voice.report({Report::Kind::Refused, 0, false, false});
 }
 
 void Watchman::obey(const Order &order, Time now)
@@ -26,15 +26,15 @@ void Watchman::obey(const Order &order, Time now)
     switch (order.kind) {
     case Order::Kind::Watch:
         if (m_stopping.count(order.id) > 0 || m_owed.count(order.id) > 0) { // an id is used once
-            m_voice.report({Report::Kind::Refused, order.id, false});
+            m_voice.report({Report::Kind::Refused, order.id, false, false});
             break;
         }
         m_watched[order.id] = {order.name, order.script};
-        m_voice.report({Report::Kind::Standing, order.id, false});
+        m_voice.report({Report::Kind::Standing, order.id, false, false});
         break;
     case Order::Kind::Renew:
         if (m_watched.count(order.id) > 0)
-            m_voice.report({Report::Kind::Standing, order.id, false});
+            m_voice.report({Report::Kind::Standing, order.id, false, false});
         break;
     case Order::Kind::Forget: m_watched.erase(order.id); break;
     case Order::Kind::Stop: stop(order.id, "a stop without confirmation", now); break;
@@ -70,9 +70,11 @@ void Watchman::ended(const Runner::Outcome &outcome, Time now)
     }
     Owed stopped = std::exchange(m_stopping[outcome.id], {});
     m_stopping.erase(outcome.id);
-    m_voice.log(
-        (outcome.confirmed ? "stopped " : "TRIED IN VAIN to stop, cut its power: ") + stopped.name + stopped.cause);
-    m_voice.report({Report::Kind::Acted, outcome.id, outcome.confirmed});
+    m_voice.log((outcome.proved             ? "stopped "
+                        : outcome.confirmed ? "sent the stop, NOT CONFIRMED, look whether it stands: "
+                                            : "TRIED IN VAIN to stop, cut its power: ")
+        + stopped.name + stopped.cause);
+    m_voice.report({Report::Kind::Acted, outcome.id, outcome.confirmed, outcome.proved});
     if (outcome.confirmed)
         return;
     stopped.since = now;

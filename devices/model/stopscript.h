@@ -18,12 +18,13 @@ class Link;
 /// the script goes on anyway. Bytes that come are searched for the reply, whatever stands before it; what came before the
 /// message was sent does not count.
 struct StopStep {
-    std::optional<CanFrame> frame;       ///< on a CAN link
-    std::vector<std::uint8_t> bytes;     ///< on the others: a packet, or one transfer; neither: only the wait
-    std::vector<std::uint8_t> reply;     ///< bytes of the answer; empty: none is waited for. Serial links only
-    std::vector<std::uint8_t> replyMask; ///< bits of `reply` that count; empty: all, else as long as it
-    std::chrono::milliseconds wait{50};  ///< for the answer, or between two sends without one; 1 … 500
-    int attempts = 1;                    ///< 1 … 100
+    std::optional<CanFrame> frame;        ///< on a CAN link
+    std::vector<std::uint8_t> bytes;      ///< on the others: a packet, or one transfer; neither: only the wait
+    std::vector<std::uint8_t> reply;      ///< bytes of the answer; empty: none is waited for. Not on CAN links
+    std::vector<std::uint8_t> replyMask;  ///< bits of `reply` that count; empty: all, else as long as it
+    std::chrono::milliseconds wait{50};   ///< for the answer, or between two sends without one; 1 … 500
+    int attempts = 1;                     ///< 1 … 100
+    std::optional<CanFrame> replyFrame{}; ///< on a CAN link: identifier and length of the answer, whatever is in it
 };
 
 /// Stops one device without knowing anything of it. Data, so that a process that outlives this one can carry it out; it may

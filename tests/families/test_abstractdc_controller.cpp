@@ -133,10 +133,19 @@ TEST_F(AbstractDcController, StopsWithBothLengthsAndAgain)
         clock.advance(1s);
         EXPECT_TRUE(device->isSeenStopped()) << dialect->key;
         const StopScript script = device->stopScript();
-        ASSERT_EQ(script.steps.size(), 2U);
+        ASSERT_EQ(script.steps.size(), 3U);
         EXPECT_EQ(toText(*script.steps[0].frame), prefix + "0000000000");
         EXPECT_EQ(toText(*script.steps[1].frame), prefix + "0000000000000000");
         EXPECT_GE(script.steps[0].attempts, 2);
+        const CanFrame question = *script.steps[2].frame;
+        const std::string answer = toText(*script.steps[2].replyFrame);
+        heard.clear();
+        ASSERT_TRUE(host.send(question));
+        clock.advance(5ms);
+        const auto isAnswer = [&answer](const std::string &frame) {
+            return frame.size() == answer.size() && frame.starts_with(answer.substr(0, answer.find('#') + 1));
+        };
+        EXPECT_TRUE(std::any_of(heard.begin(), heard.end(), isAnswer)) << "what proves the stop is what it answers";
     }
 }
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <utility>
+
 namespace mb::guardian {
 namespace {
 
@@ -50,6 +53,41 @@ TEST_F(Running, AMessageWithoutAnswerIsSentSoOften)
     EXPECT_EQ(outcomes, (std::vector<std::pair<std::uint32_t, bool>>{{1, true}}));
     EXPECT_TRUE(runner.isIdle());
     EXPECT_FALSE(runner.due());
+}
+
+TEST_F(Running, OnlyAnAnswerProvesAStop)
+{
+    port.answer = [](const std::string &) { return "OK"; };
+    runner.add(1, {plain("a", 5ms, 2)}, port.now);
+    runner.add(2, {plain("a", 5ms, 2), asking("s", "OK", 20ms, 10)}, port.now);
+    std::map<std::uint32_t, bool> proved;
+    for (; !runner.isIdle(); port.now += 100us) {
+        for (const auto &outcome : runner.proceed(port.now)) {
+            EXPECT_TRUE(outcome.confirmed && outcome.sent);
+            proved[outcome.id] = outcome.proved;
+        }
+    }
+    EXPECT_EQ(proved, (std::map<std::uint32_t, bool>{{1, false}, {2, true}}));
+}
+
+TEST(RunningOnFrames, AnAnswerIsAWholeMessage)
+{
+    struct FramePort final : Port {
+        Sent send(std::span<const std::uint8_t>) override { return Sent::All; }
+        Bytes read() override { return std::exchange(incoming, {}); }
+        std::size_t messageSize() const override { return 4; }
+        Bytes incoming;
+    };
+    FramePort port;
+    Runner runner(port);
+    runner.add(1, {asking("s", "abcd", 20ms, 1)}, 0ms);
+    EXPECT_TRUE(runner.proceed(0ms).empty());
+    port.incoming = bytes("xxabcdxx");
+    EXPECT_TRUE(runner.proceed(1ms).empty()) << "parts of two others";
+    port.incoming = bytes("abcd");
+    const auto ended = runner.proceed(2ms);
+    ASSERT_EQ(ended.size(), 1U);
+    EXPECT_TRUE(ended[0].proved);
 }
 
 TEST_F(Running, ItRepeatsUntilTheAnswerComes)

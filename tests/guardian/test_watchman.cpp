@@ -71,7 +71,9 @@ TEST_F(Watching, StopsAfterHalfASecondOfSilenceAndSaysSo)
     EXPECT_EQ(port.texts(), "aa");
     EXPECT_EQ(port.sent[0].at, Time(3500ms));
     EXPECT_EQ(takeReports(), (std::vector<Report>{{Report::Kind::Acted, 4, true}}));
-    EXPECT_EQ(lines, std::vector<std::string>{"stopped motor 4 (the program that drove it fell silent)"});
+    EXPECT_EQ(lines,
+        std::vector<std::string>{
+            "sent the stop, NOT CONFIRMED, look whether it stands: motor 4 (the program that drove it fell silent)"});
     EXPECT_FALSE(watchman.isDone()) << "the program may come back and is told";
     EXPECT_FALSE(watchman.due());
 }

@@ -27,7 +27,7 @@ constexpr int mostUnanswered = 10; // renewals, ten a second
 /// One guardian process, and the link it can send on. Lives as long as a watch of it.
 class GuardianClient::Post : public std::enable_shared_from_this<Post> {
 public:
-    using Acted = std::function<void(const Post &, const std::string &name, bool confirmed)>;
+    using Acted = std::function<void(const Post &, const std::string &name, Verdict verdict)>;
 
     Post(Link &link, const GuardianProcess &process, std::shared_ptr<std::vector<pid_t>> ended, Acted acted)
         : m_link(link)
@@ -121,9 +121,10 @@ public:
             enter(State::Standing);
         else if (report.kind == Kind::Acted)
             enter(State::Acted,
-                report.confirmed
-                    ? "the guardian stopped the motor because this program was held up"
-                    : "the guardian tried to stop the motor because this program was held up, without an answer");
+                report.proved          ? "the guardian stopped the motor because this program was held up"
+                    : report.confirmed ? "the guardian sent the stop because this program was held up, not confirmed"
+                                       : "the guardian tried to stop the motor because this program was held up, "
+                                         "without an answer");
         else if (report.kind == Kind::Refused)
             enter(State::Gone, "the guardian is of another version");
     }
@@ -166,7 +167,7 @@ void GuardianClient::Post::hear(const guardian::Report &report)
         return;
     const std::string name = awaited->second;
     m_awaited.erase(awaited);
-    m_acted(*this, name, report.confirmed);
+    m_acted(*this, name, report.proved ? Verdict::Confirmed : report.confirmed ? Verdict::Sent : Verdict::Failed);
 }
 
 void GuardianClient::Post::mourn()
@@ -174,7 +175,7 @@ void GuardianClient::Post::mourn()
     m_serves = false;
     m_readable->setEnabled(false);
     for (const auto &[id, name] : std::exchange(m_awaited, {}))
-        m_acted(*this, name, false);
+        m_acted(*this, name, Verdict::Failed);
     while (!m_watches.empty()) {
         Watch *const watch = m_watches.begin()->second;
         m_watches.erase(m_watches.begin());
@@ -227,14 +228,14 @@ Result<std::shared_ptr<GuardianClient::Post>> GuardianClient::postAt(Link &link)
     if (!process)
         return fail(process.error());
     auto post = std::make_shared<Post>(link, *process, m_ended,
-        [this](const Post &from, const std::string &device, bool confirmed) { acted(from, device, confirmed); });
+        [this](const Post &from, const std::string &device, Verdict verdict) { acted(from, device, verdict); });
     m_posts.push_back(post);
     return post;
 }
 
-void GuardianClient::acted(const Post &post, const std::string &name, bool confirmed)
+void GuardianClient::acted(const Post &post, const std::string &name, Verdict verdict)
 {
-    tellActed(name, confirmed);
+    tellActed(name, verdict);
     std::erase_if(
         m_acting, [&post](const std::shared_ptr<Post> &one) { return one.get() == &post && !one->isAwaiting(); });
 }

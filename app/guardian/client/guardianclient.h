@@ -34,7 +34,7 @@ private:
     class Watch;
 
     [[nodiscard]] Result<std::shared_ptr<Post>> postAt(Link &link);
-    void acted(const Post &post, const std::string &name, bool confirmed);
+    void acted(const Post &post, const std::string &name, Verdict verdict);
 
     std::string m_program;
     std::string m_folder;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/guardian/client/wirescript.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 #include <linux/can.h>
@@ -42,6 +44,11 @@ guardian::Step stepOf(const StopStep &step, Outlet::Form form)
         made.mask.assign(made.reply.size(), 0xFF);
     if (form == Outlet::Form::CanSocket && step.frame)
         made.bytes = rawFrame(*step.frame);
+    if (form == Outlet::Form::CanSocket && step.replyFrame) {
+        made.reply = rawFrame(*step.replyFrame);
+        made.mask.assign(made.reply.size(), 0);
+        std::fill_n(made.mask.begin(), offsetof(can_frame, __pad), std::uint8_t{0xFF}); // identifier and length
+    }
     if (form == Outlet::Form::SpiSocket) { // product.md, `unix:`: as many bytes and the ready line come back
         const std::size_t size = step.bytes.size();
         made.bytes.insert(
@@ -66,11 +73,14 @@ StopScript scriptFromWire(const guardian::Script &script, Outlet::Form form)
 {
     StopScript made;
     for (const guardian::Step &step : script) {
-        StopStep one{std::nullopt, step.bytes, step.reply, step.mask, step.wait, step.attempts};
-        if (form == Outlet::Form::CanSocket)
+        StopStep one{std::nullopt, step.bytes, step.reply, step.mask, step.wait, step.attempts, std::nullopt};
+        if (form == Outlet::Form::CanSocket) {
             one.frame = frameOf(step.bytes);
-        if (form == Outlet::Form::CanSocket)
+            one.replyFrame = frameOf(step.reply);
             one.bytes.clear();
+            one.reply.clear();
+            one.replyMask.clear();
+        }
         if (form == Outlet::Form::SpiSocket && one.bytes.size() > 2) {
             one.bytes.erase(one.bytes.begin(), one.bytes.begin() + 2);
             one.reply.clear();

@@ -20,6 +20,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration repeatPeriod = 250ms; ///< of a set-point that did not change; the drive holds it by itself
+constexpr int proofAttempts = 3;         ///< of its question
 constexpr int stopRepeats = 3;           ///< of the stop script
 
 } // namespace
@@ -186,7 +187,25 @@ StopScript Controller::doStopScript() const
         step.attempts = stopRepeats;
         script.steps.push_back(std::move(step));
     }
+    if (doMayStop())
+        script.steps.push_back(proofStep());
     return script;
+}
+
+/// A stop has no answer. A question after it has one, and CAN keeps the order: whoever answers has had the stop before.
+StopStep Controller::proofStep() const
+{
+    StopStep step;
+    step.frame = encodeLogRequest(*m_dialect, identity().address, Log::Position);
+    CanFrame answer;
+    answer.id = static_cast<std::uint32_t>(m_dialect->reply.at(static_cast<std::size_t>(Log::Position)))
+        + static_cast<std::uint32_t>(identity().address);
+    answer.size = sizeof(std::int32_t);
+    step.replyFrame = answer;
+    step.wait = std::clamp(std::chrono::ceil<std::chrono::milliseconds>(answerTime(m_can)),
+        std::chrono::milliseconds(1), std::chrono::milliseconds(500));
+    step.attempts = proofAttempts;
+    return step;
 }
 
 bool Controller::doIsSeenStopped() const

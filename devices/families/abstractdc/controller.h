@@ -49,6 +49,7 @@ private:
     void doStop() override;
     [[nodiscard]] Result<void> doMayStop() const override;
     [[nodiscard]] StopScript doStopScript() const override;
+    [[nodiscard]] StopStep proofStep() const;
     [[nodiscard]] bool doIsSeenStopped() const override;
 
     void speak();
