@@ -128,5 +128,32 @@ TEST(SupermodifiedMasks, AMaskThatIsFoundWhileAMotorRunsStopsIt)
     EXPECT_FALSE(driven.isOutputOn());
 }
 
+TEST(SupermodifiedMasks, AFollowerThatIsFoundWhileAMotorRunsIsStoppedByItsOwnAddress)
+{
+    Bench bench;
+    bench.add("supermodified:5");
+    const auto five = bench.connect(5);
+    bench.clock.advance(200ms);
+    SetPointStream stream(*five, bench.clock);
+    ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 1000.0), 60s));
+    bench.clock.advance(300ms);
+    Simulator &follower = bench.add("supermodified:4,mask=240");
+    (void)bench.scanAll();
+    bench.clock.advance(200ms);
+    ASSERT_FALSE(stream.isRunning());
+    bench.sent.clear();
+    const auto four = bench.connect(4);
+    bench.clock.advance(200ms);
+    const auto sent = bench.framesSent();
+    EXPECT_TRUE(std::any_of(
+        sent.begin(), sent.end(), [](const Frame &frame) { return frame.to == 4 && frame.is(Command::Stop); }));
+    EXPECT_EQ(four->stopping().state(), StopState::Seen) << "and followed up until it is seen";
+    EXPECT_FALSE(follower.isOutputOn());
+    bench.sent.clear();
+    const auto again = bench.connect(4);
+    bench.clock.advance(200ms);
+    EXPECT_EQ(bench.count(Command::Stop), 0) << "once";
+}
+
 } // namespace
 } // namespace mb::supermodified

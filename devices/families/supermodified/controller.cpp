@@ -43,12 +43,22 @@ Controller::Controller(const Family &family, SerialLink &link, Clock &clock, Ide
           {[this](const Result<Frame> &reply) { onAnswer(reply); }, [this](std::int64_t raw) { onPosition(raw); },
               [this](std::uint8_t levels) { setStates(statesOf(levels), this->clock().now()); }})
     , m_foreignTimer(clock)
+    , m_followerStop(clock)
+    , m_followersTold(m_line->followersTold().add([this] { stopAsFollower(); }))
     , m_overheard(m_line->overheard().add([this](const Frame &frame) { onOverheard(frame); }))
     , m_linkState(link.stateChanged().add([this](LinkState state) { onLinkState(state); }))
     , m_identityChanged(changed().add([this] { identityChanged(); }))
 {
     doProfileChanged();
     m_line->roster().note(m_node.id, m_node.baudrate);
+    m_followerStop.startIn(Duration::zero(), [this] { stopAsFollower(); }); // once somebody follows its stops up
+}
+
+/// Another node was driven, and this one has done the same.
+void Controller::stopAsFollower()
+{
+    if (m_line->takeFollowerStop(m_node.id))
+        stopping().inherit();
 }
 
 /// Whoever destroys it while the motor may turn cannot wait for an acknowledgement; on real links the guardian sees to it.
@@ -103,6 +113,8 @@ Result<void> Controller::doReleaseMoves()
 
 void Controller::doStop()
 {
+    if (stopping().hasMoved())
+        m_line->leaderStopped(m_node.id);
     m_motion.stop();
     telemetry()->breakLine(channel::setPoint);
     updateLiveness();

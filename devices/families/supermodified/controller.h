@@ -69,6 +69,7 @@ private:
     void onStored(Command command, std::int64_t raw);
     void identityChanged();
     void doProfileChanged() override;
+    void stopAsFollower();
     void setHeard(bool heard);
     void updateLiveness();
 
@@ -91,6 +92,8 @@ private:
     std::optional<std::int64_t> m_position; ///< of the node
     std::optional<Instant> m_foreignAt;
     Timer m_foreignTimer;
+    Timer m_followerStop;
+    Subscription m_followersTold;
     Subscription m_overheard;
     Subscription m_linkState;
     Subscription m_identityChanged;

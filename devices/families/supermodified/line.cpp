@@ -392,6 +392,14 @@ void Line::setDriving(int node, bool driving)
         m_driving.erase(node);
 }
 
+void Line::leaderStopped(int node)
+{
+    for (const int follower : m_roster.followersOf(node))
+        m_followerStops.insert(follower);
+    if (!m_followerStops.empty())
+        m_followersTold.notify();
+}
+
 // As a task
 
 namespace {

@@ -100,6 +100,13 @@ public:
     /// While a motor is driven nothing may change the rate of the line.
     void setDriving(int node, bool driving);
     [[nodiscard]] bool isDriving() const { return !m_driving.empty(); }
+    /// A node that was driven is told to stop. Those that follow it may turn as well, and hear of it by the stop to its address
+    /// only if nothing is lost: each is told by its own, now or when it is found.
+    void leaderStopped(int node);
+    /// Tells nodes that they are to be stopped for that reason.
+    [[nodiscard]] Listeners<> &followersTold() { return m_followersTold; }
+    /// Whether that holds for this node; once.
+    [[nodiscard]] bool takeFollowerStop(int node) { return m_followerStops.erase(node) > 0; }
 
 private:
     struct Entry {
@@ -165,6 +172,8 @@ private:
     bool m_pumping = false;
     Roster &m_roster;
     std::set<int> m_driving;
+    std::set<int> m_followerStops; ///< nodes that have not taken theirs
+    Listeners<> m_followersTold;
     Timer m_timeout;
     Silence m_silence; ///< while it is awaited only stops are sent
     Timer m_pollTimer;
