@@ -316,6 +316,14 @@
         <source>on</source>
         <translation>ein</translation>
     </message>
+    <message>
+        <source>keeps a move</source>
+        <translation>behält eine Bewegung</translation>
+    </message>
+    <message>
+        <source>It keeps a move that was stopped before it began, and would begin it with the next start on its line. A new move replaces it; switching the unit off clears it.</source>
+        <translation>Er behält eine Bewegung, die vor ihrem Beginn gestoppt wurde, und begänne sie mit dem nächsten Start auf seiner Leitung. Eine neue Bewegung ersetzt sie; Ausschalten löscht sie.</translation>
+    </message>
 </context>
 <context>
     <name>DialogText</name>
@@ -3105,6 +3113,14 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>not prepared: &apos;%1&apos; is no number of counts</source>
         <translation>nicht vorbereitet: „%1“ ist keine Anzahl von counts</translation>
+    </message>
+    <message>
+        <source>keeps a move</source>
+        <translation>behält eine Bewegung</translation>
+    </message>
+    <message>
+        <source>Stop takes no move away that has not begun: %1 would begin it with the next start on this line. Prepare gives a new one; switching the unit off clears it.</source>
+        <translation>Stopp nimmt keine Bewegung weg, die nicht begonnen hat: %1 begänne sie mit dem nächsten Start auf dieser Leitung. Vorbereiten gibt eine neue; Ausschalten löscht sie.</translation>
     </message>
 </context>
 <context>
@@ -8270,6 +8286,42 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 has a name that ends in no kind of picture; end it in .png, .svg or .pdf</source>
         <translation>%1 hat einen Namen, der auf keine Bildart endet; mit .png, .svg oder .pdf enden lassen</translation>
+    </message>
+    <message>
+        <source>the guardian has sent the stop, which nothing on this link confirms; look whether the motor stands</source>
+        <translation>der Wächter hat den Stopp gesendet, den auf dieser Verbindung nichts bestätigt; nachsehen, ob der Motor steht</translation>
+    </message>
+    <message>
+        <source>%1 does not open: its driver has not answered for %2 s; unplug it and plug it in again</source>
+        <translation>%1 öffnet sich nicht: sein Treiber hat %2 s lang nicht geantwortet; abziehen und wieder einstecken</translation>
+    </message>
+    <message>
+        <source>%1 is being opened already</source>
+        <translation>%1 wird schon geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 was closed before it was open</source>
+        <translation>%1 wurde geschlossen, bevor es offen war</translation>
+    </message>
+    <message>
+        <source>the disk has not made %1 within 10 s; name another folder</source>
+        <translation>der Datenträger hat %1 nicht innerhalb von 10 s angelegt; einen anderen Ordner nennen</translation>
+    </message>
+    <message>
+        <source>the disk has not taken %1 for 30 s</source>
+        <translation>der Datenträger hat %1 seit 30 s nicht angenommen</translation>
+    </message>
+    <message>
+        <source>the guardian stopped the motor because this program was held up</source>
+        <translation>der Wächter hat den Motor gestoppt, weil dieses Programm aufgehalten wurde</translation>
+    </message>
+    <message>
+        <source>the guardian sent the stop because this program was held up, not confirmed</source>
+        <translation>der Wächter hat den Stopp gesendet, weil dieses Programm aufgehalten wurde; unbestätigt</translation>
+    </message>
+    <message>
+        <source>the guardian tried to stop the motor because this program was held up, without an answer</source>
+        <translation>der Wächter hat versucht, den Motor zu stoppen, weil dieses Programm aufgehalten wurde, ohne Antwort</translation>
     </message>
 </context>
 </TS>

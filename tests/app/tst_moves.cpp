@@ -14,6 +14,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
+#include <QLabel>
 #include <QLineEdit>
 #include <QScrollArea>
 #include <QTest>
@@ -54,6 +55,7 @@ private Q_SLOTS:
     void fourNodesMoveTogetherOnOneCommand();
     void nothingIsPreparedUnarmed();
     void stopEndsAllOfThem();
+    void aMoveThatWasStoppedBeforeItBeganIsShownUntilItIsReplaced();
     void oneThatStallsTakesTheOthersWithIt();
     void thePositionIsZeroedWithTheMotorOffAndRunStartsItAgain();
     void everyControlHasAName();
@@ -183,6 +185,29 @@ void MovesTest::stopEndsAllOfThem()
     m_arming->stopAll(QStringLiteral("test"));
     QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
     QVERIFY(!button("startMoves").isEnabled());
+}
+
+void MovesTest::aMoveThatWasStoppedBeforeItBeganIsShownUntilItIsReplaced()
+{
+    const auto shown = [this](const QString &word) {
+        const auto labels = m_page->movesPanel().findChildren<QLabel *>();
+        return std::count_if(labels.begin(), labels.end(), [&word](const QLabel *l) { return l->text() == word; });
+    };
+    const auto first = [this]() -> const DeviceView & { return m_engine->snapshot().devices.front(); };
+    prepare(QStringLiteral("1500"));
+    QCOMPARE(shown(QStringLiteral("keeps a move")), 0);
+    m_arming->stopAll(QStringLiteral("test"));
+    QTRY_COMPARE_WITH_TIMEOUT(shown(QStringLiteral("keeps a move")), 4, patience);
+    QVERIFY(lineOf(first()).contains(QStringLiteral("keeps a move")));
+    QVERIFY(tooltipOf(first()).contains(QStringLiteral("would begin it with the next start")));
+    picture("moves-kept.png");
+    prepare(QStringLiteral("500"));
+    QTest::mouseClick(&button("startMoves"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(std::abs(positions().front() - 500.0) < 40.0, patience);
+    m_arming->disarm();
+    QTRY_COMPARE_WITH_TIMEOUT(energized(), 0, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(shown(QStringLiteral("keeps a move")), 0, patience);
+    QVERIFY(!lineOf(first()).contains(QStringLiteral("keeps a move")));
 }
 
 void MovesTest::oneThatStallsTakesTheOthersWithIt()

@@ -142,6 +142,8 @@ QStringList alertsOf(const DeviceView &device)
         if (row->key != "halted")
             clauses += tableText(row->clause);
     }
+    if (keepsStoppedMove(device))
+        clauses += DeviceText::tr("keeps a move");
     return clauses;
 }
 
@@ -180,6 +182,11 @@ QString badgeOf(const DeviceView &device)
     return QString::fromStdString(device.identity.dialect);
 }
 
+bool keepsStoppedMove(const DeviceView &device)
+{
+    return device.keepsMove && !device.motion.running && !device.liveness.moving;
+}
+
 QString tooltipOf(const DeviceView &device)
 {
     QStringList lines{QString::fromStdString(device.selector)};
@@ -192,6 +199,10 @@ QString tooltipOf(const DeviceView &device)
     if (!device.mayNotMove.empty())
         lines += tableText(device.mayNotMove);
     lines += conditionsText(device);
+    if (keepsStoppedMove(device))
+        lines += DeviceText::tr(
+            "It keeps a move that was stopped before it began, and would begin it with the next start "
+            "on its line. A new move replaces it; switching the unit off clears it.");
     return lines.join(QLatin1Char('\n'));
 }
 

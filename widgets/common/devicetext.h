@@ -43,6 +43,8 @@ namespace mb {
 [[nodiscard]] QString statesText(const DeviceView &device);
 /// "boot", "2 ×", a dialect; empty when nothing is unusual.
 [[nodiscard]] QString badgeOf(const DeviceView &device);
+/// It keeps a move whose motion was stopped before it began; the next start of buffered moves on its line begins it.
+[[nodiscard]] bool keepsStoppedMove(const DeviceView &device);
 /// One sentence: state, cause, remedy.
 [[nodiscard]] QString tooltipOf(const DeviceView &device);
 

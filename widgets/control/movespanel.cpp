@@ -152,6 +152,9 @@ void MovesPanel::showStates()
             tone = m_group.isStarted() ? Tone::Text : Tone::Ok;
         } else if (view->motion.running) {
             text = m_group.isActive() && !m_group.isStarted() ? tr("being prepared") : tr("moving");
+        } else if (keepsStoppedMove(*view)) {
+            text = tr("keeps a move");
+            tone = Tone::Caution;
         } else if (!view->mayNotMove.empty()) {
             text = tr("locked");
             tone = Tone::Caution;
@@ -166,10 +169,27 @@ void MovesPanel::showStates()
     m_hold->setEnabled(armed && m_arming.isMoving());
     m_start->setEnabled(m_group.isPrepared());
     m_start->setPrimary(m_group.isPrepared());
-    m_hint->setText(!armed ? tr("Hold the lamp to arm. One lamp covers all that take part.")
-            : m_group.isPrepared()
-            ? tr("All are prepared. Start begins them at the same moment.")
-            : tr("Prepare switches the motors on where they stand; nothing turns before Start."));
+    m_hint->setText(hint());
+}
+
+QString MovesPanel::hint() const
+{
+    if (m_group.isPrepared())
+        return tr("All are prepared. Start begins them at the same moment.");
+    QStringList keeping;
+    for (const Row &row : m_rows) {
+        const DeviceView *view = m_workbench.snapshot().device(row.device);
+        if (view && keepsStoppedMove(*view))
+            keeping += row.takesPart->text();
+    }
+    if (!keeping.isEmpty())
+        return tr(
+            "Stop takes no move away that has not begun: %1 would begin it with the next start on this line. Prepare "
+            "gives a new one; switching the unit off clears it.")
+            .arg(keeping.join(QStringLiteral(", ")));
+    return !m_arming.isArmed(m_lead)
+        ? tr("Hold the lamp to arm. One lamp covers all that take part.")
+        : tr("Prepare switches the motors on where they stand; nothing turns before Start.");
 }
 
 SetPoint MovesPanel::setPointOf(double target) const

@@ -48,6 +48,7 @@ private:
     void buildButtons();
     void rebuild(const std::vector<const DeviceView *> &devices);
     void showStates();
+    [[nodiscard]] QString hint() const;
     [[nodiscard]] SetPoint setPointOf(double target) const;
     [[nodiscard]] std::optional<std::vector<GroupMotion::Member>> members() const;
 
