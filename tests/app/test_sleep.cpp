@@ -14,7 +14,9 @@
 #include <QDBusMessage>
 #include <QDBusUnixFileDescriptor>
 #include <QDBusVirtualObject>
+#include <QFile>
 #include <QProcess>
+#include <QProcessEnvironment>
 #include <QTemporaryDir>
 
 #include <poll.h>
@@ -96,6 +98,18 @@ public:
 private:
     QProcess m_daemon;
 };
+
+QByteArray intelHexLine(int address)
+{
+    QByteArray record;
+    record.append(char(16)).append(char(address >> 8)).append(char(address & 0xFF)).append(char(0));
+    record.append(QByteArray(16, '\xFF'));
+    int sum = 0;
+    for (const char byte : record)
+        sum += static_cast<unsigned char>(byte);
+    record.append(char(-sum & 0xFF));
+    return ':' + record.toHex().toUpper() + '\n';
+}
 
 TEST(Sleep, IsInhibitedByALockOfLogindAsLongAsItIsWanted)
 {
@@ -234,6 +248,45 @@ TEST_F(Guarded, TheComputerIsKeptAwakeWhileFirmwareIsWritten)
     EXPECT_TRUE(becomesAwake(true));
     device->setBusy({});
     EXPECT_TRUE(becomesAwake(false));
+}
+
+/// The real console program, with a board and its bootloader in another process.
+TEST(Sleep, AnUpdateByTheConsoleMarksItsDeviceBusySoThatTheComputerStaysAwake)
+{
+    test::EventLoop loop;
+    PrivateBus bus;
+    Logind logind;
+    bus.offer(logind);
+    const QTemporaryDir folder;
+    const QString program = QCoreApplication::applicationDirPath() + QStringLiteral("/motorbenchctl");
+    const QString socket = QStringLiteral("unix:") + folder.filePath(QStringLiteral("board"));
+    const QString boot = folder.filePath(QStringLiteral("boot"));
+    QFile image(folder.filePath(QStringLiteral("new.hex")));
+    ASSERT_TRUE(image.open(QIODevice::WriteOnly));
+    for (int line = 0; line < 10; ++line) // 16 bytes FF each; the bootloader takes 50 ms a line
+        image.write(intelHexLine(16 * line));
+    image.write(":00000001FF\n");
+    image.close();
+    QProcess board;
+    board.start(program,
+        {QStringLiteral("simulate"), QStringLiteral("--on"), socket,
+            QStringLiteral("quadquad2drv:0,jumper=closed,boot=pty:") + boot});
+    ASSERT_TRUE(board.waitForReadyRead(20'000));
+    QProcess update;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("DBUS_SYSTEM_BUS_ADDRESS"), bus.address);
+    environment.insert(QStringLiteral("XDG_DATA_HOME"), folder.path());
+    update.setProcessEnvironment(environment);
+    update.start(program,
+        {QStringLiteral("flash"), socket + QStringLiteral("/quadquad2drv:0"), image.fileName(), QStringLiteral("--via"),
+            QStringLiteral("serial:") + boot});
+    EXPECT_TRUE(loop.runUntil([&] { return logind.held() == 1 || update.state() == QProcess::NotRunning; }));
+    EXPECT_EQ(logind.held(), 1);
+    EXPECT_TRUE(loop.runUntil([&] { return update.state() == QProcess::NotRunning; }, std::chrono::minutes(1)));
+    EXPECT_EQ(update.exitCode(), 0) << update.readAllStandardError().toStdString();
+    EXPECT_EQ(logind.held(), 0);
+    board.terminate();
+    board.waitForFinished();
 }
 
 } // namespace

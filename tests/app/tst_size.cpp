@@ -4,6 +4,7 @@
 #include "windowbench.h"
 
 #include <QAbstractScrollArea>
+#include <QDir>
 
 using namespace mb;
 using namespace mb::test;
@@ -34,6 +35,16 @@ void verifyWhole(const QWidget &safe, const MainWindow &window)
     QVERIFY(safe.width() >= safe.minimumSizeHint().width() && safe.height() >= safe.minimumSizeHint().height());
 }
 
+/// For looking at it, where MOTORBENCH_PICTURES names a folder.
+void keepPicture(MainWindow &window, const char *row, PageId id)
+{
+    const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES");
+    if (folder.isEmpty() || id != PageId::Tune)
+        return;
+    const QString name = QString::fromLatin1(row).remove(QLatin1Char(',')).replace(QLatin1Char(' '), QLatin1Char('-'));
+    window.grab().save(QDir(folder).filePath(name + QStringLiteral(".png")));
+}
+
 } // namespace
 
 void SizeTest::lampAndStopAreWholeOnSmallScreens_data()
@@ -41,7 +52,7 @@ void SizeTest::lampAndStopAreWholeOnSmallScreens_data()
     QTest::addColumn<QSize>("size");
     QTest::addColumn<double>("pixels"); // of the device, for one of the window's
     QTest::addColumn<double>("fontScale");
-    for (const QSize screen : {QSize(1366, 768), QSize(1024, 600)}) {
+    for (const QSize screen : {QSize(1366, 768), QSize(1280, 800), QSize(1024, 600)}) {
         for (const int dpi : {96, 144, 192}) {
             const double scale = dpi / 96.0;
             const QByteArray name = sized(screen) + " at " + QByteArray::number(dpi) + " dpi, ";
@@ -70,6 +81,7 @@ void SizeTest::lampAndStopAreWholeOnSmallScreens()
         QVERIFY2(least.width() <= size.width() && least.height() <= size.height(),
             sized(least) + " are needed on page " + QByteArray::number(static_cast<int>(id)));
         QCOMPARE(window.size(), size);
+        keepPicture(window, QTest::currentDataTag(), id);
         verifyWhole(bench.part<Lamp>(), window);
         verifyWhole(bench.part<StopButton>(), window);
         QVERIFY(bench.part<StopButton>().width() * pixels >= 160.0);

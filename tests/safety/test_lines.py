@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Motors on a serial line (a pair of terminals) and on an SPI socket, and everything that must end their motion:
 
-    tests/safety/test_lines.py MOTORBENCHCTL [unittest options]
+    tests/safety/test_lines.py MOTORBENCHCTL WINDOWDRIVER [unittest options]
 """
 import os
 import sys
@@ -10,7 +10,7 @@ import unittest
 
 from bench import Motor, SerialCable, SocketCable
 from rows import ROWS
-from scenarios import CableScenarios, MotionScenarios, Rounds
+from scenarios import CableScenarios, MotionScenarios, Rounds, WindowScenarios
 
 
 class LineRig:
@@ -79,8 +79,19 @@ class Socket(MotionScenarios, CableScenarios, unittest.TestCase):
         self.rig = SocketRig(self.control)
 
 
+class SerialWindow(WindowScenarios, unittest.TestCase):
+    def setUp(self):
+        self.rig = SerialRig(self.control)
+
+
+class SocketWindow(WindowScenarios, unittest.TestCase):
+    def setUp(self):
+        self.rig = SocketRig(self.control)
+
+
 if __name__ == "__main__":
     Rounds.control = os.path.abspath(sys.argv.pop(1))
+    Rounds.window = os.path.abspath(sys.argv.pop(1))
     result = unittest.main(argv=[sys.argv[0], "-v", *sys.argv[1:]], exit=False).result
     ROWS.print()
     sys.exit(not result.wasSuccessful())

@@ -5,7 +5,7 @@
 //     windowdriver LINK listen   only watches; prints "listening", and at the end of its input "RX LOST"
 //     windowdriver LINK record FILE   records; prints "recording", and at the end of its input, once the file is closed,
 //                                     "FRAMES LOST"
-// For tests/socketcan/kill-window, full-load and recording. The lease is renewed where the program renews it, on the GUI thread.
+// For tests/safety, and tests/socketcan/kill-window, full-load and recording. The lease is renewed where the program renews it, on the GUI thread.
 #include "app/engine.h"
 #include "app/mainwindow.h"
 #include "model/registry.h"
@@ -13,6 +13,7 @@
 #include <QApplication>
 #include <QSocketNotifier>
 
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <string_view>
@@ -44,8 +45,10 @@ private:
         if (arming.state() == mb::LampState::Safe && device.liveness.heard && device.mayNotMove.empty()) {
             arming.arm(device.id);
             mb::SetPoint setPoint;
-            setPoint.mode = mb::Mode::Duty;
-            setPoint.target = 0.3;
+            const auto modes = device.family->modes;
+            const bool hasDuty = std::find(modes.begin(), modes.end(), mb::Mode::Duty) != modes.end();
+            setPoint.mode = hasDuty ? mb::Mode::Duty : mb::Mode::Velocity;
+            setPoint.target = hasDuty ? 0.3 : 200.0;
             for (setPoint.axis = 1; setPoint.axis <= device.family->capabilities.axes; ++setPoint.axis)
                 arming.run(setPoint);
         } else if (!m_told && device.motion.running && device.liveness.moving && turnsOnEveryAxis(device)) {
