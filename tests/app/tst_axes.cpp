@@ -360,8 +360,13 @@ void AxesTest::stopEndsAllOfThem()
 void AxesTest::gainsAreCopiedFromAnotherAxis()
 {
     const auto p1 = *findParameter(board().family->parameters, "ch1.position.p");
-    m_engine->writeParameters(board().id, {{p1, 321}}, {});
-    QTRY_VERIFY_WITH_TIMEOUT(board().parameters[p1.value].raw == 321, patience);
+    const auto written = [this, p1] {
+        if (board().parameters[p1.value].raw == 321)
+            return true;
+        m_engine->writeParameters(board().id, {{p1, 321}}, {}); // refused while the page still reads
+        return false;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(written(), patience);
     select(2);
     chooseMode("Position");
     Q_EMIT panel().copyGainsRequested(1);
