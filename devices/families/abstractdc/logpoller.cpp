@@ -29,8 +29,12 @@ LogPoller::LogPoller(CanLink &link, Clock &clock, Events events)
     , m_questions(link, clock)
     , m_timer(clock)
     , m_traffic(link.traffic().add([this](const Traffic &traffic) {
-        if (traffic.can)
-            count(*traffic.can);
+        if (!traffic.can)
+            return;
+        if (traffic.direction == Direction::Sent && traffic.can->extended && m_link.bitrate() > 0) // not our own orders
+            m_wireFreeAt = std::max(m_wireFreeAt, m_clock.now())
+                + Duration(std::chrono::seconds(1)) * bitsOnWire(*traffic.can) / m_link.bitrate();
+        count(*traffic.can);
     }))
     , m_received(link.received().add([this](const CanFrame &frame) { receive(frame); }))
 {
@@ -149,6 +153,11 @@ void LogPoller::ask()
             timedOut();
         else
             schedule();
+        return;
+    }
+    if (m_wireFreeAt > m_clock.now() + roundTrip(m_link)) { // behind a page of firmware, an answer would seem lost
+        m_freeAt = m_wireFreeAt;
+        schedule();
         return;
     }
     const Log log = mostUrgent();

@@ -200,7 +200,8 @@ void Unit::writeParameter(std::uint8_t id, std::uint32_t raw)
     if (id == param::encoderPosition)
         m_drive.setPosition(static_cast<std::int32_t>(raw));
     m_drive.wake();
-    if (id == param::analogPeriod || id == param::encoderPeriod || id == param::generalPeriod)
+    const bool isPeriod = id == param::analogPeriod || id == param::encoderPeriod || id == param::generalPeriod;
+    if (isPeriod && raw != before)
         armStatus(id, period(id));
     const bool kept = row->persistent && (row->rule != Rule::Counter || raw != before);
     if (kept)
