@@ -12,6 +12,7 @@
 
 #include <QApplication>
 #include <QSocketNotifier>
+#include <QTimer>
 
 #include <algorithm>
 #include <cstdio>
@@ -216,6 +217,12 @@ int main(int argc, char **argv)
         std::fprintf(stderr, "windowdriver: %s\n", opened.error().text().c_str());
         QCoreApplication::exit(5);
     });
+    QTimer again; // as its user would, where a busy machine made a scan find nobody
+    QObject::connect(&again, &QTimer::timeout, &engine, [&engine] {
+        if (engine.snapshot().devices.empty())
+            engine.scan();
+    });
+    again.start(std::chrono::seconds(3));
     window.show();
     return QApplication::exec();
 }
