@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/conditions.h"
 
+#include "tuning/owedgains.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/updates.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr auto resetKey = "reset ";
 constexpr auto mayTurnKey = "may turn";
+constexpr auto owedKey = "owed ";
 
 QString resetKeyOf(DeviceId device)
 {
@@ -48,6 +50,7 @@ void Conditions::follow()
         followReset(device);
     }
     followUpdates();
+    followOwed();
     for (const DeviceId gone : std::set<DeviceId>(m_reset)) {
         if (!m_workbench.snapshot().device(gone))
             endReset(gone);
@@ -148,8 +151,41 @@ void Conditions::endReset(DeviceId device)
     m_banners.clear(resetKeyOf(device));
 }
 
+/// What an experiment could not put back because its program died: never without being asked.
+void Conditions::followOwed()
+{
+    std::set<QString> standing;
+    for (const auto &[id, all] : m_workbench.owedGains()) {
+        const DeviceView *device = m_workbench.snapshot().device(id);
+        if (!device)
+            continue;
+        for (const tuning::OwedGains &owed : all) {
+            const QString key = QLatin1String(owedKey) + QStringLiteral("%1 %2").arg(id.value).arg(owed.trial);
+            standing.insert(key);
+            const QString values = QString::fromStdString(tuning::assignmentsOf(*device->family, owed.values));
+            m_banners.post(key, BannerKind::Caution,
+                tr("Trial #%1 on %2 was cut before it put its gains back").arg(owed.trial).arg(titleOf(*device)),
+                tr("Before it: %1. The motor must stand.").arg(values), tr("Put them back"));
+        }
+    }
+    for (const QString &over : m_owed) {
+        if (standing.count(over) == 0)
+            m_banners.clear(over);
+    }
+    m_owed = standing;
+}
+
+void Conditions::payOwed(const QString &key)
+{
+    const QStringList parts = key.split(QLatin1Char(' '));
+    const DeviceId device{parts.value(1).toUInt()};
+    m_workbench.payGains(device, parts.value(2).toLongLong(), {});
+}
+
 void Conditions::act(const QString &key)
 {
+    if (key.startsWith(QLatin1String(owedKey)))
+        return payOwed(key);
     if (key == QLatin1String(mayTurnKey))
         m_workbench.dismissStops();
     if (!key.startsWith(QLatin1String(resetKey)))

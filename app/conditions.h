@@ -27,12 +27,15 @@ private:
     void followUpdates();
     void followReset(const DeviceView &device);
     void endReset(DeviceId device);
+    void followOwed();
+    void payOwed(const QString &key);
     void act(const QString &key);
     void written(DeviceId device, const Result<void> &result);
 
     Workbench &m_workbench;
     Arming &m_arming;
     BannerStack &m_banners;
+    std::set<QString> m_owed;               ///< with a banner
     std::set<QString> m_updates;            ///< with a banner
     std::set<DeviceId> m_reset;             ///< with a banner
     std::map<DeviceId, QString> m_failures; ///< of writing again, by device

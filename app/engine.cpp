@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine.h"
 
+#include "app/folders/userfolders.h"
 #include "app/guardian/client/guardianclient.h"
 #include "app/sleep/logindinhibitor.h"
 #include "app/sleep/sleepguard.h"
+#include "app/trialdesk.h"
 #include "model/chunkstore.h"
 #include "transport/linkwatch.h"
 #include "transport/workerthreads.h"
@@ -38,6 +40,7 @@ struct Engine::Room {
     Room(Engine &owner, std::span<const Family *const> families, bool opensByItself)
         : engine(owner)
         , workers(owner.m_toEngine)
+        , journal(owner.m_store, owner.m_toEngine)
         , core(clock, families, opensByItself, &guardian)
         , sleepGuard(core.session(), clock, inhibitor)
         , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
@@ -55,6 +58,7 @@ struct Engine::Room {
             engine.m_toWindow.post([to = &engine, text] { to->report(Severity::Caution, {}, tableText(text)); });
         });
         core.setBackground(&workers);
+        core.setJournal(&journal);
         core.session().keepHistoriesIn(store);
         core.session().setStopGate(&engine.m_stopLane.isPressed());
         changed = core.session().changed().add([this] { engine.m_stopLane.follow(core.session()); });
@@ -81,9 +85,8 @@ struct Engine::Room {
         tick.startIn(snapshotPeriod, [this] { publish(); });
         if (engine.m_snapshotUnderWay.exchange(true))
             return;
-        auto shot = std::make_shared<Snapshot>(core.snapshot());
-        engine.m_toWindow.post(
-            [to = &engine, shot, found = core.listings()] { to->takeSnapshot(std::move(*shot), found); });
+        auto picture = std::make_shared<Picture>(Picture{core.snapshot(), core.listings(), core.owedGains()});
+        engine.m_toWindow.post([to = &engine, picture] { to->takePicture(std::move(*picture)); });
     }
 
     /// Samples that could not go to disk stay in memory; somebody should know before it is full.
@@ -102,6 +105,7 @@ struct Engine::Room {
     QtClock clock;
     GuardianClient guardian;
     WorkerThreads workers;
+    StoredJournal journal;
     EngineCore core;
     bool isListing = false;
     LogindInhibitor inhibitor;
@@ -144,6 +148,8 @@ private:
 Engine::Engine(std::span<const Family *const> families, bool opensByItself, QObject *parent)
     : Workbench(parent)
     , m_arrivals(std::make_unique<QSocketNotifier>(m_toWindow.descriptor(), QSocketNotifier::Read))
+    , m_store(databaseFile(), m_clock)
+    , m_notebook(std::make_unique<TrialDesk>(m_store, m_toWindow))
     , m_thread(std::make_unique<Loop>(*this, families, opensByItself))
 {
     connect(m_arrivals.get(), &QSocketNotifier::activated, this, [this] { m_toWindow.drain(); });
@@ -174,10 +180,11 @@ EngineCore::Finished Engine::comeBack(Finished finished)
                Result<void> result) { m_toWindow.post([finished, result] { finished(result); }); };
 }
 
-void Engine::takeSnapshot(Snapshot snapshot, std::vector<LinkListing> listings)
+void Engine::takePicture(Picture picture)
 {
-    m_snapshot = std::move(snapshot);
-    m_listings = std::move(listings);
+    m_snapshot = std::move(picture.snapshot);
+    m_listings = std::move(picture.listings);
+    m_owedGains = std::move(picture.owedGains);
     m_snapshotUnderWay = false;
     Q_EMIT changed();
 }
@@ -240,6 +247,35 @@ void Engine::experiment(DeviceId device, const std::string &key, const Experimen
 {
     post([device, key, options, back = comeBack(std::move(finished))](
              EngineCore &core) { core.experiment(device, key, options, back); });
+}
+
+void Engine::runTrial(
+    DeviceId device, const tuning::ExperimentPlan &plan, TrialMeasured measured, TrialFinished finished)
+{
+    const EngineCore::TrialMeasured told = [this, measured = std::move(measured)](const tuning::Trial &trial) {
+        m_toWindow.post([measured, trial] { measured(trial); });
+    };
+    const EngineCore::TrialFinished back = [this, finished = std::move(finished)](Result<tuning::Trial> trial) {
+        m_toWindow.post([finished, trial = std::move(trial)] { finished(trial); });
+    };
+    post([device, plan, told, back](EngineCore &core) { core.runTrial(device, plan, told, back); });
+}
+
+TrialNotebook &Engine::trials()
+{
+    return *m_notebook;
+}
+
+void Engine::payGains(DeviceId device, std::int64_t trial, Finished finished)
+{
+    post([device, trial, back = comeBack(std::move(finished))](
+             EngineCore &core) { core.payGains(device, trial, back); });
+}
+
+void Engine::dismissGains(DeviceId device, std::int64_t trial, Finished finished)
+{
+    post([device, trial, back = comeBack(std::move(finished))](
+             EngineCore &core) { core.dismissGains(device, trial, back); });
 }
 
 void Engine::identify(DeviceId device, Finished finished)

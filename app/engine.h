@@ -3,6 +3,7 @@
 
 #include "app/enginecore.h"
 #include "app/stopthread.h"
+#include "app/trialstore.h"
 #include "async/mailbox.h"
 #include "transport/qtclock.h"
 #include "widgets/common/workbench.h"
@@ -39,6 +40,15 @@ public:
     void rewriteSettings(DeviceId device, Finished finished) override;
     void experiment(
         DeviceId device, const std::string &key, const ExperimentOptions &options, Finished finished) override;
+    void runTrial(
+        DeviceId device, const tuning::ExperimentPlan &plan, TrialMeasured measured, TrialFinished finished) override;
+    [[nodiscard]] TrialNotebook &trials() override;
+    [[nodiscard]] const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const override
+    {
+        return m_owedGains;
+    }
+    void payGains(DeviceId device, std::int64_t trial, Finished finished) override;
+    void dismissGains(DeviceId device, std::int64_t trial, Finished finished) override;
     void identify(DeviceId device, Finished finished) override;
     void rename(DeviceId device, const QString &name, Finished finished) override;
     void renumber(DeviceId device, int address, Finished finished) override;
@@ -73,7 +83,13 @@ private:
 
     /// A callback that hops back to the window's thread.
     [[nodiscard]] EngineCore::Finished comeBack(Finished finished);
-    void takeSnapshot(Snapshot snapshot, std::vector<LinkListing> listings);
+    /// What the window knows of the engine, taken at one moment.
+    struct Picture {
+        Snapshot snapshot;
+        std::vector<LinkListing> listings;
+        std::map<DeviceId, std::vector<tuning::OwedGains>> owedGains;
+    };
+    void takePicture(Picture picture);
 
     QtClock m_clock;
     StopThread m_stopLane;
@@ -84,6 +100,9 @@ private:
     Snapshot m_snapshot;
     std::vector<LinkListing> m_listings;
     std::vector<Notice> m_notices;
+    std::map<DeviceId, std::vector<tuning::OwedGains>> m_owedGains;
+    TrialStore m_store;
+    std::unique_ptr<TrialNotebook> m_notebook;
     Room *m_room = nullptr; ///< the engine thread's; touched only there
     std::unique_ptr<Loop> m_thread;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/enginecore.h"
+#include "app/enginework.h"
 
 #include <algorithm>
 
@@ -10,12 +10,6 @@ constexpr Duration lookPeriod = std::chrono::seconds(1);
 constexpr Duration rescanPeriod = std::chrono::seconds(5);
 constexpr std::size_t keptOperations = 32;
 constexpr Duration ratesAgain = std::chrono::milliseconds(100);
-
-void answer(const EngineCore::Finished &finished, Result<void> result)
-{
-    if (finished)
-        finished(std::move(result));
-}
 
 } // namespace
 
@@ -133,6 +127,7 @@ void EngineCore::look()
     callTheRoll();
     m_awaited.look([this](const LinkAddress &address) { openAwaited(address); });
     refreshRestarted();
+    lookForOwed();
     if (!isQuiet() || m_clock.now() - m_lastScan < rescanPeriod)
         return;
     for (Link *link : m_session.links()) {
@@ -170,33 +165,6 @@ void EngineCore::prune()
 {
     for (auto running = m_operations.begin(); running != m_operations.end() && m_operations.size() > keptOperations;)
         running = running->operation->isRunning() ? std::next(running) : m_operations.erase(running);
-}
-
-template <class T>
-EngineCore::Running *EngineCore::begin(DeviceId id, const char *title,
-    const std::function<Task<T>(Device &, Progress &)> &make, std::function<void(Running &, Result<T>)> finished,
-    const Finished &refused)
-{
-    Device *device = m_session.find(id);
-    if (!device) {
-        answer(refused, fail(Fault::Timeout, "the device is gone"));
-        return nullptr;
-    }
-    if (hasOperation(id)) {
-        answer(refused, fail(Fault::Unsafe, "the device is busy with something else"));
-        return nullptr;
-    }
-    prune();
-    m_operations.push_back(
-        {OperationId{++m_lastOperation}, id, std::make_unique<Operation>(m_clock, title), std::nullopt, 0, false});
-    Running &running = m_operations.back();
-    running.operation->run<T>(
-        make(*device, *running.operation), [this, &running, finished = std::move(finished)](Result<T> result) {
-            finished(running, std::move(result));
-            touch();
-        });
-    touch();
-    return &running;
 }
 
 EngineCore::Running *EngineCore::beginSimple(
@@ -320,6 +288,7 @@ void EngineCore::setDialect(DeviceId id, const std::string &key, const Finished 
 
 void EngineCore::setRate(DeviceId id, ChannelIndex channel, double hertz)
 {
+    m_wished[{id, channel}] = hertz;
     if (hasOperation(id)) { // it began after the window had seen that the device is free
         m_rates[{id, channel}] = hertz;
         m_ratesAgain.startIn(ratesAgain, [this] {
@@ -386,6 +355,7 @@ void EngineCore::stopMotion(DeviceId id)
 {
     if (Device *device = m_session.find(id))
         m_session.stream(*device).stop();
+    interruptTrials(id);
     touch();
 }
 
@@ -435,7 +405,9 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
 void EngineCore::cancel(OperationId id)
 {
     for (Running &running : m_operations) {
-        if (running.id == id)
+        if (running.id == id && running.interruption)
+            running.interruption->interrupt();
+        else if (running.id == id)
             (void)running.operation->cancel();
     }
 }

@@ -9,6 +9,7 @@
 #include "model/transcript.h"
 #include "model/unknownframes.h"
 #include "transport/linkcatalog.h"
+#include "tuning/experiment.h"
 
 #include <functional>
 #include <list>
@@ -59,6 +60,19 @@ public:
     void storeParameters(DeviceId id, Finished finished);
     void rewriteSettings(DeviceId id, const Finished &finished);
     void experiment(DeviceId id, const std::string &key, const ExperimentOptions &options, const Finished &finished);
+    /// From now on trials are kept, and what they change is written down first. The journal outlives this.
+    void setJournal(tuning::ExperimentJournal *journal) { m_journal = journal; }
+    using TrialMeasured = std::function<void(const tuning::Trial &)>;
+    using TrialFinished = std::function<void(Result<tuning::Trial>)>;
+    /// One experiment on one loop (tuning/experiment.h): an operation of the device. It needs renewMotion() all the time;
+    /// stopMotion(), stopAll() and cancel() end its motion at once, and it puts back what it changed. `measured` after each hold.
+    void runTrial(
+        DeviceId id, const tuning::ExperimentPlan &plan, const TrialMeasured &measured, const TrialFinished &finished);
+    /// What earlier experiments owe to units that are here; it is looked for when a unit has told who it is.
+    [[nodiscard]] const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const { return m_owed; }
+    /// Puts back what a trial owes, or owes it no longer. Operations of the device.
+    void payGains(DeviceId id, std::int64_t trial, Finished finished);
+    void dismissGains(DeviceId id, std::int64_t trial, Finished finished);
     void identify(DeviceId id, Finished finished);
     void rename(DeviceId id, const std::string &name, Finished finished);
     void renumber(DeviceId id, int address, Finished finished);
@@ -96,7 +110,8 @@ private:
         std::unique_ptr<Operation> operation;
         std::optional<UpdateReport> update;
         std::uint64_t shown = 0;
-        bool isExperiment = false; ///< STOP ends it, whatever it is doing
+        bool isExperiment = false;                            ///< STOP ends it, whatever it is doing
+        std::shared_ptr<tuning::Interruption> interruption{}; ///< of a trial, which puts back what it changed
     };
     /// A link that is being opened.
     struct Opening {
@@ -145,6 +160,11 @@ private:
     void scanned(Link &link, const Result<std::vector<Device *>> &devices);
     void look();
     void callTheRoll();
+    void interruptTrials(std::optional<DeviceId> id);
+    void wishAgain(DeviceId id);
+    void lookForOwed();
+    void compareOwed(DeviceId id, const std::string &unit);
+    void endOwed(DeviceId id, std::int64_t trial);
     void refreshRestarted();
     void openByItself();
     void reopenLost();
@@ -210,11 +230,18 @@ private:
     Subscription m_stopChanged;
     Subscription m_guardianActed;
     std::map<std::pair<DeviceId, ChannelIndex>, double> m_rates; ///< asked for while the device was busy
+    std::map<std::pair<DeviceId, ChannelIndex>, double>
+        m_wished; ///< asked for last; a trial has rates of its own meanwhile
     Timer m_ratesAgain;
     Timer m_look;
     Timer m_returned;
     Instant m_lastScan{};
     std::set<DeviceId> m_mayTurn; ///< told so
+    tuning::ExperimentJournal *m_journal = nullptr;
+    tuning::DirectionBook m_directions;
+    std::map<DeviceId, std::string> m_lookedFor; ///< units whose owed gains were asked for, and who they were
+    std::map<DeviceId, std::vector<tuning::OwedGains>> m_owed;
+    Scope m_asking{m_clock}; ///< last: what it asks uses everything above
 };
 
 } // namespace mb

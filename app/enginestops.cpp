@@ -13,6 +13,7 @@ void EngineCore::stopAll(StopCause cause)
         if (running.isExperiment)
             (void)running.operation->cancel();
     }
+    interruptTrials(std::nullopt);
     touch();
 }
 

@@ -172,6 +172,7 @@ void EngineCore::callTheRoll()
             presence.lost = false;
         } else if (presence.heard && device->busy().empty() && !hasOperation(id)) {
             notice(Severity::Caution, presence.name, "does not answer any more");
+            m_directions.forget(device->selector()); // it may come back with other wires
             presence.heard = false;
             presence.lost = true;
         }

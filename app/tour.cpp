@@ -162,10 +162,12 @@ void Tour::planParameters()
 
 void Tour::planMotion()
 {
+    planTrials();
     add(
         QStringLiteral("arm"),
         [this] {
-            m_window.showPage(PageId::Tune);
+            m_window.selection().select(device(tuned)->id);
+            qobject_cast<TunePage *>(m_window.page(PageId::Tune))->showLive(true);
             m_window.arming().arm(device(tuned)->id);
         },
         [this] { return m_window.arming().isArmed(device(tuned)->id); });
@@ -173,7 +175,7 @@ void Tour::planMotion()
     add(
         QStringLiteral("velocity step"), [] {}, [this] { return comesToSpeed(); });
     pause(std::chrono::milliseconds(1500));
-    picture(QStringLiteral("tune"));
+    picture(QStringLiteral("tune-live"));
     add(
         QStringLiteral("plots"), [this] { m_window.showPage(PageId::Plots); }, [this] { return comesToSpeed(); });
     pause(std::chrono::milliseconds(1500));

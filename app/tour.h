@@ -31,6 +31,8 @@ private:
     void planOverview();
     void planParameters();
     void planMotion();
+    void planTrials();
+    void tryGains(double p, double i);
     void planPlots();
     void planAxes();
     void stepAxes(double target);

@@ -26,6 +26,7 @@ const DeviceView *Tour::board() const
 void Tour::stepAxes(double target)
 {
     auto *page = qobject_cast<TunePage *>(m_window.page(PageId::Tune));
+    page->showLive(true);
     page->choose(Mode::Position, target);
     if (!m_window.arming().isArmed(board()->id)) // a change of the mode disarms, and so does a picture that takes long
         m_window.arming().arm(board()->id);

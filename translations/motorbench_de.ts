@@ -902,6 +902,72 @@
     </message>
 </context>
 <context>
+    <name>mb::AdvicePanel</name>
+    <message>
+        <source>Why it did that</source>
+        <translation>Warum das so war</translation>
+    </message>
+    <message>
+        <source>Stages these values; nothing is written yet.</source>
+        <translation>Merkt diese Werte vor; geschrieben wird noch nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::AdviceText</name>
+    <message>
+        <source>F·K is %1 with I active: the initial lag is paid back as overshoot.</source>
+        <translation>F·K ist %1 bei aktivem I: der anfängliche Rückstand wird als Überschwingen zurückgezahlt.</translation>
+    </message>
+    <message>
+        <source>It stops %1 counts short: P alone does not overcome friction there.</source>
+        <translation>Es bleibt %1 Schritte davor stehen: P allein überwindet dort die Reibung nicht.</translation>
+    </message>
+    <message>
+        <source>A gain has only %1 steps of its integer; it cannot be set finely.</source>
+        <translation>Ein Faktor hat nur %1 Stufen seiner Ganzzahl; er lässt sich nicht fein einstellen.</translation>
+    </message>
+    <message>
+        <source>One count of the sensor moves the duty by %1 % through D; 10 % is the most that is quiet.</source>
+        <translation>Ein Schritt des Gebers ändert die Stellgröße über D um %1 %; ruhig bleibt es bis 10 %.</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s ramp takes %1 to full duty, which is slower than this loop.</source>
+        <translation>Die Rampe des Reglers braucht %1 bis zur vollen Stellgröße und ist damit langsamer als dieser Regelkreis.</translation>
+    </message>
+    <message>
+        <source>The duty was at its limit for %1: the loop cannot go faster there.</source>
+        <translation>Die Stellgröße war %1 lang an ihrer Grenze: schneller kann der Regelkreis dort nicht.</translation>
+    </message>
+    <message>
+        <source>The duty was at its limit for %1 while I went on; that is paid back as overshoot.</source>
+        <translation>Die Stellgröße war %1 lang an ihrer Grenze, während I weiterlief; das wird als Überschwingen zurückgezahlt.</translation>
+    </message>
+    <message>
+        <source>The measured velocity is %1 late; the gains are too lively for that.</source>
+        <translation>Die gemessene Geschwindigkeit kommt %1 zu spät; dafür sind die Faktoren zu lebhaft.</translation>
+    </message>
+    <message>
+        <source>The velocity comes anew every %1 only; a loop cannot be quicker than that.</source>
+        <translation>Die Geschwindigkeit kommt nur alle %1 neu; schneller kann ein Regelkreis nicht sein.</translation>
+    </message>
+    <message>
+        <source>It moved late, at %1 % duty: friction holds it until then.</source>
+        <translation>Er bewegte sich spät, bei %1 % Stellgröße: so lange hält ihn die Reibung.</translation>
+    </message>
+    <message>
+        <source>It takes %1 % duty to stay in place: a load pulls one way.</source>
+        <translation>Er braucht %1 % Stellgröße, um stehen zu bleiben: eine Last zieht in eine Richtung.</translation>
+    </message>
+    <message>
+        <source>It swings by %1 counts without end: play between motor and load.</source>
+        <translation>Es schwingt endlos um %1 Schritte: Spiel zwischen Motor und Last.</translation>
+    </message>
+    <message>
+        <source>Stage %1</source>
+        <translation>%1 vormerken</translation>
+    </message>
+</context>
+<context>
     <name>mb::Arming</name>
     <message>
         <source>nothing to arm</source>
@@ -974,6 +1040,11 @@
     <message>
         <source>this window did not respond for %1 s</source>
         <translation>dieses Fenster hat %1 s lang nicht reagiert</translation>
+    </message>
+    <message>
+        <source>%1 guard, %2</source>
+        <comment>guard and what tripped it</comment>
+        <translation>Wächter %1, %2</translation>
     </message>
 </context>
 <context>
@@ -1861,6 +1932,45 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::EnvelopePanel</name>
+    <message>
+        <source>Travel ±</source>
+        <translation>Weg ±</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>Duty</source>
+        <translation>Stellgröße</translation>
+    </message>
+    <message>
+        <source>Envelope</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Envelope: %1</source>
+        <translation>Grenzen: %1</translation>
+    </message>
+    <message>
+        <source>Empty: what the device itself says</source>
+        <translation>Leer: was das Gerät selbst sagt</translation>
+    </message>
+    <message>
+        <source>%1 holds</source>
+        <translation>%1 gilt</translation>
+    </message>
+    <message>
+        <source>not bounded, %1</source>
+        <translation>nicht begrenzt, %1</translation>
+    </message>
+</context>
+<context>
     <name>mb::ExperimentDialog</name>
     <message>
         <source>Axis</source>
@@ -1929,6 +2039,37 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Cancelled. The motor is stopped; gains and limits are as they were.</source>
         <translation>Abgebrochen. Der Motor ist gestoppt; Verstärkungen und Grenzen sind wie zuvor.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ExperimentText</name>
+    <message>
+        <source>at most %1 s</source>
+        <translation>höchstens %1 s</translation>
+    </message>
+    <message>
+        <source>inside the envelope · %1</source>
+        <translation>in den Grenzen · %1</translation>
+    </message>
+    <message>
+        <source>inside the envelope · %1 of %2 · %3</source>
+        <translation>in den Grenzen · %1 von %2 · %3</translation>
+    </message>
+    <message>
+        <source>This mode has no loop that can be tried; Live drives it.</source>
+        <translation>Diese Betriebsart hat keinen Regelkreis zum Erproben; „Live“ fährt sie.</translation>
+    </message>
+    <message>
+        <source>Nothing bounds the motor: enter travel, duty, and what else is empty here.</source>
+        <translation>Nichts begrenzt den Motor: Weg, Stellgröße und was hier sonst leer ist, eingeben.</translation>
+    </message>
+    <message>
+        <source>Enter where the loop is to go.</source>
+        <translation>Eingeben, wohin der Regelkreis soll.</translation>
+    </message>
+    <message>
+        <source>It is there already; enter another place to go to.</source>
+        <translation>Dort ist er schon; ein anderes Ziel eingeben.</translation>
     </message>
 </context>
 <context>
@@ -2983,6 +3124,94 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>%1: %2 bytes received, %3 sent, %4 dropped, %5 errors</source>
         <translation>%1: %2 Bytes empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>mb::MetricsPanel</name>
+    <message>
+        <source>Metrics</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>Metrics of A and B</source>
+        <translation>Kennwerte von A und B</translation>
+    </message>
+    <message>
+        <source>Loop health</source>
+        <translation>Zustand des Regelkreises</translation>
+    </message>
+    <message>
+        <source>metric</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Δ B − A</source>
+        <comment>difference</comment>
+        <translation>Δ B − A</translation>
+    </message>
+    <message>
+        <source>± from %1 repeats</source>
+        <translation>± aus %1 Läufen</translation>
+    </message>
+    <message>
+        <source>%1 = same</source>
+        <translation>%1 = gleich</translation>
+    </message>
+    <message>
+        <source>SAT %1 %</source>
+        <translation>SAT %1 %</translation>
+    </message>
+    <message>
+        <source>Share of the hold in which the duty was at its limit</source>
+        <translation>Anteil der Haltezeit mit der Stellgröße an ihrer Grenze</translation>
+    </message>
+    <message>
+        <source>ILIM</source>
+        <translation>ILIM</translation>
+    </message>
+    <message>
+        <source>The current was at its limit</source>
+        <translation>Der Strom war an seiner Grenze</translation>
+    </message>
+    <message>
+        <source>RAMP</source>
+        <translation>RAMPE</translation>
+    </message>
+    <message>
+        <source>The drive&apos;s own ramp was on</source>
+        <translation>Die Rampe des Reglers war an</translation>
+    </message>
+    <message>
+        <source>LIMIT SW</source>
+        <translation>ENDSCH</translation>
+    </message>
+    <message>
+        <source>A limit switch was met</source>
+        <translation>Ein Endschalter wurde erreicht</translation>
+    </message>
+    <message>
+        <source>QUANT</source>
+        <translation>QUANT</translation>
+    </message>
+    <message>
+        <source>The step has few counts of the encoder</source>
+        <translation>Der Sprung hat wenige Geberschritte</translation>
+    </message>
+    <message>
+        <source>LOST %1</source>
+        <translation>FEHLT %1</translation>
+    </message>
+    <message>
+        <source>Samples that are missing</source>
+        <translation>Messwerte, die fehlen</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULIERT</translation>
+    </message>
+    <message>
+        <source>Made on a simulated controller, and marked so for ever</source>
+        <translation>An einem simulierten Regler entstanden und für immer so bezeichnet</translation>
     </message>
 </context>
 <context>
@@ -4487,6 +4716,61 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
 </context>
 <context>
+    <name>mb::ResponsePlot</name>
+    <message>
+        <source>DEMO</source>
+        <translation>DEMO</translation>
+    </message>
+    <message>
+        <source>t = 0 at the edge, mean of %1 · %2 samples, %3 lost</source>
+        <translation>t = 0 an der Flanke, Mittel aus %1 · %2 Messwerte, %3 fehlen</translation>
+    </message>
+    <message>
+        <source>t = 0 at the edge · %1 samples, %2 lost</source>
+        <translation>t = 0 an der Flanke · %1 Messwerte, %2 fehlen</translation>
+    </message>
+    <message>
+        <source>Responses</source>
+        <translation>Antworten</translation>
+    </message>
+    <message>
+        <source>%1 #%2</source>
+        <translation>%1 #%2</translation>
+    </message>
+    <message>
+        <source>set-point</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>±2 % band</source>
+        <translation>Band ±2 %</translation>
+    </message>
+    <message>
+        <source>%1 peak %2 %</source>
+        <translation>%1 Spitze %2 %</translation>
+    </message>
+    <message>
+        <source>%1 settles %2</source>
+        <translation>%1 ruht nach %2</translation>
+    </message>
+    <message>
+        <source>%1: duty at %2 % limit, %3</source>
+        <translation>%1: Stellgröße an der Grenze %2 %, %3</translation>
+    </message>
+    <message>
+        <source>%1: current at its limit, %2</source>
+        <translation>%1: Strom an seiner Grenze, %2</translation>
+    </message>
+    <message>
+        <source>limit %1 %</source>
+        <translation>Grenze %1 %</translation>
+    </message>
+    <message>
+        <source>limit %1 A</source>
+        <translation>Grenze %1 A</translation>
+    </message>
+</context>
+<context>
     <name>mb::RoutePanel</name>
     <message>
         <source>Way in</source>
@@ -4947,129 +5231,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
-    <name>mb::StepTable</name>
-    <message>
-        <source>Show in plot</source>
-        <translation>Im Diagramm zeigen</translation>
-    </message>
-    <message>
-        <source>Use these gains</source>
-        <translation>Diese Verstärkungen</translation>
-    </message>
-    <message>
-        <source>Stages the gains of the step that is selected; nothing is written yet.</source>
-        <translation>Merkt die Verstärkungen des gewählten Sprungs vor; geschrieben wird noch nichts.</translation>
-    </message>
-    <message>
-        <source>Steps</source>
-        <translation>Sprünge</translation>
-    </message>
-    <message>
-        <source>Steps of this session</source>
-        <translation>Sprünge dieser Sitzung</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>Sprung</translation>
-    </message>
-    <message>
-        <source>set-point</source>
-        <translation>Sollwert</translation>
-    </message>
-    <message>
-        <source>P</source>
-        <translation>P</translation>
-    </message>
-    <message>
-        <source>I</source>
-        <translation>I</translation>
-    </message>
-    <message>
-        <source>D</source>
-        <translation>D</translation>
-    </message>
-    <message>
-        <source>F</source>
-        <translation>F</translation>
-    </message>
-    <message>
-        <source>over %</source>
-        <translation>über %</translation>
-    </message>
-    <message>
-        <source>settle</source>
-        <translation>Ausregel</translation>
-    </message>
-    <message>
-        <source>rise</source>
-        <translation>Anstieg</translation>
-    </message>
-    <message>
-        <source>error %</source>
-        <translation>Abw. %</translation>
-    </message>
-    <message>
-        <source>peak A</source>
-        <translation>Spitze A</translation>
-    </message>
-    <message>
-        <source>note</source>
-        <translation>Notiz</translation>
-    </message>
-    <message>
-        <source>Overshoot in per cent of the step</source>
-        <translation>Überschwingen in Prozent des Sprungs</translation>
-    </message>
-    <message>
-        <source>Milliseconds until it stays within 2 %, or within the noise</source>
-        <translation>Millisekunden, bis die Größe innerhalb 2 % oder des Rauschens bleibt</translation>
-    </message>
-    <message>
-        <source>Milliseconds from 10 to 90 %</source>
-        <translation>Millisekunden von 10 auf 90 %</translation>
-    </message>
-    <message>
-        <source>What is missing to the set-point in the end</source>
-        <translation>Was am Ende zum Sollwert fehlt</translation>
-    </message>
-    <message>
-        <source>Every run appears here with its gains and what became of it.</source>
-        <translation>Jeder Lauf erscheint hier mit seinen Verstärkungen und dem Ergebnis.</translation>
-    </message>
-    <message>
-        <source>%1 this session, every run is kept</source>
-        <translation>%1 in dieser Sitzung, jeder Lauf bleibt</translation>
-    </message>
-    <message>
-        <source>running</source>
-        <translation>läuft</translation>
-    </message>
-    <message>
-        <source>did not move</source>
-        <translation>nicht bewegt</translation>
-    </message>
-    <message>
-        <source>cut short</source>
-        <translation>abgebrochen</translation>
-    </message>
-    <message>
-        <source>%1 lost</source>
-        <translation>%1 verloren</translation>
-    </message>
-    <message>
-        <source>ramp %1</source>
-        <translation>Rampe %1</translation>
-    </message>
-    <message>
-        <source>band ±%1 %</source>
-        <translation>Band ±%1 %</translation>
-    </message>
-    <message>
-        <source>does not settle</source>
-        <translation>schwingt nicht ein</translation>
-    </message>
-</context>
-<context>
     <name>mb::StepsPanel</name>
     <message>
         <source>Steps of the update</source>
@@ -5082,6 +5243,109 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1. %2</source>
         <translation>%1. %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StimulusBar</name>
+    <message>
+        <source>there, until it has settled, and back</source>
+        <translation>hin, bis er ruht, und zurück</translation>
+    </message>
+    <message>
+        <source>to and fro, 0.5 Hz</source>
+        <translation>hin und her, 0,5 Hz</translation>
+    </message>
+    <message>
+        <source>evenly there and back</source>
+        <translation>gleichmäßig hin und zurück</translation>
+    </message>
+    <message>
+        <source>1 Hz, six swings</source>
+        <translation>1 Hz, sechs Schwingungen</translation>
+    </message>
+    <message>
+        <source>0.1 to 15 Hz in 30 s</source>
+        <translation>0,1 bis 15 Hz in 30 s</translation>
+    </message>
+    <message>
+        <source>random bits of 125 ms</source>
+        <translation>zufällige Bits von 125 ms</translation>
+    </message>
+    <message>
+        <source>Stimulus</source>
+        <translation>Anregung</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>Where the experiment begins and ends; empty: where the motor is, or 0</source>
+        <translation>Wo der Versuch beginnt und endet; leer: wo der Motor ist, oder 0</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Nach</translation>
+    </message>
+    <message>
+        <source>Where the loop is asked to go</source>
+        <translation>Wohin der Regelkreis soll</translation>
+    </message>
+    <message>
+        <source>hold</source>
+        <translation>halten</translation>
+    </message>
+    <message>
+        <source>Time of the stimulus</source>
+        <translation>Zeit der Anregung</translation>
+    </message>
+    <message>
+        <source>Seconds; empty: the usual, and a step ends once it has settled</source>
+        <translation>Sekunden; leer: wie üblich, und ein Sprung endet, wenn er ruht</translation>
+    </message>
+    <message>
+        <source>Repeats</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>Each repeat starts a little later between two samples: together they show what is finer than the telemetry</source>
+        <translation>Jeder Lauf beginnt etwas später zwischen zwei Messwerten: zusammen zeigen sie, was feiner ist als die Telemetrie</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>here</source>
+        <translation>hier</translation>
+    </message>
+    <message>
+        <source>rise</source>
+        <translation>Anstieg</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>settled</source>
+        <translation>bis Ruhe</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>üblich</translation>
+    </message>
+    <message>
+        <source>Enter where the loop is to go.</source>
+        <translation>Eingeben, wohin der Regelkreis soll.</translation>
+    </message>
+    <message>
+        <source>%1 is no number.</source>
+        <translation>%1 ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The time is 0.001 to %1 s.</source>
+        <translation>Die Zeit ist 0,001 bis %1 s.</translation>
     </message>
 </context>
 <context>
@@ -5146,6 +5410,429 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Columns of %1</source>
         <translation>Spalten von %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TrialList</name>
+    <message>
+        <source>Which trials</source>
+        <translation>Welche Versuche</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Starred</source>
+        <translation>Mit Stern</translation>
+    </message>
+    <message>
+        <source>Clean</source>
+        <translation>Saubere</translation>
+    </message>
+    <message>
+        <source>Back to best</source>
+        <translation>Zum besten zurück</translation>
+    </message>
+    <message>
+        <source>Stages the gains of the quickest clean trial with no more than 5 % overshoot; runs nothing.</source>
+        <translation>Merkt die Faktoren des schnellsten sauberen Versuchs mit höchstens 5 % Überschwingen vor; startet nichts.</translation>
+    </message>
+    <message>
+        <source>Use these gains</source>
+        <translation>Diese Faktoren nehmen</translation>
+    </message>
+    <message>
+        <source>Stages the gains of the trial that is selected; nothing is written yet.</source>
+        <translation>Merkt die Faktoren des gewählten Versuchs vor; geschrieben wird noch nichts.</translation>
+    </message>
+    <message>
+        <source>Export the trials as CSV or JSON</source>
+        <translation>Versuche als CSV oder JSON ausgeben</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Trials of this loop</source>
+        <translation>Versuche an diesem Regelkreis</translation>
+    </message>
+    <message>
+        <source>Every experiment appears here with its gains and what became of it.</source>
+        <translation>Jeder Versuch erscheint hier mit seinen Faktoren und dem, was daraus wurde.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n, every run is kept</source>
+        <translation>
+            <numerusform>%n, jeder Lauf bleibt erhalten</numerusform>
+            <numerusform>%n, jeder Lauf bleibt erhalten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Alle %1</translation>
+    </message>
+    <message>
+        <source>Starred %1</source>
+        <translation>Mit Stern %1</translation>
+    </message>
+    <message>
+        <source>Clean %1</source>
+        <translation>Saubere %1</translation>
+    </message>
+    <message>
+        <source>Back to best #%1</source>
+        <translation>Zum besten zurück #%1</translation>
+    </message>
+    <message>
+        <source>Show as B</source>
+        <translation>Als B zeigen</translation>
+    </message>
+    <message>
+        <source>Pin as A  A</source>
+        <translation>Als A anheften  A</translation>
+    </message>
+    <message>
+        <source>Take the star away</source>
+        <translation>Stern wegnehmen</translation>
+    </message>
+    <message>
+        <source>Give it a star</source>
+        <translation>Stern geben</translation>
+    </message>
+    <message>
+        <source>Edit the note</source>
+        <translation>Notiz bearbeiten</translation>
+    </message>
+    <message>
+        <source>Forget this trial</source>
+        <translation>Diesen Versuch vergessen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TrialModel</name>
+    <message>
+        <source>Take the star away</source>
+        <translation>Stern wegnehmen</translation>
+    </message>
+    <message>
+        <source>Give it a star</source>
+        <translation>Stern geben</translation>
+    </message>
+    <message>
+        <source>starred</source>
+        <translation>mit Stern</translation>
+    </message>
+    <message>
+        <source>no star</source>
+        <translation>ohne Stern</translation>
+    </message>
+    <message>
+        <source>trial</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>stimulus</source>
+        <translation>Anregung</translation>
+    </message>
+    <message>
+        <source>over %</source>
+        <translation>Über %</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>rise</source>
+        <translation>Anstieg</translation>
+    </message>
+    <message>
+        <source>peak A</source>
+        <translation>Spitze A</translation>
+    </message>
+    <message>
+        <source>flags</source>
+        <translation>Zeichen</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Notiz</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TrialWords</name>
+    <message>
+        <source>travel</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>duty</source>
+        <translation>Stellgröße</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>bus voltage</source>
+        <translation>Busspannung</translation>
+    </message>
+    <message>
+        <source>direction</source>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>no motion</source>
+        <translation>keine Bewegung</translation>
+    </message>
+    <message>
+        <source>oscillation</source>
+        <translation>Schwingung</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>user</source>
+        <translation>Benutzer</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>saturated</source>
+        <translation>gesättigt</translation>
+    </message>
+    <message>
+        <source>current limit</source>
+        <translation>Stromgrenze</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>limit switch</source>
+        <translation>Endschalter</translation>
+    </message>
+    <message>
+        <source>samples lost</source>
+        <translation>Messwerte fehlen</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>coarse</source>
+        <translation>grob</translation>
+    </message>
+    <message>
+        <source>not symmetric</source>
+        <translation>nicht symmetrisch</translation>
+    </message>
+    <message>
+        <source>did not move</source>
+        <translation>bewegte sich nicht</translation>
+    </message>
+    <message>
+        <source>restart needed</source>
+        <translation>Neustart nötig</translation>
+    </message>
+    <message>
+        <source>better</source>
+        <translation>besser</translation>
+    </message>
+    <message>
+        <source>worse</source>
+        <translation>schlechter</translation>
+    </message>
+    <message>
+        <source>faster</source>
+        <translation>schneller</translation>
+    </message>
+    <message>
+        <source>slower</source>
+        <translation>langsamer</translation>
+    </message>
+    <message>
+        <source>Rise 10–90</source>
+        <translation>Anstieg 10–90</translation>
+    </message>
+    <message>
+        <source>Settle 2 %</source>
+        <translation>Ruhe 2 %</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>Undershoot</source>
+        <translation>Unterschwingen</translation>
+    </message>
+    <message>
+        <source>Steady error</source>
+        <translation>Bleibender Fehler</translation>
+    </message>
+    <message>
+        <source>IAE</source>
+        <translation>IAE</translation>
+    </message>
+    <message>
+        <source>ITAE</source>
+        <translation>ITAE</translation>
+    </message>
+    <message>
+        <source>Peak current</source>
+        <translation>Stromspitze</translation>
+    </message>
+    <message>
+        <source>Duty chatter</source>
+        <translation>Stellunruhe</translation>
+    </message>
+    <message>
+        <source>Saturated</source>
+        <translation>Gesättigt</translation>
+    </message>
+    <message>
+        <source>Noise σ</source>
+        <translation>Rauschen σ</translation>
+    </message>
+    <message>
+        <source>Step and back</source>
+        <translation>Sprung und zurück</translation>
+    </message>
+    <message>
+        <source>Square</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>Sine</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>Chirp</source>
+        <translation>Chirp</translation>
+    </message>
+    <message>
+        <source>PRBS</source>
+        <translation>PRBS</translation>
+    </message>
+    <message>
+        <source>stopped: %1</source>
+        <translation>gestoppt: %1</translation>
+    </message>
+    <message>
+        <source>nobody saw its end</source>
+        <translation>niemand sah das Ende</translation>
+    </message>
+    <message>
+        <source>%1 samples lost</source>
+        <translation>%1 Messwerte fehlen</translation>
+    </message>
+    <message>
+        <source>saturated %1 %</source>
+        <translation>gesättigt %1 %</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TrialsView</name>
+    <message>
+        <source>Below the plot</source>
+        <translation>Unter dem Diagramm</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Kennwerte</translation>
+    </message>
+    <message>
+        <source>Flip A and B</source>
+        <translation>A und B tauschen</translation>
+    </message>
+    <message>
+        <source>Pin B as A</source>
+        <translation>B als A anheften</translation>
+    </message>
+    <message>
+        <source>Cursors A and B</source>
+        <translation>Cursor A und B</translation>
+    </message>
+    <message>
+        <source>Fit time and value</source>
+        <translation>Zeit und Wert einpassen</translation>
+    </message>
+    <message>
+        <source>the notebook: %1</source>
+        <translation>das Versuchsbuch: %1</translation>
+    </message>
+    <message>
+        <source>not kept: %1</source>
+        <translation>nicht aufbewahrt: %1</translation>
+    </message>
+    <message>
+        <source>No trial yet. F5 runs the first.</source>
+        <translation>Noch kein Versuch. F5 startet den ersten.</translation>
+    </message>
+    <message>
+        <source>A #%1 is another stimulus, it is not drawn</source>
+        <translation>A #%1 hat eine andere Anregung und wird nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>A #%1 against B #%2</source>
+        <translation>A #%1 gegen B #%2</translation>
+    </message>
+    <message>
+        <source>B #%1; Shift+click on a trial pins it as A</source>
+        <translation>B #%1; Umschalt+Klick auf einen Versuch heftet ihn als A an</translation>
+    </message>
+    <message>
+        <source>Export trials</source>
+        <translation>Versuche ausgeben</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;JSON (*.json)</source>
+        <translation>Tabelle (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>trials written to %1</source>
+        <translation>Versuche nach %1 geschrieben</translation>
     </message>
 </context>
 <context>
@@ -5409,10 +6096,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Verstärkungen nicht geschrieben: %1</translation>
     </message>
     <message>
-        <source>Gains of step #%1</source>
-        <translation>Verstärkungen von Sprung #%1</translation>
-    </message>
-    <message>
         <source>Stop axis %1</source>
         <translation>Achse %1 stoppen</translation>
     </message>
@@ -5460,6 +6143,46 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Look at a gain again</source>
         <translation>Eine Verstärkung noch einmal ansehen</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+    <message>
+        <source>Stop the motion before an experiment.</source>
+        <translation>Vor einem Versuch die Bewegung anhalten.</translation>
+    </message>
+    <message>
+        <source>The stimulus cannot be sent</source>
+        <translation>Die Anregung lässt sich nicht senden</translation>
+    </message>
+    <message>
+        <source>No experiment yet</source>
+        <translation>Noch kein Versuch möglich</translation>
+    </message>
+    <message>
+        <source>No experiment in this mode</source>
+        <translation>Kein Versuch in dieser Betriebsart</translation>
+    </message>
+    <message>
+        <source>F5 runs the experiment.</source>
+        <translation>F5 startet den Versuch.</translation>
+    </message>
+    <message>
+        <source>Gains of trial #%1</source>
+        <translation>Faktoren von Versuch #%1</translation>
+    </message>
+    <message>
+        <source>What the adviser proposes</source>
+        <translation>Was der Ratgeber vorschlägt</translation>
     </message>
 </context>
 <context>
@@ -5519,18 +6242,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>DEMO</source>
         <translation>DEMO</translation>
-    </message>
-    <message>
-        <source>±%1 % of the step</source>
-        <translation>±%1 % des Sprungs</translation>
-    </message>
-    <message>
-        <source>peak %1 %</source>
-        <translation>Spitze %1 %</translation>
-    </message>
-    <message>
-        <source>#%1 settles %2</source>
-        <translation>#%1 ausgeregelt %2</translation>
     </message>
     <message>
         <source>ch%1 set-point</source>

@@ -39,6 +39,16 @@
     </message>
 </context>
 <context>
+    <name>mb::TrialList</name>
+    <message numerus="yes">
+        <source>%n, every run is kept</source>
+        <translation>
+            <numerusform>%n, every run is kept</numerusform>
+            <numerusform>%n, every run is kept</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::TunePage</name>
     <message numerus="yes">
         <source>%n value(s)</source>

@@ -14,18 +14,15 @@ public:
     explicit Notebook(Console &console);
 
     /// nullptr when it cannot be opened for writing.
-    [[nodiscard]] tuning::ExperimentJournal *book();
-    /// Of the trial that was begun last.
-    [[nodiscard]] std::optional<std::int64_t> number() const;
-    /// What earlier experiments owe to this unit: settled where the unit has it, named with its remedy where not.
-    [[nodiscard]] Task<void> lookForDebts(Device &device);
+    [[nodiscard]] tuning::ExperimentJournal *book() { return m_book.get(); }
+    /// What earlier experiments owe to this unit: settled where the unit has it; else put back, with `agreed` or when somebody
+    /// at the terminal says so, or named with its remedy.
+    [[nodiscard]] Task<void> settleOwed(Device &device, bool agreed);
 
 private:
-    class Numbered;
-
     Console &m_console;
     std::unique_ptr<Database> m_database;
-    std::shared_ptr<Numbered> m_book;
+    std::unique_ptr<TrialBook> m_book;
 };
 
 } // namespace mb::console

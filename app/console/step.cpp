@@ -7,6 +7,7 @@
 #include "app/console/trialtext.h"
 #include "app/console/verb.h"
 #include "async/sleep.h"
+#include "storage/trialfile.h"
 #include "tuning/experiment.h"
 
 #include <memory>
@@ -41,6 +42,7 @@ struct Arguments {
     std::string duty;
     bool samples = false;
     std::string save;
+    bool yes = false;
 };
 
 struct Plan {
@@ -48,6 +50,7 @@ struct Plan {
     ExperimentPlan experiment;
     bool samples = false;
     std::string save;
+    bool yes = false; ///< what is owed to the unit is put back first
 };
 
 Result<std::optional<double>> optional(std::string_view name, const std::string &text, double low, double high)
@@ -129,7 +132,7 @@ Result<Plan> check(const Console &console, const Arguments &a)
     if (!family.trials)
         return fail(
             Fault::Unsupported, std::string(family.title) + " has no loop that can be tried; leave it to 'drive'");
-    Plan plan{std::move(*target), {}, a.samples, a.save};
+    Plan plan{std::move(*target), {}, a.samples, a.save, a.yes};
     const auto mode = parseLoop(family, a.mode);
     if (!mode)
         return fail(mode.error());
@@ -138,7 +141,7 @@ Result<Plan> check(const Console &console, const Arguments &a)
         return fail(profile.error());
     plan.experiment.mode = *mode;
     plan.experiment.profile = *profile;
-    plan.experiment.keep = a.keep;
+    plan.experiment.keep = a.keep ? Keep::Always : Keep::Never;
     if (auto numbers = parseNumbers(family, a, plan.experiment); !numbers)
         return fail(numbers.error());
     auto gains = parseAssignments(family, a.gains);
@@ -242,8 +245,8 @@ Task<int> performOn(Console &console, Stage &stage, Plan plan)
     Sleep listening(device->clock(), masterListen);
     co_await listening;
     Notebook notebook(console);
-    auto looking = notebook.lookForDebts(*device);
-    co_await std::move(looking);
+    auto settling = notebook.settleOwed(*device, plan.yes);
+    co_await std::move(settling);
     Result<Trial> trial;
     {
         std::optional<SampleStream> samples;
@@ -254,9 +257,9 @@ Task<int> performOn(Console &console, Stage &stage, Plan plan)
     }
     if (!trial)
         co_return fail(trial.error());
-    printTrial(console, *trial, notebook.number());
+    printTrial(console, *trial, trial->number);
     if (!plan.save.empty()) {
-        if (auto saved = saveTrial(plan.save, *trial, notebook.number()); !saved)
+        if (auto saved = saveTrial(plan.save, *trial, trial->number); !saved)
             co_return fail(saved.error());
     }
     co_return verdictOf(*trial);
@@ -297,6 +300,7 @@ Job declareStep(CLI::App &arguments)
     arguments.add_option("--current", a->current, "Most A");
     arguments.add_option("--duty", a->duty, "Most duty, 0…1");
     arguments.add_flag("--samples", a->samples, "Print the samples as watch does, before the result");
+    arguments.add_flag("--yes", a->yes, "Put back first, without asking, what an earlier experiment could not");
     arguments.add_option("--save", a->save, "Keep result and samples in a file: .csv the samples alone");
     return [a](Console &console) { return step(console, *a); };
 }

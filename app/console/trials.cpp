@@ -3,6 +3,7 @@
 #include "app/console/trialtext.h"
 #include "app/console/verb.h"
 #include "app/folders/userfolders.h"
+#include "storage/trialfile.h"
 
 #include <memory>
 

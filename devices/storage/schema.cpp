@@ -6,7 +6,7 @@
 namespace mb {
 namespace {
 
-constexpr const char *trials = R"(
+constexpr const char *firstSchema = R"(
 CREATE TABLE trial (
     id INTEGER PRIMARY KEY AUTOINCREMENT,
     time REAL NOT NULL,
@@ -47,7 +47,7 @@ CREATE TABLE owed (
 CREATE INDEX owed_unit ON owed (unit);
 )";
 
-constexpr std::array versions{trials};
+constexpr std::array versions{firstSchema};
 
 } // namespace
 

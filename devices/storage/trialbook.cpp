@@ -13,7 +13,7 @@
 namespace mb {
 namespace {
 
-constexpr auto columns
+const std::string columns
     = "SELECT id, time, device, unit, firmware, simulated, mode, axis, slot, stimulus, envelope, gains, "
       "metrics, flags, reason, detail, stopped, samples, lost, star, note FROM trial";
 
@@ -141,12 +141,13 @@ Task<void> TrialBook::complete(std::int64_t number, tuning::Trial trial)
     co_return m_database.transact([&]() -> Result<void> {
         const QVariant reason = trial.reason.empty() ? QVariant(QVariant::String) : QVariant(qt(trial.reason));
         auto changed = changeOne(number,
-            "UPDATE trial SET gains = ?, metrics = ?, flags = ?, reason = ?, detail = ?, stopped = ?, samples = ?, "
+            "UPDATE trial SET stimulus = ?, gains = ?, metrics = ?, flags = ?, reason = ?, detail = ?, stopped = ?, "
+            "samples = ?, "
             "lost = ? "
             "WHERE id = ?",
-            {textOf(gainsToJson(trial)), textOf(metricsToJson(trial)), textOf(flagsToJson(trial)), reason,
-                qt(trial.detail), trial.stopped, static_cast<qint64>(trial.samples), static_cast<qint64>(trial.lost),
-                static_cast<qint64>(number)});
+            {textOf(stimulusToJson(trial)), textOf(gainsToJson(trial)), textOf(metricsToJson(trial)),
+                textOf(flagsToJson(trial)), reason, qt(trial.detail), trial.stopped, static_cast<qint64>(trial.samples),
+                static_cast<qint64>(trial.lost), static_cast<qint64>(number)});
         return changed ? keepSignals(number, trial.signals) : changed;
     });
 }
@@ -173,23 +174,31 @@ Result<void> TrialBook::changeOne(std::int64_t number, const char *statement, co
         "there is no trial " + std::to_string(number) + "; 'motorbenchctl trials' lists those there are");
 }
 
-Result<std::vector<KeptTrial>> TrialBook::list(const std::string &device)
+Result<std::vector<KeptTrial>> TrialBook::read(const std::string &where, const QVariantList &values)
 {
     std::vector<KeptTrial> trials;
-    const std::string all = columns;
-    const std::string statement = device.empty() ? all + " ORDER BY id" : all + " WHERE device = ? ORDER BY id";
-    const QVariantList values = device.empty() ? QVariantList() : QVariantList{qt(device)};
-    const auto read = m_database.run(
+    const std::string statement = columns + where + " ORDER BY id";
+    const auto done = m_database.run(
         statement.c_str(), values, [&trials](const QSqlQuery &row) { trials.push_back(trialOf(row)); });
-    if (!read)
-        return fail(read.error());
+    if (!done)
+        return fail(done.error());
     return trials;
+}
+
+Result<std::vector<KeptTrial>> TrialBook::list(const std::string &device)
+{
+    return device.empty() ? read({}, {}) : read(" WHERE device = ?", {qt(device)});
+}
+
+Result<std::vector<KeptTrial>> TrialBook::listOf(const std::string &unit)
+{
+    return read(" WHERE unit = ?", {qt(unit)});
 }
 
 Result<KeptTrial> TrialBook::find(std::int64_t number)
 {
     std::optional<KeptTrial> found;
-    const std::string statement = std::string(columns) + " WHERE id = ?";
+    const std::string statement = columns + " WHERE id = ?";
     const auto read = m_database.run(
         statement.c_str(), {static_cast<qint64>(number)}, [&found](const QSqlQuery &row) { found = trialOf(row); });
     if (!read)
@@ -228,19 +237,19 @@ Result<void> TrialBook::remove(std::int64_t number)
     return changeOne(number, "DELETE FROM trial WHERE id = ?", {static_cast<qint64>(number)});
 }
 
-Result<std::vector<Debt>> TrialBook::debts(const std::string &unit)
+Task<std::vector<tuning::OwedGains>> TrialBook::owedTo(std::string unit)
 {
-    std::vector<Debt> debts;
-    const auto read = m_database.run("SELECT trial, key, raw, time FROM owed WHERE unit = ? ORDER BY trial, key",
-        {qt(unit)}, [&debts](const QSqlQuery &row) {
+    std::vector<tuning::OwedGains> owed;
+    const auto done = m_database.run("SELECT trial, key, raw, time FROM owed WHERE unit = ? ORDER BY trial, key",
+        {qt(unit)}, [&owed](const QSqlQuery &row) {
             const std::int64_t trial = row.value(0).toLongLong();
-            if (debts.empty() || debts.back().trial != trial)
-                debts.push_back({trial, row.value(3).toDouble(), {}});
-            debts.back().values.push_back({text(row, 1), row.value(2).toLongLong()});
+            if (owed.empty() || owed.back().trial != trial)
+                owed.push_back({trial, row.value(3).toDouble(), {}});
+            owed.back().values.push_back({text(row, 1), row.value(2).toLongLong()});
         });
-    if (!read)
-        return fail(read.error());
-    return debts;
+    if (!done)
+        co_return fail(done.error());
+    co_return owed;
 }
 
 } // namespace mb

@@ -4,26 +4,11 @@
 #include "async/clock.h"
 #include "storage/database.h"
 #include "tuning/experimentjournal.h"
+#include "tuning/kepttrial.h"
 
 #include <optional>
 
 namespace mb {
-
-/// A trial as it is kept, without its signals.
-struct KeptTrial {
-    std::int64_t number = 0;
-    double time = 0.0; ///< Unix time of its beginning, s
-    tuning::Trial trial;
-    bool star = false;
-    std::string note;
-};
-
-/// What an experiment changed and nobody has put back for certain.
-struct Debt {
-    std::int64_t trial = 0;
-    double time = 0.0; ///< Unix, s
-    std::vector<tuning::OwedValue> values;
-};
 
 /// The notebook: every experiment, kept for good, also those that nobody saw end. A row is there before its experiment begins.
 /// Thread of the database, which outlives it. Every function but list() and find() fails on a full disk, a file that cannot be
@@ -37,18 +22,20 @@ public:
     [[nodiscard]] Task<void> owe(std::int64_t trial, std::string unit, std::vector<tuning::OwedValue> values) override;
     [[nodiscard]] Task<void> settle(std::int64_t trial) override;
     [[nodiscard]] Task<void> complete(std::int64_t number, tuning::Trial trial) override;
+    [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override;
 
     /// In order of their beginning; of one device, if it is named.
     [[nodiscard]] Result<std::vector<KeptTrial>> list(const std::string &device = {});
+    /// The same of one unit, wherever it was connected (Trial::unit).
+    [[nodiscard]] Result<std::vector<KeptTrial>> listOf(const std::string &unit);
     [[nodiscard]] Result<KeptTrial> find(std::int64_t number);
     [[nodiscard]] Result<std::vector<tuning::Signal>> signals(std::int64_t number);
     [[nodiscard]] Result<void> setStar(std::int64_t number, bool star);
     [[nodiscard]] Result<void> setNote(std::int64_t number, const std::string &note);
     [[nodiscard]] Result<void> remove(std::int64_t number);
-    /// Of one unit, oldest first.
-    [[nodiscard]] Result<std::vector<Debt>> debts(const std::string &unit);
 
 private:
+    [[nodiscard]] Result<std::vector<KeptTrial>> read(const std::string &where, const QVariantList &values);
     [[nodiscard]] double now() const;
     [[nodiscard]] Result<void> changeOne(std::int64_t number, const char *statement, const QVariantList &values);
     [[nodiscard]] Result<void> keepSignals(std::int64_t number, const std::vector<tuning::Signal> &signals);

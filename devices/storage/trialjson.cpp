@@ -32,6 +32,22 @@ constexpr std::array<EnvelopeKey, 4> envelopeKeys{{
     {"duty", &Envelope::duty},
 }};
 
+QJsonArray spansToJson(const std::vector<tuning::Span> &spans)
+{
+    QJsonArray array;
+    for (const tuning::Span &span : spans)
+        array.append(QJsonArray{span.from, span.to});
+    return array;
+}
+
+std::vector<tuning::Span> readSpans(const QJsonArray &array)
+{
+    std::vector<tuning::Span> spans;
+    for (const QJsonValue &span : array)
+        spans.push_back({span.toArray().at(0).toDouble(), span.toArray().at(1).toDouble()});
+    return spans;
+}
+
 } // namespace
 
 QJsonObject toJson(const tuning::Stimulus &stimulus, int repeat)
@@ -51,6 +67,16 @@ QJsonObject toJson(const tuning::Stimulus &stimulus, int repeat)
         object.insert(QStringLiteral("low"), stimulus.low);
         object.insert(QStringLiteral("high"), stimulus.high);
     }
+    return object;
+}
+
+QJsonObject stimulusToJson(const Trial &trial)
+{
+    QJsonObject object = toJson(trial.stimulus, trial.repeat);
+    if (!trial.holds.empty())
+        object.insert(QStringLiteral("holds"), spansToJson(trial.holds));
+    if (!trial.returns.empty())
+        object.insert(QStringLiteral("returns"), spansToJson(trial.returns));
     return object;
 }
 
@@ -121,6 +147,8 @@ void readStimulus(const QJsonObject &object, Trial &trial)
     stimulus.low = object.value(QStringLiteral("low")).toDouble();
     stimulus.high = object.value(QStringLiteral("high")).toDouble();
     trial.repeat = object.value(QStringLiteral("repeat")).toInt(1);
+    trial.holds = readSpans(object.value(QStringLiteral("holds")).toArray());
+    trial.returns = readSpans(object.value(QStringLiteral("returns")).toArray());
 }
 
 void readGains(const QJsonObject &object, Trial &trial)

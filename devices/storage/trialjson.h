@@ -12,6 +12,8 @@ namespace mb {
 [[nodiscard]] QJsonObject toJson(const tuning::Trial &trial, std::optional<std::int64_t> number);
 
 [[nodiscard]] QJsonObject toJson(const tuning::Stimulus &stimulus, int repeat);
+/// The same with where its holds and ways back were: `holds` and `returns`, pairs of seconds since the first edge.
+[[nodiscard]] QJsonObject stimulusToJson(const tuning::Trial &trial);
 [[nodiscard]] QJsonObject gainsToJson(const tuning::Trial &trial);
 /// Every metric, and KEY_error for what repeats told.
 [[nodiscard]] QJsonObject metricsToJson(const tuning::Trial &trial);

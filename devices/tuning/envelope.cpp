@@ -20,29 +20,30 @@ std::optional<double> narrower(std::optional<double> a, std::optional<double> b)
     return std::min(*a, *b);
 }
 
-std::optional<double> numberOf(const Device &device, ParameterIndex index)
+using Entries = std::span<const ParameterStore::Entry>;
+
+/// In force now, as far as it is known.
+std::optional<double> numberOf(const Family &family, Entries entries, const std::string &key)
 {
-    const auto &raw = device.parameters().entry(index).raw;
-    if (!raw)
+    const auto index = findParameter(family.parameters, key);
+    if (!index || index->value >= entries.size() || !entries[index->value].raw)
         return std::nullopt;
-    const Value value = toValue(device.parameters().parameter(index), *raw);
+    const Value value = toValue(family.parameters[index->value], *entries[index->value].raw);
     if (const bool *on = std::get_if<bool>(&value))
         return *on ? 1.0 : 0.0;
     const double *number = std::get_if<double>(&value);
     return number ? std::optional(*number) : std::nullopt;
 }
 
-/// In force now: read where that can be, else as last written.
-Task<std::optional<double>> inForce(Device &device, std::string key)
+/// Read where that can be; else it is as last written.
+Task<void> refresh(Device &device, std::string key)
 {
     const auto index = findParameter(device.family().parameters, key);
-    if (!index)
-        co_return std::optional<double>();
-    if (device.parameters().parameter(*index).access != Access::WriteOnly && device.offers(*index)) {
+    if (index && device.parameters().parameter(*index).access != Access::WriteOnly && device.offers(*index)) {
         auto reading = device.read(*index);
         co_await std::move(reading);
     }
-    co_return numberOf(device, *index);
+    co_return {};
 }
 
 void apply(Envelope &envelope, const DeviceLimit &limit, double value, double position, std::optional<double> &other)
@@ -122,30 +123,41 @@ bool isClosedLoop(Mode mode)
     return mode == Mode::Position || mode == Mode::Velocity || mode == Mode::Current;
 }
 
-Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position)
+Envelope ownLimits(const Family &family, Entries entries, int axis, int slot, double position)
 {
     Envelope envelope;
     std::optional<double> otherSide;
-    const Family &family = device.family();
     for (const DeviceLimit &limit : family.trials->limits) {
-        if (!limit.enabled.empty()) {
-            auto asking = inForce(device, gainKey(family, limit.enabled, axis, slot));
-            const std::optional<double> on = co_await std::move(asking);
-            if (on.value_or(0.0) == 0.0)
-                continue;
-        }
-        auto asking = inForce(device, gainKey(family, limit.key, axis, slot));
-        const std::optional<double> value = co_await std::move(asking);
+        const bool on = limit.enabled.empty()
+            || numberOf(family, entries, gainKey(family, limit.enabled, axis, slot)).value_or(0.0) != 0.0;
+        const auto value = on ? numberOf(family, entries, gainKey(family, limit.key, axis, slot)) : std::nullopt;
         if (value)
             apply(envelope, limit, *value / limit.one, position, otherSide);
     }
-    co_return envelope;
+    return envelope;
 }
 
-Result<Envelope> resolve(const Device &device, Mode mode, int axis, const Envelope &asked, const Envelope &own)
+Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position)
 {
-    const bool simulated = device.link().address().isSimulated();
-    const Envelope bench = simulated ? device.family().trials->bench : Envelope();
+    const Family &family = device.family();
+    for (const DeviceLimit &limit : family.trials->limits) {
+        for (const std::string_view key : {limit.enabled, limit.key}) {
+            auto reading = refresh(device, gainKey(family, key, axis, slot));
+            co_await std::move(reading);
+        }
+    }
+    co_return ownLimits(family, device.parameters().entries(), axis, slot, position);
+}
+
+EnvelopeFacts factsOf(const Device &device, int axis)
+{
+    return {device.selector(), device.link().address().isSimulated(), hasCurrentScale(device, axis)};
+}
+
+Result<Envelope> resolve(
+    const Family &family, const EnvelopeFacts &facts, Mode mode, const Envelope &asked, const Envelope &own)
+{
+    const Envelope bench = facts.simulated ? family.trials->bench : Envelope();
     const auto known = [](std::optional<double> a, std::optional<double> b, std::optional<double> rest) {
         const auto found = narrower(a, b);
         return found ? found : rest;
@@ -154,7 +166,7 @@ Result<Envelope> resolve(const Device &device, Mode mode, int axis, const Envelo
     envelope.travel = known(asked.travel, own.travel, bench.travel);
     envelope.speed = known(asked.speed, own.speed, bench.speed);
     envelope.duty = known(asked.duty, own.duty, bench.duty);
-    if (hasCurrentScale(device, axis))
+    if (facts.currentScale)
         envelope.current = known(asked.current, own.current, bench.current);
     std::vector<std::string> missing;
     if (!envelope.travel)
@@ -163,12 +175,12 @@ Result<Envelope> resolve(const Device &device, Mode mode, int axis, const Envelo
         missing.emplace_back("--speed");
     if (!envelope.duty)
         missing.emplace_back("--duty");
-    if (!envelope.current && hasCurrentScale(device, axis))
+    if (!envelope.current && facts.currentScale)
         missing.emplace_back("--current");
     if (missing.empty())
         return envelope;
     return fail(Fault::OutOfRange,
-        device.selector() + " has no such limit of its own, so nothing bounds the motor; give " + together(missing));
+        facts.selector + " has no such limit of its own, so nothing bounds the motor; give " + together(missing));
 }
 
 Result<void> checkInside(const Envelope &envelope, Mode mode, const Stimulus &stimulus, int repeat, double position)

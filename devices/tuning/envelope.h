@@ -17,13 +17,25 @@ namespace mb::tuning {
 [[nodiscard]] std::string_view measuredOf(Mode mode);
 [[nodiscard]] bool isClosedLoop(Mode mode);
 
-/// The limits that the device itself has and that are on, seen from `position`. What cannot be read is not known.
+/// The limits that the device itself has and that are on, seen from `position`, by what is known of its parameters (in table
+/// order). What is not known bounds nothing.
+[[nodiscard]] Envelope ownLimits(
+    const Family &family, std::span<const ParameterStore::Entry> entries, int axis, int slot, double position);
+/// The same, read anew.
 [[nodiscard]] Task<Envelope> readOwnLimits(Device &device, int axis, int slot, double position);
+
+/// What the bounds of a trial depend on, of a device.
+struct EnvelopeFacts {
+    std::string selector;
+    bool simulated = false;
+    bool currentScale = false; ///< it tells its current in ampere
+};
+[[nodiscard]] EnvelopeFacts factsOf(const Device &device, int axis);
 
 /// What bounds a trial: of what was asked for and the device's own the narrower; on simulated units the bench's figures for
 /// the rest. OutOfRange, naming what must be given, where travel or duty (speed, in a velocity loop) are not known.
 [[nodiscard]] Result<Envelope> resolve(
-    const Device &device, Mode mode, int axis, const Envelope &asked, const Envelope &own);
+    const Family &family, const EnvelopeFacts &facts, Mode mode, const Envelope &asked, const Envelope &own);
 
 /// OutOfRange with the numbers when a stimulus would leave the envelope from where the motor stands.
 [[nodiscard]] Result<void> checkInside(

@@ -9,6 +9,9 @@
 
 namespace mb::tuning {
 
+/// Whether gains that an experiment has written stay in force after it.
+enum class Keep { Never, WhenDone, Always };
+
 /// What an experiment is asked to do. Numbers are in the unit of the mode.
 struct ExperimentPlan {
     Mode mode = Mode::Velocity;
@@ -20,7 +23,7 @@ struct ExperimentPlan {
     std::optional<double> seconds; ///< of the profile; nothing: the usual
     int repeat = 1;
     std::vector<ParameterChange> gains; ///< in force while it runs
-    bool keep = false;                  ///< and afterwards
+    Keep keep = Keep::Never;            ///< and afterwards
     Envelope limits;                    ///< what the caller allows
 };
 
@@ -30,10 +33,12 @@ struct ExperimentPlan {
 
 /// What an experiment shares with who started it, who outlives it. Thread of the session.
 struct ExperimentSurroundings {
-    ExperimentJournal *journal = nullptr; ///< nullptr: nothing is kept, and gains are written with `keep` only
+    ExperimentJournal *journal = nullptr; ///< nullptr: nothing is kept, and gains are written with Keep::Always only
     DirectionBook *directions = nullptr;  ///< of this run of the program
     Interruption *interruption = nullptr;
     std::function<void(const std::string &)> note; ///< a line for people
+    /// When a hold has ended, before the way back: the trial with what is measured so far. The motor still runs.
+    std::function<void(const Trial &)> measured;
 };
 
 /// One guarded experiment: checks the envelope from where the motor stands, writes the gains given, checks the direction

@@ -14,6 +14,15 @@ struct OwedValue {
     friend bool operator==(const OwedValue &, const OwedValue &) = default;
 };
 
+/// What an experiment changed and nobody has put back for certain.
+struct OwedGains {
+    std::int64_t trial = 0;
+    double time = 0.0; ///< Unix, s
+    std::vector<OwedValue> values;
+
+    friend bool operator==(const OwedGains &, const OwedGains &) = default;
+};
+
 /// Where an experiment writes down what must outlive this program. Thread of the session; whoever implements it waits for a
 /// disk in a thread of its own where that matters.
 class ExperimentJournal {
@@ -28,6 +37,8 @@ public:
     [[nodiscard]] virtual Task<void> settle(std::int64_t trial) = 0;
     /// What came of it.
     [[nodiscard]] virtual Task<void> complete(std::int64_t number, Trial trial) = 0;
+    /// What earlier experiments owe to a unit, oldest first.
+    [[nodiscard]] virtual Task<std::vector<OwedGains>> owedTo(std::string unit) = 0;
 };
 
 } // namespace mb::tuning

@@ -80,7 +80,7 @@ Task<void> ExperimentRun::prepare()
         m_origin = 0.0; // it counts from its start
     auto reading = readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_origin);
     const Envelope own = co_await std::move(reading);
-    const auto envelope = resolve(m_device, m_plan.mode, m_plan.axis, m_plan.limits, own);
+    const auto envelope = resolve(m_device.family(), factsOf(m_device, m_plan.axis), m_plan.mode, m_plan.limits, own);
     if (!envelope)
         co_return fail(envelope.error());
     const double from = m_plan.from.value_or(m_plan.mode == Mode::Position ? m_origin : 0.0);
@@ -99,7 +99,7 @@ Task<void> ExperimentRun::prepare()
                 co_return fail(legal.error());
         }
     }
-    if (!m_plan.keep) {
+    if (m_plan.keep != Keep::Always) {
         auto replacing = readReplaced(m_device, m_plan.gains);
         m_owed = co_await std::move(replacing);
     }
@@ -117,6 +117,8 @@ Task<void> ExperimentRun::perform()
         m_trial.flags.emplace_back(flag::restartNeeded);
     auto writing = writeDown();
     co_await std::move(writing);
+    if (isInterrupted())
+        co_return {};
     if (m_plan.mode == Mode::Position && m_device.family().capabilities.zeroPosition) {
         auto zeroing = m_device.zeroPosition();
         co_await std::move(zeroing);
@@ -132,14 +134,14 @@ Task<void> ExperimentRun::perform()
 
 Task<void> ExperimentRun::writeDown()
 {
-    const bool owes = !m_plan.gains.empty() && !m_plan.keep;
+    const bool owes = !m_plan.gains.empty() && m_plan.keep != Keep::Always;
     if (m_around.journal) {
         auto beginning = m_around.journal->begin(m_trial);
         const Result<std::int64_t> number = co_await std::move(beginning).attempt();
         if (!number && owes)
             co_return fail(number.error());
         if (number)
-            m_number = *number;
+            m_trial.number = m_number = *number;
         else
             note("this trial is not kept: " + number.error().detail);
     }
@@ -241,10 +243,14 @@ Task<void> ExperimentRun::findDirection()
     co_return {};
 }
 
+bool ExperimentRun::isInterrupted() const
+{
+    return m_around.interruption && m_around.interruption->isRequested();
+}
+
 bool ExperimentRun::isOver() const
 {
-    return m_recorder.trip() || !m_stream.isRunning()
-        || (m_around.interruption && m_around.interruption->isRequested());
+    return m_recorder.trip() || !m_stream.isRunning() || isInterrupted();
 }
 
 void ExperimentRun::aim(double target)
@@ -256,7 +262,7 @@ void ExperimentRun::aim(double target)
 
 Task<void> ExperimentRun::drive()
 {
-    if (m_around.interruption && m_around.interruption->isRequested())
+    if (isInterrupted())
         co_return {};
     m_recorder.guard(guardPlan());
     m_recorder.expect(m_trial.stimulus.from);
@@ -327,6 +333,7 @@ Task<void> ExperimentRun::followOnce(double dither)
     if (stimulus.edges().empty())
         m_holds.emplace_back(begin, back);
     aim(stimulus.from);
+    tellMeasured();
     const Instant limit = back + ofSeconds(std::min(stimulus.length(), longestReturn));
     while (!isOver() && clock.now() < limit && !m_recorder.isSettled(back, leastHold, settledShare, width)) {
         Sleep nap(clock, ofSeconds(m_beat));
@@ -336,10 +343,26 @@ Task<void> ExperimentRun::followOnce(double dither)
     co_return {};
 }
 
+void ExperimentRun::tellMeasured() const
+{
+    if (!m_around.measured || isOver())
+        return;
+    Trial sofar = m_trial;
+    sofar.samples = m_recorder.samples();
+    sofar.lost = m_recorder.lost();
+    measure(sofar, m_recorder, m_holds, m_returns);
+    m_around.measured(sofar);
+}
+
 Task<void> ExperimentRun::putBack()
 {
-    if (!m_wrote || m_plan.keep)
+    if (!m_wrote || m_plan.keep == Keep::Always)
         co_return {};
+    if (m_plan.keep == Keep::WhenDone && m_trial.reason == "done") {
+        auto settling = m_around.journal->settle(*m_number);
+        (void)co_await std::move(settling).attempt();
+        co_return {};
+    }
     auto writing = writeGains(m_device, changesOf(m_device.family(), m_owed));
     const Result<void> written = co_await std::move(writing).attempt();
     if (!written) {
@@ -359,9 +382,8 @@ void ExperimentRun::judge(const std::optional<Error> &error)
 {
     if (m_recorder.trip() && !m_trip)
         m_trip = m_recorder.trip();
-    const Ending ending{m_trip, m_stream.end(), m_stream.reason(),
-        m_around.interruption && m_around.interruption->isRequested(), m_device.link().state() == LinkState::Open,
-        error};
+    const Ending ending{
+        m_trip, m_stream.end(), m_stream.reason(), isInterrupted(), m_device.link().state() == LinkState::Open, error};
     nameEnding(m_trial, ending);
 }
 

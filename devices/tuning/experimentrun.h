@@ -37,6 +37,8 @@ private:
     [[nodiscard]] SetPoint setPointAt(double target) const;
     void aim(double target);
     void note(const std::string &text) const;
+    void tellMeasured() const;
+    [[nodiscard]] bool isInterrupted() const;
     /// Something has ended the motion.
     [[nodiscard]] bool isOver() const;
     void judge(const std::optional<Error> &error);

@@ -8,6 +8,7 @@
 #include "tuning/stimulus.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,11 +38,20 @@ constexpr std::string_view didNotMove = "did-not-move";
 constexpr std::string_view restartNeeded = "restart-needed";
 } // namespace flag
 
+/// A stretch of a trial, seconds since its first edge.
+struct Span {
+    double from = 0.0;
+    double to = 0.0;
+
+    friend bool operator==(const Span &, const Span &) = default;
+};
+
 /// One experiment on one loop: what was asked, what came of it. A value; what is not known is empty.
 struct Trial {
-    std::string device;   ///< selector
-    std::string unit;     ///< who it is across links: serial number, or this place
-    std::string firmware; ///< version, empty when unknown
+    std::optional<std::int64_t> number; ///< in the notebook, where it is kept
+    std::string device;                 ///< selector
+    std::string unit;                   ///< who it is across links: serial number, or this place
+    std::string firmware;               ///< version, empty when unknown
     bool simulated = false;
     Mode mode = Mode::Velocity;
     int axis = 1;
@@ -58,10 +68,15 @@ struct Trial {
     bool stopped = false;
     std::uint64_t samples = 0;
     std::uint64_t lost = 0;
+    std::vector<Span> holds;   ///< each stay at Y, from its edge on
+    std::vector<Span> returns; ///< each way back to X
     std::vector<Signal> signals;
 
     [[nodiscard]] bool has(std::string_view flag) const;
     [[nodiscard]] const Signal *signal(std::string_view key) const; ///< of its axis; nullptr: not recorded
+    /// One response out of all repeats (equivalenttime.h), t = 0 at the edge, some of what was before: the hold as long as all
+    /// have it, then the ways back, each from where the shortest hold has ended. The signal as it is where nothing steps.
+    [[nodiscard]] Trace folded(std::string_view key) const;
 };
 
 } // namespace mb::tuning

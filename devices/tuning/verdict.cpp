@@ -101,13 +101,25 @@ void addFlags(Trial &trial, const Response &response, const Response &back, cons
     addFlag(trial, flag::didNotMove, steps && !response.moved && !measured.isEmpty());
 }
 
+std::vector<Span> spansOf(const Spans &spans, Instant zero)
+{
+    std::vector<Span> all;
+    for (const auto &[from, to] : spans)
+        all.push_back({inSeconds(from - zero), inSeconds(to - zero)});
+    return all;
+}
+
 } // namespace
+
+std::string unitOf(const Identity &identity, const std::string &selector, bool simulated)
+{
+    const std::string unit = identity.serial.empty() ? selector : identity.family + ' ' + identity.serial;
+    return simulated ? "simulated " + unit : unit;
+}
 
 std::string unitOf(const Device &device)
 {
-    const Identity &identity = device.identity();
-    const std::string unit = identity.serial.empty() ? device.selector() : identity.family + ' ' + identity.serial;
-    return device.link().address().isSimulated() ? "simulated " + unit : unit;
+    return unitOf(device.identity(), device.selector(), device.link().address().isSimulated());
 }
 
 void describe(Trial &trial, const Device &device)
@@ -174,6 +186,8 @@ void measure(Trial &trial, const TrialRecorder &recorder, const Spans &holds, co
     if (steps && trial.repeat > 1)
         trial.errors = errorsOf(reading.runs);
     const Instant zero = holds.front().first;
+    trial.holds = spansOf(holds, zero);
+    trial.returns = spansOf(returns, zero);
     trial.signals = recorder.signals(zero);
     addFlags(trial, reading.response, back.response, recorder.trace(key, zero));
 }

@@ -17,6 +17,7 @@ struct Ending {
 
 /// Who a device is across links and runs: its serial number, or this place; simulated units apart.
 [[nodiscard]] std::string unitOf(const Device &device);
+[[nodiscard]] std::string unitOf(const Identity &identity, const std::string &selector, bool simulated);
 /// Who the device of a trial is.
 void describe(Trial &trial, const Device &device);
 /// Reason, detail and the flag `aborted`.

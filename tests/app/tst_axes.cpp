@@ -117,6 +117,7 @@ void AxesTest::init()
     m_desk = std::make_unique<QSplitter>();
     m_tree = new DeviceTree(*m_engine, *m_selection, m_theme, m_desk.get());
     m_tune = new TunePage(*m_engine, *m_selection, *m_arming, m_theme, m_desk.get());
+    m_tune->showLive(true);
     m_plots = new PlotsPage(*m_engine, *m_selection, m_theme, m_desk.get());
     m_parameters = std::make_unique<ParametersPage>(*m_engine, *m_selection, m_theme, m_banners, nullptr);
     m_parameters->resize(1000, 800);

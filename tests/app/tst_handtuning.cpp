@@ -6,8 +6,8 @@
 #include "widgets/control/gainrow.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
-#include "widgets/control/setpointpanel.h"
-#include "widgets/control/steplog.h"
+#include "widgets/control/triallist.h"
+#include "widgets/control/trialsview.h"
 #include "widgets/control/tunepage.h"
 
 #include <QComboBox>
@@ -29,10 +29,9 @@ private:
     [[nodiscard]] const DeviceView *drive() const { return m_bench->device(3, "abstractdc"); }
     void type(const char *name, const char *text);
     void picture(const char *name);
-    StepRecord step(double p, double i);
+    tuning::Trial step(double p, double i);
 
     std::unique_ptr<WindowBench> m_bench;
-    StepLog m_log;
 };
 
 void HandTuningTest::initTestCase()
@@ -78,67 +77,54 @@ void HandTuningTest::theInspectorTakesWhatOnlyTheUserKnows()
     QVERIFY(drive()->identity.dialect == "F");
 }
 
-/// Types the gains, writes them, lets the motor step from rest to 5000 counts/s, and says what the step was like.
-StepRecord HandTuningTest::step(double p, double i)
+/// Types the gains, presses the one key, and yields what the page then shows as B.
+tuning::Trial HandTuningTest::step(double p, double i)
 {
     auto &page = m_bench->page<TunePage>(PageId::Tune);
     const auto text = [](double number) { return QByteArray::number(number, 'f', 0); };
+    const auto waited = [&](auto condition) { return QTest::qWaitFor(condition, patience); };
     type("P", text(p));
     type("I", text(i));
-    page.write();
-    const auto raw = [this](const char *key) {
-        return drive()->parameters[findParameter(drive()->family->parameters, key)->value].raw;
-    };
-    const auto waited = [&](auto condition) { return QTest::qWaitFor(condition, patience); };
-    if (!waited([&] {
-            return raw("velocity.p") == static_cast<std::int64_t>(p)
-                && raw("velocity.i") == static_cast<std::int64_t>(i);
-        }))
-        qWarning("the gains were not written");
+    const std::int64_t before = page.trials().b() ? page.trials().b()->number : 0;
+    if (!waited([&] { return drive()->mayNotMove.empty() && drive()->liveness.heard; }))
+        qWarning("it may not be armed");
     m_bench->arming().arm(drive()->id);
-    type("Set-point", "5000");
-    page.run();
-    const std::size_t before = m_log.records().size();
-    waited([&] {
-        m_log.follow(*drive(), m_bench->engine().now());
-        return m_log.records().size() > before
-            && m_bench->engine().now() - m_log.records().back().begin > std::chrono::seconds(3);
-    });
+    if (!waited([&] { return page.status().mayRun; }))
+        qWarning("%s: %s", qPrintable(page.status().cause), qPrintable(page.status().remedy));
+    page.setFocus();
+    QTest::keyClick(&page, Qt::Key_F5);
+    const auto isMeasured = [&] { return page.trials().b() && page.trials().b()->number > before; };
+    if (!waited(isMeasured) || !waited([&] { return !m_bench->arming().isOnTrial(); }))
+        qWarning("no trial came back");
     picture(p < 10000.0 ? "tune-before.png" : "tune-after.png");
-    m_bench->arming().disarm();
-    waited([&] {
-        m_log.follow(*drive(), m_bench->engine().now());
-        return !m_log.records().empty() && m_log.records().back().finished && !drive()->liveness.moving;
-    });
-    return m_log.records().empty() ? StepRecord{} : m_log.records().back();
+    return page.trials().b() ? page.trials().b()->trial : tuning::Trial();
 }
 
 void HandTuningTest::aSluggishLoopIsTunedUntilItStepsWell()
 {
     auto &page = m_bench->page<TunePage>(PageId::Tune);
     QTRY_VERIFY_WITH_TIMEOUT(page.gainsPanel().row("p") != nullptr, patience);
-    for (QComboBox *box : page.findChildren<QComboBox *>()) {
-        if (box->accessibleName() == QStringLiteral("How fast the set-point moves")) {
-            box->setCurrentIndex(0); // at once
-            Q_EMIT box->activated(0);
-        }
-    }
+    StimulusChoice stimulus;
+    stimulus.to = 5000.0;
+    page.chooseStimulus(Mode::Velocity, stimulus);
     m_bench->engine().writeParameters(
         drive()->id, {{*findParameter(drive()->family->parameters, "velocity.divisor"), 1'000'000}}, {});
-    const StepRecord sluggish = step(2000.0, 60.0);
-    QVERIFY(sluggish.metrics.moved);
-    const StepRecord tuned = step(17700.0, 300.0);
-    QVERIFY(tuned.metrics.moved);
-    QVERIFY(!tuned.metrics.unsteady);
+    const tuning::Trial sluggish = step(2000.0, 60.0);
+    const tuning::Trial tuned = step(17700.0, 300.0);
+    QCOMPARE(QString::fromStdString(sluggish.reason + ' ' + sluggish.detail), QStringLiteral("done "));
+    QCOMPARE(QString::fromStdString(tuned.reason + ' ' + tuned.detail), QStringLiteral("done "));
     const auto number = [](const std::optional<double> &value) { return value.value_or(-1.0); };
     qInfo("rise %.3f s -> %.3f s, steady error %.1f %% -> %.1f %%, overshoot %.1f %% -> %.1f %%",
-        number(sluggish.metrics.rise), number(tuned.metrics.rise), number(sluggish.metrics.steadyError) * 100.0,
-        number(tuned.metrics.steadyError) * 100.0, number(sluggish.metrics.overshoot) * 100.0,
+        number(sluggish.metrics.rise), number(tuned.metrics.rise), number(sluggish.metrics.sse) * 100.0,
+        number(tuned.metrics.sse) * 100.0, number(sluggish.metrics.overshoot) * 100.0,
         number(tuned.metrics.overshoot) * 100.0);
-    QVERIFY(tuned.metrics.steadyError && std::abs(*tuned.metrics.steadyError) < 0.06);
-    QVERIFY(sluggish.metrics.steadyError);
-    QVERIFY(std::abs(*tuned.metrics.steadyError) < std::abs(*sluggish.metrics.steadyError) / 2.0);
+    QVERIFY(tuned.metrics.sse && std::abs(*tuned.metrics.sse) < 0.06);
+    QVERIFY(sluggish.metrics.sse);
+    QVERIFY(std::abs(*tuned.metrics.sse) < std::abs(*sluggish.metrics.sse) / 2.0);
     QVERIFY(tuned.metrics.overshoot && *tuned.metrics.overshoot < 0.15);
+    QVERIFY(tuned.simulated);
+    QVERIFY(page.trials().a() && page.trials().isComparable());                      // the one before, beside it
+    QTRY_COMPARE_WITH_TIMEOUT(page.trials().list().model().rowCount(), 2, patience); // and both are kept
 }
 
 MB_WINDOW_TEST(HandTuningTest);

@@ -109,6 +109,7 @@ void MovesTest::init()
     m_selection = std::make_unique<Selection>();
     m_arming = std::make_unique<Arming>(*m_engine);
     m_page = std::make_unique<TunePage>(*m_engine, *m_selection, *m_arming, m_theme, nullptr);
+    m_page->showLive(true);
     m_page->resize(1208, 1000);
     m_page->show();
     QApplication::setActiveWindow(m_page.get());
@@ -269,6 +270,7 @@ void MovesTest::nothingIsWiderThanTheColumn()
         QApplication::setFont(font);
         applyTheme(*qApp, m_theme.theme());
         m_page = std::make_unique<TunePage>(*m_engine, *m_selection, *m_arming, m_theme, nullptr);
+        m_page->showLive(true);
         m_page->resize(m_theme.theme().u(1208), m_theme.theme().u(1000));
         m_page->show();
         QTRY_VERIFY(m_page->movesPanel().isVisibleTo(m_page.get()));

@@ -146,7 +146,9 @@ void StopTest::aWindowThatHangsStopsTheMotor()
 void StopTest::nothingMovesUnarmed()
 {
     m_bench->run();
-    qobject_cast<TunePage *>(m_bench->window().page(PageId::Tune))->run();
+    auto *tune = qobject_cast<TunePage *>(m_bench->window().page(PageId::Tune));
+    tune->showLive(true);
+    tune->run();
     const auto before = m_bench->engine().snapshot().time;
     QTRY_VERIFY_WITH_TIMEOUT(m_bench->engine().snapshot().time > before + std::chrono::milliseconds(200), patience);
     QVERIFY(!m_bench->isOutputOn());

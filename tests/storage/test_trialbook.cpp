@@ -136,13 +136,14 @@ TEST_F(Notebooks, WhatIsOwedOutlivesTheProgramUntilItIsSettled)
     }
     const auto database = open();
     TrialBook book(*database, clock);
-    const auto debts = book.debts("dmc60c A");
+    const auto owedTo = [&](const char *unit) { return test::run(clock, book.owedTo(unit)); };
+    const auto debts = owedTo("dmc60c A");
     ASSERT_TRUE(debts);
     ASSERT_EQ(debts->size(), 1U);
     EXPECT_EQ(debts->front().values, values);
-    EXPECT_TRUE(book.debts("dmc60c B")->empty());
+    EXPECT_TRUE(owedTo("dmc60c B")->empty());
     ASSERT_TRUE(test::run(clock, book.settle(debts->front().trial)));
-    EXPECT_TRUE(book.debts("dmc60c A")->empty());
+    EXPECT_TRUE(owedTo("dmc60c A")->empty());
 }
 
 TEST_F(Notebooks, StarsNotesAndRemovalsConcernOneTrialAndANumberIsNeverUsedAgain)

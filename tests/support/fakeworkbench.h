@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "fakenotebook.h"
+#include "tuning/experiment.h"
 #include "widgets/common/workbench.h"
 
 #include <deque>
@@ -27,6 +29,16 @@ public:
         Finished finished{}; ///< call it to end the order, later than the order itself
     };
 
+    /// An experiment as the page gave it; call `finished` to end it.
+    struct Planned {
+        tuning::ExperimentPlan plan;
+        TrialMeasured measured;
+        TrialFinished finished;
+    };
+
+    std::vector<Planned> plans;
+    FakeNotebook book;
+    std::map<DeviceId, std::vector<tuning::OwedGains>> owed;
     Snapshot shot;
     Instant time{std::chrono::seconds(1000)};
     std::vector<LinkListing> links;
@@ -80,6 +92,22 @@ public:
         call.setPoint.axis = options.axis;
         call.number = options.power;
         note(std::move(call), std::move(finished));
+    }
+    void runTrial(
+        DeviceId device, const tuning::ExperimentPlan &plan, TrialMeasured measured, TrialFinished finished) override
+    {
+        plans.push_back({plan, std::move(measured), std::move(finished)});
+        note({"runTrial", device});
+    }
+    TrialNotebook &trials() override { return book; }
+    const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const override { return owed; }
+    void payGains(DeviceId device, std::int64_t trial, Finished finished) override
+    {
+        noteNumber("payGains", device, static_cast<double>(trial), std::move(finished));
+    }
+    void dismissGains(DeviceId device, std::int64_t trial, Finished finished) override
+    {
+        noteNumber("dismissGains", device, static_cast<double>(trial), std::move(finished));
     }
     void storeParameters(DeviceId device, Finished finished) override
     {

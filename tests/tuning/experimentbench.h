@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "support/fakejournal.h"
 #include "support/simulatedsession.h"
 #include "tuning/experiment.h"
 
@@ -9,43 +10,6 @@
 #include <vector>
 
 namespace mb::test {
-
-/// Keeps in memory what an experiment writes down, and in which order.
-class FakeJournal final : public tuning::ExperimentJournal {
-public:
-    Task<std::int64_t> begin(tuning::Trial trial) override
-    {
-        log.emplace_back("begin");
-        begun.push_back(std::move(trial));
-        if (isFull)
-            co_return fail(Fault::OutOfRange, "the disk is full");
-        co_return static_cast<std::int64_t>(begun.size());
-    }
-    Task<void> owe(std::int64_t, std::string, std::vector<tuning::OwedValue> values) override
-    {
-        log.emplace_back("owe");
-        owed = std::move(values);
-        co_return {};
-    }
-    Task<void> settle(std::int64_t) override
-    {
-        log.emplace_back("settle");
-        owed.clear();
-        co_return {};
-    }
-    Task<void> complete(std::int64_t, tuning::Trial trial) override
-    {
-        log.emplace_back("complete");
-        completed.push_back(std::move(trial));
-        co_return {};
-    }
-
-    std::vector<std::string> log;
-    std::vector<tuning::OwedValue> owed;
-    std::vector<tuning::Trial> begun;
-    std::vector<tuning::Trial> completed;
-    bool isFull = false;
-};
 
 /// Experiments on the simulated bench in virtual time. The lease is renewed as the console does, unless a test hangs it.
 struct ExperimentBench {

@@ -157,7 +157,7 @@ TEST(Experiment, KeptGainsAreOwedToNobody)
     ExperimentBench bench;
     ExperimentPlan plan = stepTo(Mode::Velocity, 60'000.0);
     plan.gains = {bench.change("slot0.p", 0.5)};
-    plan.keep = true;
+    plan.keep = Keep::Always;
     expectDone(bench.run(plan));
     EXPECT_EQ(bench.journal.log, (std::vector<std::string>{"begin", "complete"}));
     const auto now = test::run(bench.bench.clock, bench.device->read(plan.gains.front().index));

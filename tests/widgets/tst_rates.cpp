@@ -44,6 +44,7 @@ struct RatesBench {
         plots = std::make_unique<PlotsPage>(workbench, selection, theme, nullptr);
         plots->resize(1208, 760);
         tune = std::make_unique<TunePage>(workbench, selection, arming, theme, nullptr);
+        tune->showLive(true);
         tune->resize(1208, 760);
         workbench.publish();
     }

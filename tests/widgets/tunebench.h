@@ -104,6 +104,7 @@ struct TuneBench {
         selection.select({1});
         page = std::make_unique<TunePage>(workbench, selection, arming, theme, nullptr);
         page->resize(size);
+        page->showLive(true); // most is about driving by hand
         page->show();
         QApplication::setActiveWindow(page.get());
     }

@@ -9,9 +9,17 @@
 #include <QString>
 
 #include <functional>
+#include <map>
 #include <memory>
 
 namespace mb {
+
+namespace tuning {
+struct ExperimentPlan;
+struct OwedGains;
+struct Trial;
+} // namespace tuning
+class TrialNotebook;
 
 /// One line of the log of the window.
 struct Notice {
@@ -56,6 +64,20 @@ public:
     virtual void experiment(
         DeviceId device, const std::string &key, const ExperimentOptions &options, Finished finished)
         = 0;
+    using TrialMeasured = std::function<void(const tuning::Trial &)>;
+    using TrialFinished = std::function<void(const Result<tuning::Trial> &)>;
+    /// One guarded experiment on a loop (tuning/experiment.h), kept in the notebook. An operation of the device, which needs
+    /// renewMotion() all the time; stopMotion() and stopAll() end it at any phase. `measured` when a hold has ended and the
+    /// motor is on its way back; `finished` with the trial, or with why nothing has moved.
+    virtual void runTrial(
+        DeviceId device, const tuning::ExperimentPlan &plan, TrialMeasured measured, TrialFinished finished)
+        = 0;
+    [[nodiscard]] virtual TrialNotebook &trials() = 0;
+    /// Gains that an experiment before has changed in a unit that is here, and that nobody has put back for certain.
+    [[nodiscard]] virtual const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const = 0;
+    /// Puts back what a trial owes; or lets the unit keep what it has. Operations of the device.
+    virtual void payGains(DeviceId device, std::int64_t trial, Finished finished) = 0;
+    virtual void dismissGains(DeviceId device, std::int64_t trial, Finished finished) = 0;
     /// Waits for the device's own proof that flash has what RAM has. An operation of the device.
     virtual void storeParameters(DeviceId device, Finished finished) = 0;
 

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/arming.h"
 
+#include "tuning/experiment.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/control/trialwords.h"
+
+#include <QPointer>
 
 #include <algorithm>
 
@@ -220,11 +224,48 @@ void Arming::run(const SetPoint &setPoint)
     m_workbench.startMotion(m_device, setPoint, leaseTime, finished);
 }
 
+void Arming::runTrial(
+    const tuning::ExperimentPlan &plan, Workbench::TrialMeasured measured, Workbench::TrialFinished finished)
+{
+    if (m_state != LampState::Armed || m_onTrial)
+        return;
+    m_setPoint = {};
+    m_setPoint.mode = plan.mode;
+    m_setPoint.axis = plan.axis;
+    m_onTrial = true;
+    enter(LampState::Moving);
+    m_workbench.runTrial(m_device, plan, std::move(measured),
+        [self = QPointer<Arming>(this), finished = std::move(finished)](const Result<tuning::Trial> &trial) {
+            if (self)
+                self->trialEnded(trial);
+            if (finished)
+                finished(trial);
+        });
+}
+
+/// A guard's stop is latched, as every stop that nobody asked for.
+void Arming::trialEnded(const Result<tuning::Trial> &trial)
+{
+    m_onTrial = false;
+    if (m_state != LampState::Moving)
+        return;
+    if (!trial)
+        m_workbench.report(Severity::Danger, titled(m_device), errorText(trial.error()));
+    const bool calm = !trial || trial->reason == "done" || trial->reason == "interrupted";
+    if (calm)
+        enter(LampState::Armed);
+    else
+        enter(LampState::Stopped,
+            tr("%1 guard, %2", "guard and what tripped it").arg(guardText(trial->reason), tableText(trial->detail)));
+}
+
 void Arming::halt()
 {
     if (m_state != LampState::Moving)
         return;
     m_workbench.stopMotion(m_device);
+    if (m_onTrial)
+        return;
     enter(LampState::Armed);
 }
 
@@ -305,6 +346,8 @@ void Arming::follow()
             enter(LampState::Stopped, tableText(view->mayNotMove));
         return;
     }
+    if (m_onTrial) // between its phases nothing runs
+        return;
     m_started = m_started || view->motion.running;
     const bool ended = !view->motion.running && (m_started || m_workbench.now() - m_runAt > startTime);
     if (ended)

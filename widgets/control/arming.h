@@ -36,7 +36,12 @@ public:
     void disarm();
     /// Starts the armed device, or changes what it does. Nothing happens when it is not armed.
     void run(const SetPoint &setPoint);
-    /// Ends the motion and stays armed.
+    /// Runs an experiment on the armed device, and renews its lease. Nothing happens, and nobody is answered, when it is not
+    /// armed or moves. Once it is over the device is armed again, or stopped by whatever stopped it.
+    void runTrial(
+        const tuning::ExperimentPlan &plan, Workbench::TrialMeasured measured, Workbench::TrialFinished finished);
+    [[nodiscard]] bool isOnTrial() const { return m_onTrial; }
+    /// Ends the motion and stays armed; a trial puts back what it changed first.
     void halt();
     /// Takes one axis out while others go on; the last one ends the motion.
     void haltAxis(int axis);
@@ -59,6 +64,7 @@ private:
     void follow();
     void renew();
     void enter(LampState state, const QString &reason = {});
+    void trialEnded(const Result<tuning::Trial> &trial);
     /// A device that an experiment moves, which was not begun here.
     [[nodiscard]] const DeviceView *experimentedWith() const;
     void stop(StopCause cause, const QString &reason);
@@ -78,7 +84,8 @@ private:
     QString m_leftOut; ///< of the last STOP
     bool m_byHand = false;
     Instant m_renewedAt{};
-    Duration m_silence{};   ///< the longest time between two renewals of this motion
+    Duration m_silence{}; ///< the longest time between two renewals of this motion
+    bool m_onTrial = false;
     bool m_started = false; ///< a snapshot has shown the motion running
     Instant m_runAt{};
     Instant m_armedUntil{};

@@ -4,14 +4,17 @@
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/segmented.h"
 #include "widgets/control/axespanel.h"
 #include "widgets/control/calmwheel.h"
 #include "widgets/control/driveoptions.h"
+#include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/movespanel.h"
 #include "widgets/control/setpointpanel.h"
-#include "widgets/control/steptable.h"
+#include "widgets/control/stimulusbar.h"
+#include "widgets/control/trialsview.h"
 #include "widgets/control/tuneplot.h"
 #include "widgets/control/wrappedlabel.h"
 
@@ -47,11 +50,14 @@ TunePage::TunePage(
     grid->setSpacing(0);
     grid->addWidget(buildCommands(), 0, 0, 1, 3);
     grid->addWidget(separatorLine(Qt::Horizontal, content), 1, 0, 1, 3);
-    grid->addWidget(buildColumn(), 2, 0);
-    grid->addWidget(separatorLine(Qt::Vertical, content), 2, 1);
-    grid->addWidget(buildLive(), 2, 2);
+    m_stimulus = new StimulusBar(m_theme, content);
+    grid->addWidget(m_stimulus, 2, 0, 1, 3);
+    grid->addWidget(separatorLine(Qt::Horizontal, content), 3, 0, 1, 3);
+    grid->addWidget(buildColumn(), 4, 0);
+    grid->addWidget(separatorLine(Qt::Vertical, content), 4, 1);
+    grid->addWidget(buildWork(), 4, 2);
     grid->setColumnStretch(2, 1);
-    grid->setRowStretch(2, 1);
+    grid->setRowStretch(4, 1);
     m_stack->addWidget(m_empty);
     m_stack->addWidget(content);
     auto *all = new QVBoxLayout(this);
@@ -59,6 +65,7 @@ TunePage::TunePage(
     all->addWidget(m_stack);
     connectPanels();
     buildKeys();
+    showLive(false);
     selectionChanged();
 }
 
@@ -67,20 +74,21 @@ TunePage::~TunePage()
     m_gains->clear(); // before the edits that it shows
 }
 
+QWidget *TunePage::buildWork()
+{
+    m_work = new QStackedWidget(this);
+    m_trials = new TrialsView(m_workbench, m_theme, m_work);
+    m_work->addWidget(m_trials);
+    m_work->addWidget(buildLive());
+    connect(m_trials, &TrialsView::useRequested, this, &TunePage::useGains);
+    connect(m_trials, &TrialsView::stageRequested, this, &TunePage::stageAdvice);
+    return m_work;
+}
+
 QWidget *TunePage::buildLive()
 {
-    auto *live = new QWidget(this);
-    auto *column = new QVBoxLayout(live);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    m_plot = new TunePlot(m_workbench, m_theme, live);
-    m_steps = new StepTable(m_theme, live);
-    column->addWidget(m_plot, 1);
-    column->addWidget(separatorLine(Qt::Horizontal, live));
-    column->addWidget(m_steps);
-    connect(m_steps, &StepTable::showRequested, m_plot, &TunePlot::showStep);
-    connect(m_steps, &StepTable::useRequested, this, &TunePage::useGains);
-    return live;
+    m_plot = new TunePlot(m_workbench, m_theme, m_work);
+    return m_plot;
 }
 
 QWidget *TunePage::buildCommands()
@@ -104,7 +112,9 @@ QWidget *TunePage::buildCommands()
     m_run->setObjectName(QStringLiteral("run"));
     row->addWidget(m_glyph);
     row->addWidget(m_cause);
+    m_view = new Segmented(tr("View"), {tr("Experiment"), tr("Live")}, bar);
     row->addWidget(m_remedy, 1);
+    row->addWidget(m_view);
     row->addWidget(m_halt);
     row->addWidget(m_run);
     return bar;
@@ -138,10 +148,17 @@ QWidget *TunePage::buildColumn()
     m_gains = new GainsPanel(m_theme, panels);
     inner->addWidget(m_modes);
     inner->addWidget(separatorLine(Qt::Horizontal, panels));
-    inner->addWidget(m_setPoint);
+    m_envelope = new EnvelopePanel(m_theme, panels);
+    inner->addWidget(m_envelope);
+    m_liveColumn = new QWidget(panels);
+    auto *byHand = new QVBoxLayout(m_liveColumn);
+    byHand->setContentsMargins(0, 0, 0, 0);
+    byHand->setSpacing(theme.u(8));
+    byHand->addWidget(m_setPoint);
     m_firstPower = wrappedLabel({}, TextRole::Caption, Tone::Dim, panels);
     m_firstPower->hide();
-    inner->addWidget(m_firstPower);
+    byHand->addWidget(m_firstPower);
+    inner->addWidget(m_liveColumn);
     inner->addWidget(separatorLine(Qt::Horizontal, panels));
     inner->addWidget(m_gains);
     m_moves = new MovesPanel(m_workbench, m_arming, m_theme, panels);
@@ -206,6 +223,9 @@ void TunePage::connectPanels()
     connect(m_moves, &MovesPanel::taken, this, [this] { // no set-point of this page comes between
         forgetMotion();
     });
+    connect(m_view, &Segmented::currentChanged, this, &TunePage::viewChosen);
+    connect(m_stimulus, &StimulusBar::changed, this, &TunePage::stimulusChosen);
+    connect(m_envelope, &EnvelopePanel::changed, this, &TunePage::stimulusChosen);
     connect(m_plot, &TunePlot::unitsChanged, this, &TunePage::unitsChosen);
     connect(&m_workbench, &Workbench::changed, this, &TunePage::follow);
     connect(&m_arming, &Arming::changed, this, &TunePage::follow);
@@ -223,6 +243,8 @@ void TunePage::buildKeys()
         if (Choice *chosen = choice(); chosen && chosen->edits)
             again ? chosen->edits->undoStack().redo() : chosen->edits->undoStack().undo();
     };
+    connect(new QShortcut(QKeySequence(Qt::Key_B), this), &QShortcut::activated, m_trials, &TrialsView::flip);
+    connect(new QShortcut(QKeySequence(Qt::Key_A), this), &QShortcut::activated, m_trials, &TrialsView::pinCurrent);
     connect(new QShortcut(QKeySequence::Undo, this), &QShortcut::activated, this, [undo] { undo(false); });
     connect(new QShortcut(QKeySequence::Redo, this), &QShortcut::activated, this, [undo] { undo(true); });
 }

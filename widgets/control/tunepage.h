@@ -4,9 +4,9 @@
 #include "widgets/common/selection.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/control/arming.h"
+#include "widgets/control/experimentplan.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/setpointslew.h"
-#include "widgets/control/steplog.h"
 #include "widgets/parameters/editdesk.h"
 #include "widgets/plots/displayunits.h"
 
@@ -26,16 +26,20 @@ class AxesPanel;
 class CommandButton;
 class ElidedLabel;
 class EmptyState;
+class EnvelopePanel;
 class GainsPanel;
+struct KeptTrial;
 class ModePanel;
 class MovesPanel;
+class Segmented;
 class StateGlyph;
-class StepTable;
+class StimulusBar;
+class TrialsView;
 class TunePlot;
 
-/// Moves one motor and tunes its loop: mode, set-point and gains at the left, what happens at the right. Of a board with
-/// several axes it is about the selected one, and Run can start several at the same moment. Every motion goes
-/// through Arming; a change of device, mode, running slot or direction disarms (tuning.md 5.1). Gains are staged and
+/// Tunes the loop of one motor by experiments: stimulus above, gains at the left, what the trials did at the right. Its live
+/// view drives the motor by hand: mode, set-point, what happens now. Of a board with several axes it is about the selected
+/// one; Run starts several at the same moment by hand, and tries them one after the other. Every motion goes through Arming; a change of device, mode, running slot or direction disarms (tuning.md 5.1). Gains are staged and
 /// written as a set, in an order that is never livelier than before and after.
 class TunePage : public QWidget {
     Q_OBJECT
@@ -54,7 +58,13 @@ public:
 
     /// As if the mode was chosen and the target typed, in units of product.md.
     void choose(Mode mode, double target);
-    /// Writes what is staged for the running slot, then starts, or applies what is chosen to a motor that moves.
+    /// The live view instead of the experiments.
+    void showLive(bool live);
+    [[nodiscard]] bool isLive() const;
+    /// As if the stimulus was chosen.
+    void chooseStimulus(Mode mode, const StimulusChoice &stimulus);
+    /// Writes what is staged for the running slot, then runs the experiment. In the live view starts, or applies what is
+    /// chosen to a motor that moves.
     void run();
     /// Writes the gains that are staged; does not start anything.
     void write();
@@ -70,11 +80,13 @@ public:
     [[nodiscard]] GainsPanel &gainsPanel() { return *m_gains; }
     [[nodiscard]] MovesPanel &movesPanel() { return *m_moves; }
     [[nodiscard]] TunePlot &plot() { return *m_plot; }
+    [[nodiscard]] TrialsView &trials() { return *m_trials; }
+    [[nodiscard]] StimulusBar &stimulus() { return *m_stimulus; }
+    [[nodiscard]] EnvelopePanel &envelope() { return *m_envelope; }
 
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
-    void resizeEvent(QResizeEvent *event) override;
 
 private:
     /// One motor: a device, or one of its axes (0 where it has one only).
@@ -91,13 +103,15 @@ private:
         DisplayUnits units;
         double profiled = 0.0;        ///< counts per revolution that the device's profile had last
         StagedEdits *edits = nullptr; ///< of the device, shared with the other pages
-        StepLog steps;
+        StimulusChoice stimulus;
+        std::string unit;               ///< who it is in the notebook
         SetPointPanel::Entered entered; ///< of an axis that is not shown
         SetPoint base;                  ///< what was sent last
         SetPointSlew slew;
         bool slewing = false;
         bool ours = false; ///< the motion was started here
     };
+    QWidget *buildWork();
     QWidget *buildLive();
     QWidget *buildCommands();
     QWidget *buildColumn();
@@ -111,8 +125,17 @@ private:
     void follow();
     void wishRates(const DeviceView *view);
     void followDevice(const DeviceView &view);
-    void followSteps(const DeviceView &view, bool anyway);
-    void useGains(const StepRecord &record);
+    // tunepagetrials.cpp
+    void followTrials(const DeviceView &view);
+    [[nodiscard]] ExperimentWish wishOf(const DeviceView &view, int axis) const;
+    [[nodiscard]] Status trialStatus(const DeviceView &view, const QString &name) const;
+    void viewChosen(int view);
+    void stimulusChosen();
+    void tryOut();
+    void tryAxis(const DeviceView &view, int axis);
+    void tried(const Result<tuning::Trial> &trial);
+    void useGains(const KeptTrial &kept);
+    void stageAdvice(const std::vector<std::pair<std::string, double>> &values);
     void followGains(const DeviceView &view);
     void followForeignRun(const DeviceView &view);
     [[nodiscard]] Status liveStatus(const DeviceView &view, const QString &name) const;
@@ -156,6 +179,8 @@ private:
     const ThemeSource &m_theme;
     std::map<Place, Choice> m_choices;
     std::map<DeviceId, int> m_lastAxis;
+    std::map<DeviceId, Envelope> m_envelopes; ///< what a person has entered
+    std::vector<int> m_toTry;                 ///< axes whose turn is still to come
     std::set<DeviceId> m_asked;
     DeviceId m_shown;
     int m_axis = 0;
@@ -180,7 +205,12 @@ private:
     CommandButton *m_write = nullptr;
     CommandButton *m_revert = nullptr;
     TunePlot *m_plot = nullptr;
-    StepTable *m_steps = nullptr;
+    Segmented *m_view = nullptr;
+    StimulusBar *m_stimulus = nullptr;
+    EnvelopePanel *m_envelope = nullptr;
+    QWidget *m_liveColumn = nullptr;
+    QStackedWidget *m_work = nullptr;
+    TrialsView *m_trials = nullptr;
 };
 
 } // namespace mb

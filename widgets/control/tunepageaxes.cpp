@@ -6,10 +6,12 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/axespanel.h"
+#include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/modepanel.h"
-#include "widgets/control/steptable.h"
+#include "widgets/control/stimulusbar.h"
+#include "widgets/control/trialsview.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/control/tuneplot.h"
 #include "widgets/parameters/axisparameters.h"
@@ -48,7 +50,6 @@ TunePage::Choice &TunePage::choiceOf(const DeviceView &view, int axis)
     StagedEdits &edits = m_desk.editsOf(view);
     if (chosen.edits == &edits)
         return chosen;
-    chosen.steps = StepLog(axis);
     chosen.edits = &edits;
     connect(&edits, &StagedEdits::changed, this, &TunePage::editsChanged, Qt::UniqueConnection);
     return chosen;
@@ -84,9 +85,12 @@ void TunePage::showMotor(const DeviceView &view, int axis)
     m_setPoint->setUnits(chosen.units);
     m_plot->setUnits(chosen.units);
     m_gains->setUnits(chosen.units);
-    m_steps->setUnits(chosen.units);
+    m_trials->setUnits(chosen.units);
+    m_stimulus->setUnits(chosen.mode, chosen.units);
+    m_envelope->setUnits(chosen.units);
     m_plot->choose(view, chosen.mode, axis, beside());
-    followSteps(view, true);
+    m_stimulus->setChoice(chosen.stimulus);
+    m_envelope->setEntered(m_envelopes[view.id]);
 }
 
 /// What runs elsewhere stays in sight, whatever is shown.

@@ -8,12 +8,14 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/common/ratekeeper.h"
 #include "widgets/control/axespanel.h"
+#include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/movespanel.h"
 #include "widgets/control/setpointpanel.h"
-#include "widgets/control/steptable.h"
+#include "widgets/control/stimulusbar.h"
+#include "widgets/control/trialsview.h"
 #include "widgets/control/tuneplot.h"
 
 #include <QStackedWidget>
@@ -75,7 +77,7 @@ void TunePage::follow()
 void TunePage::wishRates(const DeviceView *view)
 {
     std::vector<RateKeeper::Wish> wishes;
-    if (view && isVisible() && (m_arming.isArmed(view->id) || RateKeeper::isFree(*view))) {
+    if (view && isVisible() && isLive() && (m_arming.isArmed(view->id) || RateKeeper::isFree(*view))) {
         for (const auto &[key, hertz] : fast) {
             if (const auto channel = findChannel(view->family->channels, key))
                 wishes.push_back({view->id, *channel, hertz});
@@ -98,10 +100,11 @@ void TunePage::followDevice(const DeviceView &view)
         m_setPoint->setUnits(chosen.units);
         m_plot->setUnits(chosen.units);
         m_gains->setUnits(chosen.units);
-        m_steps->setUnits(chosen.units);
+        m_trials->setUnits(chosen.units);
+        m_stimulus->setUnits(chosen.mode, chosen.units);
+        m_envelope->setUnits(chosen.units);
     }
     m_plot->choose(view, chosen.mode, axis, beside());
-    followSteps(view, false);
     m_plot->follow(view);
     m_setPoint->showPresent(present(view, chosen.mode, axis));
     followForeignRun(view);
@@ -110,6 +113,9 @@ void TunePage::followDevice(const DeviceView &view)
         readOnce(view);
     followGains(view);
     m_moves->follow(view);
+    if (!isLive())
+        m_moves->hide();
+    followTrials(view);
     showCommands();
 }
 
@@ -131,41 +137,6 @@ void TunePage::followGains(const DeviceView &view)
     m_rowsShown = rows;
     m_gains->choose(*view.family, *chosen.edits, chosen.mode, chosen.editedSlot, m_axis);
     m_gains->refresh(view, reading);
-}
-
-void TunePage::followSteps(const DeviceView &view, bool anyway)
-{
-    bool news = anyway;
-    for (const int motor : motorsOf(view)) {
-        const bool other = choiceOf(view, motor).steps.follow(view, m_workbench.now());
-        news = news || (other && motor == m_axis);
-    }
-    if (!news)
-        return;
-    const StepLog &log = choice()->steps;
-    m_steps->setRecords(view.family, log.records());
-    const auto &records = log.records();
-    const auto last
-        = std::find_if(records.rbegin(), records.rend(), [](const StepRecord &record) { return record.finished; });
-    m_plot->markStep(last == records.rend() ? nullptr : &*last);
-}
-
-/// The gains of a step come back as edits of the slot that is edited: seen, and written like any other.
-void TunePage::useGains(const StepRecord &record)
-{
-    const DeviceView *view = device();
-    Choice *chosen = choice();
-    if (!view || !chosen)
-        return;
-    const GainSet set = gainSet(*view->family, record.mode, chosen->editedSlot, m_axis);
-    std::vector<ParameterChange> changes;
-    for (std::size_t i = 0; i < std::min(set.gains.size(), record.gains.size()); ++i) {
-        if (record.gains[i])
-            changes.push_back({set.gains[i], *record.gains[i]});
-    }
-    chosen->edits->stageAll(changes, tr("Gains of step #%1").arg(record.number));
-    ++m_editRevision;
-    follow();
 }
 
 void TunePage::readOnce(const DeviceView &view)
@@ -204,7 +175,7 @@ TunePage::Status TunePage::status() const
             tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the lamp for 1 s to arm again."), false};
     if (!view->mayNotMove.empty())
         return {GlyphState::Warning, tr("%1 cannot be armed").arg(name), tableText(view->mayNotMove), false};
-    if (!m_setPoint->fault().isEmpty())
+    if (isLive() && !m_setPoint->fault().isEmpty())
         return {GlyphState::OutOfRange, tr("The set-point cannot be sent"), m_setPoint->fault(), false};
     if (m_gains->hasFault())
         return {GlyphState::OutOfRange, tr("A gain is out of range"), tr("Correct or revert it first."), false};
@@ -223,6 +194,8 @@ TunePage::Status TunePage::liveStatus(const DeviceView &view, const QString &nam
     if (isRunning(operation) && !known)
         return {GlyphState::Busy, tr("Reading gains"),
             tr("%1 of %2").arg(operation->status.done).arg(operation->status.total), false};
+    if (!isLive())
+        return trialStatus(view, name);
     const SetPoint *told = m_axis > 0 ? view.motion.on(m_axis) : view.motion.running ? &view.motion.setPoint : nullptr;
     const QString others = othersText(view);
     if (isAxisMoving(view, m_axis))
@@ -262,14 +235,14 @@ void TunePage::showCommands()
     const bool withGains = !staged.isEmpty() && chosen.editedSlot == chosen.runningSlot;
     const bool moving = isAxisMoving(*view, m_axis);
     const auto together = m_axes->together().size();
-    m_run->setText(withGains ? tr("Write and run")
-            : together > 1   ? tr("Run %1 axes").arg(together)
-            : moving         ? tr("Apply")
-                             : tr("Run"));
+    m_run->setText(withGains     ? tr("Write and run")
+            : together > 1       ? tr("Run %1 axes").arg(together)
+            : moving && isLive() ? tr("Apply")
+                                 : tr("Run"));
     m_run->setEnabled(now.mayRun);
     m_run->setToolTip(now.mayRun ? QString() : now.cause + QStringLiteral(": ") + now.remedy);
     m_run->setAccessibleDescription(m_run->toolTip());
-    m_halt->setEnabled(moving);
+    m_halt->setEnabled(moving || m_arming.isOnTrial());
     const bool others = view->motion.setPoints.size() > 1 && together < 2;
     m_halt->setText(moving && m_axis > 0 && others ? tr("Stop axis %1").arg(m_axis) : tr("Stop motion"));
     const bool several = view->family->capabilities.gainSlots > 1;

@@ -5,10 +5,12 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/control/axespanel.h"
+#include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/setpointpanel.h"
-#include "widgets/control/steptable.h"
+#include "widgets/control/stimulusbar.h"
+#include "widgets/control/trialsview.h"
 #include "widgets/control/tuneplot.h"
 
 #include <QPointer>
@@ -27,13 +29,6 @@ void TunePage::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
     wishRates(nullptr);
-}
-
-void TunePage::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    constexpr int roomy = 760;
-    m_steps->setRows(height() > m_theme.theme().u(roomy) ? 4 : 3);
 }
 
 SetPoint TunePage::wanted() const
@@ -106,7 +101,9 @@ void TunePage::unitsChosen(const DisplayUnits &units)
         chosen->units = units;
     m_setPoint->setUnits(units);
     m_gains->setUnits(units);
-    m_steps->setUnits(units);
+    m_trials->setUnits(units);
+    m_stimulus->setUnits(m_modes->mode(), units);
+    m_envelope->setUnits(units);
     follow();
 }
 
@@ -117,6 +114,8 @@ void TunePage::run()
         m_workbench.report(Severity::Caution, {}, tr("not run: %1. %2").arg(now.cause, now.remedy));
         return;
     }
+    if (!isLive())
+        return tryOut();
     const Choice *chosen = choice();
     if (chosen->editedSlot == chosen->runningSlot && !m_gains->toWrite().empty())
         writeThen([this] { start(); });
@@ -160,6 +159,9 @@ void TunePage::halt()
     const DeviceView *view = device();
     if (!view || !m_arming.isArmed(m_shown))
         return;
+    m_toTry.clear();
+    if (m_arming.isOnTrial())
+        return m_arming.halt();
     const std::vector<int> stopped = m_axes->together();
     const auto &all = view->motion.setPoints;
     const bool goesOn = m_axis > 0 && std::any_of(all.begin(), all.end(), [&](const SetPoint &setPoint) {

@@ -169,8 +169,6 @@ void TunePlot::choose(const DeviceView &device, Mode mode, int axis, const std::
     const bool sameAxis = device.id == m_device && axis == m_axis;
     if (sameAxis && mode == m_mode && beside == m_beside && device.telemetry == m_telemetry)
         return;
-    if (!sameAxis)
-        m_marked.reset();
     if (sameAxis && mode != m_mode)
         m_since = m_workbench.presentOf(device.link); // set-points of another mode have another unit
     else if (!sameAxis)
@@ -250,46 +248,10 @@ void TunePlot::rebuild(const DeviceView &device)
     const LinkView *link = m_workbench.snapshot().link(device.link);
     m_stack->setWatermark(link && link->simulated ? tr("DEMO") : QString());
     m_stack->setClock(std::chrono::duration<double>(m_workbench.unixOffset()).count());
-    if (const auto marked = m_marked)
-        markStep(&*marked);
     follow(device);
     m_drawn = 0;
     m_drawnAt = 0.0;
     draw();
-}
-
-void TunePlot::markStep(const StepRecord *record)
-{
-    m_marked = record ? std::optional(*record) : std::nullopt;
-    const bool fits = record && record->finished && record->metrics.moved && record->mode == m_mode;
-    if (!fits) {
-        m_stack->setBands(0, {});
-        m_stack->setNotes(0, {});
-        return;
-    }
-    const StepMetrics &metrics = record->metrics;
-    const double scale = shownUnit(m_mode, m_units).scale;
-    const double half = std::abs(record->to - record->from) * metrics.band * scale;
-    const double target = record->to * scale;
-    m_stack->setBands(0,
-        {{target - half, target + half,
-            tr("±%1 % of the step").arg(formatNumber(metrics.band * 100.0, metrics.band > 0.021 ? 1 : 0)), Tone::Ok}});
-    std::vector<PlotNote> notes;
-    if (metrics.overshoot.value_or(0.0) > 0.0)
-        notes.push_back({plotKey(metrics.peakAt), metrics.peak * scale,
-            tr("peak %1 %").arg(formatDifference(*metrics.overshoot * 100.0, 1)), {14, -14}, false});
-    if (metrics.settle)
-        notes.push_back({plotKey(record->begin) + *metrics.settle, target,
-            tr("#%1 settles %2").arg(record->number).arg(formatDuration(*metrics.settle)), {10, 40}, true});
-    m_stack->setNotes(0, std::move(notes));
-}
-
-void TunePlot::showStep(const StepRecord &record)
-{
-    constexpr double before = 0.2;
-    markStep(&record);
-    const double begin = plotKey(record.begin);
-    m_stack->setRange(begin - before, std::max(plotKey(record.end), begin + 1.0));
 }
 
 void TunePlot::follow(const DeviceView &device)

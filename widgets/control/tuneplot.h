@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/control/steplog.h"
+#include "model/snapshot.h"
 #include "widgets/plots/displayunits.h"
 #include "widgets/plots/plotstack.h"
 #include "widgets/plots/telemetrysource.h"
@@ -31,10 +31,6 @@ public:
     void follow(const DeviceView &device);
     void setUnits(const DisplayUnits &units);
     [[nodiscard]] const DisplayUnits &units() const { return m_units; }
-    /// Marks peak and settling of a step, and the band around its target.
-    void markStep(const StepRecord *record);
-    /// Stops following and shows this step.
-    void showStep(const StepRecord &record);
     [[nodiscard]] PlotStack &stack() { return *m_stack; }
 
 Q_SIGNALS:
@@ -66,7 +62,6 @@ private:
     Instant m_since{};
     std::shared_ptr<const Telemetry> m_telemetry;
     std::vector<std::shared_ptr<TelemetrySource>> m_sources;
-    std::optional<StepRecord> m_marked;
     std::uint64_t m_drawn = 0;
     double m_drawnAt = 0.0;
     QTimer m_tick;

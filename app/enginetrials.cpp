@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Experiments on loops, and what they owe to units.
+#include "app/enginework.h"
+#include "model/family.h"
+#include "tuning/owedgains.h"
+#include "tuning/verdict.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+using tuning::Trial;
+
+constexpr const char *trialTitle = "Experiment";
+
+/// The interruption lives as long as the story that looks at it.
+Task<Trial> conduct(Device &device, SetPointStream &stream, tuning::ExperimentPlan plan,
+    tuning::ExperimentSurroundings surroundings, std::shared_ptr<tuning::Interruption> interruption)
+{
+    surroundings.interruption = interruption.get();
+    auto running = tuning::runExperiment(device, stream, std::move(plan), std::move(surroundings));
+    co_return co_await std::move(running).attempt();
+}
+
+Task<void> settle(tuning::ExperimentJournal &journal, std::int64_t trial)
+{
+    auto settling = journal.settle(trial);
+    co_await std::move(settling);
+    co_return {};
+}
+
+std::string nameOf(const Trial &trial)
+{
+    return trial.number ? "trial #" + std::to_string(*trial.number) : std::string("a trial that is not kept");
+}
+
+} // namespace
+
+void EngineCore::runTrial(
+    DeviceId id, const tuning::ExperimentPlan &plan, const TrialMeasured &measured, const TrialFinished &finished)
+{
+    const Finished refused = [finished](const Result<void> &result) {
+        if (finished)
+            finished(fail(result.error()));
+    };
+    if (Device *device = m_session.find(id); device && m_session.stream(*device).isRunning())
+        return answer(refused, fail(Fault::Unsafe, "stop the motor before an experiment begins"));
+    const auto interruption = std::make_shared<tuning::Interruption>();
+    const auto make = [this, plan, measured, interruption](Device &device, Progress &progress) {
+        tuning::ExperimentSurroundings around;
+        around.journal = m_journal;
+        around.directions = &m_directions;
+        around.note = [&progress](const std::string &text) { progress.log(Severity::Caution, text); };
+        around.measured = measured;
+        return conduct(device, m_session.stream(device), plan, around, interruption);
+    };
+    Running *const running = begin<Trial>(
+        id, trialTitle, make,
+        [this, id, finished](Running &done, Result<Trial> trial) {
+            done.interruption.reset();
+            wishAgain(id);
+            if (const Device *device = m_session.find(id)) {
+                for (const LogLine &line : done.operation->status().log)
+                    notice(line.severity, labelOf(*device), line.text);
+                if (trial && trial->reason == "done")
+                    notice(Severity::Good, labelOf(*device), nameOf(*trial) + " is done");
+                else
+                    notice(Severity::Danger, labelOf(*device),
+                        trial ? nameOf(*trial) + " was stopped: " + trial->reason + ", " + trial->detail
+                              : "no experiment: " + trial.error().text());
+            }
+            if (finished)
+                finished(std::move(trial));
+        },
+        refused);
+    if (running)
+        running->interruption = interruption;
+}
+
+/// Each stops in this call, and then puts back what it has changed.
+void EngineCore::interruptTrials(std::optional<DeviceId> id)
+{
+    for (Running &running : m_operations) {
+        if (running.interruption && (!id || running.device == *id))
+            running.interruption->interrupt();
+    }
+}
+
+/// What a page wished for before the trial had its own rates.
+void EngineCore::wishAgain(DeviceId id)
+{
+    for (const auto &[place, hertz] : std::map(m_wished)) {
+        if (place.first == id && hertz > 0.0)
+            setRate(id, place.second, hertz);
+    }
+}
+
+/// Once for each unit that is there, when it has told who it is. Without a word to those who are owed nothing.
+void EngineCore::lookForOwed()
+{
+    for (Device *device : m_session.devices()) {
+        const DeviceId id = m_session.idOf(*device);
+        const bool ready = m_journal && device->family().trials && device->liveness().heard
+            && device->identity().state == DeviceState::Online && !device->link().address().isRecording();
+        const std::string unit = tuning::unitOf(*device);
+        if (!ready || m_lookedFor[id] == unit)
+            continue;
+        m_lookedFor[id] = unit;
+        m_asking.spawn<std::vector<tuning::OwedGains>>(
+            m_journal->owedTo(unit), [this, id, unit](const Result<std::vector<tuning::OwedGains>> &owed) {
+                if (owed && !owed->empty())
+                    compareOwed(id, unit);
+            });
+    }
+    std::erase_if(m_owed, [this](const auto &entry) { return !m_session.find(entry.first); });
+    std::erase_if(m_lookedFor, [this](const auto &entry) { return !m_session.find(entry.first); });
+}
+
+/// With what the unit has; later, when it is busy now.
+void EngineCore::compareOwed(DeviceId id, const std::string &unit)
+{
+    begin<std::vector<tuning::OwedGains>>(
+        id, "Look for gains that are owed",
+        [this](Device &device, Progress &) { return tuning::lookForOwed(device, *m_journal); },
+        [this, id](Running &, const Result<std::vector<tuning::OwedGains>> &owed) {
+            if (owed && !owed->empty())
+                m_owed[id] = *owed;
+            else if (!owed)
+                m_lookedFor.erase(id);
+        },
+        [this, id, unit](const Result<void> &) {
+            if (m_lookedFor[id] == unit)
+                m_lookedFor.erase(id);
+        });
+}
+
+void EngineCore::endOwed(DeviceId id, std::int64_t trial)
+{
+    std::erase_if(m_owed[id], [trial](const tuning::OwedGains &owed) { return owed.trial == trial; });
+    if (m_owed[id].empty())
+        m_owed.erase(id);
+    touch();
+}
+
+void EngineCore::payGains(DeviceId id, std::int64_t trial, Finished finished)
+{
+    const auto &all = m_owed[id];
+    const auto found
+        = std::find_if(all.begin(), all.end(), [trial](const tuning::OwedGains &owed) { return owed.trial == trial; });
+    if (found == all.end())
+        return answer(finished, fail(Fault::OutOfRange, "this trial owes nothing to the unit"));
+    beginSimple(
+        id, "Put gains back",
+        [this, owed = *found](Device &device, Progress &) { return tuning::payOwed(device, *m_journal, owed); },
+        [this, id, trial, finished](const Result<void> &result) {
+            if (result)
+                endOwed(id, trial);
+            if (const Device *device = m_session.find(id); device && result)
+                notice(Severity::Good, labelOf(*device),
+                    "the gains that trial #" + std::to_string(trial) + " had changed are put back");
+            answer(finished, result);
+        });
+}
+
+void EngineCore::dismissGains(DeviceId id, std::int64_t trial, Finished finished)
+{
+    if (!m_journal)
+        return answer(finished, {});
+    beginSimple(
+        id, "Keep the gains of a trial", [this, trial](Device &, Progress &) { return settle(*m_journal, trial); },
+        [this, id, trial, finished](const Result<void> &result) {
+            if (result)
+                endOwed(id, trial);
+            answer(finished, result);
+        });
+}
+
+} // namespace mb

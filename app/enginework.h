@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/enginecore.h"
+
+namespace mb {
+
+/// To whoever gave the order, if they want to know.
+inline void answer(const EngineCore::Finished &finished, Result<void> result)
+{
+    if (finished)
+        finished(std::move(result));
+}
+
+template <class T>
+EngineCore::Running *EngineCore::begin(DeviceId id, const char *title,
+    const std::function<Task<T>(Device &, Progress &)> &make, std::function<void(Running &, Result<T>)> finished,
+    const Finished &refused)
+{
+    Device *device = m_session.find(id);
+    if (!device) {
+        answer(refused, fail(Fault::Timeout, "the device is gone"));
+        return nullptr;
+    }
+    if (hasOperation(id)) {
+        answer(refused, fail(Fault::Unsafe, "the device is busy with something else"));
+        return nullptr;
+    }
+    prune();
+    m_operations.push_back(
+        {OperationId{++m_lastOperation}, id, std::make_unique<Operation>(m_clock, title), std::nullopt, 0, false, {}});
+    Running &running = m_operations.back();
+    running.operation->run<T>(
+        make(*device, *running.operation), [this, &running, finished = std::move(finished)](Result<T> result) {
+            finished(running, std::move(result));
+            touch();
+        });
+    touch();
+    return &running;
+}
+
+} // namespace mb

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/tour.h"
+
+#include "widgets/control/trialsview.h"
+#include "widgets/control/tunepage.h"
+#include "widgets/parameters/editdesk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+constexpr int lively = 7;               ///< its stored gains overshoot
+constexpr double trialTarget = 60000.0; ///< counts/s
+constexpr double calmerP = 0.55;        ///< of what is stored
+constexpr double calmerI = 0.42;
+constexpr std::chrono::seconds trialTime{30};
+
+} // namespace
+
+/// Stages these shares of what the unit has; 1 stages nothing.
+void Tour::tryGains(double p, double i)
+{
+    const DeviceView &view = *device(lively);
+    StagedEdits &edits = EditDesk::of(m_workbench).editsOf(view);
+    std::vector<ParameterChange> changes;
+    for (const auto &[key, share] : {std::pair("slot0.p", p), std::pair("slot0.i", i)}) {
+        const ParameterIndex index = *findParameter(view.family->parameters, key);
+        const auto raw = view.parameters[index.value].raw;
+        if (raw && share != 1.0)
+            changes.push_back({index, std::llround(static_cast<double>(*raw) * share)});
+    }
+    if (!changes.empty())
+        edits.stageAll(changes, tr("tour"));
+    auto *page = qobject_cast<TunePage *>(m_window.page(PageId::Tune));
+    StimulusChoice stimulus;
+    stimulus.to = trialTarget;
+    stimulus.repeat = 2;
+    page->chooseStimulus(Mode::Velocity, stimulus);
+    page->run();
+}
+
+/// What the page is for: a loop as it was found, and after one change, over each other.
+void Tour::planTrials()
+{
+    const auto page = [this] { return qobject_cast<TunePage *>(m_window.page(PageId::Tune)); };
+    add(
+        QStringLiteral("the lively one"),
+        [this] {
+            m_window.selection().select(device(lively)->id);
+            m_window.showPage(PageId::Tune);
+        },
+        [this] {
+            const auto &entries = device(lively)->parameters;
+            return device(lively)->mayNotMove.empty()
+                && std::all_of(
+                    entries.begin(), entries.end(), [](const ParameterStore::Entry &e) { return e.raw.has_value(); });
+        });
+    for (const bool first : {true, false}) {
+        add(
+            QStringLiteral("arm for a trial"), [this] { m_window.arming().arm(device(lively)->id); },
+            [this] { return m_window.arming().isArmed(device(lively)->id); });
+        pause(std::chrono::milliseconds(300));
+        add(
+            QStringLiteral("a trial"), [this, first] { tryGains(first ? 1.0 : calmerP, first ? 1.0 : calmerI); },
+            [this, page, first] {
+                return !m_window.arming().isOnTrial() && page()->trials().b() && (first || page()->trials().a());
+            },
+            trialTime);
+    }
+    pause(std::chrono::milliseconds(600));
+    picture(QStringLiteral("tune"));
+    add(
+        QStringLiteral("disarm"), [this] { m_window.arming().disarm(); }, [] { return true; });
+}
+
+} // namespace mb

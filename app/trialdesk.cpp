@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/trialdesk.h"
+
+#include "storage/trialfile.h"
+
+#include <memory>
+
+namespace mb {
+
+TrialDesk::TrialDesk(TrialStore &store, Mailbox &home, QObject *parent)
+    : TrialNotebook(parent)
+    , m_store(store)
+    , m_home(home)
+{
+}
+
+template <class T>
+void TrialDesk::ask(std::function<Result<T>(TrialBook &)> question, std::function<void(Result<T>)> answered)
+{
+    m_store.post([home = &m_home, question = std::move(question), answered = std::move(answered)](
+                     const Result<TrialBook *> &book) {
+        auto result = std::make_shared<Result<T>>(book ? question(**book) : Result<T>(fail(book.error())));
+        home->post([answered, result] {
+            if (answered)
+                answered(std::move(*result));
+        });
+    });
+}
+
+void TrialDesk::list(const std::string &unit, Listed listed)
+{
+    ask<std::vector<KeptTrial>>([unit](TrialBook &book) { return book.listOf(unit); }, std::move(listed));
+}
+
+void TrialDesk::fetch(std::int64_t number, Fetched fetched)
+{
+    ask<std::vector<tuning::Signal>>([number](TrialBook &book) { return book.signals(number); }, std::move(fetched));
+}
+
+void TrialDesk::setStar(std::int64_t number, bool star, Finished finished)
+{
+    ask<void>([number, star](TrialBook &book) { return book.setStar(number, star); }, std::move(finished));
+}
+
+void TrialDesk::setNote(std::int64_t number, const QString &note, Finished finished)
+{
+    ask<void>([number, text = note.toStdString()](TrialBook &book) { return book.setNote(number, text); },
+        std::move(finished));
+}
+
+void TrialDesk::remove(std::int64_t number, Finished finished)
+{
+    ask<void>([number](TrialBook &book) { return book.remove(number); }, std::move(finished));
+}
+
+void TrialDesk::exportTo(const QString &path, std::vector<KeptTrial> trials, Finished finished)
+{
+    ask<void>(
+        [file = path.toStdString(), trials = std::move(trials)](TrialBook &) { return exportTrials(file, trials); },
+        std::move(finished));
+}
+
+} // namespace mb

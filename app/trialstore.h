@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/clock.h"
+#include "async/mailbox.h"
+#include "storage/trialbook.h"
+
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+namespace mb {
+
+/// The notebook of trials in a thread of its own, so that no disk ever holds up engine or window. The file is opened with the
+/// first order. Orders are done one after the other, those that wait at the end too.
+class TrialStore {
+public:
+    /// With the book, or why there is none. In the thread of the store.
+    using Work = std::function<void(const Result<TrialBook *> &)>;
+
+    /// The clock gives the time of day, from any thread.
+    TrialStore(std::string path, const Clock &clock);
+    TrialStore(const TrialStore &) = delete;
+    TrialStore &operator=(const TrialStore &) = delete;
+    /// Waits until all is done.
+    ~TrialStore();
+
+    /// Any thread.
+    void post(Work work);
+
+private:
+    void run();
+
+    std::string m_path;
+    const Clock &m_clock;
+    std::mutex m_mutex;
+    std::condition_variable m_wake;
+    std::deque<Work> m_waiting;
+    bool m_ends = false;
+    std::thread m_thread; ///< last: it uses all the others
+};
+
+/// The journal as experiments see it, in the thread that drains `home`: each word waits for the store without blocking.
+class StoredJournal final : public tuning::ExperimentJournal {
+public:
+    StoredJournal(TrialStore &store, Mailbox &home)
+        : m_store(store)
+        , m_home(home)
+    {
+    }
+    [[nodiscard]] Task<std::int64_t> begin(tuning::Trial trial) override;
+    [[nodiscard]] Task<void> owe(std::int64_t trial, std::string unit, std::vector<tuning::OwedValue> values) override;
+    [[nodiscard]] Task<void> settle(std::int64_t trial) override;
+    [[nodiscard]] Task<void> complete(std::int64_t number, tuning::Trial trial) override;
+    [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override;
+
+private:
+    template <class T> [[nodiscard]] Task<T> ask(std::function<Task<T>(TrialBook &)> question);
+
+    TrialStore &m_store;
+    Mailbox &m_home;
+};
+
+} // namespace mb

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/trialfile.h"
+
+#include "model/parameterfile.h"
+#include "model/qttext.h"
+#include "storage/trialjson.h"
+
+#include <QDateTime>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace mb {
+namespace {
+
+using tuning::Trial;
+
+std::string list(const std::vector<std::string> &words)
+{
+    std::string text;
+    for (const std::string &word : words)
+        text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+QJsonObject signalsToJson(const Trial &trial)
+{
+    QJsonObject all;
+    for (const tuning::Signal &signal : trial.signals) {
+        QJsonArray times;
+        QJsonArray values;
+        for (std::size_t i = 0; i < signal.trace.size(); ++i) {
+            times.append(signal.trace.t[i]);
+            values.append(signal.trace.y[i]);
+        }
+        all.insert(qt(signal.channel),
+            QJsonObject{{QStringLiteral("unit"), qt(signal.unit)}, {QStringLiteral("t"), times},
+                {QStringLiteral("value"), values}});
+    }
+    return all;
+}
+
+QByteArray samplesAsCsv(const Trial &trial)
+{
+    std::string text = "t,channel,value,unit\n";
+    for (const tuning::Signal &signal : trial.signals) {
+        for (std::size_t i = 0; i < signal.trace.size(); ++i) {
+            std::array<char, 40> time{};
+            std::snprintf(time.data(), time.size(), "%.6f,", signal.trace.t[i]);
+            text += time.data() + signal.channel + ',' + numberText(signal.trace.y[i]) + ',' + signal.unit + '\n';
+        }
+    }
+    return QByteArray::fromStdString(text);
+}
+
+std::string quoted(const std::string &text)
+{
+    if (text.find_first_of(",\"\n") == std::string::npos)
+        return text;
+    std::string inside;
+    for (const char c : text)
+        inside += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return '"' + inside + '"';
+}
+
+std::string timeOf(const KeptTrial &kept)
+{
+    return QDateTime::fromMSecsSinceEpoch(std::llround(kept.time * 1e3)).toString(Qt::ISODate).toStdString();
+}
+
+QByteArray trialsAsCsv(const std::vector<KeptTrial> &trials)
+{
+    std::string text = "trial,time,device,unit,firmware,simulated,mode,axis,slot,profile,from,to,repeat";
+    for (const tuning::MetricKey &key : tuning::metricKeys())
+        text += ',' + std::string(key.key);
+    text += ",flags,reason,stopped,samples,lost,star,note,gains\n";
+    for (const KeptTrial &kept : trials) {
+        const Trial &t = kept.trial;
+        text += std::to_string(kept.number) + ',' + timeOf(kept) + ',' + quoted(t.device) + ',' + quoted(t.unit) + ','
+            + t.firmware + ',' + (t.simulated ? "1" : "0") + ',' + std::string(toString(t.mode)) + ','
+            + std::to_string(t.axis) + ',' + std::to_string(t.slot) + ',' + std::string(toString(t.stimulus.profile))
+            + ',' + numberText(t.stimulus.from) + ',' + numberText(t.stimulus.to) + ',' + std::to_string(t.repeat);
+        for (const tuning::MetricKey &key : tuning::metricKeys())
+            text += ',' + (t.metrics.*key.value ? numberText(*(t.metrics.*key.value)) : std::string());
+        std::string gains;
+        for (const auto &[key, value] : t.gains)
+            gains += (gains.empty() ? "" : " ") + key + '=' + (value ? numberText(*value) : "?");
+        text += ',' + quoted(list(t.flags)) + ',' + t.reason + ',' + (t.stopped ? "1" : "0") + ','
+            + std::to_string(t.samples) + ',' + std::to_string(t.lost) + ',' + (kept.star ? "1" : "0") + ','
+            + quoted(kept.note) + ',' + quoted(gains) + '\n';
+    }
+    return QByteArray::fromStdString(text);
+}
+
+} // namespace
+
+QJsonObject trialRow(const KeptTrial &kept)
+{
+    QJsonObject row = toJson(kept.trial, kept.number);
+    row.insert(QStringLiteral("time"), kept.time);
+    row.insert(
+        QStringLiteral("firmware"), kept.trial.firmware.empty() ? QJsonValue() : QJsonValue(qt(kept.trial.firmware)));
+    row.insert(QStringLiteral("unit"), qt(kept.trial.unit));
+    row.insert(QStringLiteral("simulated"), kept.trial.simulated);
+    row.insert(QStringLiteral("star"), kept.star);
+    row.insert(QStringLiteral("note"), qt(kept.note));
+    return row;
+}
+
+QJsonArray trialRows(const std::vector<KeptTrial> &trials)
+{
+    QJsonArray rows;
+    for (const KeptTrial &kept : trials)
+        rows.append(trialRow(kept));
+    return rows;
+}
+
+Result<void> saveTrial(const std::string &path, const Trial &trial, std::optional<std::int64_t> number)
+{
+    if (path.ends_with(".csv"))
+        return saveFile(path, samplesAsCsv(trial));
+    QJsonObject object = toJson(trial, number);
+    object.insert(QStringLiteral("simulated"), trial.simulated);
+    object.insert(QStringLiteral("signals"), signalsToJson(trial));
+    return saveFile(path, QJsonDocument(object).toJson());
+}
+
+Result<void> exportTrials(const std::string &path, const std::vector<KeptTrial> &trials)
+{
+    if (path.ends_with(".csv"))
+        return saveFile(path, trialsAsCsv(trials));
+    return saveFile(path, QJsonDocument(QJsonObject{{QStringLiteral("trials"), trialRows(trials)}}).toJson());
+}
+
+} // namespace mb

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Experiments as the engine's half runs them: kept, stopped at any phase, owed gains put back. Virtual time.
+#include "app/enginecore.h"
+#include "async/virtualclock.h"
+#include "model/registry.h"
+#include "support/fakejournal.h"
+#include "tuning/verdict.h"
+
+#include <gtest/gtest.h>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using tuning::Keep;
+
+class TrialCore : public testing::Test {
+protected:
+    TrialCore()
+        : renewal(clock)
+    {
+        core.setJournal(&journal);
+        core.openLink(*LinkAddress::parse("sim:can"), {});
+        EXPECT_TRUE(clock.runUntil([this] { return device() && device()->liveness().heard; }, 10s));
+        clock.advance(2s);
+        renew();
+    }
+    [[nodiscard]] Device *device()
+    {
+        for (Device *one : core.session().devices()) {
+            if (one->identity().address == 7 && one->family().key == "dmc60c")
+                return one;
+        }
+        return nullptr;
+    }
+    [[nodiscard]] DeviceId id() { return core.session().idOf(*device()); }
+    [[nodiscard]] ParameterIndex p() { return *findParameter(device()->family().parameters, "slot0.p"); }
+    [[nodiscard]] std::int64_t stored()
+    {
+        std::optional<std::int64_t> raw;
+        core.readParameters(id());
+        EXPECT_TRUE(clock.runUntil([this] { return !isBusy(); }, 10s));
+        raw = device()->parameters().entry(p()).raw;
+        return raw.value_or(-1);
+    }
+    [[nodiscard]] bool isBusy()
+    {
+        const Snapshot shot = core.snapshot();
+        const OperationView *operation = shot.operation(id());
+        return operation && operation->status.state == OperationStatus::State::Running;
+    }
+    [[nodiscard]] bool isOutputOn()
+    {
+        for (Simulator *unit : core.session().bench(*core.session().links().front())->simulators()) {
+            if (unit->isOutputOn())
+                return true;
+        }
+        return false;
+    }
+    void renew()
+    {
+        core.renewMotion(id());
+        renewal.startIn(100ms, [this] { renew(); });
+    }
+    void start(Keep keep)
+    {
+        tuning::ExperimentPlan plan;
+        plan.mode = Mode::Velocity;
+        plan.to = 60'000.0;
+        plan.gains = {{p(), 30'000}};
+        plan.keep = keep;
+        measured.clear();
+        ended.reset();
+        core.runTrial(
+            id(), plan, [this](const tuning::Trial &trial) { measured.emplace_back(clock.now(), trial); },
+            [this](Result<tuning::Trial> trial) { ended = std::move(trial); });
+    }
+    [[nodiscard]] bool ends()
+    {
+        return clock.runUntil([this] { return ended.has_value(); }, 60s);
+    }
+
+    VirtualClock clock;
+    test::FakeJournal journal;
+    EngineCore core{clock, families(), false};
+    Timer renewal;
+    std::vector<std::pair<Instant, tuning::Trial>> measured;
+    std::optional<Result<tuning::Trial>> ended;
+};
+
+TEST_F(TrialCore, MeasuresBeforeTheMotorIsBackKeepsTheTrialAndTheGains)
+{
+    const std::int64_t before = stored();
+    start(Keep::WhenDone);
+    ASSERT_TRUE(ends());
+    ASSERT_TRUE(*ended) << ended->error().detail;
+    const tuning::Trial &trial = **ended;
+    EXPECT_EQ(trial.reason, "done") << trial.detail;
+    EXPECT_TRUE(trial.stopped);
+    EXPECT_EQ(trial.number, 1);
+    ASSERT_EQ(measured.size(), 1U);
+    ASSERT_TRUE(measured.front().second.metrics.settle);
+    EXPECT_EQ(measured.front().second.metrics.rise, trial.metrics.rise);
+    EXPECT_LT(measured.front().first, clock.now() - 200ms) << "not before the way back";
+    EXPECT_EQ(journal.log, (std::vector<std::string>{"begin", "owe", "settle", "complete"}));
+    EXPECT_NE(before, 30'000);
+    EXPECT_EQ(stored(), 30'000) << "what a done trial has written stays";
+    EXPECT_FALSE(isOutputOn());
+}
+
+TEST_F(TrialCore, StopAtAnyPhaseStopsTheMotorAndPutsGainsBack)
+{
+    const std::int64_t before = stored();
+    for (const Duration moment : {0ms, 2ms, 20ms, 150ms, 400ms, 900ms, 1600ms, 2400ms}) {
+        start(Keep::WhenDone);
+        clock.advance(moment);
+        ASSERT_FALSE(ended) << moment.count();
+        core.stopAll(StopCause::User);
+        clock.advance(5ms);
+        EXPECT_FALSE(isOutputOn()) << moment.count();
+        ASSERT_TRUE(ends());
+        EXPECT_FALSE(isOutputOn()) << moment.count();
+        EXPECT_TRUE(!*ended || (**ended).reason == "interrupted") << moment.count();
+        EXPECT_EQ(stored(), before) << moment.count();
+        EXPECT_TRUE(journal.owed.empty()) << moment.count();
+    }
+}
+
+TEST_F(TrialCore, HaltEndsItAndASecondOneIsRefusedMeanwhile)
+{
+    start(Keep::Never);
+    clock.advance(1s);
+    std::optional<Result<tuning::Trial>> second;
+    core.runTrial(id(), {}, {}, [&second](Result<tuning::Trial> trial) { second = std::move(trial); });
+    ASSERT_TRUE(second);
+    EXPECT_EQ(second->error().fault, Fault::Unsafe);
+    core.stopMotion(id());
+    ASSERT_TRUE(ends());
+    ASSERT_TRUE(*ended);
+    EXPECT_EQ((**ended).reason, "interrupted");
+    EXPECT_TRUE((**ended).stopped);
+}
+
+TEST_F(TrialCore, AWindowThatHangsEndsItByItsLease)
+{
+    start(Keep::Never);
+    clock.advance(1s);
+    renewal.stop();
+    ASSERT_TRUE(ends());
+    ASSERT_TRUE(*ended);
+    EXPECT_EQ((**ended).reason, "user");
+    EXPECT_FALSE(isOutputOn());
+}
+
+TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
+{
+    const std::int64_t before = stored();
+    journal.debtor = tuning::unitOf(*device());
+    std::optional<Result<void>> written;
+    core.writeParameters(id(), {{p(), 30'000}}, [&written](const Result<void> &result) { written = result; });
+    ASSERT_TRUE(clock.runUntil([&written] { return written.has_value(); }, 10s));
+    journal.owed = {{"slot0.p", before}};
+    core.closeLink("sim:can");
+    EXPECT_TRUE(core.owedGains().empty());
+    core.openLink(*LinkAddress::parse("sim:can"), {});
+    ASSERT_TRUE(clock.runUntil([this] { return device() && device()->liveness().heard; }, 10s));
+    clock.advance(3s);
+    // A bench that is opened anew is as from the factory: it has what it is owed, and nobody is asked.
+    EXPECT_TRUE(core.owedGains().empty());
+    EXPECT_TRUE(journal.owed.empty());
+
+    journal.owed = {{"slot0.p", before + 1000}};
+    core.closeLink("sim:can");
+    core.openLink(*LinkAddress::parse("sim:can"), {});
+    ASSERT_TRUE(clock.runUntil([this] { return device() && core.owedGains().count(id()) == 1; }, 20s));
+    EXPECT_EQ(stored(), before) << "nothing is written unasked";
+    std::optional<Result<void>> paid;
+    core.payGains(id(), core.owedGains().at(id()).front().trial, [&paid](const Result<void> &r) { paid = r; });
+    ASSERT_TRUE(clock.runUntil([&paid] { return paid.has_value(); }, 20s));
+    ASSERT_TRUE(*paid) << paid->error().detail;
+    EXPECT_EQ(stored(), before + 1000);
+    EXPECT_TRUE(core.owedGains().empty());
+    EXPECT_TRUE(journal.owed.empty());
+}
+
+} // namespace
+} // namespace mb

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/experimentjournal.h"
+
+#include <string>
+#include <vector>
+
+namespace mb::test {
+
+/// Keeps in memory what an experiment writes down, and in which order.
+class FakeJournal final : public tuning::ExperimentJournal {
+public:
+    Task<std::int64_t> begin(tuning::Trial trial) override
+    {
+        log.emplace_back("begin");
+        begun.push_back(std::move(trial));
+        if (isFull)
+            co_return fail(Fault::OutOfRange, "the disk is full");
+        co_return static_cast<std::int64_t>(begun.size());
+    }
+    Task<void> owe(std::int64_t, std::string unit, std::vector<tuning::OwedValue> values) override
+    {
+        log.emplace_back("owe");
+        debtor = std::move(unit);
+        owed = std::move(values);
+        co_return {};
+    }
+    Task<void> settle(std::int64_t) override
+    {
+        log.emplace_back("settle");
+        owed.clear();
+        co_return {};
+    }
+    Task<void> complete(std::int64_t, tuning::Trial trial) override
+    {
+        log.emplace_back("complete");
+        completed.push_back(std::move(trial));
+        co_return {};
+    }
+    Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override
+    {
+        std::vector<tuning::OwedGains> all;
+        if (!owed.empty() && unit == debtor)
+            all.push_back({static_cast<std::int64_t>(begun.size()), 0.0, owed});
+        co_return all;
+    }
+
+    std::vector<std::string> log;
+    std::vector<tuning::OwedValue> owed;
+    std::string debtor; ///< the unit that `owed` is for
+    std::vector<tuning::Trial> begun;
+    std::vector<tuning::Trial> completed;
+    bool isFull = false;
+};
+
+} // namespace mb::test

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/family.h"
+#include "tuning/adviser.h"
+#include "widgets/common/theme.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QVBoxLayout;
+
+namespace mb {
+
+/// What an adviser found, with its number, for people; and the button that stages its values, empty where it has none.
+[[nodiscard]] QString adviceText(const tuning::Advice &advice);
+[[nodiscard]] QString remedyText(const tuning::Advice &advice);
+
+/// "Why it did that": the two weightiest causes of a trial, each with its number and one button that stages what to try.
+class AdvicePanel : public QWidget {
+    Q_OBJECT
+public:
+    explicit AdvicePanel(const ThemeSource &theme, QWidget *parent = nullptr);
+
+    /// nullptr: no trial.
+    void setTrial(const Family *family, const tuning::Trial *trial);
+    [[nodiscard]] const std::vector<tuning::Advice> &advice() const { return m_advice; }
+
+Q_SIGNALS:
+    void stageRequested(const mb::tuning::Advice &advice);
+
+private:
+    void rebuild();
+
+    const ThemeSource &m_theme;
+    std::vector<tuning::Advice> m_advice;
+    QVBoxLayout *m_column = nullptr;
+};
+
+} // namespace mb

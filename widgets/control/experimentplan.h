@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/snapshot.h"
+#include "tuning/experiment.h"
+#include "widgets/control/stimulusbar.h"
+
+#include <QString>
+
+namespace mb {
+
+/// An experiment as a page means it.
+struct ExperimentWish {
+    Mode mode = Mode::Velocity;
+    int axis = 1;
+    int slot = 0;
+    StimulusChoice stimulus;
+    Envelope limits;
+    std::vector<ParameterChange> gains; ///< staged, written first
+};
+
+/// Whether a device could do it now, by what the window knows of it. The engine checks again, with values read anew.
+struct ExperimentCheck {
+    bool possible = false; ///< the mode has a loop that can be tried
+    bool good = false;     ///< and the stimulus stays inside the envelope
+    QString words;         ///< why not; or what will happen, with its numbers
+    QString missing;       ///< what the envelope lacks; empty: nothing
+    Envelope inForce;
+};
+[[nodiscard]] ExperimentCheck checkExperiment(
+    const DeviceView &device, const ExperimentWish &wish, const DisplayUnits &units, Instant now);
+
+/// A stimulus to begin with, well inside what is known of the envelope; without `to` where nothing is.
+[[nodiscard]] StimulusChoice usualStimulus(
+    const DeviceView &device, const ExperimentWish &wish, const DisplayUnits &units, Instant now);
+
+/// Gains stay when the trial ends well; what cannot be read back, and was never written here, stays whatever happens.
+[[nodiscard]] tuning::ExperimentPlan planOf(const DeviceView &device, const ExperimentWish &wish);
+
+/// Of the staged changes those that an experiment writes; the rest is no part of one (Device limits, averaging).
+[[nodiscard]] std::vector<ParameterChange> triable(const Family &family, const std::vector<ParameterChange> &changes);
+
+} // namespace mb

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/responseplot.h"
+
+#include "tuning/envelope.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/plots/plotstack.h"
+
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+using tuning::Trace;
+using tuning::Trial;
+
+constexpr double band = 0.02;
+constexpr double nearLimit = 0.98;
+constexpr double beforeEdge = 0.1; ///< s
+constexpr double shortestSpan = 0.01;
+
+/// The stretches of a trace that stay at or above a limit, either way.
+std::vector<std::pair<double, double>> stretchesAt(const Trace &trace, double limit)
+{
+    std::vector<std::pair<double, double>> all;
+    bool inside = false;
+    for (std::size_t i = 0; i < trace.size(); ++i) {
+        const bool at = std::abs(trace.y[i]) >= limit;
+        if (at && !inside)
+            all.emplace_back(trace.t[i], trace.t[i]);
+        else if (at)
+            all.back().second = trace.t[i];
+        inside = at;
+    }
+    std::erase_if(all, [](const auto &span) { return span.second - span.first < shortestSpan; });
+    return all;
+}
+
+std::vector<PlotPoint> pointsOf(const Trace &trace, double scale)
+{
+    std::vector<PlotPoint> points;
+    points.reserve(trace.size());
+    for (std::size_t i = 0; i < trace.size(); ++i)
+        points.push_back({trace.t[i], trace.y[i] * scale});
+    return points;
+}
+
+double holdOf(const Trial &trial)
+{
+    double least = trial.stimulus.length();
+    for (const tuning::Span &span : trial.holds)
+        least = std::min(least, span.to - span.from);
+    return least;
+}
+
+/// Where the response is highest above (or lowest below) where it ends, during the hold.
+std::optional<PlotPoint> peakOf(const Trial &trial)
+{
+    const Trace whole = trial.folded(tuning::measuredOf(trial.mode));
+    const Trace trace = whole.part(0.0, holdOf(trial));
+    if (trace.isEmpty() || trial.metrics.overshoot.value_or(0.0) <= 0.0)
+        return std::nullopt;
+    const bool up = trial.stimulus.to > trial.stimulus.from;
+    const auto at
+        = up ? std::max_element(trace.y.begin(), trace.y.end()) : std::min_element(trace.y.begin(), trace.y.end());
+    return PlotPoint{trace.t[static_cast<std::size_t>(at - trace.y.begin())], *at};
+}
+
+const Channel *channelOf(const Family &family, const Trial &trial, std::string_view key)
+{
+    const tuning::Signal *const signal = trial.signal(key);
+    const auto index = signal ? findChannel(family.channels, signal->channel) : std::nullopt;
+    return index ? &family.channels[index->value] : nullptr;
+}
+
+} // namespace
+
+ResponsePlot::ResponsePlot(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    m_stack = new PlotStack(theme, this);
+    m_stack->setObjectName(QStringLiteral("responseStack"));
+    m_stack->setLive(false);
+    column->addWidget(m_stack);
+}
+
+void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const KeptTrial *b, const DisplayUnits &units)
+{
+    m_stack->clear();
+    m_length = 0.0;
+    const Side sideA{a, QStringLiteral("A"), false};
+    const Side sideB{b, QStringLiteral("B"), true};
+    const KeptTrial *const leading = b ? b : a;
+    m_stack->setStateText(QStringLiteral(" "));
+    if (!family || !leading) {
+        m_stack->setFootNote({});
+        m_stack->refresh(0.0);
+        return;
+    }
+    const Trial &trial = leading->trial;
+    const std::string_view measured = tuning::measuredOf(trial.mode);
+    int strip = 0;
+    for (const std::string_view channel : {measured, std::string_view("duty"), std::string_view("current")}) {
+        if (strip > 0 && channel == measured)
+            continue;
+        const bool there = (a && channelOf(*family, a->trial, channel)) || (b && channelOf(*family, b->trial, channel));
+        if (!there)
+            continue;
+        add(*family, sideA, channel, strip, units);
+        add(*family, sideB, channel, strip, units);
+        addLimits(trial, strip, channel);
+        ++strip;
+    }
+    for (int i = 0; i < strip; ++i)
+        m_stack->setStrip(i, {{}, i == 0 ? 3.0 : 1.0, i == 0});
+    const ShownUnit unit = shownUnit(trial.mode == Mode::Duty ? Mode::Velocity : trial.mode, units);
+    if (trial.mode != Mode::Duty)
+        addSetPoint(trial, unit, m_length);
+    addMarks(sideA, sideB, unit);
+    addSpans(sideA, sideB);
+    m_stack->setWatermark(trial.simulated ? tr("DEMO") : QString());
+    m_stack->setFootNote(trial.repeat > 1
+            ? tr("t = 0 at the edge, mean of %1 · %2 samples, %3 lost")
+                  .arg(trial.repeat)
+                  .arg(trial.samples)
+                  .arg(trial.lost)
+            : tr("t = 0 at the edge · %1 samples, %2 lost").arg(trial.samples).arg(trial.lost));
+    m_stack->setRange(-std::min(beforeEdge, 0.1 * m_length), std::max(m_length, 0.05));
+    m_stack->refresh(0.0);
+    setAccessibleName(tr("Responses"));
+    setAccessibleDescription(summary());
+}
+
+void ResponsePlot::add(
+    const Family &family, const Side &side, std::string_view channel, int strip, const DisplayUnits &units)
+{
+    const Channel *const row = side.kept ? channelOf(family, side.kept->trial, channel) : nullptr;
+    if (!row)
+        return;
+    const Trial &trial = side.kept->trial;
+    const ShownUnit unit = shownUnit(row->quantity, trial.signal(channel)->unit, units);
+    const Trace trace = trial.folded(channel);
+    if (!trace.isEmpty())
+        m_length = std::max(m_length, trace.t.back());
+    TraceStyle style;
+    style.name = strip == 0 ? tr("%1 #%2").arg(side.letter).arg(side.kept->number) : tableText(row->label);
+    style.unit = unit.text;
+    style.role = roleOf(row->quantity);
+    style.strip = strip;
+    style.dash = side.current ? TraceDash::Solid : TraceDash::Long;
+    style.marker = side.current ? TraceMarker::Automatic : TraceMarker::HollowSquare;
+    style.emphasis = side.current && strip == 0;
+    style.valueTag = side.current;
+    m_stack->addTrace(style, std::make_shared<FixedTrace>(pointsOf(trace, unit.scale)));
+}
+
+void ResponsePlot::addSetPoint(const Trial &trial, const ShownUnit &unit, double length)
+{
+    const bool steps = !trial.stimulus.edges().empty();
+    const double hold = steps ? holdOf(trial) : trial.stimulus.length();
+    std::vector<PlotPoint> points{{-beforeEdge, trial.stimulus.from * unit.scale}};
+    if (trial.stimulus.profile == tuning::Profile::Step || trial.stimulus.profile == tuning::Profile::Square) {
+        for (const auto &[t, value] : {std::pair(0.0, trial.stimulus.from), std::pair(0.0, trial.stimulus.to),
+                 std::pair(hold, trial.stimulus.to), std::pair(hold, trial.stimulus.from)})
+            points.push_back({t, value * unit.scale});
+    } else {
+        const double fine = std::max(hold / 2000.0, 0.001);
+        for (double t = 0.0; t < hold; t += fine)
+            points.push_back({t, trial.stimulus.at(t) * unit.scale});
+    }
+    points.push_back({std::max(length, hold), trial.stimulus.from * unit.scale});
+    TraceStyle style;
+    style.name = tr("set-point");
+    style.unit = unit.text;
+    style.role = TraceRole::Setpoint;
+    m_stack->addTrace(style, std::make_shared<FixedTrace>(std::move(points)));
+}
+
+void ResponsePlot::addMarks(const Side &a, const Side &b, const ShownUnit &unit)
+{
+    const Trial &trial = (b.kept ? b.kept : a.kept)->trial;
+    const bool steps = !trial.stimulus.edges().empty() && trial.mode != Mode::Duty;
+    std::vector<PlotNote> notes;
+    std::vector<PlotBand> bands;
+    if (steps) {
+        const double target = trial.stimulus.to * unit.scale;
+        const double half = std::abs(trial.stimulus.to - trial.stimulus.from) * unit.scale * band;
+        bands.push_back({target - half, target + half, tr("±2 % band"), Tone::Ok});
+    }
+    for (const Side &side : {a, b}) {
+        if (!side.kept || !steps)
+            continue;
+        const tuning::Metrics &metrics = side.kept->trial.metrics;
+        if (const auto peak = peakOf(side.kept->trial))
+            notes.push_back({peak->key, peak->value * unit.scale,
+                tr("%1 peak %2 %").arg(side.letter, formatDifference(*metrics.overshoot * 100.0, 1)),
+                {14, side.current ? -10.0 : -16.0}, side.current});
+        if (metrics.settle)
+            notes.push_back({*metrics.settle, side.kept->trial.stimulus.to * unit.scale,
+                tr("%1 settles %2").arg(side.letter, formatDuration(*metrics.settle)), {10, side.current ? 62.0 : 34.0},
+                side.current});
+    }
+    m_stack->setBands(0, bands);
+    m_stack->setNotes(0, notes);
+    const auto settleOf = [](const Side &side) { return side.kept ? side.kept->trial.metrics.settle : std::nullopt; };
+    if (settleOf(a) && settleOf(b) && !m_stack->cursorsShown())
+        m_stack->setCursorKeys(*settleOf(a), *settleOf(b));
+}
+
+/// Where the duty, or the current, was at its limit.
+void ResponsePlot::addSpans(const Side &a, const Side &b)
+{
+    std::vector<PlotSpan> spans;
+    for (const Side &side : {a, b}) {
+        if (!side.kept)
+            continue;
+        const Trial &trial = side.kept->trial;
+        const double duty = trial.envelope.duty.value_or(1.0);
+        for (const auto &[from, to] : stretchesAt(trial.folded("duty"), nearLimit * duty))
+            spans.push_back({from, to,
+                tr("%1: duty at %2 % limit, %3")
+                    .arg(side.letter, formatNumber(duty * 100.0), formatDuration(to - from)),
+                TraceRole::Duty});
+        if (!trial.envelope.current)
+            continue;
+        for (const auto &[from, to] : stretchesAt(trial.folded("current"), nearLimit * *trial.envelope.current))
+            spans.push_back({from, to, tr("%1: current at its limit, %2").arg(side.letter, formatDuration(to - from)),
+                TraceRole::Current});
+    }
+    m_stack->setSpans(0, spans);
+}
+
+void ResponsePlot::addLimits(const Trial &trial, int strip, std::string_view channel)
+{
+    const bool duty = channel == "duty";
+    const auto limit = duty ? trial.envelope.duty : channel == "current" ? trial.envelope.current : std::nullopt;
+    if (!limit || strip == 0)
+        return;
+    const double shown = *limit * (duty ? 100.0 : 1.0);
+    const QString text = duty ? tr("limit %1 %").arg(formatNumber(shown)) : tr("limit %1 A").arg(formatNumber(shown));
+    m_stack->setLimits(strip, {{shown, text, duty ? TraceRole::Duty : TraceRole::Current}});
+}
+
+QString ResponsePlot::summary() const
+{
+    return m_stack->summary();
+}
+
+} // namespace mb

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/family.h"
+#include "tuning/kepttrial.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/displayunits.h"
+
+#include <QWidget>
+
+namespace mb {
+
+class PlotStack;
+
+/// What one or two trials did, over the same t = 0: the measured value with set-point, ±2 % band and marks, below it duty and
+/// current. A is the pinned one, dashed with hollow squares; B the current one, drawn heavier. Cursors (L) can be dragged;
+/// they stand at the settling of A and B first.
+class ResponsePlot : public QWidget {
+    Q_OBJECT
+public:
+    explicit ResponsePlot(const ThemeSource &theme, QWidget *parent = nullptr);
+
+    /// nullptr: none. With their signals. `family` tells quantities and units of the channels.
+    void setTrials(const Family *family, const KeptTrial *a, const KeptTrial *b, const DisplayUnits &units);
+    /// What a screen reader says of it.
+    [[nodiscard]] QString summary() const;
+    [[nodiscard]] PlotStack &stack() { return *m_stack; }
+
+private:
+    struct Side {
+        const KeptTrial *kept = nullptr;
+        QString letter;
+        bool current = false;
+    };
+    void add(const Family &family, const Side &side, std::string_view channel, int strip, const DisplayUnits &units);
+    void addSetPoint(const tuning::Trial &trial, const ShownUnit &unit, double length);
+    void addMarks(const Side &a, const Side &b, const ShownUnit &unit);
+    void addSpans(const Side &a, const Side &b);
+    void addLimits(const tuning::Trial &trial, int strip, std::string_view channel);
+
+    const ThemeSource &m_theme;
+    PlotStack *m_stack = nullptr;
+    double m_length = 0.0; ///< s, of the longest response
+};
+
+} // namespace mb

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/triallist.h"
+
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/segmented.h"
+
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QMenu>
+#include <QTableView>
+
+namespace mb {
+namespace {
+
+constexpr double bestOvershoot = 0.05; ///< the most that the best may have
+
+} // namespace
+
+TrialList::TrialList(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+    , m_model(new TrialModel(theme, this))
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    m_table = new QTableView(this);
+    column->addWidget(buildHead());
+    column->addWidget(m_table, 1);
+    configure();
+    connect(m_model, &QAbstractItemModel::modelReset, this, &TrialList::say);
+    connect(&theme, &ThemeSource::changed, this, &TrialList::fit);
+    fit();
+    say();
+}
+
+QWidget *TrialList::buildHead()
+{
+    const Theme &theme = m_theme.theme();
+    auto *head = new QWidget(this);
+    auto *row = new QHBoxLayout(head);
+    row->setContentsMargins(theme.u(12), theme.u(4), theme.u(12), theme.u(4));
+    row->setSpacing(theme.u(8));
+    m_words = textLabel({}, TextRole::Caption, Tone::Dim, head);
+    m_filter = new Segmented(tr("Which trials"), {tr("All"), tr("Starred"), tr("Clean")}, head);
+    m_best = new CommandButton(m_theme, Symbol::Undo, tr("Back to best"), head);
+    m_best->setToolTip(
+        tr("Stages the gains of the quickest clean trial with no more than 5 % overshoot; runs nothing."));
+    m_use = new CommandButton(m_theme, tr("Use these gains"), head);
+    m_use->setToolTip(tr("Stages the gains of the trial that is selected; nothing is written yet."));
+    m_export = new IconButton(m_theme, Symbol::Export, tr("Export the trials as CSV or JSON"), head);
+    row->addWidget(new SectionLabel(tr("Trials"), head));
+    row->addWidget(m_words, 1);
+    row->addWidget(m_filter);
+    row->addWidget(m_use);
+    row->addWidget(m_best);
+    row->addWidget(m_export);
+    connect(m_filter, &Segmented::currentChanged, this,
+        [this](int filter) { m_model->setFilter(static_cast<TrialModel::Filter>(filter)); });
+    connect(m_best, &QPushButton::clicked, this, [this] {
+        if (const KeptTrial *best = m_model->best(bestOvershoot))
+            Q_EMIT useRequested(best->number);
+    });
+    connect(m_use, &QPushButton::clicked, this, [this] {
+        if (current() > 0)
+            Q_EMIT useRequested(current());
+    });
+    connect(m_export, &QToolButton::clicked, this, &TrialList::exportRequested);
+    return head;
+}
+
+void TrialList::configure()
+{
+    m_table->setModel(m_model);
+    m_table->setAccessibleName(tr("Trials of this loop"));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
+    m_table->setShowGrid(false);
+    m_table->setWordWrap(false);
+    m_table->setSortingEnabled(true);
+    m_table->setContextMenuPolicy(Qt::CustomContextMenu);
+    m_table->verticalHeader()->hide();
+    QHeaderView &head = *m_table->horizontalHeader();
+    head.setSortIndicator(TrialModel::Number, Qt::DescendingOrder);
+    head.setSectionResizeMode(QHeaderView::Interactive);
+    head.setMinimumSectionSize(m_theme.theme().u(24));
+    head.setStretchLastSection(true);
+    m_empty = textLabel(tr("Every experiment appears here with its gains and what became of it."), TextRole::Body,
+        Tone::Faint, m_table->viewport());
+    auto *middle = new QVBoxLayout(m_table->viewport());
+    middle->addWidget(m_empty, 0, Qt::AlignCenter);
+    connect(m_table, &QTableView::clicked, this, &TrialList::clicked);
+    connect(m_table, &QTableView::activated, this,
+        [this](const QModelIndex &index) { Q_EMIT chosen(index.data(TrialModel::NumberRole).toLongLong(), false); });
+    connect(m_table, &QWidget::customContextMenuRequested, this, &TrialList::openMenu);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+        [this] { m_use->setEnabled(current() > 0); });
+}
+
+void TrialList::fit()
+{
+    const Theme &theme = m_theme.theme();
+    const int row = std::max(theme.u(26), fontMetrics().height() + theme.u(6));
+    m_table->verticalHeader()->setDefaultSectionSize(row);
+    m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + m_rows * row + theme.u(4));
+    const auto width = [this, &theme](int column, const QString &widest) {
+        const int text = std::max(fontMetrics().horizontalAdvance(widest),
+            fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString())
+                + theme.u(10));
+        m_table->setColumnWidth(column, text + theme.u(20));
+    };
+    m_table->setColumnWidth(TrialModel::Star, theme.u(28));
+    width(TrialModel::Number, QStringLiteral("#9999  B"));
+    width(TrialModel::Time, QStringLiteral("00.00. 00:00"));
+    width(TrialModel::Stimulus, QStringLiteral("0 ▸ 60 000 ×4"));
+    for (int column = TrialModel::GainP; column <= TrialModel::GainF; ++column)
+        width(column, QStringLiteral("0.00000"));
+    for (int column = TrialModel::Over; column <= TrialModel::Peak; ++column)
+        width(column, QStringLiteral("0 000"));
+    width(TrialModel::Flags, QStringLiteral("stopped: oscillation"));
+}
+
+void TrialList::setRows(int rows)
+{
+    if (rows == m_rows)
+        return;
+    m_rows = rows;
+    fit();
+}
+
+void TrialList::setTrials(std::vector<KeptTrial> trials)
+{
+    const qint64 before = current();
+    m_model->setTrials(std::move(trials));
+    const int row = m_model->rowOf(before);
+    if (row >= 0)
+        m_table->selectRow(row);
+}
+
+void TrialList::setLetters(std::int64_t a, std::int64_t b)
+{
+    m_model->setLetters(a, b);
+}
+
+void TrialList::setTrouble(const QString &text)
+{
+    m_trouble = text;
+    say();
+}
+
+void TrialList::say()
+{
+    const int all = m_model->countOf(TrialModel::Filter::All);
+    m_words->setText(!m_trouble.isEmpty() ? m_trouble
+            : all == 0                    ? QString()
+                                          : tr("%n, every run is kept", nullptr, all));
+    setTone(*m_words, m_trouble.isEmpty() ? Tone::Dim : Tone::Caution);
+    m_filter->setText(0, tr("All %1").arg(all));
+    m_filter->setText(1, tr("Starred %1").arg(m_model->countOf(TrialModel::Filter::Starred)));
+    m_filter->setText(2, tr("Clean %1").arg(m_model->countOf(TrialModel::Filter::Clean)));
+    const KeptTrial *const best = m_model->best(bestOvershoot);
+    m_best->setText(best ? tr("Back to best #%1").arg(best->number) : tr("Back to best"));
+    m_best->setEnabled(best);
+    m_use->setEnabled(current() > 0);
+    m_export->setEnabled(all > 0);
+    m_empty->setVisible(m_model->rowCount() == 0);
+    for (int column = TrialModel::GainP; column <= TrialModel::GainF; ++column) {
+        const auto &trials = m_model->trials();
+        constexpr std::array<std::string_view, 4> names{"p", "i", "d", "f"};
+        const bool used = std::any_of(trials.begin(), trials.end(), [&](const KeptTrial &kept) {
+            return TrialModel::gainOf(kept.trial, names.at(static_cast<std::size_t>(column - TrialModel::GainP)))
+                       .value_or(0.0)
+                != 0.0;
+        });
+        m_table->setColumnHidden(column, !used && column >= TrialModel::GainD);
+    }
+}
+
+qint64 TrialList::current() const
+{
+    const auto *selection = m_table->selectionModel();
+    const QModelIndexList rows = selection ? selection->selectedRows() : QModelIndexList{};
+    return rows.isEmpty() ? 0 : rows.first().data(TrialModel::NumberRole).toLongLong();
+}
+
+void TrialList::clicked(const QModelIndex &index)
+{
+    const KeptTrial *const kept = m_model->at(index.row());
+    if (!kept)
+        return;
+    const qint64 number = kept->number;
+    if (index.column() == TrialModel::Star)
+        Q_EMIT m_model->starChosen(number, !kept->star);
+    else
+        Q_EMIT chosen(number, QApplication::keyboardModifiers().testFlag(Qt::ShiftModifier));
+}
+
+void TrialList::openMenu(const QPoint &at)
+{
+    const KeptTrial *const kept = m_model->at(m_table->indexAt(at).row());
+    if (!kept)
+        return;
+    const qint64 number = kept->number;
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(tr("Show as B"), this, [this, number] { Q_EMIT chosen(number, false); });
+    menu->addAction(tr("Pin as A  A"), this, [this, number] { Q_EMIT chosen(number, true); });
+    menu->addAction(tr("Use these gains"), this, [this, number] { Q_EMIT useRequested(number); });
+    menu->addAction(kept->star ? tr("Take the star away") : tr("Give it a star"), this,
+        [this, number, star = !kept->star] { Q_EMIT m_model->starChosen(number, star); });
+    menu->addAction(tr("Edit the note"), this,
+        [this, number] { m_table->edit(m_model->index(m_model->rowOf(number), TrialModel::Note)); });
+    menu->addSeparator();
+    menu->addAction(tr("Forget this trial"), this, [this, number] { Q_EMIT deleteRequested(number); });
+    menu->popup(m_table->viewport()->mapToGlobal(at));
+}
+
+} // namespace mb

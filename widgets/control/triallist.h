@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/control/trialmodel.h"
+
+#include <QWidget>
+
+class QLabel;
+class QTableView;
+
+namespace mb {
+
+class CommandButton;
+class IconButton;
+class Segmented;
+
+/// The notebook of one loop: every trial is kept. A click shows one as B, with Shift as A; its gains can be taken, the best
+/// found again, the whole list exported. Does nothing of it by itself.
+class TrialList : public QWidget {
+    Q_OBJECT
+public:
+    explicit TrialList(const ThemeSource &theme, QWidget *parent = nullptr);
+
+    void setTrials(std::vector<KeptTrial> trials);
+    void setUnits(const DisplayUnits &units) { m_model->setUnits(units); }
+    void setLetters(std::int64_t a, std::int64_t b);
+    void setRows(int rows);
+    /// What is wrong with the notebook; empty: nothing.
+    void setTrouble(const QString &text);
+    [[nodiscard]] TrialModel &model() { return *m_model; }
+    [[nodiscard]] QTableView &table() { return *m_table; }
+
+Q_SIGNALS:
+    void chosen(qint64 number, bool asA);
+    void useRequested(qint64 number);
+    void deleteRequested(qint64 number);
+    void exportRequested();
+
+private:
+    QWidget *buildHead();
+    void configure();
+    void clicked(const QModelIndex &index);
+    void openMenu(const QPoint &at);
+    void say();
+    void fit();
+    [[nodiscard]] qint64 current() const;
+
+    const ThemeSource &m_theme;
+    TrialModel *m_model = nullptr;
+    QTableView *m_table = nullptr;
+    QLabel *m_words = nullptr;
+    QLabel *m_empty = nullptr;
+    Segmented *m_filter = nullptr;
+    CommandButton *m_best = nullptr;
+    CommandButton *m_use = nullptr;
+    IconButton *m_export = nullptr;
+    QString m_trouble;
+    int m_rows = 5;
+};
+
+} // namespace mb

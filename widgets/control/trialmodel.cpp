@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/trialmodel.h"
+
+#include "widgets/common/icons.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/control/trialwords.h"
+
+#include <QDateTime>
+#include <QFont>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace mb {
+namespace {
+
+constexpr std::array<std::string_view, 4> gainNames{"p", "i", "d", "f"};
+
+QString orNone(const QString &text)
+{
+    return text.isEmpty() ? QString(UnknownMark) : text;
+}
+
+QString percent(std::optional<double> fraction)
+{
+    return fraction ? formatNumber(*fraction * 100.0, 1) : QString();
+}
+
+QString milliseconds(std::optional<double> seconds)
+{
+    return seconds ? formatNumber(*seconds * 1e3) : QString();
+}
+
+QString gainText(std::optional<double> gain)
+{
+    if (!gain)
+        return {};
+    return *gain == 0.0 ? QStringLiteral("0") : formatSignificant(*gain, 5);
+}
+
+} // namespace
+
+TrialModel::TrialModel(const ThemeSource &theme, QObject *parent)
+    : QAbstractTableModel(parent)
+    , m_theme(theme)
+{
+}
+
+std::optional<double> TrialModel::gainOf(const tuning::Trial &trial, std::string_view name)
+{
+    for (const auto &[key, value] : trial.gains) {
+        if (key.size() > name.size() && key.ends_with(name) && key[key.size() - name.size() - 1] == '.')
+            return value;
+    }
+    return std::nullopt;
+}
+
+bool TrialModel::isClean(const tuning::Trial &trial)
+{
+    return trial.reason == "done" && trial.metrics.settle && !trial.has(tuning::flag::lostSamples)
+        && !trial.has(tuning::flag::saturated) && !trial.has(tuning::flag::currentLimit);
+}
+
+bool TrialModel::passes(const KeptTrial &kept, Filter filter)
+{
+    return filter == Filter::All || (filter == Filter::Starred ? kept.star : isClean(kept.trial));
+}
+
+int TrialModel::countOf(Filter filter) const
+{
+    return static_cast<int>(std::count_if(
+        m_trials.begin(), m_trials.end(), [filter](const KeptTrial &kept) { return passes(kept, filter); }));
+}
+
+void TrialModel::setTrials(std::vector<KeptTrial> trials)
+{
+    m_trials = std::move(trials);
+    arrange();
+}
+
+void TrialModel::setUnits(const DisplayUnits &units)
+{
+    if (units == m_units)
+        return;
+    m_units = units;
+    Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+void TrialModel::setFilter(Filter filter)
+{
+    m_filter = filter;
+    arrange();
+}
+
+void TrialModel::setLetters(std::int64_t a, std::int64_t b)
+{
+    if (a == m_a && b == m_b)
+        return;
+    m_a = a;
+    m_b = b;
+    if (rowCount() > 0)
+        Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+void TrialModel::arrange()
+{
+    beginResetModel();
+    m_rows.clear();
+    for (std::size_t i = 0; i < m_trials.size(); ++i) {
+        if (passes(m_trials[i], m_filter))
+            m_rows.push_back(i);
+    }
+    std::vector<std::optional<double>> keys(m_trials.size());
+    for (const std::size_t i : m_rows)
+        keys[i] = sortKey(m_trials[i]);
+    const bool up = m_order == Qt::AscendingOrder;
+    std::stable_sort(m_rows.begin(), m_rows.end(), [&keys, up](std::size_t a, std::size_t b) {
+        if (!keys[a] || !keys[b])
+            return keys[a].has_value() && !keys[b].has_value();
+        return up ? *keys[a] < *keys[b] : *keys[a] > *keys[b];
+    });
+    endResetModel();
+}
+
+std::optional<double> TrialModel::sortKey(const KeptTrial &kept) const
+{
+    const tuning::Metrics &metrics = kept.trial.metrics;
+    switch (m_sortColumn) {
+    case Star: return kept.star ? 1.0 : 0.0;
+    case Time: return kept.time;
+    case Stimulus: return std::abs(kept.trial.stimulus.to - kept.trial.stimulus.from);
+    case GainP:
+    case GainI:
+    case GainD:
+    case GainF: return gainOf(kept.trial, gainNames.at(static_cast<std::size_t>(m_sortColumn - GainP)));
+    case Over: return metrics.overshoot;
+    case Settle: return metrics.settle;
+    case Rise: return metrics.rise;
+    case Peak: return metrics.peakCurrent;
+    case Flags: return static_cast<double>(kept.trial.flags.size());
+    default: return static_cast<double>(kept.number);
+    }
+}
+
+void TrialModel::sort(int column, Qt::SortOrder order)
+{
+    m_sortColumn = column;
+    m_order = order;
+    arrange();
+}
+
+const KeptTrial *TrialModel::find(std::int64_t number) const
+{
+    const auto found = std::find_if(
+        m_trials.begin(), m_trials.end(), [number](const KeptTrial &kept) { return kept.number == number; });
+    return found == m_trials.end() ? nullptr : &*found;
+}
+
+const KeptTrial *TrialModel::at(int row) const
+{
+    return row >= 0 && row < rowCount() ? &m_trials[m_rows[static_cast<std::size_t>(row)]] : nullptr;
+}
+
+int TrialModel::rowOf(std::int64_t number) const
+{
+    for (int row = 0; row < rowCount(); ++row) {
+        if (at(row)->number == number)
+            return row;
+    }
+    return -1;
+}
+
+const KeptTrial *TrialModel::best(double overshoot) const
+{
+    const KeptTrial *best = nullptr;
+    for (const KeptTrial &kept : m_trials) {
+        const bool good = isClean(kept.trial) && kept.trial.metrics.overshoot.value_or(1.0) <= overshoot;
+        if (good && (!best || *kept.trial.metrics.settle < *best->trial.metrics.settle))
+            best = &kept;
+    }
+    return best;
+}
+
+int TrialModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
+}
+
+int TrialModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : ColumnCount;
+}
+
+QString TrialModel::textOf(const KeptTrial &kept, int column) const
+{
+    const tuning::Metrics &metrics = kept.trial.metrics;
+    switch (column) {
+    case Number: {
+        const QString letter = kept.number == m_b ? QStringLiteral("  B")
+            : kept.number == m_a                  ? QStringLiteral("  A")
+                                                  : QString();
+        return QStringLiteral("#%1%2").arg(kept.number).arg(letter);
+    }
+    case Time: {
+        const QDateTime time = QDateTime::fromMSecsSinceEpoch(std::llround(kept.time * 1e3));
+        return time.toString(
+            time.date() == QDate::currentDate() ? QStringLiteral("HH:mm:ss") : QStringLiteral("dd.MM. HH:mm"));
+    }
+    case Stimulus: return stimulusText(kept.trial, m_units);
+    case GainP:
+    case GainI:
+    case GainD:
+    case GainF: return orNone(gainText(gainOf(kept.trial, gainNames.at(static_cast<std::size_t>(column - GainP)))));
+    case Over: return orNone(percent(metrics.overshoot));
+    case Settle: return orNone(milliseconds(metrics.settle));
+    case Rise: return orNone(milliseconds(metrics.rise));
+    case Peak: return orNone(metrics.peakCurrent ? formatNumber(*metrics.peakCurrent, 1) : QString());
+    case Flags: {
+        QStringList words;
+        for (const std::string &flag : kept.trial.flags)
+            words << flagText(flag, kept.trial);
+        return words.join(QStringLiteral(", "));
+    }
+    case Note: return QString::fromStdString(kept.note);
+    default: return {};
+    }
+}
+
+QVariant TrialModel::toneOf(const KeptTrial &kept, int column) const
+{
+    const Theme &theme = m_theme.theme();
+    if (column == Flags)
+        return theme.tone(kept.trial.has(tuning::flag::aborted) ? Tone::Danger : Tone::Caution);
+    if (column == Time || column == Note)
+        return theme.tone(Tone::Dim);
+    return {};
+}
+
+QVariant TrialModel::data(const QModelIndex &index, int role) const
+{
+    const KeptTrial *const kept = at(index.row());
+    if (!kept)
+        return {};
+    const int column = index.column();
+    const bool lettered = kept->number == m_a || kept->number == m_b;
+    switch (role) {
+    case NumberRole: return static_cast<qlonglong>(kept->number);
+    case Qt::DisplayRole:
+    case Qt::EditRole: return textOf(*kept, column);
+    case Qt::DecorationRole:
+        return column == Star ? QVariant(symbolIcon(kept->star ? Symbol::StarFilled : Symbol::Star, m_theme.theme(),
+                   kept->star ? Tone::Caution : Tone::Faint))
+                              : QVariant();
+    case Qt::ToolTipRole:
+        if (column == Star)
+            return kept->star ? tr("Take the star away") : tr("Give it a star");
+        return kept->trial.detail.empty() ? textOf(*kept, column) : QString::fromStdString(kept->trial.detail);
+    case Qt::AccessibleTextRole:
+        return column == Star ? (kept->star ? tr("starred") : tr("no star")) : textOf(*kept, column);
+    case Qt::TextAlignmentRole:
+        return static_cast<int>(
+            (column >= GainP && column <= Peak ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    case Qt::ForegroundRole: return toneOf(*kept, column);
+    case Qt::BackgroundRole: return lettered ? QVariant(m_theme.theme().sel) : QVariant();
+    case Qt::FontRole: {
+        QFont bold;
+        bold.setBold(true);
+        return column == Number ? QVariant(bold) : QVariant();
+    }
+    default: return {};
+    }
+}
+
+bool TrialModel::setData(const QModelIndex &index, const QVariant &value, int role)
+{
+    const KeptTrial *const kept = at(index.row());
+    if (!kept || role != Qt::EditRole || index.column() != Note)
+        return false;
+    m_trials[m_rows[static_cast<std::size_t>(index.row())]].note = value.toString().toStdString();
+    Q_EMIT noteWritten(kept->number, value.toString());
+    Q_EMIT dataChanged(index, index);
+    return true;
+}
+
+Qt::ItemFlags TrialModel::flags(const QModelIndex &index) const
+{
+    const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+    return index.column() == Note ? flags | Qt::ItemIsEditable : flags;
+}
+
+QVariant TrialModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal)
+        return {};
+    if (role == Qt::TextAlignmentRole)
+        return static_cast<int>(
+            (section >= GainP && section <= Peak ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    if (role != Qt::DisplayRole)
+        return {};
+    const QStringList names{QString(), tr("trial"), tr("time"), tr("stimulus"), QStringLiteral("P"),
+        QStringLiteral("I"), QStringLiteral("D"), QStringLiteral("F"), tr("over %"), tr("settle"), tr("rise"),
+        tr("peak A"), tr("flags"), tr("note")};
+    return names.value(section);
+}
+
+} // namespace mb

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/family.h"
+#include "tuning/kepttrial.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/displayunits.h"
+
+#include <QAbstractTableModel>
+
+#include <vector>
+
+namespace mb {
+
+/// The trials of one loop as rows: sorted by any column, all or starred or clean ones. What is not known sorts last, whichever
+/// way. Ten thousand of them are no burden: nothing is made for a row that nobody sees.
+class TrialModel : public QAbstractTableModel {
+    Q_OBJECT
+public:
+    enum Column {
+        Star,
+        Number,
+        Time,
+        Stimulus,
+        GainP,
+        GainI,
+        GainD,
+        GainF,
+        Over,
+        Settle,
+        Rise,
+        Peak,
+        Flags,
+        Note,
+        ColumnCount
+    };
+    enum class Filter { All, Starred, Clean };
+    static constexpr int NumberRole = Qt::UserRole; ///< of the trial
+
+    explicit TrialModel(const ThemeSource &theme, QObject *parent = nullptr);
+
+    void setTrials(std::vector<KeptTrial> trials);
+    void setUnits(const DisplayUnits &units);
+    void setFilter(Filter filter);
+    /// Which rows carry the letters A and B; 0: none.
+    void setLetters(std::int64_t a, std::int64_t b);
+    [[nodiscard]] const std::vector<KeptTrial> &trials() const { return m_trials; }
+    [[nodiscard]] int countOf(Filter filter) const;
+    [[nodiscard]] const KeptTrial *find(std::int64_t number) const;
+    [[nodiscard]] const KeptTrial *at(int row) const;
+    [[nodiscard]] int rowOf(std::int64_t number) const;
+    /// The quickest to settle of those that ended well, overshoot no more than `overshoot`; nullptr: none.
+    [[nodiscard]] const KeptTrial *best(double overshoot) const;
+    /// A gain of this last part of its key, "p"; nothing where the loop has none.
+    [[nodiscard]] static std::optional<double> gainOf(const tuning::Trial &trial, std::string_view name);
+    [[nodiscard]] static bool isClean(const tuning::Trial &trial);
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role) const override;
+    bool setData(const QModelIndex &index, const QVariant &value, int role) override;
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    void sort(int column, Qt::SortOrder order) override;
+
+Q_SIGNALS:
+    void starChosen(qint64 number, bool star);
+    void noteWritten(qint64 number, const QString &note);
+
+private:
+    void arrange();
+    [[nodiscard]] static bool passes(const KeptTrial &kept, Filter filter);
+    [[nodiscard]] std::optional<double> sortKey(const KeptTrial &kept) const;
+    [[nodiscard]] QString textOf(const KeptTrial &kept, int column) const;
+    [[nodiscard]] QVariant toneOf(const KeptTrial &kept, int column) const;
+
+    const ThemeSource &m_theme;
+    DisplayUnits m_units;
+    std::vector<KeptTrial> m_trials;
+    std::vector<std::size_t> m_rows;
+    Filter m_filter = Filter::All;
+    int m_sortColumn = Number;
+    Qt::SortOrder m_order = Qt::DescendingOrder;
+    std::int64_t m_a = 0;
+    std::int64_t m_b = 0;
+};
+
+} // namespace mb

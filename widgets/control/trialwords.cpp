@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/trialwords.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+struct TrialWords {
+    Q_DECLARE_TR_FUNCTIONS(mb::TrialWords)
+};
+
+struct Named {
+    std::string_view key;
+    const char *text;
+};
+
+constexpr std::array<Named, 15> reasons{{
+    {"travel", QT_TRANSLATE_NOOP("mb::TrialWords", "travel")},
+    {"speed", QT_TRANSLATE_NOOP("mb::TrialWords", "speed")},
+    {"current", QT_TRANSLATE_NOOP("mb::TrialWords", "current")},
+    {"duty", QT_TRANSLATE_NOOP("mb::TrialWords", "duty")},
+    {"energy", QT_TRANSLATE_NOOP("mb::TrialWords", "energy")},
+    {"temperature", QT_TRANSLATE_NOOP("mb::TrialWords", "temperature")},
+    {"bus V", QT_TRANSLATE_NOOP("mb::TrialWords", "bus voltage")},
+    {"wrong direction", QT_TRANSLATE_NOOP("mb::TrialWords", "direction")},
+    {"no motion", QT_TRANSLATE_NOOP("mb::TrialWords", "no motion")},
+    {"oscillation", QT_TRANSLATE_NOOP("mb::TrialWords", "oscillation")},
+    {"time", QT_TRANSLATE_NOOP("mb::TrialWords", "time")},
+    {"link", QT_TRANSLATE_NOOP("mb::TrialWords", "link")},
+    {"user", QT_TRANSLATE_NOOP("mb::TrialWords", "user")},
+    {"interrupted", QT_TRANSLATE_NOOP("mb::TrialWords", "interrupted")},
+    {"done", QT_TRANSLATE_NOOP("mb::TrialWords", "done")},
+}};
+
+constexpr std::array<Named, 10> flags{{
+    {tuning::flag::saturated, QT_TRANSLATE_NOOP("mb::TrialWords", "saturated")},
+    {tuning::flag::currentLimit, QT_TRANSLATE_NOOP("mb::TrialWords", "current limit")},
+    {tuning::flag::rampLimit, QT_TRANSLATE_NOOP("mb::TrialWords", "ramp")},
+    {tuning::flag::limitSwitch, QT_TRANSLATE_NOOP("mb::TrialWords", "limit switch")},
+    {tuning::flag::lostSamples, QT_TRANSLATE_NOOP("mb::TrialWords", "samples lost")},
+    {tuning::flag::aborted, QT_TRANSLATE_NOOP("mb::TrialWords", "stopped")},
+    {tuning::flag::lowResolution, QT_TRANSLATE_NOOP("mb::TrialWords", "coarse")},
+    {tuning::flag::asymmetric, QT_TRANSLATE_NOOP("mb::TrialWords", "not symmetric")},
+    {tuning::flag::didNotMove, QT_TRANSLATE_NOOP("mb::TrialWords", "did not move")},
+    {tuning::flag::restartNeeded, QT_TRANSLATE_NOOP("mb::TrialWords", "restart needed")},
+}};
+
+template <class Table> QString named(const Table &table, std::string_view key)
+{
+    for (const Named &row : table) {
+        if (row.key == key)
+            return TrialWords::tr(row.text);
+    }
+    return QString::fromUtf8(key.data(), static_cast<int>(key.size()));
+}
+
+struct Row {
+    std::string_view key;
+    const char *name;
+    double scale;
+    int decimals;
+    const char *unit;
+    double same;
+    const char *less;
+    const char *more;
+};
+
+constexpr auto better = QT_TRANSLATE_NOOP("mb::TrialWords", "better");
+constexpr auto worse = QT_TRANSLATE_NOOP("mb::TrialWords", "worse");
+constexpr auto faster = QT_TRANSLATE_NOOP("mb::TrialWords", "faster");
+constexpr auto slower = QT_TRANSLATE_NOOP("mb::TrialWords", "slower");
+
+const std::array<Row, 11> rows{{
+    {"rise", QT_TRANSLATE_NOOP("mb::TrialWords", "Rise 10–90"), 1e3, 0, "ms", 1.0, faster, slower},
+    {"settle", QT_TRANSLATE_NOOP("mb::TrialWords", "Settle 2 %"), 1e3, 0, "ms", 1.0, better, worse},
+    {"overshoot", QT_TRANSLATE_NOOP("mb::TrialWords", "Overshoot"), 100.0, 1, "%", 0.1, better, worse},
+    {"undershoot", QT_TRANSLATE_NOOP("mb::TrialWords", "Undershoot"), 100.0, 1, "%", 0.1, better, worse},
+    {"sse", QT_TRANSLATE_NOOP("mb::TrialWords", "Steady error"), 100.0, 2, "%", 0.02, better, worse},
+    {"iae", QT_TRANSLATE_NOOP("mb::TrialWords", "IAE"), 1e3, 0, "ms", 1.0, better, worse},
+    {"itae", QT_TRANSLATE_NOOP("mb::TrialWords", "ITAE"), 1e3, 1, "ms·s", 0.1, better, worse},
+    {"peak_current", QT_TRANSLATE_NOOP("mb::TrialWords", "Peak current"), 1.0, 1, "A", 0.1, better, worse},
+    {"rms_duty", QT_TRANSLATE_NOOP("mb::TrialWords", "Duty chatter"), 100.0, 2, "%", 0.02, better, worse},
+    {"saturated", QT_TRANSLATE_NOOP("mb::TrialWords", "Saturated"), 100.0, 1, "%", 0.1, better, worse},
+    {"noise", QT_TRANSLATE_NOOP("mb::TrialWords", "Noise σ"), 100.0, 2, "%", 0.02, better, worse},
+}};
+
+} // namespace
+
+QString profileText(tuning::Profile profile)
+{
+    switch (profile) {
+    case tuning::Profile::Step: return TrialWords::tr("Step and back");
+    case tuning::Profile::Square: return TrialWords::tr("Square");
+    case tuning::Profile::Ramp: return TrialWords::tr("Ramp");
+    case tuning::Profile::Sine: return TrialWords::tr("Sine");
+    case tuning::Profile::Chirp: return TrialWords::tr("Chirp");
+    case tuning::Profile::Prbs: return TrialWords::tr("PRBS");
+    }
+    return {};
+}
+
+QString guardText(const std::string &reason)
+{
+    return named(reasons, reason);
+}
+
+QString flagText(const std::string &flag, const tuning::Trial &trial)
+{
+    if (flag == tuning::flag::aborted)
+        return TrialWords::tr("stopped: %1")
+            .arg(trial.reason.empty() ? TrialWords::tr("nobody saw its end") : guardText(trial.reason));
+    if (flag == tuning::flag::lostSamples)
+        return TrialWords::tr("%1 samples lost").arg(formatCount(static_cast<qint64>(trial.lost)));
+    if (flag == tuning::flag::saturated && trial.metrics.saturated)
+        return TrialWords::tr("saturated %1 %").arg(formatNumber(*trial.metrics.saturated * 100.0, 0));
+    return named(flags, flag);
+}
+
+QString stimulusText(const tuning::Trial &trial, const DisplayUnits &units)
+{
+    const ShownUnit unit = shownUnit(trial.mode, units);
+    const auto number = [&unit](double value) {
+        const double shown = value * unit.scale;
+        return shown == std::round(shown) ? formatNumber(shown) : formatNumber(shown, 2);
+    };
+    QString text = QStringLiteral("%1 ▸ %2").arg(number(trial.stimulus.from), number(trial.stimulus.to));
+    if (trial.stimulus.profile != tuning::Profile::Step)
+        text = profileText(trial.stimulus.profile) + QLatin1Char(' ') + text;
+    if (trial.repeat > 1)
+        text += QStringLiteral(" ×%1").arg(trial.repeat);
+    return text;
+}
+
+MetricWord metricWord(std::string_view key)
+{
+    for (const Row &row : rows) {
+        if (row.key == key)
+            return {TrialWords::tr(row.name), row.scale, row.decimals, QString::fromUtf8(row.unit), true, row.same,
+                TrialWords::tr(row.less), TrialWords::tr(row.more)};
+    }
+    return {};
+}
+
+} // namespace mb
