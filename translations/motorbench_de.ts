@@ -1557,6 +1557,18 @@
         <source>I have looked: it stands</source>
         <translation>Nachgesehen: er steht</translation>
     </message>
+    <message>
+        <source>Trial #%1 on %2 was cut before it put its gains back</source>
+        <translation>Versuch #%1 an %2 brach ab, bevor er seine Faktoren zurückgab</translation>
+    </message>
+    <message>
+        <source>Before it: %1. The motor must stand.</source>
+        <translation>Davor: %1. Der Motor muss stehen.</translation>
+    </message>
+    <message>
+        <source>Put them back</source>
+        <translation>Zurückgeben</translation>
+    </message>
 </context>
 <context>
     <name>mb::DemoStripe</name>

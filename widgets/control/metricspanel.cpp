@@ -39,7 +39,7 @@ QString textOf(const std::optional<KeptTrial> &kept, std::string_view key, const
         return QString(UnknownMark);
     const auto error = valueOf(kept->trial.errors, key);
     const QString text = formatNumber(*value * word.scale, word.decimals);
-    return error && withError ? text + QStringLiteral(" ±") + formatNumber(*error * word.scale, word.decimals) : text;
+    return error && withError ? text + QStringLiteral("±") + formatNumber(*error * word.scale, word.decimals) : text;
 }
 
 } // namespace
@@ -68,7 +68,8 @@ MetricsPanel::MetricsPanel(const ThemeSource &theme, QWidget *parent)
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the panel scrolls
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(Difference, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setMinimumSectionSize(look.u(30));
     m_health = new SectionLabel(tr("Loop health"), this);
     m_chips = new QWidget(this);
     new WrapLayout(m_chips);
@@ -134,6 +135,7 @@ void MetricsPanel::fillRow(int row, std::string_view key)
 {
     const MetricWord word = metricWord(key);
     setCell(row, Name, QStringLiteral("%1, %2").arg(word.name, word.unit), Tone::Text, false);
+    m_table->item(row, Name)->setToolTip(m_table->item(row, Name)->text());
     setCell(row, ValueA, textOf(m_a, key, word, false), Tone::Text, false);
     setCell(row, ValueB, textOf(m_b, key, word, true), Tone::Text, true);
     const auto a = m_a ? valueOf(m_a->trial.metrics, key) : std::nullopt;

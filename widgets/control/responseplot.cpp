@@ -21,6 +21,8 @@ constexpr double band = 0.02;
 constexpr double nearLimit = 0.98;
 constexpr double beforeEdge = 0.1; ///< s
 constexpr double shortestSpan = 0.01;
+constexpr double notablePeak = 0.01;
+constexpr int lowPlot = 380;
 
 /// The stretches of a trace that stay at or above a limit, either way.
 std::vector<std::pair<double, double>> stretchesAt(const Trace &trace, double limit)
@@ -61,7 +63,7 @@ std::optional<PlotPoint> peakOf(const Trial &trial)
 {
     const Trace whole = trial.folded(tuning::measuredOf(trial.mode));
     const Trace trace = whole.part(0.0, holdOf(trial));
-    if (trace.isEmpty() || trial.metrics.overshoot.value_or(0.0) <= 0.0)
+    if (trace.isEmpty() || trial.metrics.overshoot.value_or(0.0) <= notablePeak)
         return std::nullopt;
     const bool up = trial.stimulus.to > trial.stimulus.from;
     const auto at
@@ -109,6 +111,8 @@ void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const Kep
     for (const std::string_view channel : {measured, std::string_view("duty"), std::string_view("current")}) {
         if (strip > 0 && channel == measured)
             continue;
+        if (strip > 1 && height() < m_theme.theme().u(lowPlot))
+            continue; // better one less than all of them flat
         const bool there = (a && channelOf(*family, a->trial, channel)) || (b && channelOf(*family, b->trial, channel));
         if (!there)
             continue;
@@ -118,7 +122,7 @@ void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const Kep
         ++strip;
     }
     for (int i = 0; i < strip; ++i)
-        m_stack->setStrip(i, {{}, i == 0 ? 3.0 : 1.0, i == 0});
+        m_stack->setStrip(i, {{}, i == 0 ? 4.0 : 1.0, i == 0});
     const ShownUnit unit = shownUnit(trial.mode == Mode::Duty ? Mode::Velocity : trial.mode, units);
     if (trial.mode != Mode::Duty)
         addSetPoint(trial, unit, m_length);
@@ -203,7 +207,7 @@ void ResponsePlot::addMarks(const Side &a, const Side &b, const ShownUnit &unit)
                 {14, side.current ? -10.0 : -16.0}, side.current});
         if (metrics.settle)
             notes.push_back({*metrics.settle, side.kept->trial.stimulus.to * unit.scale,
-                tr("%1 settles %2").arg(side.letter, formatDuration(*metrics.settle)), {10, side.current ? 62.0 : 34.0},
+                tr("%1 settles %2").arg(side.letter, formatDuration(*metrics.settle)), {10, side.current ? 40.0 : 22.0},
                 side.current});
     }
     m_stack->setBands(0, bands);
