@@ -32,6 +32,7 @@ private:
     tuning::Trial step(double p, double i);
 
     std::unique_ptr<WindowBench> m_bench;
+    double m_latest = 0.0; ///< s, of the last step
 };
 
 void HandTuningTest::initTestCase()
@@ -92,10 +93,26 @@ tuning::Trial HandTuningTest::step(double p, double i)
     if (!waited([&] { return page.status().mayRun; }))
         qWarning("%s: %s", qPrintable(page.status().cause), qPrintable(page.status().remedy));
     page.setFocus();
+    std::optional<double> late; // s from the last set-point of the hold to its metrics
+    const auto listening = connect(&page.trials(), &TrialsView::changed, &page, [this, &page, &late, before] {
+        if (late || !m_bench->arming().isOnTrial() || !page.trials().b() || page.trials().b()->number <= before)
+            return;
+        const auto channel = *drive()->telemetry->find("setpoint");
+        const Instant now = m_bench->engine().now();
+        Instant held{};
+        drive()->telemetry->forEach(channel, now - std::chrono::seconds(10), now, [&held](const Point &point) {
+            if (!point.isGap() && point.value > 0.0)
+                held = point.time;
+        });
+        late = std::chrono::duration<double>(now - held).count();
+    });
     QTest::keyClick(&page, Qt::Key_F5);
     const auto isMeasured = [&] { return page.trials().b() && page.trials().b()->number > before; };
     if (!waited(isMeasured) || !waited([&] { return !m_bench->arming().isOnTrial(); }))
         qWarning("no trial came back");
+    disconnect(listening);
+    qInfo("metrics stand in the window %.0f ms after the hold has ended", late.value_or(-1.0) * 1e3);
+    m_latest = late.value_or(1e9);
     picture(p < 10000.0 ? "tune-before.png" : "tune-after.png");
     return page.trials().b() ? page.trials().b()->trial : tuning::Trial();
 }
@@ -123,6 +140,7 @@ void HandTuningTest::aSluggishLoopIsTunedUntilItStepsWell()
     QVERIFY(std::abs(*tuned.metrics.sse) < std::abs(*sluggish.metrics.sse) / 2.0);
     QVERIFY(tuned.metrics.overshoot && *tuned.metrics.overshoot < 0.15);
     QVERIFY(tuned.simulated);
+    QVERIFY(m_latest <= 0.3);
     QVERIFY(page.trials().a() && page.trials().isComparable());                      // the one before, beside it
     QTRY_COMPARE_WITH_TIMEOUT(page.trials().list().model().rowCount(), 2, patience); // and both are kept
 }

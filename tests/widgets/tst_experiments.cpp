@@ -117,6 +117,7 @@ private Q_SLOTS:
     void aGuardLatchesTheStopAndSaysItsName();
     void haltEndsATrialAndStaysArmed();
     void aModeWithoutALoopSendsOneToLive();
+    void theJogKeyMovesForAsLongAsItIsHeld();
     void tenThousandTrialsAreListedAtOnce();
     void everyControlHasAName();
     void thePlotKeepsAThirdOfThePageAtTwiceTheFont();
@@ -307,6 +308,27 @@ void TestExperiments::aModeWithoutALoopSendsOneToLive()
     QVERIFY2(problemOf(bench).contains(s("Live drives it")), qPrintable(problemOf(bench)));
     bench.page->showLive(true);
     QVERIFY2(!problemOf(bench).contains(s("Live drives it")), qPrintable(problemOf(bench)));
+}
+
+void TestExperiments::theJogKeyMovesForAsLongAsItIsHeld()
+{
+    TrialBench bench;
+    bench.page->setFocus();
+    QTest::keyPress(bench.page.get(), Qt::Key_J);
+    QVERIFY(bench.workbench.callsOf("startMotion").empty()); // not armed
+    QTest::keyRelease(bench.page.get(), Qt::Key_J);
+    bench.arm();
+    QTest::keyPress(bench.page.get(), Qt::Key_K);
+    QCOMPARE(bench.workbench.callsOf("startMotion").size(), 1U);
+    QVERIFY(bench.workbench.callsOf("startMotion").back().setPoint.mode == Mode::Duty);
+    QCOMPARE(bench.workbench.callsOf("startMotion").back().setPoint.target, -0.08);
+    QVERIFY(bench.workbench.callsOf("stopMotion").empty());
+    QTest::keyRelease(bench.page.get(), Qt::Key_K);
+    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), 1U);
+    QVERIFY(bench.arming.isArmed({1}) && !bench.arming.isMoving());
+    QTest::keyPress(bench.page.get(), Qt::Key_J);
+    bench.page->hide(); // nobody sees it any more
+    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), 2U);
 }
 
 void TestExperiments::tenThousandTrialsAreListedAtOnce()

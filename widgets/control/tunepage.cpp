@@ -10,6 +10,7 @@
 #include "widgets/control/driveoptions.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
+#include "widgets/control/jogkeys.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/movespanel.h"
 #include "widgets/control/setpointpanel.h"
@@ -239,6 +240,7 @@ void TunePage::buildKeys()
     connect(runKey, &QShortcut::activated, this, &TunePage::run);
     auto *gainsKey = new QShortcut(QKeySequence(Qt::Key_G), this);
     connect(gainsKey, &QShortcut::activated, m_gains, &GainsPanel::focusFirst);
+    new JogKeys(m_arming, *this, [this](bool forwards) { return jogSetPoint(forwards); });
     const auto undo = [this](bool again) {
         if (Choice *chosen = choice(); chosen && chosen->edits)
             again ? chosen->edits->undoStack().redo() : chosen->edits->undoStack().undo();

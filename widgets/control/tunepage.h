@@ -149,6 +149,7 @@ private:
     void unitsChosen(const DisplayUnits &units);
 
     [[nodiscard]] SetPoint wanted() const;
+    [[nodiscard]] std::optional<SetPoint> jogSetPoint(bool forwards) const;
     [[nodiscard]] std::optional<double> present(const DeviceView &view, Mode mode, int axis) const;
     [[nodiscard]] QString describe(const SetPoint &setPoint) const;
     void start();

@@ -40,6 +40,28 @@ SetPoint TunePage::wanted() const
     return setPoint;
 }
 
+/// Gently, without a loop where the device can: for as long as J or K is held.
+std::optional<SetPoint> TunePage::jogSetPoint(bool forwards) const
+{
+    constexpr double gentleDuty = 0.08;
+    constexpr double slowly = 200.0; // counts/s
+    const DeviceView *const view = device();
+    if (!view || view->id != m_shown || !m_arming.isArmed(view->id))
+        return std::nullopt;
+    const auto has = [view](Mode mode) {
+        return std::find(view->family->modes.begin(), view->family->modes.end(), mode) != view->family->modes.end();
+    };
+    if (!has(Mode::Duty) && !has(Mode::Velocity))
+        return std::nullopt;
+    SetPoint setPoint;
+    setPoint.axis = std::max(m_axis, 1);
+    setPoint.slot = m_modes->runningSlot();
+    setPoint.mode = has(Mode::Duty) ? Mode::Duty : Mode::Velocity;
+    setPoint.target = (has(Mode::Duty) ? gentleDuty : slowly) * (forwards ? 1.0 : -1.0);
+    setPoint.brake = view->family->capabilities.outputOptions;
+    return setPoint;
+}
+
 std::optional<double> TunePage::present(const DeviceView &view, Mode mode, int axis) const
 {
     const Quantity quantity = quantityOf(mode);

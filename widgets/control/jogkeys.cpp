@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/jogkeys.h"
+
+#include "widgets/control/arming.h"
+
+#include <QKeyEvent>
+#include <QTimer>
+#include <QWidget>
+
+namespace mb {
+namespace {
+
+constexpr std::chrono::milliseconds nudgeTime{100};
+
+} // namespace
+
+JogKeys::JogKeys(Arming &arming, QWidget &page, SetPointOf setPointOf)
+    : QObject(&page)
+    , m_arming(arming)
+    , m_setPointOf(std::move(setPointOf))
+{
+    page.installEventFilter(this);
+}
+
+bool JogKeys::press(int key)
+{
+    if (m_held != 0 || m_arming.state() != LampState::Armed)
+        return false;
+    const auto setPoint = m_setPointOf(key == Qt::Key_J);
+    if (!setPoint)
+        return false;
+    m_held = key;
+    m_arming.run(*setPoint);
+    return true;
+}
+
+void JogKeys::release()
+{
+    if (m_held == 0)
+        return;
+    m_held = 0;
+    m_arming.halt();
+}
+
+void JogKeys::nudge(bool forwards)
+{
+    if (press(forwards ? Qt::Key_J : Qt::Key_K))
+        QTimer::singleShot(nudgeTime, this, &JogKeys::release);
+}
+
+bool JogKeys::eventFilter(QObject *watched, QEvent *event)
+{
+    switch (event->type()) {
+    case QEvent::KeyPress:
+    case QEvent::KeyRelease: {
+        const auto &key = static_cast<const QKeyEvent &>(*event);
+        const bool ours = (key.key() == Qt::Key_J || key.key() == Qt::Key_K) && key.modifiers() == Qt::NoModifier;
+        if (!ours || key.isAutoRepeat())
+            return ours && m_held != 0;
+        if (event->type() == QEvent::KeyPress)
+            return press(key.key());
+        if (key.key() == m_held)
+            release();
+        return true;
+    }
+    case QEvent::Hide:
+    case QEvent::WindowDeactivate:
+    case QEvent::FocusOut: release(); break;
+    default: break;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace mb
