@@ -25,7 +25,7 @@ Task<void> tryOut(
     co_return {};
 }
 
-constexpr Duration diskLimit = std::chrono::seconds(30);
+constexpr Duration transcriptLimit = std::chrono::seconds(30);
 
 } // namespace
 
@@ -64,7 +64,7 @@ Task<std::string> EngineCore::keepTranscript(Transcript transcript)
         co_return save(transcript);
     const std::string path = transcript.path;
     auto saving = inBackground<std::string>(
-        *m_background, m_clock, m_transcripts, diskLimit,
+        *m_background, m_clock, m_transcripts, transcriptLimit,
         [transcript = std::move(transcript)] { return save(transcript); }, WhenLate::Finish);
     const Result<std::string> saved = co_await std::move(saving).attempt();
     if (!saved && saved.error().fault == Fault::Timeout)
