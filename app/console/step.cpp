@@ -2,7 +2,7 @@
 #include "app/console/assignments.h"
 #include "app/console/notebook.h"
 #include "app/console/samplestream.h"
-#include "app/console/simulationclock.h"
+#include "app/console/stage.h"
 #include "app/console/target.h"
 #include "app/console/trialtext.h"
 #include "app/console/verb.h"
@@ -18,7 +18,6 @@ namespace {
 using namespace std::chrono_literals;
 using namespace tuning;
 
-constexpr Duration leaseRenewal = 100ms;
 constexpr Duration masterListen = 150ms; // another master sends at least this often
 constexpr double anyNumber = 1e12;
 constexpr double longestTime = 3600.0;
@@ -152,55 +151,6 @@ Result<Plan> check(const Console &console, const Arguments &a)
         return fail(possible.error());
     return plan;
 }
-
-/// Where the device of an experiment lives: this program's session, or for a simulated one a session of its own on exact time.
-class Stage {
-public:
-    Stage(Console &console, const LinkAddress &link)
-        : m_console(console)
-    {
-        if (!link.isSimulated())
-            return;
-        m_clock = std::make_unique<SimulationClock>(console.clock());
-        m_session = std::make_unique<Session>(*m_clock, console.families());
-    }
-    [[nodiscard]] Session &session() { return m_session ? *m_session : m_console.session(); }
-    [[nodiscard]] Task<Device *> find(Target target)
-    {
-        if (!m_session) {
-            auto connecting = connect(m_console, std::move(target));
-            co_return co_await std::move(connecting).attempt();
-        }
-        auto connecting = m_session->connect(std::move(target.selector));
-        co_return co_await std::move(connecting).attempt();
-    }
-
-private:
-    Console &m_console;
-    std::unique_ptr<SimulationClock> m_clock;
-    std::unique_ptr<Session> m_session;
-};
-
-/// From this program's own loop: if that hangs, the stream stops the motor.
-class LeaseRenewal {
-public:
-    LeaseRenewal(Clock &clock, SetPointStream &stream)
-        : m_stream(stream)
-        , m_timer(clock)
-    {
-        renew();
-    }
-
-private:
-    void renew()
-    {
-        m_stream.renew();
-        m_timer.startIn(leaseRenewal, [this] { renew(); });
-    }
-
-    SetPointStream &m_stream;
-    Timer m_timer;
-};
 
 Task<Trial> experiment(Console &console, Session &session, Device &device, const Plan &plan, Notebook &notebook)
 {

@@ -41,6 +41,7 @@ struct Verb {
 [[nodiscard]] Job declareHelp(CLI::App &arguments);
 [[nodiscard]] Job declareCompletion(CLI::App &arguments);
 [[nodiscard]] Job declareStep(CLI::App &arguments);
+[[nodiscard]] Job declareTune(CLI::App &arguments);
 [[nodiscard]] Job declareTrials(CLI::App &arguments);
 
 } // namespace mb::console

@@ -73,12 +73,15 @@ constexpr std::string_view countsPerRevolutionKey = "counts_per_revolution";
 struct LoopScale {
     double fullDuty = 0.0;          ///< output at 100 %
     double period = 0.0;            ///< seconds that I and D count in: the period of the loop, or a unit of time
+    double cycle = 0.0;             ///< seconds between two passes of the loop
+    double integralStep = 0.0;      ///< output that one pass must add to the integral, or it adds nothing; 0: exact
     double velocityTime = 1.0;      ///< velocities are counts per so many seconds
     std::string_view velocityError; ///< English unit of a velocity error; widgets translate it
     std::string_view currentError;
     std::string_view time;           ///< English name of `period`: "loop", "ms"
     bool divided = false;            ///< each loop has a parameter `divisor`
     bool derivativeInverted = false; ///< a positive raw D pushes the same way as the change
+    bool calibrated = false; ///< what a raw gain of 1 puts out is not known but by calibration: "velocity.p.scale"
 };
 
 struct ExperimentOptions {

@@ -212,7 +212,7 @@ GuardPlan ExperimentRun::guardPlan() const
     plan.envelope = m_trial.envelope;
     plan.origin = m_origin;
     plan.swing = std::abs(stimulus.to - stimulus.from);
-    plan.dutyKnown = axisChannel(m_device, "duty", m_plan.axis).has_value();
+    plan.dutyKnown = m_plan.mode == Mode::Duty || axisChannel(m_device, "duty", m_plan.axis).has_value();
     plan.breakaway = m_breakaway;
     plan.hottest = traits.hottest;
     plan.lowestBus = traits.lowestBus;

@@ -22,8 +22,10 @@ struct AimName {
 };
 constexpr std::array<AimName, 3> aims{{{Aim::Calm, "calm"}, {Aim::Normal, "normal"}, {Aim::Brisk, "brisk"}}};
 
-ContinuousGains rule(Mode loop, const PlantModel &plant, double response)
+ContinuousGains rule(Mode loop, const PlantModel &plant, double response, double integralWeight)
 {
+    if (loop == Mode::Position && integralWeight > 0.0)
+        return positionRuleWithIntegral(plant, 1.0 / response, dampingOfPosition, integralWeight);
     if (loop == Mode::Position)
         return positionRule(plant, 1.0 / response, dampingOfPosition);
     return loop == Mode::Current ? currentRule(plant, response) : velocityRule(plant, response);
@@ -106,7 +108,7 @@ Design design(
             result.bounds.push_back(name);
     };
     for (int round = 0; round < mostRounds; ++round, result.response *= slower) {
-        result.gains = rule(loop, plant, result.response);
+        result.gains = rule(loop, plant, result.response, bounds.integralWeight);
         const bool noisy
             = bounds.period > 0.0 && result.gains.d / bounds.period > bounds.derivativeShare; // of one count
         const bool relayLike

@@ -55,6 +55,7 @@ struct LoopBounds {
     double period = 0.0;          ///< s, of the device's loop; 0: unknown
     double derivativeShare = 0.1; ///< of full duty that one count may make through D
     double strongestError = 3.0;  ///< full duties that P may make of the largest error
+    double integralWeight = 0.0;  ///< of a position loop that must overcome friction by itself; 0: no integral
     double largestError = 0.0;    ///< in the unit of the loop; 0: unknown
 };
 

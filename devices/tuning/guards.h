@@ -65,13 +65,14 @@ public:
     [[nodiscard]] std::optional<Trip> busVoltage(Instant time, double volts);
     /// Target minus measured value, in the unit of the mode, each time the measured value comes.
     [[nodiscard]] std::optional<Trip> error(Instant time, double error);
+    /// A sample came while the motor was not driven: between two pushes.
+    void heard(Instant time) { m_heardAt = std::max(m_heardAt, time); }
     /// `samples` and `lost` since the start, of all channels. Every few milliseconds.
     [[nodiscard]] std::optional<Trip> look(Instant now, std::uint64_t samples, std::uint64_t lost);
 
 private:
     [[nodiscard]] std::optional<Trip> trip(Guard guard, Instant at, std::string detail);
     [[nodiscard]] std::string push() const;
-    void heard(Instant time) { m_heardAt = std::max(m_heardAt, time); }
 
     GuardPlan m_plan;
     Instant m_start;

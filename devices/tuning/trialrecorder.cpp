@@ -19,6 +19,7 @@ TrialRecorder::TrialRecorder(Device &device, SetPointStream &stream, Mode mode, 
     : m_device(device)
     , m_stream(stream)
     , m_measured(measuredOf(mode))
+    , m_isOpen(mode == Mode::Duty)
     , m_timer(device.clock())
 {
     const auto channels = device.telemetry()->channels();
@@ -29,6 +30,7 @@ TrialRecorder::TrialRecorder(Device &device, SetPointStream &stream, Mode mode, 
         const auto key = of == 0 ? channels[i].key : channels[i].key.substr(channels[i].key.find('.') + 1);
         m_recorded.push_back({ChannelIndex{static_cast<std::uint16_t>(i)}, std::string(key), {}});
     }
+    m_ordersAreDuty = m_isOpen && !find("duty");
     device.telemetry()->commit();
     device.link().recount();
     m_lostBefore = lostSoFar();
@@ -58,11 +60,17 @@ void TrialRecorder::take(const Sample &sample)
     recorded->points.push_back({sample.time, sample.value});
     if (m_guards && m_stream.isRunning())
         ended(show(recorded->key, sample));
+    else if (m_guards)
+        m_guards->heard(sample.time);
 }
 
 std::optional<Trip> TrialRecorder::show(const std::string &key, const Sample &sample)
 {
     std::optional<Trip> trip;
+    if (key == "position" && m_ordersAreDuty && m_target)
+        trip = m_guards->duty(sample.time, *m_target);
+    if (trip)
+        return trip;
     if (key == "position")
         trip = m_guards->position(sample.time, sample.value);
     else if (key == "velocity")
@@ -75,7 +83,7 @@ std::optional<Trip> TrialRecorder::show(const std::string &key, const Sample &sa
         trip = m_guards->temperature(sample.time, sample.value);
     else if (key == "bus_voltage")
         trip = m_guards->busVoltage(sample.time, sample.value);
-    if (!trip && m_target && key == m_measured)
+    if (!trip && m_target && !m_isOpen && key == m_measured)
         trip = m_guards->error(sample.time, *m_target - sample.value);
     return trip;
 }

@@ -53,6 +53,8 @@ private:
     Device &m_device;
     SetPointStream &m_stream;
     std::string_view m_measured;
+    bool m_isOpen;                ///< there is no error: what is ordered is the duty
+    bool m_ordersAreDuty = false; ///< and the device does not tell it
     std::vector<Recorded> m_recorded;
     std::optional<Guards> m_guards;
     std::optional<double> m_target;

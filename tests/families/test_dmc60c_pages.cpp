@@ -2,6 +2,7 @@
 #include "families/dmc60c/pages.h"
 #include "model/textfile.h"
 #include "support/hextext.h"
+#include "support/sourcetree.h"
 
 #include <gtest/gtest.h>
 
@@ -174,8 +175,7 @@ TEST(Dmc60cPreflight, TakesABlankEntryPointForNone)
 
 TEST(Dmc60cDemoFirmware, HasAllPagesAndVersion1p25)
 {
-    const auto text
-        = readTextFile(MOTORBENCH_SOURCE_DIR "/resources/firmware/dmc60c-demo.hex", FirmwareImage::maxTextSize);
+    const auto text = readTextFile(inSourceTree("resources/firmware/dmc60c-demo.hex"), FirmwareImage::maxTextSize);
     ASSERT_TRUE(text) << text.error().text();
     const auto application = applicationFrom(imageOf(*text));
     ASSERT_TRUE(application) << application.error().text();

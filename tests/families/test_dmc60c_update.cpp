@@ -3,6 +3,7 @@
 #include "model/parameterfile.h"
 #include "support/hextext.h"
 #include "support/simulatedsession.h"
+#include "support/sourcetree.h"
 #include "transport/backends/virtualcan.h"
 
 #include <cstdlib>
@@ -97,8 +98,7 @@ struct UpdateBench {
 const FirmwareImage &demoImage()
 {
     static const FirmwareImage image = [] {
-        const auto bytes
-            = loadFile(std::string(MOTORBENCH_SOURCE_DIR) + "/resources/firmware/dmc60c-demo.hex", 1 << 24);
+        const auto bytes = loadFile(inSourceTree("resources/firmware/dmc60c-demo.hex"), 1 << 24);
         EXPECT_TRUE(bytes);
         auto parsed = FirmwareImage::fromIntelHex(
             std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));

@@ -97,6 +97,31 @@ INSTANTIATE_TEST_SUITE_P(OfTheBench, EveryFamily,
             + std::to_string(static_cast<int>(row.param.to));
     });
 
+TEST(Experiment, RunsOnEveryAxisOfABoard)
+{
+    for (const int axis : {1, 2, 3, 4}) {
+        ExperimentBench bench("sim:spi", "quadquad2drv", 0);
+        ExperimentPlan plan = stepTo(Mode::Velocity, 2000.0);
+        plan.axis = axis;
+        const auto trial = bench.run(plan);
+        ASSERT_TRUE(trial) << trial.error().text();
+        EXPECT_EQ(trial->reason, "done") << axis << ": " << trial->detail;
+        EXPECT_TRUE(trial->metrics.rise) << axis;
+    }
+}
+
+TEST(Experiment, AnOpenLoopWithoutATellingDutyIsNotTakenForAReversedSensor)
+{
+    ExperimentBench bench("sim:spi", "quadquad2drv", 0);
+    for (const double duty : {0.2, -0.2}) {
+        ExperimentPlan plan = stepTo(Mode::Duty, duty);
+        plan.seconds = 0.5;
+        const auto trial = bench.run(plan);
+        ASSERT_TRUE(trial) << trial.error().text();
+        EXPECT_EQ(trial->reason, "done") << trial->detail;
+    }
+}
+
 TEST(Experiment, IsTheSameEveryTime)
 {
     const auto run = [] {

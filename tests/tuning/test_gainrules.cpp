@@ -77,7 +77,8 @@ TEST(GainRules, EveryAimKeepsItsMarginsAlsoWhenTheModelIsOff) // A9
 TEST(GainRules, DerivativeNoiseSlowsThePositionLoop)
 {
     const PlantModel plant{362'000.0, 0.168, 0.002, 0.02};
-    const LoopBounds bounds{0.0005, 0.1, 3.0, 0.0};
+    LoopBounds bounds;
+    bounds.period = 0.0005;
     const Design made = design(Mode::Position, plant, 0.002 / 0.25, bounds);
     EXPECT_LE(made.gains.d / bounds.period, 0.1);
     EXPECT_EQ(made.bounds.at(0), "derivative noise");
@@ -87,7 +88,9 @@ TEST(GainRules, DerivativeNoiseSlowsThePositionLoop)
 TEST(GainRules, ALargeErrorDoesNotMakeARelayOfTheLoop)
 {
     const PlantModel plant{362'000.0, 0.168, 0.002, 0.02};
-    const Design made = design(Mode::Position, plant, 0.02, {0.0, 0.1, 3.0, 40'000.0});
+    LoopBounds bounds;
+    bounds.largestError = 40'000.0;
+    const Design made = design(Mode::Position, plant, 0.02, bounds);
     EXPECT_LE(made.gains.p * 40'000.0, 3.0);
 }
 

@@ -100,7 +100,7 @@ std::string_view gainName(const Parameter &parameter)
 
 QString gainUnit(const Family &family, const Parameter &parameter, Mode mode)
 {
-    const LoopScale *scale = family.loop;
+    const LoopScale *scale = family.loop && !family.loop->calibrated ? family.loop : nullptr;
     const std::string_view name = gainName(parameter);
     if (!scale || !isClosedLoop(mode) || !isGain(parameter))
         return tableText(parameter.unit);
@@ -118,7 +118,7 @@ QString gainUnit(const Family &family, const Parameter &parameter, Mode mode)
 std::optional<SiGain> siGain(const Family &family, const Parameter &parameter, Mode mode, double number,
     double countsPerRevolution, double divisor)
 {
-    const LoopScale *scale = family.loop;
+    const LoopScale *scale = family.loop && !family.loop->calibrated ? family.loop : nullptr;
     const auto perSi = scale ? errorScale(*scale, mode, countsPerRevolution) : std::nullopt;
     const std::string_view name = gainName(parameter);
     if (!perSi || !isGain(parameter) || divisor == 0.0)

@@ -71,6 +71,8 @@ constexpr std::array routes{UpdateRoute{.scheme = "openocd",
 constexpr LoopScale controlLoop{
     .fullDuty = fullPwm,
     .period = 1e-3,
+    .cycle = 20.04e-3,
+    .integralStep = 1.0,
     .velocityTime = 1.0,
     .velocityError = QT_TRANSLATE_NOOP("table", "count/s"),
     .currentError = QT_TRANSLATE_NOOP("table", "ADC count"),

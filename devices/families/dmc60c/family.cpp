@@ -32,6 +32,7 @@ constexpr std::array<std::string_view, 3> bench{
 constexpr LoopScale loop{
     .fullDuty = fullDuty,
     .period = 500e-6,
+    .cycle = 500e-6,
     .velocityTime = 0.1,
     .velocityError = QT_TRANSLATE_NOOP("table", "count/100\u00A0ms"),
     .currentError = QT_TRANSLATE_NOOP("table", "A"),

@@ -39,6 +39,17 @@ constexpr Capabilities capabilities{
     .storesAfter = std::chrono::seconds(0),
 };
 
+constexpr LoopScale controlLoop{
+    .fullDuty = fullPower,
+    .period = 2e-3,
+    .cycle = 2e-3,
+    .velocityTime = 1.0,
+    .velocityError = QT_TRANSLATE_NOOP("table", "count/s"),
+    .currentError = {},
+    .time = QT_TRANSLATE_NOOP("table", "loop"),
+    .calibrated = true,
+};
+
 constexpr std::array<std::string_view, 4> positionGains{"p", "i", "d", "windup"};
 constexpr std::array<std::string_view, 3> velocityGains{"p", "i", "d"};
 constexpr std::array<LoopGains, 2> triedLoops{{
@@ -72,6 +83,7 @@ const Family family{
     .experiments = experiments(),
     .routes = routes(),
     .states = stateTable(),
+    .loop = &controlLoop,
     .trials = &trials,
     .scan = scan,
     .probe = probe,

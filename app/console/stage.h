@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/console/console.h"
+#include "app/console/target.h"
+#include "model/session.h"
+#include "model/setpointstream.h"
+
+#include <memory>
+
+namespace mb::console {
+
+/// Where the device of an experiment lives: this program's session, or for a simulated one a session of its own on exact time.
+class Stage {
+public:
+    Stage(Console &console, const LinkAddress &link);
+    ~Stage();
+
+    [[nodiscard]] Session &session();
+    [[nodiscard]] Task<Device *> find(Target target);
+
+private:
+    Console &m_console;
+    std::unique_ptr<Clock> m_clock;
+    std::unique_ptr<Session> m_session;
+};
+
+/// From this program's own loop: if that hangs, the stream stops the motor.
+class LeaseRenewal {
+public:
+    LeaseRenewal(Clock &clock, SetPointStream &stream);
+
+private:
+    void renew();
+
+    SetPointStream &m_stream;
+    Timer m_timer;
+};
+
+} // namespace mb::console

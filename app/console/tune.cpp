@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/notebook.h"
+#include "app/console/progressline.h"
+#include "app/console/stage.h"
+#include "app/console/target.h"
+#include "app/console/tunetext.h"
+#include "app/console/verb.h"
+#include "async/sleep.h"
+#include "tuning/autotune.h"
+
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+using namespace std::chrono_literals;
+using namespace tuning;
+
+constexpr Duration masterListen = 150ms; // another master sends at least this often
+constexpr double anyNumber = 1e12;
+constexpr double leastMs = 1.1;
+constexpr double mostMs = 2.5;
+
+struct Arguments {
+    std::string device;
+    std::string loop;
+    std::string axis;
+    std::string slot;
+    std::string aim;
+    std::string response;
+    std::string damping;
+    std::string travel;
+    std::string speed;
+    std::string current;
+    std::string duty;
+    std::string save;
+    bool propose = false;
+    bool store = false;
+    bool keep = false;
+    bool yes = false;
+};
+
+struct Plan {
+    Target target;
+    TunePlan tuning;
+    std::string save;
+    bool store = false;
+    bool yes = false;
+};
+
+Result<void> parseLoop(const Family &family, const std::string &text, TunePlan &plan)
+{
+    const auto mode = modeFromString(text);
+    if (!mode || (*mode != Mode::Velocity && *mode != Mode::Position && *mode != Mode::Current))
+        return fail(Fault::Usage, "unknown loop '" + text + "'",
+            suggestion(text, {"velocity", "position", "current"}, "there are velocity, position and current"));
+    plan.loop = *mode;
+    if (!family.trials)
+        return fail(Fault::Unsupported, std::string(family.title) + " has no loop that can be tuned");
+    return {};
+}
+
+Result<void> parseAim(const Arguments &a, TunePlan &plan)
+{
+    const auto aim = aimFromString(a.aim.empty() ? "normal" : a.aim);
+    if (!aim)
+        return fail(Fault::Usage, "unknown aim '" + a.aim + "'",
+            suggestion(a.aim, {"calm", "normal", "brisk"}, "there are calm, normal and brisk"));
+    plan.aim = *aim;
+    if (a.response.empty() != a.damping.empty())
+        return fail(Fault::Usage, "--response and --damping belong together", "give both, or an --aim");
+    if (!a.aim.empty() && !a.response.empty())
+        return fail(Fault::Usage, "--aim and --response exclude each other", "give one of them");
+    if (a.response.empty())
+        return {};
+    const auto response = parseNumber("--response", a.response, 1e-4, 100.0);
+    const auto ms = parseNumber("--damping", a.damping, leastMs, mostMs);
+    if (!response)
+        return fail(response.error());
+    if (!ms)
+        return fail(ms.error());
+    plan.response = *response;
+    plan.ms = *ms;
+    return {};
+}
+
+Result<void> parseLimits(const Family &family, const Arguments &a, TunePlan &plan)
+{
+    struct Limit {
+        std::string_view name;
+        const std::string &text;
+        double most;
+        std::optional<double> Envelope::*into;
+    };
+    for (const Limit &limit : {Limit{"--travel", a.travel, anyNumber, &Envelope::travel},
+             Limit{"--speed", a.speed, anyNumber, &Envelope::speed},
+             Limit{"--current", a.current, 1e4, &Envelope::current}, Limit{"--duty", a.duty, 1.0, &Envelope::duty}}) {
+        if (limit.text.empty())
+            continue;
+        const auto number = parseNumber(limit.name, limit.text, 0.0, limit.most);
+        if (!number)
+            return fail(number.error());
+        plan.limits.*limit.into = *number;
+    }
+    const auto axis = a.axis.empty() ? Result<int>(1) : parseInteger("--axis", a.axis, 1, family.capabilities.axes);
+    const auto slot
+        = a.slot.empty() ? Result<int>(0) : parseInteger("--slot", a.slot, 0, family.capabilities.gainSlots - 1);
+    if (!axis)
+        return fail(axis.error());
+    if (!slot)
+        return fail(slot.error());
+    plan.axis = *axis;
+    plan.slot = *slot;
+    return {};
+}
+
+/// Everything that can be wrong before a device is asked.
+Result<Plan> check(const Console &console, const Arguments &a)
+{
+    auto target = parseTarget(console, a.device);
+    if (!target)
+        return fail(target.error());
+    const Family &family = *target->family;
+    Plan plan{std::move(*target), {}, a.save, a.store, a.yes};
+    plan.tuning.propose = a.propose;
+    plan.tuning.keep = a.keep;
+    if (a.propose && (a.store || a.keep))
+        return fail(Fault::Usage, "--propose writes nothing, so nothing is stored or kept", "leave one of them out");
+    if (auto loop = parseLoop(family, a.loop, plan.tuning); !loop)
+        return fail(loop.error());
+    if (auto aim = parseAim(a, plan.tuning); !aim)
+        return fail(aim.error());
+    if (auto limits = parseLimits(family, a, plan.tuning); !limits)
+        return fail(limits.error());
+    if (auto possible = checkTuning(family, plan.tuning); !possible)
+        return fail(possible.error());
+    return plan;
+}
+
+Task<TuneReport> tuneOn(Console &console, Session &session, Device &device, const Plan &plan, Notebook &notebook)
+{
+    DirectionBook directions;
+    Interruption interruption;
+    if (console.isInterrupted())
+        interruption.interrupt();
+    const Subscription signal = console.interrupted().add([&interruption] { interruption.interrupt(); });
+    SetPointStream &stream = session.stream(device);
+    const LeaseRenewal renewal(session.clock(), stream);
+    ExperimentSurroundings surroundings;
+    surroundings.journal = notebook.book();
+    surroundings.directions = &directions;
+    surroundings.interruption = &interruption;
+    surroundings.note = [&console](const std::string &text) { console.note(text); };
+    auto tuning = autotune(device, stream, plan.tuning, surroundings);
+    co_return co_await std::move(tuning).attempt();
+}
+
+Result<int> verdictOf(const TuneReport &report)
+{
+    if (report.stopReason == toString(Guard::Link))
+        return fail(Fault::LinkLost, "the tuning ended because the link was lost: " + report.evidence,
+            report.stopped ? "the motor was seen stopped" : "see that the motor stands before anything else");
+    if (report.result == TuneResult::Stopped && report.stopReason != "interrupted")
+        return fail(Fault::Unsafe, "stopped by the guard '" + report.stopReason + "': " + report.evidence,
+            "remove the cause before it is run again");
+    if (!report.stopped)
+        return fail(
+            Fault::Unsafe, "the stop was not confirmed by " + report.device, "cut its power if the motor still turns");
+    if (report.result == TuneResult::Stopped)
+        return fail(Fault::Unsafe, "the tuning was interrupted; the gains are as before", "run it again");
+    return report.result == TuneResult::Kept || report.result == TuneResult::Proposed ? exitDone : exitDevice;
+}
+
+/// Waits until the unit has it for good; what it says about that is added to the evidence.
+Task<void> storeGains(Console &console, Device &device, TuneReport &report)
+{
+    ProgressLine progress(console);
+    auto storing = device.store(progress);
+    const bool proven = co_await std::move(storing);
+    report.evidence += proven ? "; the unit has stored them" : "; the unit cannot tell whether it has stored them";
+    co_return {};
+}
+
+Task<int> performOn(Console &console, Stage &stage, Plan plan)
+{
+    auto finding = stage.find(plan.target);
+    Device *const device = co_await std::move(finding);
+    if (auto application = needsApplication(*device); !application)
+        co_return fail(application.error());
+    Sleep listening(device->clock(), masterListen);
+    co_await listening;
+    Notebook notebook(console);
+    auto settling = notebook.settleOwed(*device, plan.yes);
+    co_await std::move(settling);
+    auto tuning = tuneOn(console, stage.session(), *device, plan, notebook);
+    Result<TuneReport> report = co_await std::move(tuning).attempt();
+    if (!report)
+        co_return fail(report.error());
+    if (plan.store && report->result == TuneResult::Kept) {
+        auto storing = storeGains(console, *device, *report);
+        co_await std::move(storing);
+    }
+    printTuning(console, *report);
+    if (!plan.save.empty()) {
+        if (auto saved = saveTuning(plan.save, *report); !saved)
+            co_return fail(saved.error());
+    }
+    co_return verdictOf(*report);
+}
+
+Task<int> tune(Console &console, Arguments arguments)
+{
+    const auto plan = check(console, arguments);
+    if (!plan)
+        co_return fail(plan.error());
+    const Subscription patient = console.interrupted().add([] {}); // a signal ends this verb through its own stop
+    Stage stage(console, plan->target.selector.link);
+    auto performing = performOn(console, stage, *plan);
+    const Result<int> performed = co_await std::move(performing).attempt();
+    Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
+    co_await leaving;
+    co_return performed;
+}
+
+} // namespace
+
+Job declareTune(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
+    arguments.add_option("--loop", a->loop, "velocity, position or current, by family")->required();
+    arguments.add_option("--aim", a->aim, "calm, normal or brisk; normal otherwise");
+    arguments.add_option("--response", a->response, "Seconds of the closed loop, instead of an aim");
+    arguments.add_option("--damping", a->damping, "Largest sensitivity Ms, with --response");
+    arguments.add_option("--axis", a->axis, "1…, on boards with several");
+    arguments.add_option("--slot", a->slot, "Gain set the result belongs to, 0…");
+    arguments.add_option("--travel", a->travel, "Most counts either side of where it stands");
+    arguments.add_option("--speed", a->speed, "Most counts/s");
+    arguments.add_option("--current", a->current, "Most A");
+    arguments.add_option("--duty", a->duty, "Most duty, 0…1");
+    arguments.add_flag("--propose", a->propose, "End before a gain is written");
+    arguments.add_flag("--store", a->store, "Wait until the unit has stored what is kept");
+    arguments.add_flag("--keep", a->keep, "Also where nobody knows what it replaces");
+    arguments.add_flag("--yes", a->yes, "Put back first, without asking, what an earlier experiment could not");
+    arguments.add_option("--save", a->save, "Keep the result in a JSON file");
+    return [a](Console &console) { return tune(console, *a); };
+}
+
+} // namespace mb::console

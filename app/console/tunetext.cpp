@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/tunetext.h"
+
+#include "app/console/table.h"
+#include "app/console/target.h"
+#include "model/parameterfile.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace mb::console {
+namespace {
+
+using namespace tuning;
+
+QJsonValue orNull(const std::optional<double> &value)
+{
+    return value && std::isfinite(*value) ? QJsonValue(*value) : QJsonValue();
+}
+
+QJsonObject metricsToJson(const Metrics &metrics)
+{
+    QJsonObject object;
+    for (const MetricKey &key : metricKeys())
+        object.insert(qt(key.key), orNull(metrics.*key.value));
+    return object;
+}
+
+QJsonObject modelToJson(const TuneReport &report)
+{
+    const MotorFound &motor = *report.motor;
+    QJsonObject object{{QStringLiteral("gain"), motor.line.gain}, {QStringLiteral("gain_error"), motor.line.gainError},
+        {QStringLiteral("tau"), motor.pushes.tau}, {QStringLiteral("tau_error"), motor.pushes.tauError},
+        {QStringLiteral("delay"), report.plant.delay}, {QStringLiteral("delay_error"), motor.pushes.delayError},
+        {QStringLiteral("friction"), motor.line.friction}, {QStringLiteral("friction_error"), motor.line.frictionError},
+        {QStringLiteral("unit"), QStringLiteral("counts/s per duty")}};
+    object.insert(
+        QStringLiteral("filter"), qt(toString(motor.filter ? motor.filter->kind : VelocityFilter::Kind::None)));
+    object.insert(QStringLiteral("window"), motor.filter ? QJsonValue(motor.filter->window) : QJsonValue());
+    return object;
+}
+
+QJsonObject gainsToJson(const TuneReport &report)
+{
+    QJsonObject object;
+    for (const ScaledGains::Row &row : report.proposed.rows) {
+        std::optional<double> from;
+        for (const auto &[key, value] : report.before) {
+            if (key == row.key)
+                from = value;
+        }
+        object.insert(qt(row.key),
+            QJsonObject{{QStringLiteral("from"), orNull(from)}, {QStringLiteral("to"), row.number},
+                {QStringLiteral("raw"), static_cast<double>(row.raw)}});
+    }
+    return object;
+}
+
+QJsonValue qualityToJson(const TuneReport &report)
+{
+    QJsonArray gates;
+    for (const Gate &gate : report.gates)
+        gates.append(QJsonObject{{QStringLiteral("gate"), qt(gate.name)}, {QStringLiteral("passed"), gate.passed},
+            {QStringLiteral("detail"), qt(gate.detail)}});
+    return gates;
+}
+
+std::string brief(double value)
+{
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.4g", value);
+    return text.data();
+}
+
+std::string briefly(const std::optional<double> &value, double scale, const char *unit)
+{
+    return value ? brief(*value * scale) + unit : std::string("-");
+}
+
+void printModel(Output &out, const TuneReport &report)
+{
+    const MotorFound &motor = *report.motor;
+    Table table({"model", "value", "±", "unit"});
+    table.add({"gain", brief(motor.line.gain), brief(motor.line.gainError), "counts/s per duty"});
+    table.add({"tau", brief(1e3 * motor.pushes.tau), brief(1e3 * motor.pushes.tauError), "ms"});
+    table.add({"delay of the loop", brief(1e3 * report.plant.delay), brief(1e3 * motor.pushes.delayError), "ms"});
+    table.add({"friction", brief(100.0 * motor.line.friction), brief(100.0 * motor.line.frictionError), "% duty"});
+    if (motor.filter)
+        table.add({"velocity filter, " + std::string(toString(motor.filter->kind)), brief(1e3 * motor.filter->window),
+            "", "ms"});
+    table.print(out);
+    for (const Gate &gate : report.gates) {
+        if (!gate.passed)
+            out.line("not believed: " + gate.detail);
+    }
+}
+
+void printGains(Output &out, const TuneReport &report)
+{
+    Table table({"gain", "from", "to", "raw"});
+    for (const ScaledGains::Row &row : report.proposed.rows) {
+        std::string from;
+        for (const auto &[key, value] : report.before) {
+            if (key == row.key && value)
+                from = brief(*value);
+        }
+        table.add({row.key, from, brief(row.number), std::to_string(row.raw)});
+    }
+    table.print(out);
+    if (report.margins)
+        out.line("margins: Ms " + brief(report.margins->ms) + ", gain " + brief(report.margins->gain) + ", phase "
+            + brief(report.margins->phase) + "°");
+    const auto words = [](const Metrics &metrics) {
+        return "rise " + briefly(metrics.rise, 1e3, " ms") + ", settle " + briefly(metrics.settle, 1e3, " ms")
+            + ", overshoot " + briefly(metrics.overshoot, 100.0, " %");
+    };
+    if (report.predicted)
+        out.line("predicted: " + words(report.predicted->metrics));
+    if (!report.proof.empty())
+        out.line("measured:  " + words(report.measured));
+}
+
+} // namespace
+
+QJsonObject toJson(const TuneReport &report)
+{
+    QJsonArray trials;
+    for (const std::int64_t number : report.trials)
+        trials.append(static_cast<double>(number));
+    QJsonObject object{{QStringLiteral("result"), qt(toString(report.result))},
+        {QStringLiteral("device"), qt(report.device)}, {QStringLiteral("loop"), qt(toString(report.loop))},
+        {QStringLiteral("axis"), report.axis}, {QStringLiteral("slot"), report.slot},
+        {QStringLiteral("simulated"), report.simulated}, {QStringLiteral("stopped"), report.stopped},
+        {QStringLiteral("seconds"), report.seconds}, {QStringLiteral("trials"), trials},
+        {QStringLiteral("evidence"), qt(report.evidence)}, {QStringLiteral("quality"), qualityToJson(report)},
+        {QStringLiteral("gains"), gainsToJson(report)}};
+    object.insert(QStringLiteral("model"), report.motor ? QJsonValue(modelToJson(report)) : QJsonValue());
+    object.insert(QStringLiteral("predicted"),
+        report.predicted ? QJsonValue(metricsToJson(report.predicted->metrics)) : QJsonValue());
+    object.insert(
+        QStringLiteral("measured"), report.proof.empty() ? QJsonValue() : QJsonValue(metricsToJson(report.measured)));
+    object.insert(QStringLiteral("margins"),
+        report.margins ? QJsonValue(QJsonObject{{QStringLiteral("ms"), orNull(report.margins->ms)},
+            {QStringLiteral("gm"), orNull(report.margins->gain)},
+            {QStringLiteral("pm"), orNull(report.margins->phase)}})
+                       : QJsonValue());
+    return object;
+}
+
+void printTuning(Console &console, const TuneReport &report)
+{
+    if (console.json()) {
+        console.out().json(toJson(report));
+        return;
+    }
+    if (report.motor)
+        printModel(console.out(), report);
+    if (!report.proposed.rows.empty())
+        printGains(console.out(), report);
+    console.out().line(std::string(toString(report.result)) + ": " + report.evidence + " (" + brief(report.seconds)
+        + " s, " + std::to_string(report.trials.size()) + " trials" + (report.simulated ? ", simulated" : "") + ")");
+}
+
+Result<void> saveTuning(const std::string &path, const TuneReport &report)
+{
+    return saveFile(path, QJsonDocument(toJson(report)).toJson());
+}
+
+} // namespace mb::console

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/autotune.h"
+
+#include "model/family.h"
+#include "tuning/autotunerun.h"
+#include "tuning/gains.h"
+#include "tuning/seconds.h"
+
+#include <array>
+
+namespace mb::tuning {
+namespace {
+
+constexpr std::array<std::string_view, 5> names{"kept", "proposed", "rolled-back", "refused", "stopped"};
+
+/// Ends with what the report says; an error is why the motor was refused.
+Task<void> perform(AutotuneRun &run, const TunePlan &plan)
+{
+    auto probing = run.probe();
+    co_await std::move(probing);
+    if (run.isOver())
+        co_return {};
+    auto pushing = run.push();
+    co_await std::move(pushing);
+    if (run.isOver())
+        co_return {};
+    if (auto identified = run.identifyMotor(); !identified)
+        co_return fail(identified.error());
+    if (auto proposed = run.propose(); !proposed)
+        co_return fail(proposed.error());
+    if (plan.propose) {
+        run.report().result = TuneResult::Proposed;
+        co_return {};
+    }
+    auto proving = run.prove();
+    co_await std::move(proving);
+    if (run.isOver() || run.report().result == TuneResult::RolledBack)
+        co_return {};
+    auto keeping = run.keep();
+    co_await std::move(keeping);
+    co_return {};
+}
+
+} // namespace
+
+std::string_view toString(TuneResult result)
+{
+    return names[static_cast<std::size_t>(result)];
+}
+
+Result<void> checkTuning(const Family &family, const TunePlan &plan)
+{
+    if (!loopOf(family, plan.loop))
+        return fail(Fault::OutOfRange,
+            std::string(family.key) + " has no loop '" + std::string(toString(plan.loop)) + "' that can be tuned");
+    if (plan.loop == Mode::Current)
+        return fail(Fault::Unsupported, "current loops are not tuned by themselves yet",
+            "tune it by hand with 'motorbenchctl step'");
+    if (family.trials->nudge > 0.0)
+        return fail(Fault::Unsupported, std::string(family.title) + " has no duty command to identify a motor with",
+            "tune it by hand with 'motorbenchctl step'");
+    if (!loopUnits(family, plan.loop))
+        return fail(Fault::Unsupported,
+            "what a gain of " + std::string(family.title) + " means in this loop is not known",
+            "tune it by hand with 'motorbenchctl step'");
+    ExperimentPlan pushes;
+    pushes.mode = Mode::Duty;
+    pushes.axis = plan.axis;
+    pushes.slot = plan.slot;
+    return checkPlan(family, pushes);
+}
+
+Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan, ExperimentSurroundings surroundings)
+{
+    if (auto possible = checkTuning(device.family(), plan); !possible)
+        co_return fail(possible.error());
+    if (auto known = checkScales(device, plan.loop); !known)
+        co_return fail(known.error());
+    const Instant begin = device.clock().now();
+    AutotuneRun run(device, stream, plan, std::move(surroundings));
+    auto performing = perform(run, plan);
+    const Result<void> performed = co_await std::move(performing).attempt();
+    TuneReport &report = run.report();
+    if (!performed) {
+        if (!run.hasMoved())
+            co_return fail(performed.error());
+        report.result = report.result == TuneResult::RolledBack ? report.result : TuneResult::Refused;
+        report.evidence = performed.error().text();
+    }
+    if (run.isOver())
+        report.result = TuneResult::Stopped;
+    report.seconds = inSeconds(device.clock().now() - begin);
+    co_return std::move(report);
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/gainscale.h"
+
+#include "model/family.h"
+#include "model/parameterfile.h"
+#include "tuning/envelope.h"
+#include "tuning/gains.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace mb::tuning {
+namespace {
+
+constexpr double leastSteps = 10.0;
+constexpr double fineSteps = 50.0;
+constexpr double largestDivisor = 1e9;
+
+struct Term {
+    std::string_view name;
+    double ContinuousGains::*gain;
+    double scale; ///< parameter's number for a gain of 1
+};
+
+std::string scaleKey(Mode loop, std::string_view gain)
+{
+    return std::string(toString(loop)) + '.' + std::string(gain) + ".scale";
+}
+
+/// Of a device whose scales are calibrated; 0 for what is not known.
+double calibratedScale(const Device &device, Mode loop, std::string_view gain)
+{
+    const double one = device.profile().calibrated(scaleKey(loop, gain));
+    return one > 0.0 ? 1.0 / one : 0.0;
+}
+
+std::array<Term, 4> termsOf(const Device &device, Mode loop, double units)
+{
+    const LoopScale &scale = *device.family().loop;
+    if (scale.calibrated) {
+        const double full = scale.fullDuty;
+        return {{{"p", &ContinuousGains::p, full * calibratedScale(device, loop, "p")},
+            {"i", &ContinuousGains::i, full * scale.period * calibratedScale(device, loop, "i")},
+            {"d", &ContinuousGains::d, full / scale.period * calibratedScale(device, loop, "d")},
+            {"f", &ContinuousGains::f, 0.0}}};
+    }
+    const double p = scale.fullDuty / units;
+    const double sign = scale.derivativeInverted ? -1.0 : 1.0;
+    return {{{"p", &ContinuousGains::p, p}, {"i", &ContinuousGains::i, p * scale.period},
+        {"d", &ContinuousGains::d, sign * p / scale.period}, {"f", &ContinuousGains::f, p}}};
+}
+
+/// The nearest number that the parameter has; OutOfRange beyond its ends.
+Result<std::int64_t> nearest(const Parameter &parameter, double number)
+{
+    return toRaw(parameter, std::round(number * parameter.one) / parameter.one);
+}
+
+/// The largest power of ten with which every gain fits its parameter; 1 where none does.
+double divisorFor(const Family &family, const std::function<std::string(std::string_view)> &keyOf,
+    const std::array<Term, 4> &terms, const ContinuousGains &gains)
+{
+    for (double divisor = largestDivisor; divisor > 1.0; divisor /= 10.0) {
+        const bool fits = std::all_of(terms.begin(), terms.end(), [&](const Term &term) {
+            const auto index = findParameter(family.parameters, keyOf(term.name));
+            return !index || nearest(family.parameters[index->value], gains.*term.gain * term.scale * divisor);
+        });
+        if (fits)
+            return divisor;
+    }
+    return 1.0;
+}
+
+Result<void> add(const Family &family, const std::string &key, double number, ScaledGains &into)
+{
+    const auto index = findParameter(family.parameters, key);
+    if (!index)
+        return fail(Fault::Unsupported, std::string(family.key) + " has no " + key);
+    const auto raw = nearest(family.parameters[index->value], number);
+    if (!raw)
+        return fail(Fault::OutOfRange, key + " would have to be " + numberText(number) + ", which it cannot be",
+            "aim for a calmer loop");
+    const Value value = toValue(family.parameters[index->value], *raw);
+    into.rows.push_back({key, *raw, std::get<double>(value)});
+    into.changes.push_back({*index, *raw});
+    return {};
+}
+
+Result<void> addGain(const Family &family, const std::string &key, double number, ScaledGains &into)
+{
+    if (auto added = add(family, key, number, into); !added)
+        return added;
+    const double steps = std::abs(static_cast<double>(into.rows.back().raw));
+    if (number != 0.0 && steps < leastSteps)
+        return fail(Fault::OutOfRange,
+            key + " would be " + std::to_string(into.rows.back().raw)
+                + " of its smallest steps, too few to mean anything",
+            "take a finer encoder or a calmer loop");
+    if (number != 0.0 && steps < fineSteps)
+        into.coarse.push_back(key);
+    return {};
+}
+
+} // namespace
+
+std::optional<double> loopUnits(const Family &family, Mode loop)
+{
+    if (!family.loop)
+        return std::nullopt;
+    if (loop == Mode::Velocity)
+        return family.loop->velocityTime;
+    if (loop == Mode::Current)
+        return family.loop->currentError == "A" ? std::optional(1.0) : std::nullopt;
+    return loop == Mode::Position ? std::optional(1.0) : std::nullopt;
+}
+
+Result<void> checkScales(const Device &device, Mode loop)
+{
+    if (!device.family().loop || !device.family().loop->calibrated)
+        return {};
+    for (const Calibration &row : device.family().calibrations) {
+        const bool ofThisLoop = row.key.starts_with(std::string(toString(loop)) + '.') && row.key.ends_with(".scale");
+        if (ofThisLoop && device.profile().calibrated(row.key) <= 0.0)
+            return fail(Fault::OutOfRange,
+                "what a raw gain of this board puts out is not known (" + std::string(row.key) + ")",
+                "find its gain scales first: Overview, Gain scales");
+    }
+    return {};
+}
+
+Result<ScaledGains> scaleGains(const Device &device, Mode loop, int axis, int slot, const ContinuousGains &gains)
+{
+    const Family &family = device.family();
+    const LoopGains *const parameters = loopOf(family, loop);
+    const auto units = loopUnits(family, loop);
+    if (!parameters || !units)
+        return fail(Fault::Unsupported,
+            "what a gain of " + std::string(family.title) + " means in this loop is not known",
+            "tune it by hand with 'motorbenchctl step'");
+    if (auto known = checkScales(device, loop); !known)
+        return fail(known.error());
+    const auto terms = termsOf(device, loop, *units);
+    const auto keyOf = [&](std::string_view name) {
+        return gainKey(family, std::string(parameters->prefix) + std::string(name), axis, slot);
+    };
+    const double divisor = family.loop->divided ? divisorFor(family, keyOf, terms, gains) : 1.0;
+    ScaledGains scaled;
+    for (const std::string_view name : parameters->names) {
+        const std::string key = keyOf(name);
+        if (name == "divisor") {
+            if (auto added = add(family, key, divisor, scaled); !added)
+                return fail(added.error());
+            continue;
+        }
+        for (const Term &term : terms) {
+            if (term.name != name)
+                continue;
+            if (auto added = addGain(family, key, gains.*term.gain * term.scale * divisor, scaled); !added)
+                return fail(added.error());
+            if (term.scale != 0.0)
+                scaled.made.*term.gain = scaled.rows.back().number / (term.scale * divisor);
+        }
+    }
+    return scaled;
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/device.h"
+#include "model/parametertransfer.h"
+#include "tuning/gainrules.h"
+
+namespace mb::tuning {
+
+/// The parameters of a loop that make these gains on a device, rounded to what it stores.
+struct ScaledGains {
+    struct Row {
+        std::string key;
+        std::int64_t raw = 0;
+        double number = 0.0; ///< in the unit of the parameter
+    };
+    std::vector<Row> rows;
+    std::vector<ParameterChange> changes; ///< the same
+    ContinuousGains made;                 ///< what they make after rounding: predict with these
+    std::vector<std::string> coarse;      ///< keys with fewer than 50 steps: 2 % are one step
+};
+
+/// OutOfRange where the scale of this loop is not known or not calibrated, a gain does not fit, or one has fewer than 10 steps.
+[[nodiscard]] Result<ScaledGains> scaleGains(
+    const Device &device, Mode loop, int axis, int slot, const ContinuousGains &gains);
+
+/// OutOfRange, with what finds them out, where a gain of this loop has a scale that must be calibrated and was not.
+[[nodiscard]] Result<void> checkScales(const Device &device, Mode loop);
+
+/// Units of the loop's own arithmetic for 1 count/s, count or A; nothing where the family's scale is not known.
+[[nodiscard]] std::optional<double> loopUnits(const Family &family, Mode loop);
+
+} // namespace mb::tuning

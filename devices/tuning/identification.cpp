@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/identification.h"
+
+#include "tuning/figures.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+constexpr double edgeSearch = 0.15; ///< s around the order in which the device's own duty shows the edge
+constexpr double beforePush = 0.05; ///< s of rest that a record begins with
+constexpr double mostCost = 3.0;
+constexpr double mostAsymmetry = 0.10;
+constexpr double leastCounts = 50.0;
+constexpr double mostFrictionShare = 0.7; ///< of the smallest push
+constexpr double nearLimit = 0.98;
+
+/// When the device's duty reached half of what was ordered; the order's own time where it tells no duty. A sample tells that
+/// the edge lay between it and the one before.
+double edgeOf(const Signal *duty, double ordered, double target)
+{
+    if (!duty)
+        return ordered;
+    const Trace &trace = duty->trace;
+    for (std::size_t i = 1; i < trace.size(); ++i) {
+        if (trace.t[i] > ordered + edgeSearch)
+            break;
+        if (trace.t[i] >= ordered - edgeSearch && trace.y[i] / target >= 0.5 && trace.y[i - 1] / target < 0.5)
+            return 0.5 * (trace.t[i - 1] + trace.t[i]);
+    }
+    return ordered;
+}
+
+double meanOver(const Trace &trace, double from, double to, double otherwise)
+{
+    const Trace part = trace.part(from, to);
+    if (part.isEmpty())
+        return otherwise;
+    double sum = 0.0;
+    for (const double value : part.y)
+        sum += value;
+    return sum / static_cast<double>(part.size());
+}
+
+/// The supply before the first push; 0 where it is not told.
+double restVoltage(const Trial &trial)
+{
+    const Signal *const bus = trial.signal("bus_voltage");
+    return bus ? meanOver(bus->trace, -1.0, 0.0, bus->trace.isEmpty() ? 0.0 : bus->trace.y.front()) : 0.0;
+}
+
+} // namespace
+
+std::vector<PushRecord> pushesOf(const Trial &trial)
+{
+    std::vector<PushRecord> records;
+    const Signal *const position = trial.signal("position");
+    const Signal *const duty = trial.signal("duty");
+    const Signal *const bus = trial.signal("bus_voltage");
+    const double rest = restVoltage(trial);
+    const double target = trial.stimulus.to;
+    for (const Span &hold : trial.holds) {
+        if (!position || target == 0.0)
+            break;
+        const double edge = edgeOf(duty, hold.from, target);
+        PushRecord record;
+        record.position = position->trace.part(edge - beforePush, hold.to, edge);
+        record.duty = duty ? meanOver(duty->trace, edge + 0.01, hold.to, target) : target;
+        if (bus && rest > 0.0)
+            record.duty *= meanOver(bus->trace, 0.5 * (edge + hold.to), hold.to, rest) / rest;
+        if (!record.position.isEmpty() && std::abs(record.position.y.back() - record.position.y.front()) >= leastCounts)
+            records.push_back(std::move(record));
+    }
+    return records;
+}
+
+Result<MotorFound> identify(const std::vector<Trial> &pushes)
+{
+    std::vector<PushRecord> records;
+    std::vector<double> duties;
+    MotorFound found;
+    for (const Trial &trial : pushes) {
+        for (PushRecord &record : pushesOf(trial)) {
+            duties.push_back(record.duty);
+            records.push_back(std::move(record));
+        }
+        if (found.supply == 0.0)
+            found.supply = restVoltage(trial);
+        const Signal *const velocity = trial.signal("velocity");
+        const Signal *const position = trial.signal("position");
+        if (!found.filter && velocity && position)
+            found.filter = fingerprint(position->trace, velocity->trace);
+    }
+    const auto fit = fitPushes(records);
+    if (!fit)
+        return fail(fit.error());
+    found.pushes = *fit;
+    const auto line = fitGain(duties, fit->speeds);
+    if (!line)
+        return fail(line.error());
+    found.line = *line;
+    return found;
+}
+
+std::vector<Gate> judge(const MotorFound &found, const std::vector<Trial> &pushes)
+{
+    double smallest = 1.0;
+    bool limited = false;
+    for (const Trial &trial : pushes) {
+        smallest = std::min(smallest, std::abs(trial.stimulus.to));
+        limited = limited || trial.has(flag::currentLimit)
+            || (trial.envelope.current
+                && trial.metrics.peakCurrent.value_or(0.0) >= nearLimit * *trial.envelope.current);
+    }
+    const double cost = std::round(found.pushes.cost * 100.0) / 100.0;
+    std::vector<Gate> gates;
+    gates.push_back({"fit", "residual " + numberText(cost) + " of what counts and clocks explain, at most 3",
+        found.pushes.cost <= mostCost});
+    gates.push_back({"friction",
+        "friction takes " + percentText(found.line.friction) + " duty of pushes of " + percentText(smallest)
+            + ": allow more duty",
+        found.line.friction <= mostFrictionShare * smallest});
+    gates.push_back({"asymmetric load",
+        "the two directions differ by " + percentText(found.line.asymmetry())
+            + ", at most 10 %: does gravity pull at it?",
+        found.line.asymmetry() <= mostAsymmetry});
+    gates.push_back({"current limit",
+        limited ? "the current limit cut into the pushes" : "no push met the current limit", !limited});
+    return gates;
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/plantfit.h"
+#include "tuning/trial.h"
+#include "tuning/velocityfilter.h"
+
+#include <string>
+#include <vector>
+
+namespace mb::tuning {
+
+/// A motor as pushes of duty show it.
+struct MotorFound {
+    PushFit pushes;
+    GainFit line;
+    std::optional<VelocityFilter> filter; ///< nothing where the device tells no velocity of its own
+    double supply = 0.0;                  ///< V at rest, which `line` is per full duty of; 0: not told
+};
+
+/// One gate of quality: why a model may not be believed.
+struct Gate {
+    std::string name;   ///< "fit", "friction", "asymmetric load", "resolution", "current limit"
+    std::string detail; ///< with the number
+    bool passed = true;
+};
+
+/// The pushes of trials in duty mode, each from its own edge. Trials that moved nothing give none.
+[[nodiscard]] std::vector<PushRecord> pushesOf(const Trial &trial);
+
+/// Fits what the trials recorded: pushes of two sizes, both ways. OutOfRange where they do not tell it.
+[[nodiscard]] Result<MotorFound> identify(const std::vector<Trial> &pushes);
+
+/// All gates, those that passed too.
+[[nodiscard]] std::vector<Gate> judge(const MotorFound &found, const std::vector<Trial> &pushes);
+
+} // namespace mb::tuning

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/quadquad2drv/calibrations.h"
+#include "families/quadquad2drv/simulatoraxis.h"
+#include "tests/tuning/experimentbench.h"
+#include "tuning/autotune.h"
+#include "tuning/gains.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace mb::tuning {
+namespace {
+
+using test::ExperimentBench;
+
+TunePlan planOf(Mode loop)
+{
+    TunePlan plan;
+    plan.loop = loop;
+    return plan;
+}
+
+Result<TuneReport> tune(ExperimentBench &bench, const TunePlan &plan)
+{
+    return test::run(bench.bench.clock,
+        autotune(*bench.device, bench.bench.session.stream(*bench.device), plan, bench.surroundings));
+}
+
+std::int64_t rawOf(ExperimentBench &bench, std::string_view key)
+{
+    const auto raw = test::run(bench.bench.clock, bench.device->read(bench.bench.index(*bench.device, key)));
+    return raw.value_or(-1);
+}
+
+void print(const TuneReport &report)
+{
+    const auto number = [](const std::optional<double> &value) { return value.value_or(-1.0); };
+    std::printf("%s %s: %s, %s\n", report.device.c_str(), std::string(toString(report.loop)).c_str(),
+        std::string(toString(report.result)).c_str(), report.evidence.c_str());
+    if (report.motor)
+        std::printf("  gain %.0f  tau %.1f ms  delay %.1f ms  friction %.4f  filter %s %.0f ms  cost %.2f\n",
+            report.plant.gain, 1e3 * report.plant.tau, 1e3 * report.plant.delay, report.plant.friction,
+            report.motor->filter ? std::string(toString(report.motor->filter->kind)).c_str() : "-",
+            report.motor->filter ? 1e3 * report.motor->filter->window : 0.0, report.motor->pushes.cost);
+    if (report.predicted)
+        std::printf("  predicted: overshoot %.3f settle %.3f rise %.3f\n", number(report.predicted->metrics.overshoot),
+            number(report.predicted->metrics.settle), number(report.predicted->metrics.rise));
+    std::printf("  measured:  overshoot %.3f settle %.3f rise %.3f sse %.4f; %.1f s, %zu trials\n",
+        number(report.measured.overshoot), number(report.measured.settle), number(report.measured.rise),
+        number(report.measured.sse), report.seconds, report.trials.size());
+    std::printf("  noise %.4f\n", number(report.measured.noise));
+    for (const Trial &trial : report.proof)
+        std::printf("  to %.0f: overshoot %.3f settle %.3f sse %.4f holds %zu\n", trial.stimulus.to,
+            number(trial.metrics.overshoot), number(trial.metrics.settle), number(trial.metrics.sse),
+            trial.holds.size());
+    for (const ScaledGains::Row &row : report.proposed.rows)
+        std::printf("  %s = %.6g\n", row.key.c_str(), row.number);
+}
+
+TEST(GainScale, GivesTheGoldenVelocityAndPositionGainsOfADmc60c) // A8
+{
+    ExperimentBench bench;
+    const double perRadian = 4096.0 / (2.0 * std::numbers::pi);
+    const auto velocity = scaleGains(
+        *bench.device, Mode::Velocity, 1, 0, {0.002 / perRadian, 0.01 / perRadian, 0.0, 0.0018 / perRadian});
+    ASSERT_TRUE(velocity) << velocity.error().text();
+    const auto raw = [](const ScaledGains &gains, std::string_view key) {
+        for (const ScaledGains::Row &row : gains.rows) {
+            if (row.key == key)
+                return row.raw;
+        }
+        return std::int64_t(-1);
+    };
+    EXPECT_EQ(raw(*velocity, "slot0.p"), 65882);
+    EXPECT_EQ(raw(*velocity, "slot0.i"), 165);
+    EXPECT_EQ(raw(*velocity, "slot0.f"), 59294);
+    const auto position
+        = scaleGains(*bench.device, Mode::Position, 1, 1, {0.1 / perRadian, 0.5 / perRadian, 0.01 / perRadian, 0.0});
+    ASSERT_TRUE(position);
+    EXPECT_EQ(raw(*position, "slot1.p"), 329410);
+    EXPECT_EQ(raw(*position, "slot1.i"), 824);
+    EXPECT_EQ(raw(*position, "slot1.d"), 65881963);
+    EXPECT_NEAR(position->made.d, 0.01 / perRadian, 1e-10);
+}
+
+TEST(GainScale, SendsTheDerivativeOfAnAbstractDcTheOtherWayRound) // A12
+{
+    ExperimentBench bench("sim:can", "abstractdc", 3);
+    const auto gains = scaleGains(*bench.device, Mode::Position, 1, 0, {0.8 / 255.0, 4.0 / 255.0, 0.02 / 255.0, 0.0});
+    ASSERT_TRUE(gains) << gains.error().text();
+    for (const ScaledGains::Row &row : gains->rows) {
+        if (row.key == "position.d") {
+            EXPECT_LT(row.raw, 0);
+        }
+        if (row.key == "position.p") {
+            EXPECT_GT(row.raw, 50);
+        }
+    }
+    EXPECT_NEAR(gains->made.d, 0.02 / 255.0, 1e-8);
+    EXPECT_NEAR(gains->made.i, 4.0 / 255.0, 1e-6);
+}
+
+TEST(GainScale, RefusesAGainOfTooFewSteps)
+{
+    ExperimentBench bench;
+    const auto gains = scaleGains(*bench.device, Mode::Velocity, 1, 0, {1e-10, 0.0, 0.0, 0.0});
+    ASSERT_FALSE(gains);
+    EXPECT_EQ(gains.error().fault, Fault::OutOfRange);
+}
+
+TEST(Autotune, TakesTheOvershootOfUnitSevenAway)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 7);
+    const auto before = bench.run(test::stepTo(Mode::Velocity, 60'000));
+    ASSERT_TRUE(before) << before.error().text();
+    EXPECT_GT(before->metrics.overshoot.value_or(0.0), 0.1);
+    const auto report = tune(bench, planOf(Mode::Velocity));
+    ASSERT_TRUE(report) << report.error().text();
+    print(*report);
+    EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    EXPECT_TRUE(report->stopped);
+    const auto after = bench.run(test::stepTo(Mode::Velocity, 60'000));
+    ASSERT_TRUE(after);
+    EXPECT_LE(after->metrics.overshoot.value_or(1.0), 0.02);
+    for (const ScaledGains::Row &row : report->proposed.rows)
+        EXPECT_EQ(rawOf(bench, row.key), row.raw) << row.key;
+    EXPECT_LE(report->seconds, 60.0); // A13, of the device's time
+}
+
+TEST(Autotune, LeavesTheSlotItProvedInAsItWas)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 5);
+    std::vector<std::int64_t> other;
+    for (const std::string_view key : {"slot1.p", "slot1.i", "slot1.d", "slot1.f", "slot1.max_forward"})
+        other.push_back(rawOf(bench, key));
+    const auto report = tune(bench, planOf(Mode::Velocity));
+    ASSERT_TRUE(report) << report.error().text();
+    print(*report);
+    EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    std::size_t at = 0;
+    for (const std::string_view key : {"slot1.p", "slot1.i", "slot1.d", "slot1.f", "slot1.max_forward"})
+        EXPECT_EQ(rawOf(bench, key), other.at(at++)) << key;
+}
+
+TEST(Autotune, ProvesAPositionLoop)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 5);
+    TunePlan plan = planOf(Mode::Position);
+    plan.slot = 1;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    print(*report);
+    EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    EXPECT_LE(report->measured.overshoot.value_or(1.0), 0.05);
+}
+
+TEST(Autotune, ProposesWithoutWritingAnything)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 7);
+    const std::int64_t p = rawOf(bench, "slot0.p");
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.propose = true;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->result, TuneResult::Proposed);
+    EXPECT_FALSE(report->proposed.rows.empty());
+    EXPECT_EQ(rawOf(bench, "slot0.p"), p);
+    EXPECT_TRUE(report->proof.empty());
+}
+
+TEST(Autotune, RefusesAFamilyWithoutADutyCommandBeforeAnythingMoves)
+{
+    ExperimentBench bench("sim:serial", "supermodified", 4);
+    const auto report = tune(bench, planOf(Mode::Position));
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().fault, Fault::Unsupported);
+    EXPECT_TRUE(bench.journal.begun.empty());
+}
+
+TEST(Autotune, AStalledShaftStopsItWithTheGuardsNameAndWritesNothing)
+{
+    ExperimentBench bench;
+    ASSERT_NE(bench.simulator(), nullptr);
+    ASSERT_TRUE(bench.simulator()->disturb("stall", 1.0));
+    const std::int64_t p = rawOf(bench, "slot0.p");
+    const auto report = tune(bench, planOf(Mode::Velocity));
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->result, TuneResult::Stopped);
+    EXPECT_EQ(report->stopReason, "no motion");
+    EXPECT_TRUE(report->stopped);
+    EXPECT_EQ(rawOf(bench, "slot0.p"), p);
+}
+
+TEST(Autotune, TheUserEndsItAtAnyPointAndTheGainsStay)
+{
+    for (const double seconds : {0.5, 5.0, 20.0, 33.0}) {
+        ExperimentBench bench("sim:can", "dmc60c", 7);
+        const std::int64_t p = rawOf(bench, "slot0.p");
+        const std::int64_t other = rawOf(bench, "slot1.p");
+        Timer timer(bench.bench.clock);
+        timer.startIn(
+            std::chrono::milliseconds(std::lround(1000.0 * seconds)), [&bench] { bench.interruption.interrupt(); });
+        const auto report = tune(bench, planOf(Mode::Velocity));
+        ASSERT_TRUE(report) << report.error().text();
+        EXPECT_EQ(report->result, TuneResult::Stopped) << seconds;
+        EXPECT_EQ(report->stopReason, "interrupted") << seconds;
+        EXPECT_TRUE(report->stopped);
+        EXPECT_EQ(rawOf(bench, "slot0.p"), p) << seconds;
+        EXPECT_EQ(rawOf(bench, "slot1.p"), other) << seconds;
+    }
+}
+
+TEST(Autotune, TooLittleTravelIsRefusedWithItsReason)
+{
+    ExperimentBench bench;
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.limits.travel = 3000.0;
+    const auto report = tune(bench, plan);
+    if (report) {
+        EXPECT_NE(report->result, TuneResult::Kept);
+        EXPECT_FALSE(report->evidence.empty());
+        std::printf("  %s: %s\n", std::string(toString(report->result)).c_str(), report->evidence.c_str());
+    } else {
+        EXPECT_FALSE(report.error().text().empty());
+    }
+}
+
+TEST(Autotune, TunesBothLoopsOfAnAbstractDcThatCannotBeRead) // A12
+{
+    for (const Mode loop : {Mode::Velocity, Mode::Position}) {
+        ExperimentBench bench("sim:can", "abstractdc", 3);
+        TunePlan plan = planOf(loop);
+        const auto refused = tune(bench, plan);
+        const bool wasRefused = !refused || refused->result == TuneResult::Refused;
+        EXPECT_TRUE(wasRefused) << "what it replaces is not known";
+        plan.keep = true;
+        const auto report = tune(bench, plan);
+        ASSERT_TRUE(report) << report.error().text();
+        print(*report);
+        EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    }
+}
+
+TEST(Autotune, ABoardWithoutGainScalesIsToldHowToFindThemBeforeAnythingMoves)
+{
+    ExperimentBench bench("sim:spi", "quadquad2drv", 0);
+    const auto report = tune(bench, planOf(Mode::Velocity));
+    ASSERT_FALSE(report);
+    EXPECT_NE(report.error().text().find("gain scales"), std::string::npos) << report.error().text();
+    EXPECT_TRUE(bench.journal.begun.empty());
+}
+
+TEST(Autotune, TunesAnAxisOfACalibratedBoard)
+{
+    for (const Mode loop : {Mode::Velocity, Mode::Position}) {
+        ExperimentBench bench("sim:spi", "quadquad2drv", 0);
+        using namespace quadquad2drv;
+        using namespace quadquad2drv::simulation;
+        ASSERT_TRUE(bench.device->calibrate(calibration::velocityP, gain::velocityP));
+        ASSERT_TRUE(bench.device->calibrate(calibration::velocityI, gain::velocityI));
+        ASSERT_TRUE(bench.device->calibrate(calibration::positionP, gain::positionP));
+        ASSERT_TRUE(bench.device->calibrate(calibration::positionI, gain::positionI));
+        ASSERT_TRUE(bench.device->calibrate(calibration::positionD, gain::positionD));
+        for (const auto &[key, value] : {std::pair("ch2.limit.power", 0.8), std::pair("history.length", 8.0)}) {
+            const ParameterChange change = bench.change(key, value);
+            ASSERT_TRUE(test::run(bench.bench.clock, bench.device->write(change.index, change.raw))) << key;
+        }
+        TunePlan plan = planOf(loop);
+        plan.axis = 2;
+        plan.keep = true;
+        const auto report = tune(bench, plan);
+        ASSERT_TRUE(report) << report.error().text();
+        print(*report);
+        EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    }
+}
+
+} // namespace
+} // namespace mb::tuning
