@@ -19,7 +19,7 @@ constexpr std::array<double, 3> probes{0.15, 0.25, 0.4}; ///< duty
 constexpr double probeSeconds = 0.6;
 constexpr double strongest = 0.4; ///< duty of the pushes
 constexpr double weaker = 0.6;    ///< of the strongest
-constexpr double leastDuty = 0.1;
+constexpr double leastPush = 0.1;
 constexpr double taus = 8.0; ///< that a push lasts
 constexpr double leastTaus = 2.5;
 constexpr double leastSamples = 12.0; ///< of a push
@@ -145,7 +145,7 @@ Task<void> AutotuneRun::probe()
         m_seconds = std::clamp(room / (gain * m_duty), shortest, m_seconds);
         m_duty = std::min(m_duty, room / (gain * m_seconds));
     }
-    if (m_duty < leastDuty)
+    if (m_duty < leastPush)
         co_return fail(Fault::OutOfRange,
             "there is not enough room to identify the motor: its limits leave pushes of " + percentText(m_duty)
                 + " duty only",
