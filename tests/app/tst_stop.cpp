@@ -100,6 +100,7 @@ void StopTest::spaceIsTextWhereTextIsEditedAndEscStillStops()
 
 void StopTest::spaceStopsInAFieldForNumbers()
 {
+    m_bench->page<TunePage>(PageId::Tune).showLive(true);
     drive();
     QLineEdit *field = nullptr;
     for (auto *candidate : m_bench->window().findChildren<QLineEdit *>()) {

@@ -2,6 +2,7 @@
 // A Supermodified in the window: the programmer of its update is chosen from lists, and every page can be looked at:
 //   MOTORBENCH_PICTURES=DIR [PICTURE_SIZE=3840x2160] [PICTURE_SCALE=2] [PICTURE_LANGUAGE=de] test_app_supermodified pictures
 #include "support/windowtests.h"
+#include "widgets/control/tunepage.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/parameters/parameterspage.h"
 #include "widgets/plots/plotspage.h"
@@ -116,6 +117,7 @@ void SupermodifiedTest::itsOutputHasNoOptionsAndItsPositionCanBeZeroed()
     QTRY_VERIFY_WITH_TIMEOUT(isReady(bench) && bench.isFound(), patience);
     auto *page = bench.window().page(PageId::Tune);
     bench.window().showPage(PageId::Tune);
+    bench.page<TunePage>(PageId::Tune).showLive(true);
     const auto shows = [page](const QString &start) {
         const auto buttons = page->findChildren<QAbstractButton *>();
         return std::any_of(buttons.begin(), buttons.end(),

@@ -19,7 +19,7 @@ class Usage(ContractTest):
         text = self.run_text("--help")
         for verb in VERBS:
             self.assertIn(f"\n  {verb} ", text)
-        for later in ("tune",):
+        for later in ("service", "snapshot"):
             self.assertNotIn(f"\n  {later} ", text)
         self.assertRegex(self.run_text("--version"), r"^motorbenchctl \d+\.\d+\.\d+\n$")
 

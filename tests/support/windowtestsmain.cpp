@@ -2,6 +2,7 @@
 #include "support/windowtests.h"
 
 #include <QApplication>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include <cstdio>
@@ -50,6 +51,8 @@ int main(int argc, char **argv)
     rest.insert(rest.end(), argv + 2, argv + argc);
     int count = static_cast<int>(rest.size());
     rest.push_back(nullptr);
+    const QTemporaryDir data; // what the program keeps of devices and trials goes with the test
+    qputenv("XDG_DATA_HOME", data.path().toUtf8());
     QApplication application(count, rest.data());
     QCoreApplication::setAttribute(Qt::AA_Use96Dpi, true);
     const auto test = chosen->second();

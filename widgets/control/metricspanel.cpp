@@ -68,7 +68,7 @@ MetricsPanel::MetricsPanel(const ThemeSource &theme, QWidget *parent)
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the panel scrolls
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setSectionResizeMode(Difference, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
     m_table->horizontalHeader()->setMinimumSectionSize(look.u(30));
     m_health = new SectionLabel(tr("Loop health"), this);
     m_chips = new QWidget(this);

@@ -110,7 +110,7 @@ void TrialList::fit()
         const int text = std::max(fontMetrics().horizontalAdvance(widest),
             fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString())
                 + theme.u(10));
-        m_table->setColumnWidth(column, text + theme.u(20));
+        m_table->setColumnWidth(column, text + theme.u(32));
     };
     m_table->setColumnWidth(TrialModel::Star, theme.u(28));
     width(TrialModel::Number, QStringLiteral("#9999  B"));

@@ -25,7 +25,7 @@
 namespace mb {
 namespace {
 
-constexpr int metricsWidth = 348;
+constexpr int metricsWidth = 392;
 constexpr int roomBeside = 700; ///< for plot and metrics beside each other
 constexpr int leastBeside = 640;
 constexpr int roomyHeight = 620;

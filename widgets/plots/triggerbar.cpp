@@ -6,9 +6,9 @@
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
+#include "widgets/parameters/wraplayout.h"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLineEdit>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ TriggerBar::TriggerBar(const ThemeSource &theme, QWidget *parent)
     , m_theme(theme)
 {
     setProperty("surface", QStringLiteral("window"));
-    auto *row = new QHBoxLayout(this);
+    auto *row = new WrapLayout(this); // in a narrow window it takes two lines
     const Theme &now = theme.theme();
     row->setContentsMargins(now.u(12), now.u(4), now.u(12), now.u(4));
     row->setSpacing(now.u(8));
@@ -38,13 +38,13 @@ TriggerBar::TriggerBar(const ThemeSource &theme, QWidget *parent)
     buildLevel();
     auto *close = new IconButton(theme, Symbol::Close, tr("Trigger off"), this);
     for (QWidget *part : {static_cast<QWidget *>(m_trace), static_cast<QWidget *>(m_kind)})
-        row->addWidget(part, 2);
+        row->addWidget(part);
     row->addWidget(m_level);
     row->addWidget(m_unit);
-    row->addWidget(m_before, 1);
+    row->addWidget(m_before);
     row->addWidget(m_mode);
     auto *again = new IconButton(theme, Symbol::Refresh, tr("Arm again: forgets this event, waits for the next"), this);
-    row->addStretch();
+    row->addSpring();
     row->addWidget(again);
     row->addWidget(close);
     connect(again, &QToolButton::clicked, this, &TriggerBar::changed);
@@ -66,9 +66,7 @@ void TriggerBar::buildChoices()
     m_mode = new Segmented(tr("What follows an event"), {tr("Normal"), tr("Single")}, this);
     m_mode->setToolTip(tr("Normal shows every event, single stops at the first"));
     for (QComboBox *box : {m_trace, m_kind, m_before}) {
-        box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon); // holds no window wide
-        box->setMinimumContentsLength(box == m_before ? 5 : 6);
-        box->setMaximumWidth(m_theme.theme().u(box == m_trace ? 240 : 180));
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
         connect(box, qOverload<int>(&QComboBox::activated), this, &TriggerBar::changed);
     }
     connect(m_trace, qOverload<int>(&QComboBox::currentIndexChanged), this, [this](int place) {
