@@ -96,7 +96,8 @@ TEST_F(CanEngine, AVanishedInterfaceThatTheUserAskedForStays)
     std::optional<Result<void>> opened;
     core.openLink(
         *LinkAddress::parse("socketcan:vcan9"), [&opened](Result<void> result) { opened = std::move(result); });
-    ASSERT_TRUE(opened && *opened);
+    ASSERT_TRUE(loop.runUntil([&opened] { return opened.has_value(); }, 5s)); // it is opened in the background
+    ASSERT_TRUE(*opened) << opened->error().text();
     shell("ip link del vcan9");
     ASSERT_TRUE(loop.runUntil([this] { return link("socketcan:vcan9")->diagnosis.ailment == Ailment::Gone; }, 5s));
     shell("ip link add vcan9 type vcan && ip link set vcan9 up");
