@@ -46,6 +46,8 @@
 namespace mb {
 namespace {
 
+constexpr std::chrono::milliseconds againLater(200);
+
 constexpr std::chrono::seconds messageTime{8};
 constexpr std::chrono::seconds footprintTime{1};
 constexpr int roomyWidth = 1024; ///< for devices, a page and the inspector beside each other
@@ -278,11 +280,16 @@ QWidget *MainWindow::page(PageId id)
     return scroll->widget();
 }
 
-/// One a turn of the event loop: keys and the mouse wait for one page at most.
+/// One a turn of the event loop: keys and the mouse wait for one page at most. Never while a motor may move: on a slow computer
+/// the making of a page takes longer than its lease.
 void MainWindow::makePages(int from)
 {
     if (from >= m_pages->count())
         return;
+    if (m_arming->state() != LampState::Safe && m_arming->state() != LampState::Stopped) {
+        QTimer::singleShot(againLater, this, [this, from] { makePages(from); });
+        return;
+    }
     (void)page(static_cast<PageId>(from));
     QTimer::singleShot(0, this, [this, from] { makePages(from + 1); });
 }
