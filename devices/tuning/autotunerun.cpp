@@ -142,7 +142,7 @@ Task<void> AutotuneRun::probe()
     if (envelope.travel) {
         const double room = usableShare * *envelope.travel / (pushRepeats * 1.25); // it rolls on while it brakes
         const double shortest = std::max(leastTaus * fit->tau, leastSamples * period);
-        m_seconds = std::clamp(room / (gain * m_duty), shortest, m_seconds);
+        m_seconds = std::max(std::min(room / (gain * m_duty), m_seconds), shortest); // a slow motor takes its time
         m_duty = std::min(m_duty, room / (gain * m_seconds));
     }
     if (m_duty < leastPush)
