@@ -49,4 +49,25 @@ void LeaseRenewal::renew()
     m_timer.startIn(leaseRenewal, [this] { renew(); });
 }
 
+Experimenting::Experimenting(Console &console, Session &session, Device &device, Notebook &notebook)
+    : m_console(console)
+    , m_notebook(notebook)
+    , m_stream(session.stream(device))
+    , m_renewal(session.clock(), m_stream)
+{
+    if (console.isInterrupted())
+        m_interruption.interrupt();
+    m_signal = console.interrupted().add([this] { m_interruption.interrupt(); });
+}
+
+tuning::ExperimentSurroundings Experimenting::surroundings()
+{
+    tuning::ExperimentSurroundings surroundings;
+    surroundings.journal = m_notebook.book();
+    surroundings.directions = &m_directions;
+    surroundings.interruption = &m_interruption;
+    surroundings.note = [this](const std::string &text) { m_console.note(text); };
+    return surroundings;
+}
+
 } // namespace mb::console

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "app/console/console.h"
+#include "app/console/notebook.h"
 #include "app/console/target.h"
 #include "model/session.h"
 #include "model/setpointstream.h"
+#include "tuning/experiment.h"
 
 #include <memory>
 
@@ -35,6 +37,26 @@ private:
 
     SetPointStream &m_stream;
     Timer m_timer;
+};
+
+/// What the experiments of one verb share with this program while they run: the notebook, the signals that end them, its notes.
+class Experimenting {
+public:
+    Experimenting(Console &console, Session &session, Device &device, Notebook &notebook);
+    Experimenting(const Experimenting &) = delete;
+    Experimenting &operator=(const Experimenting &) = delete;
+
+    [[nodiscard]] SetPointStream &stream() { return m_stream; }
+    [[nodiscard]] tuning::ExperimentSurroundings surroundings();
+
+private:
+    Console &m_console;
+    Notebook &m_notebook;
+    SetPointStream &m_stream;
+    tuning::DirectionBook m_directions;
+    tuning::Interruption m_interruption;
+    Subscription m_signal;
+    LeaseRenewal m_renewal;
 };
 
 } // namespace mb::console

@@ -154,19 +154,8 @@ Result<Plan> check(const Console &console, const Arguments &a)
 
 Task<Trial> experiment(Console &console, Session &session, Device &device, const Plan &plan, Notebook &notebook)
 {
-    DirectionBook directions;
-    Interruption interruption;
-    if (console.isInterrupted())
-        interruption.interrupt();
-    const Subscription signal = console.interrupted().add([&interruption] { interruption.interrupt(); });
-    SetPointStream &stream = session.stream(device);
-    const LeaseRenewal renewal(session.clock(), stream);
-    ExperimentSurroundings surroundings;
-    surroundings.journal = notebook.book();
-    surroundings.directions = &directions;
-    surroundings.interruption = &interruption;
-    surroundings.note = [&console](const std::string &text) { console.note(text); };
-    auto running = runExperiment(device, stream, plan.experiment, surroundings);
+    Experimenting experimenting(console, session, device, notebook);
+    auto running = runExperiment(device, experimenting.stream(), plan.experiment, experimenting.surroundings());
     co_return co_await std::move(running).attempt();
 }
 

@@ -139,19 +139,8 @@ Result<Plan> check(const Console &console, const Arguments &a)
 
 Task<TuneReport> tuneOn(Console &console, Session &session, Device &device, const Plan &plan, Notebook &notebook)
 {
-    DirectionBook directions;
-    Interruption interruption;
-    if (console.isInterrupted())
-        interruption.interrupt();
-    const Subscription signal = console.interrupted().add([&interruption] { interruption.interrupt(); });
-    SetPointStream &stream = session.stream(device);
-    const LeaseRenewal renewal(session.clock(), stream);
-    ExperimentSurroundings surroundings;
-    surroundings.journal = notebook.book();
-    surroundings.directions = &directions;
-    surroundings.interruption = &interruption;
-    surroundings.note = [&console](const std::string &text) { console.note(text); };
-    auto tuning = autotune(device, stream, plan.tuning, surroundings);
+    Experimenting experimenting(console, session, device, notebook);
+    auto tuning = autotune(device, experimenting.stream(), plan.tuning, experimenting.surroundings());
     co_return co_await std::move(tuning).attempt();
 }
 
