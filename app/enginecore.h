@@ -113,9 +113,9 @@ private:
         bool isExperiment = false;                            ///< STOP ends it, whatever it is doing
         std::shared_ptr<tuning::Interruption> interruption{}; ///< of a trial, which puts back what it changed
     };
-    /// A link that is being opened.
+    /// A link that is being opened, and who waits for it.
     struct Opening {
-        Finished finished;
+        std::vector<Finished> finished;
         std::unique_ptr<Scope> scope;
     };
     struct Presence {
@@ -175,8 +175,9 @@ private:
     void dropVanished();
     void removeLink(Link &link);
     void openAwaited(const LinkAddress &address);
-    [[nodiscard]] Task<void> openAll(std::string asked, std::vector<LinkAddress> addresses);
-    void answerOpening(const std::string &address, const Result<void> &result);
+    void beginOpening(const std::string &address, Task<void> task);
+    void endOpening(const std::string &address, const Result<void> &result);
+    [[nodiscard]] Task<void> openAll(std::vector<LinkAddress> addresses);
     [[nodiscard]] Task<void> openReturned(LinkAddress address);
     void couldNotOpen(const LinkAddress &address, const Error &error);
     void opened(Link &link);

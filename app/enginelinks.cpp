@@ -15,26 +15,31 @@ void EngineCore::setBackground(Background *background)
 void EngineCore::openLink(const LinkAddress &address, const Finished &finished)
 {
     const std::string text = address.text();
-    if (m_openings.count(text) > 0) {
-        if (finished)
-            finished(fail(Fault::Unsafe, address.shortName() + " is being opened already"));
-        return;
-    }
-    Opening &opening = m_openings[text];
-    opening.finished = finished;
-    opening.scope = std::make_unique<Scope>(m_clock);
-    opening.scope->spawn<void>(openAll(text, expandLink(address, m_session.families())),
-        [this, text](const Result<void> &) { m_openings.erase(text); });
+    const bool underWay = m_openings.count(text) > 0;
+    if (finished)
+        m_openings[text].finished.push_back(finished);
+    if (!underWay)
+        beginOpening(text, openAll(expandLink(address, m_session.families())));
 }
 
-/// Once.
-void EngineCore::answerOpening(const std::string &address, const Result<void> &result)
+void EngineCore::beginOpening(const std::string &address, Task<void> task)
 {
-    if (const auto finished = std::exchange(m_openings[address].finished, {}))
+    Opening &opening = m_openings[address];
+    opening.scope = std::make_unique<Scope>(m_clock);
+    opening.scope->spawn<void>(
+        std::move(task), [this, address](const Result<void> &result) { endOpening(address, result); });
+}
+
+void EngineCore::endOpening(const std::string &address, const Result<void> &result)
+{
+    const auto opening = m_openings.extract(address); // first: who is answered may ask for it again
+    if (!opening)
+        return;
+    for (const Finished &finished : opening.mapped().finished)
         finished(result);
 }
 
-Task<void> EngineCore::openAll(std::string asked, std::vector<LinkAddress> addresses)
+Task<void> EngineCore::openAll(std::vector<LinkAddress> addresses)
 {
     for (const LinkAddress &one : addresses) {
         m_closedByHand.erase(one.text());
@@ -42,14 +47,12 @@ Task<void> EngineCore::openAll(std::string asked, std::vector<LinkAddress> addre
         const Result<Link *> link = co_await std::move(opening).attempt();
         if (!link) {
             couldNotOpen(one, link.error());
-            answerOpening(asked, fail(link.error()));
             co_return fail(link.error());
         }
         opened(**link);
         m_watched[*link].byItself = false;
         scan(**link);
     }
-    answerOpening(asked, {});
     co_return {};
 }
 
@@ -70,13 +73,8 @@ void EngineCore::opened(Link &link)
 
 void EngineCore::openAwaited(const LinkAddress &address)
 {
-    const std::string text = address.text();
-    if (m_openings.count(text) > 0)
-        return;
-    Opening &opening = m_openings[text];
-    opening.scope = std::make_unique<Scope>(m_clock);
-    opening.scope->spawn<void>(openReturned(address),
-        [this, text](const Result<void> &) { m_openings.erase(text); }); // it may not be ready yet
+    if (m_openings.count(address.text()) == 0)
+        beginOpening(address.text(), openReturned(address)); // it may not be ready yet
 }
 
 Task<void> EngineCore::openReturned(LinkAddress address)
@@ -93,10 +91,7 @@ void EngineCore::closeLink(const std::string &address)
 {
     m_awaited.forget(address);
     m_failed.erase(address);
-    if (m_openings.count(address) > 0) {
-        answerOpening(address, fail(Fault::Cancelled, address + " was closed before it was open"));
-        m_openings.erase(address);
-    }
+    endOpening(address, fail(Fault::Cancelled, address + " was closed before it was open"));
     const auto parsed = LinkAddress::parse(address);
     Link *link = parsed ? m_session.findLink(*parsed) : nullptr;
     if (!link)

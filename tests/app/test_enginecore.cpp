@@ -100,6 +100,7 @@ TEST_F(Core, ShowsWhatItFoundInASnapshot)
 TEST_F(Core, TellsWhyALinkDoesNotOpen)
 {
     core.openLink(*LinkAddress::parse("sim:can?loss=7"), into(opened));
+    clock.advance(1ms);
     ASSERT_TRUE(opened);
     EXPECT_FALSE(*opened);
     EXPECT_EQ(lines.size(), 1U);
@@ -131,6 +132,7 @@ TEST_F(Core, SaysWhatAMoveStoresAndMayPassBeforeItGoes)
 TEST_F(Core, KeepsTheDiagnosisOfALinkThatDoesNotOpenUntilItIsClosed)
 {
     core.openLink(*LinkAddress::parse("socketcan:nosuchcan9"), into(opened));
+    clock.advance(1ms);
     ASSERT_TRUE(opened && !*opened);
     const Snapshot shot = core.snapshot();
     ASSERT_EQ(shot.failed.size(), 1U);

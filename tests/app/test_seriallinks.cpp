@@ -60,6 +60,7 @@ protected:
     {
         core.openLink(*LinkAddress::parse("serial:" + path.string() + options),
             [this](const Result<void> &result) { opened = result; });
+        clock.advance(1ms);
     }
     [[nodiscard]] bool said(const std::string &part) const
     {

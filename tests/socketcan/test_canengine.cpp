@@ -46,6 +46,15 @@ protected:
         const auto view = link(address);
         return view && view->state == LinkState::Open;
     }
+    /// What the user's order ends with.
+    [[nodiscard]] Result<void> opened(const std::string &address)
+    {
+        std::optional<Result<void>> answer;
+        core.openLink(*LinkAddress::parse(address), [&answer](Result<void> result) { answer = std::move(result); });
+        if (!loop.runUntil([&answer] { return answer.has_value(); }, 5s))
+            return fail(Fault::Timeout, address + ": the order has no answer");
+        return *answer;
+    }
 
     test::EventLoop loop;
     EngineCore core{loop.clock(), families(), true};
@@ -90,14 +99,10 @@ TEST_F(CanEngine, ALinkThatIsSwitchedOffStaysWithCauseAndRemedyAndReturns)
 TEST_F(CanEngine, AVanishedInterfaceThatTheUserAskedForStays)
 {
     shell("ip link add vcan9 type vcan");
-    core.openLink(*LinkAddress::parse("socketcan:vcan9"), {});
-    EXPECT_FALSE(link("socketcan:vcan9")) << "it is still off";
+    EXPECT_FALSE(opened("socketcan:vcan9")) << "it is still off";
     shell("ip link set vcan9 up");
-    std::optional<Result<void>> opened;
-    core.openLink(
-        *LinkAddress::parse("socketcan:vcan9"), [&opened](Result<void> result) { opened = std::move(result); });
-    ASSERT_TRUE(loop.runUntil([&opened] { return opened.has_value(); }, 5s)); // it is opened in the background
-    ASSERT_TRUE(*opened) << opened->error().text();
+    const auto answer = opened("socketcan:vcan9");
+    ASSERT_TRUE(answer) << answer.error().text();
     shell("ip link del vcan9");
     ASSERT_TRUE(loop.runUntil([this] { return link("socketcan:vcan9")->diagnosis.ailment == Ailment::Gone; }, 5s));
     shell("ip link add vcan9 type vcan && ip link set vcan9 up");
