@@ -172,7 +172,7 @@ class Test(Place):
 
     def test_tests_that_leave_no_results_are_a_failure(self):
         self.stand_in("ctest", "exit 0\n")
-        self.assertEqual(self.closing(), (1, "0 passed, 1 failed"))
+        self.assertEqual(self.closing(), (1, "0 passed, 2 failed"))
 
     def test_being_stopped_is_told(self):
         started = self.root / "started"
