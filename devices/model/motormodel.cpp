@@ -233,4 +233,21 @@ void MotorModel::setEncoderDead(bool dead)
         m_deadCount = dead ? std::optional(counts()) : std::nullopt;
 }
 
+bool MotorModel::disturb(std::string_view what, double value)
+{
+    if (what == "load-torque")
+        setLoadTorque(value);
+    else if (what == "stall")
+        setLocked(value != 0.0);
+    else if (what == "bus-voltage")
+        setSupplyVoltage(value);
+    else if (what == "encoder-dead")
+        setEncoderDead(value != 0.0);
+    else if (what == "encoder-reversed")
+        setEncoderReversed(value != 0.0);
+    else
+        return false;
+    return true;
+}
+
 } // namespace mb

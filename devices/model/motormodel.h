@@ -101,6 +101,9 @@ public:
     void setEncoderReversed(bool reversed);
     /// Fault: the encoder stays where it is.
     void setEncoderDead(bool dead);
+    /// What Simulator::disturb() can do to any motor: "load-torque" (N·m), "stall" (0 or 1), "bus-voltage" (V), "encoder-dead",
+    /// "encoder-reversed" (0 or 1); false for anything else.
+    bool disturb(std::string_view what, double value);
     void setTemperature(double celsius) { m_winding = m_housing = celsius; }
 
 private:

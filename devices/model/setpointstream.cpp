@@ -121,12 +121,19 @@ void SetPointStream::guardChanged()
 
 Result<void> SetPointStream::update(const SetPoint &setPoint)
 {
+    auto followed = follow(setPoint);
+    if (followed)
+        renew();
+    return followed;
+}
+
+Result<void> SetPointStream::follow(const SetPoint &setPoint)
+{
     if (!checkDevice())
         return fail(Fault::Unsafe, "the motor was stopped", "arm again");
     if (auto checked = m_device.check(setPoint); !checked)
         return checked;
     remember(setPoint);
-    renew();
     const bool waited = m_waiting;
     if (auto sent = sendOrWait(); !sent) {
         finish(End::Refused, sent.error().text());

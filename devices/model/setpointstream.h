@@ -38,6 +38,8 @@ public:
     /// A new target for the next frame, sent now; renews the lease. Fails and goes on with the old one when it is not legal.
     /// For another axis than before it joins the others; Mode::Off takes an axis out while others run.
     [[nodiscard]] Result<void> update(const SetPoint &setPoint);
+    /// The same for a story that moves the target by itself: it does not renew the lease, which is for who watches it.
+    [[nodiscard]] Result<void> follow(const SetPoint &setPoint);
     void renew();
     /// Stops the motor now. Safe at any time.
     void stop();

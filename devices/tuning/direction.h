@@ -4,7 +4,7 @@
 #include "tuning/interruption.h"
 #include "tuning/trialrecorder.h"
 
-#include <set>
+#include <map>
 #include <string>
 
 namespace mb::tuning {
@@ -13,16 +13,21 @@ namespace mb::tuning {
 /// the check.
 class DirectionBook {
 public:
-    [[nodiscard]] bool has(const std::string &device, int axis) const { return m_checked.contains({device, axis}); }
-    void add(const std::string &device, int axis) { m_checked.insert({device, axis}); }
+    /// The duty that moved it then (0 where it was sent); nothing: not checked yet.
+    [[nodiscard]] std::optional<double> find(const std::string &device, int axis) const
+    {
+        const auto found = m_checked.find({device, axis});
+        return found == m_checked.end() ? std::nullopt : std::optional(found->second);
+    }
+    void add(const std::string &device, int axis, double duty) { m_checked[{device, axis}] = duty; }
     /// Motor or sensor may have been plugged differently.
     void forget(const std::string &device)
     {
-        std::erase_if(m_checked, [&device](const auto &entry) { return entry.first == device; });
+        std::erase_if(m_checked, [&device](const auto &entry) { return entry.first.first == device; });
     }
 
 private:
-    std::set<std::pair<std::string, int>> m_checked;
+    std::map<std::pair<std::string, int>, double> m_checked;
 };
 
 /// Pushes the motor at 8 % duty for at most 0.3 s, harder until it moves, each time only as far as is clear; without a duty

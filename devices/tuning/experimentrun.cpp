@@ -213,6 +213,7 @@ GuardPlan ExperimentRun::guardPlan() const
     plan.origin = m_origin;
     plan.swing = std::abs(stimulus.to - stimulus.from);
     plan.dutyKnown = m_plan.mode == Mode::Duty || axisChannel(m_device, "duty", m_plan.axis).has_value();
+    plan.isVelocity = m_plan.mode == Mode::Velocity;
     plan.breakaway = m_breakaway;
     plan.hottest = traits.hottest;
     plan.lowestBus = traits.lowestBus;
@@ -226,9 +227,13 @@ GuardPlan ExperimentRun::guardPlan() const
 
 Task<void> ExperimentRun::findDirection()
 {
-    if (!isClosedLoop(m_plan.mode) || !m_around.directions
-        || m_around.directions->has(m_device.selector(), m_plan.axis))
+    if (!isClosedLoop(m_plan.mode) || !m_around.directions)
         co_return {};
+    const auto known = m_around.directions->find(m_device.selector(), m_plan.axis);
+    if (known) {
+        m_breakaway = *known > 0.0 ? *known : m_breakaway;
+        co_return {};
+    }
     Interruption alone;
     const Interruption &interruption = m_around.interruption ? *m_around.interruption : alone;
     m_moved = true;
@@ -237,9 +242,8 @@ Task<void> ExperimentRun::findDirection()
     m_recorder.unguard();
     if (!duty)
         co_return fail(duty.error());
-    if (*duty > 0.0)
-        m_breakaway = *duty;
-    m_around.directions->add(m_device.selector(), m_plan.axis);
+    m_around.directions->add(m_device.selector(), m_plan.axis, *duty);
+    m_breakaway = *duty > 0.0 ? *duty : m_breakaway;
     co_return {};
 }
 
@@ -257,7 +261,7 @@ void ExperimentRun::aim(double target)
 {
     m_recorder.expect(target);
     if (m_stream.isRunning() && m_stream.setPoint().target != target)
-        (void)m_stream.update(setPointAt(target)); // a refusal ends the stream, and that is seen
+        (void)m_stream.follow(setPointAt(target)); // a refusal ends the stream, and that is seen
 }
 
 Task<void> ExperimentRun::drive()

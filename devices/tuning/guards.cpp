@@ -19,7 +19,6 @@ constexpr double heatBudget = 10.0; ///< s at the current limit
 constexpr double heatMargin = 5.0;  ///< K
 constexpr double dutyMargin = 0.02;
 constexpr int wrongSamples = 5;
-constexpr double surelyMoves = 3.0; ///< times what friction takes
 constexpr Duration stuckTime = 500ms;
 constexpr int growingPeaks = 6;
 constexpr int mostFlips = 20; ///< a second
@@ -27,6 +26,7 @@ constexpr double planMargin = 1.5;
 constexpr Duration silence = 100ms;
 constexpr int silentPeriods = 5;
 constexpr double mostLost = 0.05;
+constexpr double fullPush = 1.0 / 3.0; ///< breakaway for which a push of 1 surely moves it
 
 std::string rounded(double value)
 {
@@ -75,17 +75,32 @@ std::optional<Trip> Guards::trip(Guard guard, Instant at, std::string detail)
     return Trip{guard, std::move(detail), at};
 }
 
+void Guards::rested(Instant time)
+{
+    heard(time);
+    m_overload.pause();
+}
+
 /// What drives the motor, at the end of a sentence about what it does.
 std::string Guards::push() const
 {
     return m_plan.dutyKnown ? " at " + rounded(m_motion.pushed() * 100.0) + " % duty"
+        : m_plan.isVelocity ? ", told to run at more than half a step"
                             : ", more than half a step from its target";
+}
+
+/// Where no duty is told: full for more than half a step.
+double Guards::pushOf(double error) const
+{
+    return std::abs(error) > m_plan.swing / 2.0 ? std::copysign(1.0, error) : 0.0;
 }
 
 std::optional<Trip> Guards::position(Instant time, double counts)
 {
     heard(time);
     m_speed = m_slope.add(time, counts);
+    if (!m_plan.dutyKnown && m_plan.isVelocity) // what it calls its velocity comes too late
+        m_motion.duty(time, pushOf(m_target), fullPush);
     m_motion.position(time, counts);
     if (m_motion.wrong() >= wrongSamples)
         return trip(Guard::WrongDirection, time,
@@ -136,7 +151,7 @@ std::optional<Trip> Guards::current(Instant time, double amperes)
 std::optional<Trip> Guards::duty(Instant time, double fraction)
 {
     heard(time);
-    m_motion.duty(time, fraction, surelyMoves * m_plan.breakaway);
+    m_motion.duty(time, fraction, m_plan.breakaway);
     const double limit = m_plan.envelope.duty.value_or(1.0);
     m_oscillation.duty(time, fraction, limit);
     if (std::abs(fraction) > limit + dutyMargin)
@@ -170,12 +185,13 @@ std::optional<Trip> Guards::busVoltage(Instant time, double volts)
 std::optional<Trip> Guards::error(Instant time, double error)
 {
     m_oscillation.error(error, m_plan.swing);
-    if (!m_plan.dutyKnown)
-        m_motion.duty(time, std::abs(error) > m_plan.swing / 2.0 ? std::copysign(1.0, error) : 0.0, 0.5);
+    if (!m_plan.dutyKnown && !m_plan.isVelocity)
+        m_motion.duty(time, pushOf(error), fullPush);
     if (m_oscillation.growing() < growingPeaks)
         return std::nullopt;
     return trip(Guard::Oscillation, time,
-        "the loop swings itself up: " + std::to_string(m_oscillation.growing()) + " swings, each larger than the last");
+        "the loop swings itself up: " + std::to_string(m_oscillation.growing())
+            + " swings, each larger than the last or with full duty");
 }
 
 std::optional<Trip> Guards::look(Instant now, std::uint64_t samples, std::uint64_t lost)

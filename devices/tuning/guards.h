@@ -41,8 +41,9 @@ struct GuardPlan {
     double origin = 0.0;     ///< counts, where the motor was at the start
     double swing = 0.0;      ///< |Y − X| in the unit of the mode
     bool dutyKnown = true;   ///< else a large error on end stands for a duty that pushes
+    bool isVelocity = false; ///< the loop's: there a large target does
     double lag = 0.15;       ///< s, in which a braked motor stops, at most
-    double breakaway = 0.1;  ///< duty that surely moves it
+    double breakaway = 0.1;  ///< duty that moves it
     double hottest = 80.0;   ///< °C
     double lowestBus = 0.0;  ///< V
     double highestBus = 1e3; ///< V
@@ -65,20 +66,29 @@ public:
     [[nodiscard]] std::optional<Trip> busVoltage(Instant time, double volts);
     /// Target minus measured value, in the unit of the mode, each time the measured value comes.
     [[nodiscard]] std::optional<Trip> error(Instant time, double error);
+    /// What the loop is told to follow from now on, in the same unit.
+    void target(double target)
+    {
+        m_target = target;
+        m_oscillation.target(target);
+    }
     /// A sample came while the motor was not driven: between two pushes.
-    void heard(Instant time) { m_heardAt = std::max(m_heardAt, time); }
+    void rested(Instant time);
     /// `samples` and `lost` since the start, of all channels. Every few milliseconds.
     [[nodiscard]] std::optional<Trip> look(Instant now, std::uint64_t samples, std::uint64_t lost);
 
 private:
+    void heard(Instant time) { m_heardAt = std::max(m_heardAt, time); }
     [[nodiscard]] std::optional<Trip> trip(Guard guard, Instant at, std::string detail);
     [[nodiscard]] std::string push() const;
+    [[nodiscard]] double pushOf(double error) const;
 
     GuardPlan m_plan;
     Instant m_start;
     Instant m_heardAt;
     bool m_tripped = false;
     double m_speed = 0.0;
+    double m_target = 0.0;
     SlopeWatch m_slope;
     OverloadWatch m_overload;
     MotionWatch m_motion;

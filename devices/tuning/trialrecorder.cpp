@@ -50,6 +50,13 @@ void TrialRecorder::unguard()
     m_timer.stop();
 }
 
+void TrialRecorder::expect(double target)
+{
+    m_target = target;
+    if (m_guards)
+        m_guards->target(target);
+}
+
 void TrialRecorder::take(const Sample &sample)
 {
     const auto recorded = std::find_if(
@@ -61,7 +68,7 @@ void TrialRecorder::take(const Sample &sample)
     if (m_guards && m_stream.isRunning())
         ended(show(recorded->key, sample));
     else if (m_guards)
-        m_guards->heard(sample.time);
+        m_guards->rested(sample.time);
 }
 
 std::optional<Trip> TrialRecorder::show(const std::string &key, const Sample &sample)

@@ -19,7 +19,7 @@ public:
     void guard(const GuardPlan &plan);
     void unguard();
     /// The target that the loop follows now, of its mode.
-    void expect(double target) { m_target = target; }
+    void expect(double target);
 
     [[nodiscard]] const std::optional<Trip> &trip() const { return m_trip; }
     /// When the stop of the trip was handed to the link.

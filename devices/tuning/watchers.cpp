@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mb::tuning {
 namespace {
@@ -14,9 +15,12 @@ using namespace std::chrono_literals;
 constexpr std::size_t slopePoints = 3;
 constexpr double leastMove = 3.0;     ///< counts
 constexpr double clearlyMoved = 10.0; ///< counts
+constexpr double surelyMoves = 3.0;   ///< times what friction takes
 constexpr double runawayMargin = 1.2;
 constexpr double realPeak = 0.05; ///< of the swing
-constexpr double growth = 1.05;   ///< of a peak over the one before
+constexpr double growth = 1.05;   ///< of a peak over the one before on the same side
+constexpr double asLarge = 0.95;  ///< the same, where the duty lets it grow no more
+constexpr double atLimit = 0.95;  ///< of the duty limit
 constexpr double strong = 0.5;    ///< of the duty limit
 constexpr std::uint64_t enoughSamples = 40;
 
@@ -46,6 +50,13 @@ void OverloadWatch::add(Instant time, double amperes, double limit)
     m_above = time - *m_since;
 }
 
+void OverloadWatch::pause()
+{
+    m_last.reset();
+    m_since.reset();
+    m_above = Duration::zero();
+}
+
 void MotionWatch::pushAnew(Instant time)
 {
     m_pushedAt = time;
@@ -63,10 +74,15 @@ void MotionWatch::duty(Instant time, double fraction, double breakaway)
     if (std::abs(fraction) < breakaway) {
         m_pushedAt.reset();
         m_wrong = 0;
-        m_stuck = Duration::zero();
     } else if (!same) {
         pushAnew(time);
     }
+    const bool surely = std::abs(fraction) >= surelyMoves * breakaway;
+    if (surely && !m_surely)
+        m_movedAt = time;
+    m_surely = surely;
+    if (!surely)
+        m_stuck = Duration::zero();
 }
 
 void MotionWatch::position(Instant time, double counts)
@@ -74,6 +90,7 @@ void MotionWatch::position(Instant time, double counts)
     const bool first = !m_counts;
     const double span = inSeconds(time - m_lastAt);
     const double step = first ? 0.0 : counts - m_lastCounts;
+    const double before = std::abs(m_speed);
     m_speed = !first && span > 0.0 ? step / span : 0.0;
     m_counts = m_lastCounts = counts;
     m_lastAt = time;
@@ -85,29 +102,46 @@ void MotionWatch::position(Instant time, double counts)
         m_movedTo = counts;
         m_movedAt = time;
     }
-    m_stuck = time - m_movedAt;
+    m_stuck = m_surely ? time - m_movedAt : Duration::zero();
     const double sign = m_duty < 0.0 ? -1.0 : 1.0;
     const bool away = m_speed * sign < 0.0 && (counts - m_pushedFrom) * sign < -clearlyMoved;
     if (away && std::abs(m_speed) > runawayMargin * m_entrySpeed)
-        ++m_wrong;
+        m_wrong += std::abs(m_speed) >= before ? 1 : 0; // what pulls at it is being braked
     else if (step != 0.0)
         m_wrong = 0;
 }
 
+void OscillationWatch::target(double target)
+{
+    if (m_target && target != *m_target) {
+        const bool rising = target > *m_target;
+        m_turned = m_turned || rising != m_isRising;
+        m_isRising = rising;
+    }
+    m_target = target;
+}
+
 void OscillationWatch::error(double error, double swing)
 {
-    m_peak = std::max(m_peak, std::abs(error));
     const bool positive = error > 0.0;
-    if (error == 0.0 || positive == m_isPositive)
+    if (error == 0.0 || positive == m_isPositive) {
+        m_peak = std::max(m_peak, std::abs(error));
         return;
+    }
     m_isPositive = positive;
-    m_growing = m_peak > realPeak * swing && m_peak > growth * m_lastPeak ? m_growing + 1 : 0;
-    m_lastPeak = m_peak;
+    const double least = m_turned ? swing : realPeak * swing;
+    double &last = positive ? m_lastNegative : m_lastPositive; // of the sign that ends here
+    const bool counts = m_peak > least && m_peak > (m_atLimit || m_wasAtLimit ? asLarge : growth) * last;
+    m_growing = counts ? m_growing + 1 : 0;
+    last = m_peak;
     m_peak = std::abs(error);
+    m_wasAtLimit = std::exchange(m_atLimit, false);
+    m_turned = false;
 }
 
 void OscillationWatch::duty(Instant time, double fraction, double limit)
 {
+    m_atLimit = m_atLimit || std::abs(fraction) >= atLimit * limit;
     if (std::abs(fraction) > strong * limit) {
         if (fraction * m_strongDuty < 0.0)
             m_flips.push_back(time);

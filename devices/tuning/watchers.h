@@ -24,6 +24,8 @@ private:
 class OverloadWatch {
 public:
     void add(Instant time, double amperes, double limit);
+    /// Nothing flows until the next sample.
+    void pause();
     /// How long it has been above, without a break.
     [[nodiscard]] Duration above() const { return m_above; }
     /// ∫i²dt over limit², in seconds at the limit.
@@ -40,11 +42,12 @@ private:
 /// Whether the motor follows its duty: the right way round, and at all.
 class MotionWatch {
 public:
+    /// `breakaway`: duty that moves it; three times as much surely does.
     void duty(Instant time, double fraction, double breakaway);
     void position(Instant time, double counts);
-    /// Samples on end that went the other way than the duty pushes, each with more than the least.
+    /// Samples on end that went the other way than the duty pushes, and did not slow down.
     [[nodiscard]] int wrong() const { return m_wrong; }
-    /// How long it was pushed harder than friction without a move.
+    /// How long it was pushed much harder than friction without a move.
     [[nodiscard]] Duration stuck() const { return m_stuck; }
     /// The duty that pushes.
     [[nodiscard]] double pushed() const { return m_duty; }
@@ -56,6 +59,7 @@ private:
     std::optional<double> m_counts;
     std::optional<Instant> m_pushedAt; ///< with this sign, above the breakaway
     double m_pushedFrom = 0.0;         ///< counts
+    bool m_surely = false;             ///< it is pushed much harder than friction
     Instant m_movedAt{};
     double m_movedTo = 0.0;
     double m_lastCounts = 0.0;
@@ -66,20 +70,29 @@ private:
     Duration m_stuck{};
 };
 
-/// A loop that swings itself up, or that hits full duty both ways.
+/// A loop that swings itself up, or that hits full duty both ways. A half wave of the error counts when it is larger than the
+/// last, or as large while the duty is at its limit: there it cannot grow. One that the target made, by turning, counts only
+/// when it is larger than the whole swing of the target.
 class OscillationWatch {
 public:
+    void target(double target);
     void error(double error, double swing);
     void duty(Instant time, double fraction, double limit);
-    /// Zero crossings of the error on end with growing peaks between them.
+    /// Zero crossings of the error on end whose half waves count.
     [[nodiscard]] int growing() const { return m_growing; }
     /// Changes of direction above half the duty in the last second.
     [[nodiscard]] int flips() const { return static_cast<int>(m_flips.size()); }
 
 private:
+    std::optional<double> m_target;
+    bool m_isRising = false;   ///< the target, when it moved last
+    bool m_turned = false;     ///< since the error crossed zero last
+    bool m_atLimit = false;    ///< the duty was, in this half wave
+    bool m_wasAtLimit = false; ///< or in the one before
     bool m_isPositive = false;
     double m_peak = 0.0;
-    double m_lastPeak = 0.0;
+    double m_lastPositive = 0.0; ///< peak of the half wave before: a motor that turns brakes faster than it accelerates
+    double m_lastNegative = 0.0;
     int m_growing = 0;
     double m_strongDuty = 0.0;
     std::deque<Instant> m_flips;

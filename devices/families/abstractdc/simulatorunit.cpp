@@ -135,16 +135,9 @@ bool Unit::disturb(std::string_view what, double value)
 {
     advance();
     m_awakeSteps = awakeSteps;
-    if (what == "load-torque")
-        m_motor.setLoadTorque(value);
-    else if (what == "stall")
-        m_motor.setLocked(value != 0.0);
-    else if (what == "bus-voltage")
-        m_motor.setSupplyVoltage(value);
-    else if (what == "glitch")
-        m_glitchNext = true;
-    else
-        return false;
+    if (what != "glitch")
+        return m_motor.disturb(what, value);
+    m_glitchNext = true;
     return true;
 }
 

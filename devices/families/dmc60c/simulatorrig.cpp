@@ -79,22 +79,10 @@ bool Rig::disturb(std::string_view what, double value)
         m_analog = value;
     else if (what == "temperature")
         m_case = value;
-    else
-        return disturbMotor(what, value);
-    return true;
-}
-
-bool Rig::disturbMotor(std::string_view what, double value)
-{
-    m_disturbed = true;
-    if (what == "load-torque")
-        m_motor.setLoadTorque(value);
-    else if (what == "stall")
-        m_motor.setLocked(value != 0.0);
-    else if (what == "bus-voltage")
-        m_motor.setSupplyVoltage(value);
-    else
-        return false;
+    else {
+        m_disturbed = true;
+        return m_motor.disturb(what, value);
+    }
     return true;
 }
 

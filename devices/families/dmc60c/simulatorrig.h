@@ -47,7 +47,6 @@ public:
 
 private:
     void heat(double watts, double seconds);
-    bool disturbMotor(std::string_view what, double value);
 
     MotorModel m_motor;
     std::mt19937_64 m_random;

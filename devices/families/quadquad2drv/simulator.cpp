@@ -138,24 +138,11 @@ public:
         }
         bool known = true;
         for (int i = 0; i < axes; ++i)
-            known = disturbMotor(m_board.axis(i).motor(), what, value) && known;
+            known = m_board.axis(i).motor().disturb(what, value) && known;
         return known;
     }
 
 private:
-    static bool disturbMotor(MotorModel &motor, std::string_view what, double value)
-    {
-        if (what == "load-torque")
-            motor.setLoadTorque(value);
-        else if (what == "stall")
-            motor.setLocked(value != 0.0);
-        else if (what == "bus-voltage")
-            motor.setSupplyVoltage(value);
-        else
-            return false;
-        return true;
-    }
-
     simulation::Board m_board;
     std::unique_ptr<simulation::Boot> m_boot;
 };

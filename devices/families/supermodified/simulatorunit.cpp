@@ -240,13 +240,7 @@ void Unit::scheduleFaults()
 bool Unit::disturb(std::string_view what, double value)
 {
     m_drive.advance(m_clock.now());
-    if (what == "load-torque")
-        m_drive.motor().setLoadTorque(value);
-    else if (what == "stall")
-        m_drive.motor().setLocked(value != 0.0);
-    else if (what == "bus-voltage")
-        m_drive.motor().setSupplyVoltage(value);
-    else if (what == "error")
+    if (what == "error")
         m_firmware.report(static_cast<std::uint8_t>(value));
     else if (what.starts_with("input") && what.size() == 6 && what[5] >= '1' && what[5] <= '4') {
         const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(what[5] - '1'));
@@ -255,7 +249,7 @@ bool Unit::disturb(std::string_view what, double value)
     } else if (what.starts_with("analog") && what.size() == 7 && what[6] >= '1' && what[6] <= '4')
         m_firmware.analog.at(static_cast<std::size_t>(what[6] - '1'))
             = static_cast<std::uint16_t>(std::clamp(value / adcVolts, 0.0, 1023.0));
-    else
+    else if (!m_drive.motor().disturb(what, value))
         return false;
     lookAfter();
     return true;
