@@ -81,6 +81,14 @@ void Link::close()
     setState(LinkState::Closed);
 }
 
+void Link::closedFor(std::string reason)
+{
+    if (m_state != LinkState::Closed)
+        return;
+    m_reason = std::move(reason);
+    setState(LinkState::Lost);
+}
+
 Error Link::notOpen() const
 {
     return Error::fromPhrase(Fault::LinkLost, m_reason.empty() ? m_address.shortName() + " is not open" : m_reason);

@@ -91,6 +91,8 @@ public:
     [[nodiscard]] Background *background() const { return m_background; }
     /// Allowed in notifications of this link; destroying it there is not.
     void close();
+    /// A closed link becomes a lost one: whoever opens those again opens it too.
+    void closedFor(std::string reason);
     /// Asks the backend for losses that are told on request only, so that counters() holds every one up to now. Some
     /// microseconds; not for every frame.
     void recount() { doRecount(); }

@@ -44,16 +44,37 @@ Result<void> SerialLink::send(std::span<const std::uint8_t> bytes, Priority prio
 
 Result<void> SerialLink::setBaudrate(int baudrate)
 {
-    if (baudrate < slowest || baudrate > fastest)
-        return fail(Fault::OutOfRange, std::to_string(baudrate) + " bit/s is no rate of a serial line");
-    if (baudrate == m_baudrate)
-        return {};
-    if (state() == LinkState::Open) {
+    const auto isNew = isNewRate(baudrate);
+    if (!isNew)
+        return fail(isNew.error());
+    if (*isNew && state() == LinkState::Open) {
         if (auto set = doSetBaudrate(baudrate); !set)
             return set;
     }
     m_baudrate = baudrate;
     return {};
+}
+
+Task<void> SerialLink::setBaudrateSoon(int baudrate)
+{
+    const auto isNew = isNewRate(baudrate);
+    if (!isNew)
+        co_return fail(isNew.error());
+    if (*isNew && state() == LinkState::Open && background()) {
+        auto setting = doSetBaudrateSoon(*background(), baudrate);
+        co_await std::move(setting);
+    } else if (auto set = setBaudrate(baudrate); !set) {
+        co_return fail(set.error());
+    }
+    m_baudrate = baudrate;
+    co_return {};
+}
+
+Result<bool> SerialLink::isNewRate(int baudrate) const
+{
+    if (baudrate < slowest || baudrate > fastest)
+        return fail(Fault::OutOfRange, std::to_string(baudrate) + " bit/s is no rate of a serial line");
+    return baudrate != m_baudrate;
 }
 
 void SerialLink::noteRoundTrip(Duration time)

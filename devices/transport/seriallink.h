@@ -44,6 +44,9 @@ public:
     /// At once, bytes under way are garbled: wait until backlog() is 0 and the answer is there. OutOfRange when the port
     /// cannot do it; the old rate stays then.
     Result<void> setBaudrate(int baudrate);
+    /// setBaudrate() for a thread that must not wait for a driver: in the background that was given, for openLimit at most, then the
+    /// link is lost. Nothing is to be sent before it has ended. Ends before the link does.
+    [[nodiscard]] Task<void> setBaudrateSoon(int baudrate);
     /// The only rate to use on this link, if the address names one: `baud` (`bitrate` on simulated links).
     [[nodiscard]] std::optional<int> fixedBaudrate() const { return m_fixed; }
     /// Of one byte on the wire: ten bits.
@@ -93,6 +96,12 @@ private:
     [[nodiscard]] virtual std::size_t doBacklog() const = 0;
     /// Only while the link is open.
     virtual Result<void> doSetBaudrate(int baudrate) = 0;
+    /// For backends whose doSetBaudrate() may block.
+    [[nodiscard]] virtual Task<void> doSetBaudrateSoon(Background &, int baudrate)
+    {
+        co_return doSetBaudrate(baudrate);
+    }
+    [[nodiscard]] Result<bool> isNewRate(int baudrate) const;
 
     Clock &m_clock;
     std::optional<int> m_fixed;

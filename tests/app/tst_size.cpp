@@ -36,7 +36,7 @@ void verifyWhole(const QWidget &safe, const MainWindow &window)
 }
 
 /// For looking at it, where MOTORBENCH_PICTURES names a folder.
-void keepPicture(MainWindow &window, const char *row, PageId id)
+void keepPicture(MainWindow &window, const QByteArray &row, PageId id)
 {
     const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES");
     if (folder.isEmpty() || id != PageId::Tune)
@@ -87,6 +87,11 @@ void SizeTest::lampAndStopAreWholeOnSmallScreens()
         QVERIFY(bench.part<StopButton>().width() * pixels >= 160.0);
         QVERIFY(!bench.part<Lamp>().geometry().intersects(bench.part<StopButton>().geometry()));
     }
+    window.showPage(PageId::Tune);
+    bench.part<Lamp>().setStatus({LampState::MayTurn, QStringLiteral("#7: cut its power"), {}, false});
+    QCoreApplication::processEvents();
+    keepPicture(window, QByteArray("may turn, ") + QTest::currentDataTag(), PageId::Tune);
+    verifyWhole(bench.part<Lamp>(), window);
 }
 
 MB_WINDOW_TEST(SizeTest);

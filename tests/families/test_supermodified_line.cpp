@@ -66,6 +66,16 @@ TEST(SupermodifiedScan, RowsComeAsTheyAnswerAndTheSecondScanIsFast)
         std::chrono::duration<double>(rows).count() * 1000.0);
 }
 
+TEST(SupermodifiedScan, ANodeWhoseFirstAnswerComesTooLateIsAskedAgainInTheSameScan)
+{
+    Bench bench;
+    bench.add("supermodified:4,fault=delay@1:60");
+    bench.add("supermodified:5,fault=delay@1:120");
+    const auto found = bench.scanAll();
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_EQ(found[0].address + found[1].address, 9);
+}
+
 TEST(SupermodifiedScan, AFixedRateIsTheOnlyOneAsked)
 {
     Bench bench("sim:serial?bitrate=9600");

@@ -65,7 +65,7 @@ Result<std::unique_ptr<QTemporaryFile>> written(const FirmwareImage &image)
     return file;
 }
 
-/// Lets the port go while avrdude has it, and opens it again whatever happens in between.
+/// Lets the port go while avrdude has it. What opens lost links opens it again where the update is given up.
 class PortLease {
 public:
     PortLease(Controller &device, const std::string &port)
@@ -79,14 +79,24 @@ public:
     }
     PortLease(const PortLease &) = delete;
     PortLease &operator=(const PortLease &) = delete;
-    ~PortLease() { (void)end(); }
-
-    Result<void> end()
+    ~PortLease()
     {
-        if (std::exchange(m_ended, true))
-            return {};
+        if (m_ended)
+            return;
         m_device.setAsleep(false);
-        return m_shared ? m_link.open() : Result<void>();
+        if (m_shared)
+            m_link.closedFor("avrdude had the port");
+    }
+
+    Task<void> end()
+    {
+        m_ended = true;
+        m_device.setAsleep(false);
+        if (m_shared) {
+            auto opening = m_link.openSoon();
+            co_await std::move(opening);
+        }
+        co_return {};
     }
 
 private:
@@ -268,8 +278,12 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     job->file = (*file)->fileName().toStdString();
     PortLease lease(controller, job->port);
     auto programming = program(device.clock(), *job, progress);
-    (void)co_await std::move(programming);
-    if (auto opened = lease.end(); !opened)
+    const auto programmed = co_await std::move(programming).attempt();
+    auto ending = lease.end();
+    const auto opened = co_await std::move(ending).attempt();
+    if (!programmed)
+        co_return fail(programmed.error());
+    if (!opened)
         co_return fail(opened.error());
     progress.step("Looking for the controller", 1, 1);
     progress.mayInterrupt(true);

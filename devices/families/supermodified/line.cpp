@@ -57,6 +57,7 @@ Line::Line(SerialLink &link, Clock &clock)
     : m_link(link)
     , m_clock(clock)
     , m_reader([this](const Frame &frame) { onFrame(frame); })
+    , m_rateChange(clock)
     , m_roster(link.kept<Roster>())
     , m_timeout(clock)
     , m_silence(clock, [this] { pump(); })
@@ -96,7 +97,7 @@ void Line::forget(std::uint64_t id)
 /// A stop does not wait for somebody who is silent: what may still come is on the wire for replyTime only.
 void Line::hurry()
 {
-    if (m_inFlight && m_inFlight->entry.request.rank != Rank::Stop)
+    if (m_inFlight && m_inFlight->isSent && m_inFlight->entry.request.rank != Rank::Stop)
         armTimeout(std::min(m_inFlight->entry.request.patience, hurriedPatience));
 }
 
@@ -196,7 +197,7 @@ void Line::pump()
         return;
     m_pumping = true;
     if (auto entry = next())
-        transmit(std::move(*entry));
+        begin(std::move(*entry));
     m_pumping = false;
     if (!m_inFlight)
         pollTurn();
@@ -221,41 +222,57 @@ std::optional<Line::Entry> Line::next()
     return entry;
 }
 
-void Line::transmit(Entry entry)
+void Line::begin(Entry entry)
 {
-    Request &request = entry.request;
+    const int rate = entry.request.baudrate;
+    m_inFlight = InFlight{std::move(entry)};
+    const auto allowed = mayHaveItsRate(m_inFlight->entry.request);
+    if (allowed && rate != m_link.baudrate() && m_link.background())
+        m_rateChange.spawn<void>(m_link.setBaudrateSoon(rate), [this](const Result<void> &set) {
+            if (m_inFlight && !m_inFlight->isSent)
+                transmit(set);
+        });
+    else
+        transmit(allowed ? m_link.setBaudrate(rate) : allowed);
+}
+
+/// Of what is in flight, at the rate that it wants, or that could not be had.
+void Line::transmit(const Result<void> &rate)
+{
+    Request &request = m_inFlight->entry.request;
     if (request.frame.from == 0)
         request.frame.from = static_cast<std::uint8_t>(m_roster.hostId());
-    Result<void> sent = changeRate(request);
+    Result<void> sent = rate;
     const auto bytes = uartBytes(request.frame);
     m_reader.forget();
+    m_inFlight->isSent = true;
     if (sent)
         sent = m_link.send(bytes, request.rank == Rank::Stop ? Priority::Urgent : Priority::Normal);
     const Duration patience = patienceFor(request);
     if (m_silence.isAwaited() && request.rank == Rank::Stop)
         keepEarly(request);
-    const Duration replyTime = request.answered ? timeOf(m_link, frameOverhead + request.replySize) : Duration::zero();
-    m_inFlight = InFlight{std::move(entry), m_clock.now() + timeOf(m_link, bytes.size()), replyTime};
+    m_inFlight->sentEnd = m_clock.now() + timeOf(m_link, bytes.size());
+    m_inFlight->replyTime = request.answered ? timeOf(m_link, frameOverhead + request.replySize) : Duration::zero();
     if (sent)
-        armTimeout(patience);
+        armTimeout(stopWaits() && request.rank != Rank::Stop ? std::min(patience, hurriedPatience) : patience);
     else
         m_timeout.startIn(Duration::zero(), [this, error = sent.error()] { finish(fail(error)); });
 }
 
 /// The stop of a driven motor, a guardian's too, goes out at the rate that the line has.
-Result<void> Line::changeRate(const Request &request)
+Result<void> Line::mayHaveItsRate(const Request &request) const
 {
     if (isDriving() && request.rank != Rank::Stop && request.baudrate != m_link.baudrate())
         return fail(Fault::Unsafe,
             "a motor is driven on this line at " + std::to_string(m_link.baudrate())
                 + " bit/s, and this node has another rate",
             "stop it first");
-    return m_link.setBaudrate(request.baudrate);
+    return {};
 }
 
 void Line::onFrame(const Frame &frame)
 {
-    if (m_inFlight && m_inFlight->entry.request.answered) {
+    if (m_inFlight && m_inFlight->isSent && m_inFlight->entry.request.answered) {
         const Frame &sent = m_inFlight->entry.request.frame;
         if (answers(frame, sent.to, sent.from, static_cast<Command>(sent.command))) {
             const bool again = m_missed && m_missed->frame.to == sent.to && m_missed->frame.command == sent.command;
@@ -335,6 +352,7 @@ void Line::failUpTo(std::uint64_t id)
     if (m_inFlight && m_inFlight->entry.id <= id) {
         const Done done = std::move(m_inFlight->entry.done);
         m_inFlight.reset();
+        m_rateChange.clear();
         if (done)
             done(fail(error));
     }

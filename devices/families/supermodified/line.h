@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/scope.h"
 #include "async/task.h"
 #include "families/supermodified/answertime.h"
 #include "families/supermodified/codec.h"
@@ -124,6 +125,7 @@ private:
         Instant sentEnd{};
         Duration replyTime{};
         bool excused = false; ///< it got more time, because this machine was late
+        bool isSent = false;  ///< else the line still gets its rate
     };
     /// A question that was given up; its answer may still come.
     struct Missed {
@@ -134,8 +136,9 @@ private:
     void forget(std::uint64_t id);
     void pump();
     [[nodiscard]] std::optional<Entry> next();
-    void transmit(Entry entry);
-    [[nodiscard]] Result<void> changeRate(const Request &request);
+    void begin(Entry entry);
+    [[nodiscard]] Result<void> mayHaveItsRate(const Request &request) const;
+    void transmit(const Result<void> &rate);
     [[nodiscard]] Duration patienceFor(const Request &request) const;
     void armTimeout(Duration patience);
     void armTimeoutAt(Instant deadline);
@@ -162,6 +165,7 @@ private:
     std::map<PollKey, Poll> m_polls;
     std::list<Entry> m_waiting; ///< in order of rank
     std::optional<InFlight> m_inFlight;
+    Scope m_rateChange;
     std::optional<Missed> m_missed;
     std::map<int, int> m_misses; ///< of a node, in a row
     AnswerTime m_answerTimes;

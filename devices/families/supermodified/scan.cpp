@@ -22,6 +22,7 @@ public:
     Search(std::shared_ptr<Line> line, ScanSink &sink)
         : m_line(std::move(line))
         , m_sink(sink)
+        , m_overheard(m_line->overheard().add([this](const Frame &frame) { heardLate(frame); }))
     {
     }
 
@@ -40,6 +41,8 @@ private:
     [[nodiscard]] Task<void> learnOthers(int address);
     [[nodiscard]] Task<void> learnMask(Node node);
     [[nodiscard]] Task<void> lookAll(std::vector<Place> places, bool patiently = false);
+    void heardLate(const Frame &frame);
+    [[nodiscard]] Task<void> lookAtLate();
     [[nodiscard]] Task<void> lookAtRest(std::vector<int> rates);
     [[nodiscard]] Task<void> lookEverywhere();
     void forgetSilent();
@@ -52,6 +55,8 @@ private:
     std::vector<Place> m_asked;
     std::vector<int> m_found;    ///< ids
     std::vector<int> m_recalled; ///< ids that only the memory of an earlier run knew
+    std::vector<Place> m_late;   ///< somebody there answered when its question had been given up
+    Subscription m_overheard;
 };
 
 std::vector<int> Search::rates() const
@@ -162,6 +167,32 @@ Task<void> Search::lookAll(std::vector<Place> places, bool patiently)
             continue;
         auto looking = look(place, patiently ? answerTime : silence());
         co_await std::move(looking);
+    }
+    auto again = lookAtLate();
+    co_await std::move(again);
+    co_return {};
+}
+
+/// A busy computer answers late, and is late itself: who was asked in vain and is heard now may be there after all.
+void Search::heardLate(const Frame &frame)
+{
+    const Place place{m_line->link().baudrate(), frame.from};
+    const bool asked = std::find(m_asked.begin(), m_asked.end(), place) != m_asked.end();
+    const bool found = std::find(m_found.begin(), m_found.end(), place.second) != m_found.end();
+    if (asked && !found && std::find(m_late.begin(), m_late.end(), place) == m_late.end())
+        m_late.push_back(place);
+}
+
+/// It counts as found by the answer to a question of its own only.
+Task<void> Search::lookAtLate()
+{
+    for (int attempt = 0; attempt < attemptsForOne; ++attempt) {
+        for (const Place &place : std::exchange(m_late, {})) {
+            if (std::find(m_found.begin(), m_found.end(), place.second) != m_found.end())
+                continue;
+            auto looking = look(place, AnswerTime::ceiling);
+            co_await std::move(looking);
+        }
     }
     co_return {};
 }

@@ -65,11 +65,32 @@ Result<void> ReplayLink::doOpen()
     auto file = RecordingFile::open(address().path, m_interface);
     if (!file)
         return fail(file.error());
-    m_file = std::move(*file);
+    take(std::move(*file));
+    return {};
+}
+
+Task<void> ReplayLink::doOpenSoon(Background &background)
+{
+    const std::string path = address().path;
+    auto opening = inBackground<std::unique_ptr<RecordingFile>>(
+        background, outer, path, openLimit,
+        [path, interface = m_interface] { return RecordingFile::open(path, interface); }, WhenLate::Drop);
+    Result<std::unique_ptr<RecordingFile>> file = co_await std::move(opening).attempt();
+    if (!file && file.error().fault == Fault::Timeout)
+        co_return fail(Fault::LinkLost, "the disk of " + address().shortName() + " does not answer",
+            "copy the recording to another one");
+    if (!file)
+        co_return fail(file.error());
+    take(std::move(*file));
+    co_return {};
+}
+
+void ReplayLink::take(std::unique_ptr<RecordingFile> file)
+{
+    m_file = std::move(file);
     time.pause();
     time.jump(instantOf(m_file->start()));
     armNext();
-    return {};
 }
 
 void ReplayLink::doClose()

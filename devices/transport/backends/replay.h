@@ -31,10 +31,12 @@ namespace detail {
 
 /// Made before the link that is built on it.
 struct ReplayTime {
-    explicit ReplayTime(Clock &outer)
-        : time(outer)
+    explicit ReplayTime(Clock &real)
+        : outer(real)
+        , time(real)
     {
     }
+    Clock &outer;
     PacedClock time;
 };
 
@@ -76,6 +78,8 @@ public:
 private:
     ReplayLink(const LinkAddress &address, Clock &clock, double pace, std::string interface);
     Result<void> doOpen() override;
+    Task<void> doOpenSoon(Background &background) override;
+    void take(std::unique_ptr<RecordingFile> file);
     void doClose() override;
     Result<void> doSend(const CanFrame &frame, Priority priority) override;
     [[nodiscard]] std::size_t doBacklog() const override { return 0; }

@@ -15,6 +15,17 @@ std::optional<int> driverBaudrate(int descriptor)
     return static_cast<int>(settings.c_ospeed);
 }
 
+bool setDriverBaudrate(int descriptor, int baudrate)
+{
+    termios2 settings{};
+    if (::ioctl(descriptor, TCGETS2, &settings) != 0)
+        return false;
+    settings.c_cflag &= ~static_cast<tcflag_t>(CBAUD | (CBAUD << IBSHIFT));
+    settings.c_cflag |= static_cast<tcflag_t>(BOTHER | (BOTHER << IBSHIFT));
+    settings.c_ospeed = settings.c_ispeed = static_cast<speed_t>(baudrate);
+    return ::ioctl(descriptor, TCSETS2, &settings) == 0;
+}
+
 bool setDriverRs485(int descriptor, bool on)
 {
     serial_rs485 settings{};

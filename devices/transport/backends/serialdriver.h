@@ -11,6 +11,9 @@ namespace mb {
 /// The rate that the port really has, bit/s: an odd one is rounded to what the hardware can divide.
 [[nodiscard]] std::optional<int> driverBaudrate(int descriptor);
 
+/// False with errno where the driver refuses. May block for as long as an adapter does not answer.
+[[nodiscard]] bool setDriverBaudrate(int descriptor, int baudrate);
+
 /// Lets the kernel switch the transmitter of an RS-485 line (TIOCSRS485): on while it sends.
 [[nodiscard]] bool setDriverRs485(int descriptor, bool on);
 

@@ -6,9 +6,11 @@
 #include <QSerialPort>
 #include <QThread>
 
+#include <cerrno>
 #include <charconv>
 #include <cstdlib>
 #include <filesystem>
+#include <system_error>
 
 #include <poll.h>
 #include <unistd.h>
@@ -34,13 +36,13 @@ bool isPseudoTerminal(const std::string &path)
     return path.starts_with("/dev/pts/");
 }
 
-/// The rate is set, or the nearest that the port can do is told.
-Result<void> applyRate(QSerialPort &port, const std::string &name, int baudrate)
+/// The rate is set, or the nearest that the port can do is told. Any thread.
+Result<void> applyRate(int descriptor, const std::string &name, int baudrate)
 {
-    if (!port.setBaudRate(baudrate))
+    if (!setDriverBaudrate(descriptor, baudrate))
         return fail(Fault::OutOfRange,
-            name + " cannot do " + std::to_string(baudrate) + " bit/s: " + port.errorString().toStdString());
-    const auto real = driverBaudrate(port.handle());
+            name + " cannot do " + std::to_string(baudrate) + " bit/s: " + std::generic_category().message(errno));
+    const auto real = driverBaudrate(descriptor);
     if (real && std::abs(*real - baudrate) > baudrate / 50)
         return fail(Fault::OutOfRange, name + " cannot do " + std::to_string(baudrate) + " bit/s",
             "the nearest it can is " + std::to_string(*real));
@@ -56,6 +58,42 @@ Result<void> applyFormat(QSerialPort &port, const std::string &name, const std::
         || (port.setParity(parity) && port.setStopBits(format[2] == '2' ? QSerialPort::TwoStop : QSerialPort::OneStop)))
         return {};
     return fail(Fault::OutOfRange, name + " cannot do " + format + ": " + port.errorString().toStdString());
+}
+
+struct RateOrder {
+    int descriptor = -1;
+    std::string name;
+    int wanted = 0;
+    int before = 0;
+};
+
+Result<void> applyRateOrKeep(const RateOrder &order)
+{
+    auto applied = applyRate(order.descriptor, order.name, order.wanted);
+    if (!applied)
+        (void)setDriverBaudrate(order.descriptor, order.before);
+    return applied;
+}
+
+struct OwnDescriptor {
+    explicit OwnDescriptor(int one)
+        : descriptor(one)
+    {
+    }
+    OwnDescriptor(const OwnDescriptor &) = delete;
+    OwnDescriptor &operator=(const OwnDescriptor &) = delete;
+    ~OwnDescriptor()
+    {
+        if (descriptor >= 0)
+            ::close(descriptor);
+    }
+    int descriptor;
+};
+
+std::string silentDriver()
+{
+    return ": its driver has not answered for "
+        + std::to_string(std::chrono::duration_cast<std::chrono::seconds>(Link::openLimit).count()) + " s";
 }
 
 /// A guardian shares the terminal, and may read the answer to its own question between the notice and our read: that is reported
@@ -117,7 +155,7 @@ Result<SerialPortLink::Opened> SerialPortLink::openPort(const Order &order)
                 "close that one first ('fuser " + made.path + "' names it)");
         return fail(Fault::LinkLost, order.name + " cannot be opened: " + port.errorString().toStdString());
     }
-    auto dressed = applyRate(port, order.name, order.baudrate);
+    auto dressed = applyRate(port.handle(), order.name, order.baudrate);
     if (dressed)
         dressed = applyFormat(port, order.name, order.options.format);
     if (!dressed)
@@ -158,10 +196,8 @@ Task<void> SerialPortLink::doOpenSoon(Background &background)
         background, clock(), wanted.path, openLimit, [wanted] { return openPort(wanted); }, WhenLate::Drop);
     Result<Opened> opened = co_await std::move(opening).attempt();
     if (!opened && opened.error().fault == Fault::Timeout)
-        co_return fail(Fault::LinkLost,
-            wanted.name + " does not open: its driver has not answered for "
-                + std::to_string(std::chrono::duration_cast<std::chrono::seconds>(openLimit).count()) + " s",
-            "unplug it and plug it in again");
+        co_return fail(
+            Fault::LinkLost, wanted.name + " does not open" + silentDriver(), "unplug it and plug it in again");
     if (!opened)
         co_return fail(opened.error());
     take(std::move(*opened));
@@ -170,10 +206,28 @@ Task<void> SerialPortLink::doOpenSoon(Background &background)
 
 Result<void> SerialPortLink::doSetBaudrate(int wanted)
 {
-    auto applied = applyRate(*m_port, name(), wanted);
-    if (!applied)
-        m_port->setBaudRate(baudrate());
-    return applied;
+    return applyRateOrKeep({m_port->handle(), name(), wanted, baudrate()});
+}
+
+Task<void> SerialPortLink::doSetBaudrateSoon(Background &background, int wanted)
+{
+    const auto own = std::make_shared<const OwnDescriptor>(::dup(m_port->handle()));
+    const RateOrder order{own->descriptor, name(), wanted, baudrate()};
+    auto setting = inBackground<bool>(
+        background, clock(), m_path, openLimit,
+        [own, order]() -> Result<bool> {
+            const auto applied = applyRateOrKeep(order);
+            return applied ? Result<bool>(true) : fail(applied.error());
+        },
+        WhenLate::Drop);
+    const Result<bool> set = co_await std::move(setting).attempt();
+    if (!set && set.error().fault == Fault::Timeout) {
+        end(name() + silentDriver() + "; unplug it and plug it in again");
+        co_return fail(notOpen());
+    }
+    if (!set)
+        co_return fail(set.error());
+    co_return {};
 }
 
 void SerialPortLink::watch()
@@ -201,12 +255,22 @@ void SerialPortLink::doClose()
 {
     if (auto port = std::exchange(m_port, nullptr)) {
         port->disconnect();
-        port->close();
+        closeBehind(*port);
         port.release()->deleteLater(); // this may be one of its own signals
     }
     m_timer.stop();
     m_queue.clear();
     m_echo.clear();
+}
+
+/// The driver may wait for what it still has to send: the last descriptor of the port is closed in the background, where there is one.
+void SerialPortLink::closeBehind(QSerialPort &port)
+{
+    const auto own = background() ? std::make_shared<const OwnDescriptor>(::dup(port.handle())) : nullptr;
+    port.close();
+    if (own)
+        background()->run(
+            m_path, [last = own] { (void)last; }, [] {});
 }
 
 Outlet SerialPortLink::doOutlet() const

@@ -42,10 +42,12 @@ private:
     Result<void> doSend(std::span<const std::uint8_t> bytes, Priority priority) override;
     [[nodiscard]] std::size_t doBacklog() const override;
     Result<void> doSetBaudrate(int baudrate) override;
+    Task<void> doSetBaudrateSoon(Background &background, int baudrate) override;
 
     [[nodiscard]] Order order() const;
     [[nodiscard]] static Result<Opened> openPort(const Order &order);
     void take(Opened opened);
+    void closeBehind(QSerialPort &port);
     void watch();
     void receive();
     void pump();
