@@ -162,6 +162,7 @@ private:
     void callTheRoll();
     void interruptTrials(std::optional<DeviceId> id);
     void wishAgain(DeviceId id);
+    void lookAgain(DeviceId id);
     void lookForOwed();
     void compareOwed(DeviceId id, const std::string &unit);
     void endOwed(DeviceId id, std::int64_t trial);
@@ -241,6 +242,7 @@ private:
     tuning::ExperimentJournal *m_journal = nullptr;
     tuning::DirectionBook m_directions;
     std::map<DeviceId, std::string> m_lookedFor; ///< units whose owed gains were asked for, and who they were
+    std::map<DeviceId, Instant> m_lookAgain;     ///< when what was put back must be stored
     std::map<DeviceId, std::vector<tuning::OwedGains>> m_owed;
     Scope m_asking{m_clock}; ///< last: what it asks uses everything above
 };

@@ -60,6 +60,7 @@ void EngineCore::runTrial(
         [this, id, finished](Running &done, Result<Trial> trial) {
             done.interruption.reset();
             wishAgain(id);
+            lookAgain(id);
             if (const Device *device = m_session.find(id)) {
                 for (const LogLine &line : done.operation->status().log)
                     notice(line.severity, labelOf(*device), line.text);
@@ -96,9 +97,21 @@ void EngineCore::wishAgain(DeviceId id)
     }
 }
 
+/// What was put back into a unit that stores later is proved then.
+void EngineCore::lookAgain(DeviceId id)
+{
+    if (const Device *device = m_session.find(id); device && tuning::storesLater(*device))
+        m_lookAgain[id] = m_clock.now() + tuning::storingTime(*device);
+}
+
 /// Once for each unit that is there, when it has told who it is. Without a word to those who are owed nothing.
 void EngineCore::lookForOwed()
 {
+    for (const auto &[id, at] : m_lookAgain) {
+        if (m_clock.now() > at)
+            m_lookedFor.erase(id);
+    }
+    std::erase_if(m_lookAgain, [this](const auto &entry) { return m_clock.now() > entry.second; });
     for (Device *device : m_session.devices()) {
         const DeviceId id = m_session.idOf(*device);
         const bool ready = m_journal && device->family().trials && device->liveness().heard
@@ -128,6 +141,7 @@ void EngineCore::compareOwed(DeviceId id, const std::string &unit)
                 m_owed[id] = *owed;
             else if (!owed)
                 m_lookedFor.erase(id);
+            lookAgain(id); // until nothing is owed
         },
         [this, id, unit](const Result<void> &) {
             if (m_lookedFor[id] == unit)
@@ -154,8 +168,10 @@ void EngineCore::payGains(DeviceId id, std::int64_t trial, Finished finished)
         id, "Put gains back",
         [this, owed = *found](Device &device, Progress &) { return tuning::payOwed(device, *m_journal, owed); },
         [this, id, trial, finished](const Result<void> &result) {
-            if (result)
+            if (result) {
                 endOwed(id, trial);
+                lookAgain(id);
+            }
             if (const Device *device = m_session.find(id); device && result)
                 notice(Severity::Good, labelOf(*device),
                     "the gains that trial #" + std::to_string(trial) + " had changed are put back");

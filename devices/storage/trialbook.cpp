@@ -108,10 +108,11 @@ Task<std::int64_t> TrialBook::begin(tuning::Trial trial)
     const auto added
         = m_database.run("INSERT INTO trial (time, device, unit, firmware, simulated, mode, axis, slot, stimulus, "
                          "envelope, gains, metrics, flags, detail, stopped, samples, lost) "
-                         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, '{}', '{}', '[\"aborted\"]', "
+                         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, '{}', '[\"aborted\"]', "
                          "'the program ended before the trial did', 0, 0, 0)",
             {now(), qt(trial.device), qt(trial.unit), qt(trial.firmware), trial.simulated, qt(toString(trial.mode)),
-                trial.axis, trial.slot, textOf(toJson(trial.stimulus, trial.repeat)), textOf(toJson(trial.envelope))});
+                trial.axis, trial.slot, textOf(toJson(trial.stimulus, trial.repeat)), textOf(toJson(trial.envelope)),
+                textOf(gainsToJson(trial))});
     if (!added)
         co_return fail(added.error());
     co_return m_database.lastRow();
@@ -122,8 +123,9 @@ Task<void> TrialBook::owe(std::int64_t trial, std::string unit, std::vector<tuni
     const double time = now();
     co_return m_database.transact([&]() -> Result<void> {
         for (const tuning::OwedValue &value : values) {
-            auto added = m_database.run("INSERT INTO owed (trial, unit, key, raw, time) VALUES (?, ?, ?, ?, ?)",
-                {static_cast<qint64>(trial), qt(unit), qt(value.key), static_cast<qint64>(value.raw), time});
+            auto added
+                = m_database.run("INSERT OR REPLACE INTO owed (trial, unit, key, raw, time) VALUES (?, ?, ?, ?, ?)",
+                    {static_cast<qint64>(trial), qt(unit), qt(value.key), static_cast<qint64>(value.raw), time});
             if (!added)
                 return added;
         }

@@ -17,7 +17,7 @@ struct OwedValue {
 /// What an experiment changed and nobody has put back for certain.
 struct OwedGains {
     std::int64_t trial = 0;
-    double time = 0.0; ///< Unix, s
+    double time = 0.0; ///< Unix, s, when it was owed, or put back without a proof that the unit has it for good
     std::vector<OwedValue> values;
 
     friend bool operator==(const OwedGains &, const OwedGains &) = default;
@@ -31,7 +31,7 @@ public:
 
     /// A row for a trial that is about to begin; its number.
     [[nodiscard]] virtual Task<std::int64_t> begin(Trial trial) = 0;
-    /// What must be put back whatever happens: on the disk when this ends.
+    /// What must be put back whatever happens: on the disk when this ends. Again: the same, from now on.
     [[nodiscard]] virtual Task<void> owe(std::int64_t trial, std::string unit, std::vector<OwedValue> values) = 0;
     /// It was put back, and the unit has it for good.
     [[nodiscard]] virtual Task<void> settle(std::int64_t trial) = 0;

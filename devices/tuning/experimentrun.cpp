@@ -6,6 +6,7 @@
 #include "tuning/envelope.h"
 #include "tuning/equivalenttime.h"
 #include "tuning/gains.h"
+#include "tuning/owedgains.h"
 #include "tuning/seconds.h"
 #include "tuning/verdict.h"
 
@@ -135,6 +136,7 @@ Task<void> ExperimentRun::perform()
 Task<void> ExperimentRun::writeDown()
 {
     const bool owes = !m_plan.gains.empty() && m_plan.keep != Keep::Always;
+    m_trial.gains = numbersOf(m_device.family(), m_plan.gains); // for whoever finds this trial cut off
     if (m_around.journal) {
         auto beginning = m_around.journal->begin(m_trial);
         const Result<std::int64_t> number = co_await std::move(beginning).attempt();
@@ -374,11 +376,8 @@ Task<void> ExperimentRun::putBack()
             + "; the notebook has them, 'motorbenchctl trials' lists what is owed");
         co_return {};
     }
-    // a unit that stores by itself, later, has them for good only then: the next connection looks; a simulated one ends with us
-    if (m_trial.simulated || m_device.family().capabilities.storesAfter == Duration::zero()) {
-        auto settling = m_around.journal->settle(*m_number);
-        (void)co_await std::move(settling).attempt();
-    }
+    auto marking = markPutBack(m_device, *m_around.journal, {*m_number, 0.0, m_owed});
+    (void)co_await std::move(marking).attempt();
     co_return {};
 }
 

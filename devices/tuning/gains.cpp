@@ -135,6 +135,19 @@ std::vector<ParameterChange> changesOf(const Family &family, const std::vector<O
     return changes;
 }
 
+std::vector<std::pair<std::string, std::optional<double>>> numbersOf(
+    const Family &family, const std::vector<ParameterChange> &changes)
+{
+    std::vector<std::pair<std::string, std::optional<double>>> numbers;
+    for (const ParameterChange &change : changes) {
+        const Parameter &parameter = family.parameters[change.index.value];
+        const Value value = toValue(parameter, change.raw);
+        if (const double *number = std::get_if<double>(&value))
+            numbers.emplace_back(parameter.key, *number);
+    }
+    return numbers;
+}
+
 bool needsRestart(const Device &device, const std::vector<ParameterChange> &changes)
 {
     const TrialTraits &traits = *device.family().trials;

@@ -29,6 +29,10 @@ void orderGains(const ParameterStore &known, std::vector<ParameterChange> &chang
 
 [[nodiscard]] std::vector<ParameterChange> changesOf(const Family &family, const std::vector<OwedValue> &values);
 
+/// The same as a trial keeps them: in their units, by key.
+[[nodiscard]] std::vector<std::pair<std::string, std::optional<double>>> numbersOf(
+    const Family &family, const std::vector<ParameterChange> &changes);
+
 /// A changed value that is fully in force after a restart only (TrialTraits::atBoot).
 [[nodiscard]] bool needsRestart(const Device &device, const std::vector<ParameterChange> &changes);
 

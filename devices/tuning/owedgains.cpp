@@ -2,12 +2,28 @@
 #include "tuning/owedgains.h"
 
 #include "model/family.h"
+#include "model/progress.h"
 #include "tuning/direction.h"
 #include "tuning/gains.h"
+#include "tuning/seconds.h"
 #include "tuning/verdict.h"
 
 namespace mb::tuning {
 namespace {
+
+constexpr Duration storeMargin = std::chrono::seconds(5); ///< over the time after which a unit stores by itself
+
+/// It must have stored what was written then, and nothing says that it did not.
+Task<bool> hasStored(Device &device, double since)
+{
+    const Duration now = device.clock().now().time_since_epoch() + device.clock().unixOffset();
+    if (inSeconds(now) - since < inSeconds(storingTime(device)))
+        co_return false;
+    NoProgress unseen;
+    auto storing = device.store(unseen);
+    const Result<bool> stored = co_await std::move(storing).attempt();
+    co_return stored.has_value();
+}
 
 /// The unit has every value that is owed to it.
 Task<bool> has(Device &device, std::vector<OwedValue> values)
@@ -19,6 +35,24 @@ Task<bool> has(Device &device, std::vector<OwedValue> values)
 
 } // namespace
 
+Duration storingTime(const Device &device)
+{
+    return device.family().capabilities.storesAfter + storeMargin;
+}
+
+bool storesLater(const Device &device)
+{
+    return device.family().capabilities.storesAfter > Duration::zero() && !device.link().address().isSimulated();
+}
+
+Task<void> markPutBack(Device &device, ExperimentJournal &journal, OwedGains owed)
+{
+    auto marking = storesLater(device) ? journal.owe(owed.trial, unitOf(device), std::move(owed.values))
+                                       : journal.settle(owed.trial);
+    co_await std::move(marking);
+    co_return {};
+}
+
 Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &journal)
 {
     auto asking = journal.owedTo(unitOf(device));
@@ -29,6 +63,11 @@ Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &jour
         if (!co_await std::move(looking)) {
             rest.push_back(std::move(debt));
             continue;
+        }
+        if (storesLater(device)) {
+            auto proving = hasStored(device, debt.time);
+            if (!co_await std::move(proving))
+                continue;
         }
         auto settling = journal.settle(debt.trial);
         (void)co_await std::move(settling).attempt();
@@ -43,8 +82,8 @@ Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed)
         co_return fail(Fault::Unsafe, "the motor was not seen to stand; stop it before its gains are put back");
     auto writing = writeGains(device, changesOf(device.family(), owed.values));
     co_await std::move(writing);
-    auto settling = journal.settle(owed.trial);
-    co_await std::move(settling);
+    auto marking = markPutBack(device, journal, std::move(owed));
+    co_await std::move(marking);
     co_return {};
 }
 

@@ -6,11 +6,20 @@
 
 namespace mb::tuning {
 
-/// What earlier experiments still owe to this unit, oldest first: what it has meanwhile is settled on the way. Reads the
-/// values that are owed, and nothing else; writes nothing to the unit.
+/// After this a unit that stores by itself has done so.
+[[nodiscard]] Duration storingTime(const Device &device);
+/// It stores what is written by itself, and not at once: what was put back counts when that is proved.
+[[nodiscard]] bool storesLater(const Device &device);
+
+/// What earlier experiments still owe to this unit and it has not, oldest first. What it has is settled on the way; where it
+/// stores later, only once it must have stored it and its flash says so, until when nobody is asked. Reads, and writes
+/// nothing to the unit.
 [[nodiscard]] Task<std::vector<OwedGains>> lookForOwed(Device &device, ExperimentJournal &journal);
 
-/// Puts back what a trial owes, and settles it once the unit has it. Fails, and owes on, when the motor is not seen to stand
+/// What a trial has changed is as before again: settled, or, where the unit stores later, owed from now on until that is proved.
+[[nodiscard]] Task<void> markPutBack(Device &device, ExperimentJournal &journal, OwedGains owed);
+
+/// Puts back what a trial owes, as above. Fails, and owes on, when the motor is not seen to stand
 /// (Unsafe), when a value reads back different (BadCheck), or with the link.
 [[nodiscard]] Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed);
 

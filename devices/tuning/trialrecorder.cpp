@@ -7,11 +7,13 @@
 #include "tuning/seconds.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb::tuning {
 namespace {
 
 constexpr Duration guardPeriod = std::chrono::milliseconds(5);
+constexpr Duration heldUp = std::chrono::milliseconds(20); ///< what came meanwhile is not read yet
 
 } // namespace
 
@@ -41,6 +43,7 @@ void TrialRecorder::guard(const GuardPlan &plan)
 {
     m_trip.reset();
     m_guards.emplace(plan, m_device.clock().now());
+    m_lookedAt = m_device.clock().now();
     m_timer.startIn(guardPeriod, [this] { look(); });
 }
 
@@ -98,6 +101,9 @@ std::optional<Trip> TrialRecorder::show(const std::string &key, const Sample &sa
 void TrialRecorder::look()
 {
     m_timer.startIn(guardPeriod, [this] { look(); });
+    const Instant before = std::exchange(m_lookedAt, m_device.clock().now());
+    if (m_lookedAt - before > heldUp)
+        return; // who was held up reads first, and then judges silence
     if (m_guards && m_stream.isRunning())
         ended(m_guards->look(m_device.clock().now(), m_samples, lost()));
 }

@@ -60,6 +60,7 @@ private:
     std::optional<double> m_target;
     std::optional<Trip> m_trip;
     Instant m_stoppedAt{};
+    Instant m_lookedAt{};
     std::uint64_t m_samples = 0;
     std::uint64_t m_lostBefore = 0;
     Timer m_timer;

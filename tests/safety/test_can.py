@@ -15,7 +15,8 @@ import unittest
 
 from bench import PATIENCE, Motor, Program
 from rows import ROWS
-from scenarios import CableScenarios, MotionScenarios, Rounds
+from scenarios import ROUNDS, CableScenarios, MotionScenarios, Rounds
+from trials import TrialScenarios
 
 
 def ip(*arguments, check=True):
@@ -103,6 +104,8 @@ class CanRig:
 
 class Dmc60cRig(CanRig):
     family, unit, mode, target, watchdog = "DMC60C", "dmc60c:5", "duty", "0.2", 0.104
+    gain, far_enough, stores_after = "slot0.p", 10000, 21
+    loop = ("--mode", "velocity", "--to", "60000", "--travel", "10000000", "--speed", "100000", "--duty", "1", "--current", "100")
 
     def is_ours(self, frame):
         return frame.startswith("02060005#")
@@ -123,6 +126,13 @@ class AbstractDcRig(CanRig):
 
 class Dmc60cSwitched(MotionScenarios, CableScenarios, unittest.TestCase):
     def setUp(self):
+        self.rig = Dmc60cRig(self.control, Switch())
+
+
+@unittest.skipUnless(ROUNDS > 1, "a machine that tests meanwhile loses samples, and a guard ends the trial: scripts/soak safety")
+class Dmc60cTrial(TrialScenarios, unittest.TestCase):
+    def setUp(self):
+        super().setUp()
         self.rig = Dmc60cRig(self.control, Switch())
 
 

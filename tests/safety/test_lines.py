@@ -11,6 +11,7 @@ import unittest
 from bench import Motor, SerialCable, SocketCable
 from rows import ROWS
 from scenarios import CableScenarios, MotionScenarios, Rounds, WindowScenarios
+from trials import TrialScenarios
 
 
 class LineRig:
@@ -43,6 +44,8 @@ class LineRig:
 class SerialRig(LineRig):
     family, unit, mode, target = "Supermodified", "supermodified:5", "velocity", "200"
     make_cable = SerialCable
+    gain, far_enough, stores_after = "gain.p", 3000, 0
+    loop = ("--mode", "position", "--to", "20000", "--travel", "60000", "--duty", "1")
 
     def far(self):
         return "pty:" + self.cable.far
@@ -71,6 +74,12 @@ class SocketRig(LineRig):
 
 class Serial(MotionScenarios, CableScenarios, unittest.TestCase):
     def setUp(self):
+        self.rig = SerialRig(self.control)
+
+
+class SerialTrial(TrialScenarios, unittest.TestCase):
+    def setUp(self):
+        super().setUp()
         self.rig = SerialRig(self.control)
 
 

@@ -22,6 +22,8 @@ public:
     Task<void> owe(std::int64_t, std::string unit, std::vector<tuning::OwedValue> values) override
     {
         log.emplace_back("owe");
+        if (clock)
+            owedAt = std::chrono::duration<double>(clock->now().time_since_epoch() + clock->unixOffset()).count();
         debtor = std::move(unit);
         owed = std::move(values);
         co_return {};
@@ -42,13 +44,15 @@ public:
     {
         std::vector<tuning::OwedGains> all;
         if (!owed.empty() && unit == debtor)
-            all.push_back({static_cast<std::int64_t>(begun.size()), 0.0, owed});
+            all.push_back({static_cast<std::int64_t>(begun.size()), owedAt, owed});
         co_return all;
     }
 
     std::vector<std::string> log;
     std::vector<tuning::OwedValue> owed;
-    std::string debtor; ///< the unit that `owed` is for
+    const Clock *clock = nullptr; ///< of `owedAt`; nullptr: 0
+    double owedAt = 0.0;          ///< Unix, s
+    std::string debtor;           ///< the unit that `owed` is for
     std::vector<tuning::Trial> begun;
     std::vector<tuning::Trial> completed;
     bool isFull = false;

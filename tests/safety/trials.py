@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A program that is killed in the middle of an experiment: the motor, the gains that were tried, and the notebook.
+
+Beside what a Rounds rig brings: `gain` (its key), `loop` (options of step), `far_enough` (counts), `stores_after` (seconds,
+after which it has stored what was written; 0: at once).
+"""
+import json
+import os
+import signal
+import sqlite3
+import subprocess
+import tempfile
+import time
+
+from bench import PATIENCE, Program
+from rows import ROWS
+from scenarios import Rounds
+
+RESUMES_NOT = 1.0  # so long the motor is watched
+ATTEMPTS = 10  # a machine that is busy loses samples, and a guard ends the trial
+
+
+class TrialScenarios(Rounds):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.environment = dict(os.environ, XDG_DATA_HOME=folder.name, XDG_RUNTIME_DIR=folder.name)
+
+    def run_control(self, *arguments, status=0):
+        done = subprocess.run([self.control, "--json", *arguments], capture_output=True, text=True, env=self.environment,
+                              timeout=2 * PATIENCE, stdin=subprocess.DEVNULL, check=False)
+        if status is not None:
+            self.assertEqual(done.returncode, status, f"{arguments}: {done.stderr}")
+        return json.loads((done.stdout.splitlines() or ["null"])[-1]), done.stderr
+
+    def owed(self):
+        """Values that the notebook still wants put back for good."""
+        book = os.path.join(self.environment["XDG_DATA_HOME"], "motorbench", "motorbench.db")
+        with sqlite3.connect(book) as database:
+            return database.execute("SELECT count(*) FROM owed").fetchone()[0]
+
+    def gain(self):
+        return self.run_control("get", self.rig.device, self.rig.gain)[0]["parameters"][self.rig.gain]["raw"]
+
+    def step(self, *more):
+        """What it says on standard error. How the experiment ends is not judged: this machine may be busy."""
+        return self.run_control("step", self.rig.device, *self.rig.loop, *more, status=None)[1]
+
+    def try_gain(self, value):
+        """A program in the middle of a trial of another gain, the motor far from where it was."""
+        for _ in range(ATTEMPTS):
+            program = Program(self.control, "--json", "step", self.rig.device, *self.rig.loop, "--profile", "sine", "--time", "60",
+                              "--set", f"{self.rig.gain}={value}", "--samples", environment=self.environment)
+            self.addCleanup(program.end, signal.SIGKILL)
+
+            def decides(line):  # far away, or over before
+                return '"reason"' in line or ('"channel":"position"' in line and abs(json.loads(line)["value"]) > self.rig.far_enough)
+
+            line = program.wait_for(decides)
+            if line and '"reason"' not in line and self.rig.motor.is_on():
+                return program
+            program.end()  # a busy machine: a guard ended it, and its gains are put back
+        self.fail(f"it does not go: {program.lines[-5:]}")
+        return None
+
+    def value(self):
+        return self.run_control("get", self.rig.device, self.rig.gain)[0]["parameters"][self.rig.gain]["value"]
+
+    def test_a_killed_trial_stops_is_kept_as_aborted_and_its_gains_go_back_after_asking(self):
+        taken = []
+        for _ in self.rounds():
+            before, tried = self.gain(), round(self.value() * 0.9, 3)
+            program = self.try_gain(tried)
+            at = time.time()
+            program.send(signal.SIGKILL)
+            taken.append(self.off_after(at, self.silence(), "killed in a trial"))
+            self.assertTrue(self.rig.motor.stays_off(RESUMES_NOT))
+            self.assertNotEqual(self.gain(), before, "nobody has put it back yet")
+            row = self.run_control("trials")[0]["trials"][-1]
+            self.assertIn("aborted", row["flags"])
+            self.assertAlmostEqual(row["gains"][self.rig.gain], tried, 2)
+            self.assertFalse(row["simulated"])
+            said = self.step()
+            self.assertIn(f"trial {row['trial']} did not put back", said, "it asks, and nobody answers")
+            self.assertIn("--yes", said)
+            self.assertNotEqual(self.gain(), before)
+            said = self.step("--yes")
+            self.assertIn(f"is put back, owed by trial {row['trial']}", said)
+            self.assertEqual(self.gain(), before)
+            said = self.step()
+            self.assertNotIn("put back", said, "once is enough")
+            if self.rig.stores_after:
+                self.assertGreaterEqual(self.owed(), 1, "in force, and its flash may still have what was tried")
+                time.sleep(self.rig.stores_after)
+                self.assertNotIn("put back", self.step())
+            self.assertEqual(self.owed(), 0)
+        ROWS.add(self.rig.family, "the program is killed in a trial", self.by(), taken, self.silence())
+
