@@ -4,6 +4,9 @@
 #include "app/folders/userfolders.h"
 #include "app/tour.h"
 #include "model/registry.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/control/envelopepanel.h"
+#include "widgets/control/tunepage.h"
 #include "widgets/plots/plotspage.h"
 #include "widgets/plots/recorder.h"
 
@@ -126,6 +129,7 @@ Application::Application(QApplication &qt, const Options &options)
     else if (options.tour.isEmpty()) // whose pictures are larger than a screen that is not there
         m_window->resize(m_window->size().boundedTo(m_window->screen()->availableSize()));
     setUpPlots();
+    setUpLimits();
     qt.installEventFilter(&m_stopKeys);
     QObject::connect(&m_stopKeys, &StopKeys::stopPressed, m_window.get(),
         [this](const QString &key) { m_window->arming().stopAll(key); });
@@ -151,6 +155,22 @@ void Application::setUpPlots()
                 QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/plots"));
         plots->setRecorder(m_recorder.get(),
             QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/MotorBench"));
+    });
+}
+
+/// What people have entered on the Tune page outlives the program.
+void Application::setUpLimits()
+{
+    if (m_options.demo)
+        return;
+    QObject::connect(m_window.get(), &MainWindow::pageMade, m_window.get(), [this](PageId id, QWidget *page) {
+        auto *tune = qobject_cast<TunePage *>(page);
+        if (id != PageId::Tune || !tune)
+            return;
+        const auto opened = tune->envelope().book().open(
+            QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/limits.json"));
+        if (!opened)
+            m_engine->report(Severity::Caution, {}, errorText(opened.error()));
     });
 }
 

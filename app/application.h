@@ -49,6 +49,7 @@ private:
     void dress(const QString &theme, double fontScale);
     void openLinks();
     void setUpPlots();
+    void setUpLimits();
 
     QApplication &m_qt;
     Options m_options;

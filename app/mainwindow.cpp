@@ -11,6 +11,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/pagekeys.h"
 #include "widgets/common/segmented.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/connection/deviceline.h"
@@ -33,7 +34,6 @@
 #include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QShortcut>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -50,6 +50,7 @@ constexpr std::chrono::milliseconds againLater(200);
 
 constexpr std::chrono::seconds messageTime{8};
 constexpr std::chrono::seconds footprintTime{1};
+constexpr int tallEnough = 520;  ///< for the line of the device above its page
 constexpr int roomyWidth = 1024; ///< for devices, a page and the inspector beside each other
 
 QDockWidget *makeDock(
@@ -254,19 +255,34 @@ void MainWindow::buildStatus()
 
 void MainWindow::buildActions()
 {
+    m_keys = new PageKeys(*this);
+    m_keys->note({Qt::Key_Escape, Qt::Key_Pause}, tr("stop every motor"));
+    m_keys->note({Qt::Key_Space}, tr("stops every motor, unless words can be typed where the focus is"));
+    m_keys->add({Qt::Key_F1}, tr("shows these keys"), [this] { listKeys(); });
     for (int i = 0; i < m_tabs->count(); ++i) {
-        auto *shortcut = new QShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(i + 1)), this);
-        connect(shortcut, &QShortcut::activated, this, [this, i] { m_tabs->setCurrentIndex(i); });
+        const QKeySequence key(QStringLiteral("Ctrl+%1").arg(i + 1));
+        m_keys->add({key}, tr("shows page %1").arg(m_tabs->tabText(i)), [this, i] { m_tabs->setCurrentIndex(i); });
         m_tabs->setTabToolTip(i, tr("%1  Ctrl+%2").arg(m_tabs->tabText(i)).arg(i + 1));
     }
-    connect(new QShortcut(QKeySequence(Qt::Key_F9), this), &QShortcut::activated, this,
-        [this] { m_devices->setVisible(!m_devices->isVisible()); });
-    connect(new QShortcut(QKeySequence(Qt::Key_F10), this), &QShortcut::activated, this,
+    m_keys->add(
+        {Qt::Key_F9}, tr("shows or hides the devices"), [this] { m_devices->setVisible(!m_devices->isVisible()); });
+    m_keys->add({Qt::Key_F10}, tr("shows or hides the inspector"),
         [this] { m_inspector->setVisible(!m_inspector->isVisible()); });
+    m_keys->note({QKeySequence(QStringLiteral("Ctrl+T"))}, tr("switches between dark and light"));
+    m_keys->note({QKeySequence::Open}, tr("opens a recording"));
+    m_keys->note({QKeySequence::Quit}, tr("quits"));
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
         if (state == Qt::ApplicationInactive)
             whenDeactivated();
     });
+}
+
+/// Of the page that is shown, then those of the window: made from the same tables as the keys themselves.
+void MainWindow::listKeys()
+{
+    QWidget *const shown = page(static_cast<PageId>(m_tabs->currentIndex()));
+    const auto *ofPage = shown->findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly);
+    showKeys(*this, m_tabs->tabText(m_tabs->currentIndex()), {ofPage, m_keys});
 }
 
 QWidget *MainWindow::page(PageId id)
@@ -318,13 +334,20 @@ void MainWindow::showPage(PageId id)
 
 void MainWindow::followPages()
 {
-    const auto id = static_cast<PageId>(m_tabs->currentIndex());
-    const bool ofDevice = id == PageId::Parameters || id == PageId::Tune;
     m_pages->setCurrentIndex(m_tabs->currentIndex());
     page(static_cast<PageId>(m_pages->currentIndex()))->setFocus();
-    m_states->setWanted(id == PageId::Tune);
-    m_line->setVisible(ofDevice && m_workbench.snapshot().device(m_selection.device()));
+    followLine();
     followInspector();
+}
+
+/// What the device is and does, above the pages that are about it; where the window is low the page needs the room.
+void MainWindow::followLine()
+{
+    const auto id = static_cast<PageId>(m_tabs->currentIndex());
+    const bool ofDevice = id == PageId::Parameters || id == PageId::Tune;
+    const bool tall = height() >= m_theme.theme().u(tallEnough);
+    m_states->setWanted(id == PageId::Tune && tall);
+    m_line->setVisible(ofDevice && tall && m_workbench.snapshot().device(m_selection.device()));
 }
 
 /// On the overview, where there is room for it. F10 is respected until that changes.
@@ -340,6 +363,8 @@ void MainWindow::followInspector()
 void MainWindow::resizeEvent(QResizeEvent *event)
 {
     QMainWindow::resizeEvent(event);
+    if (event->size().height() != event->oldSize().height())
+        followLine();
     followInspector();
 }
 

@@ -25,6 +25,7 @@ class DemoStripe;
 class DeviceLine;
 class HeaderBar;
 class LiveStateBar;
+class PageKeys;
 class PageTabs;
 
 /// The pages, in the order of their tabs.
@@ -70,6 +71,8 @@ private:
     void follow();
     void followLinks(const Snapshot &shot);
     void followPages();
+    void followLine();
+    void listKeys();
     void followInspector();
     void showNotice(const Notice &notice);
     void showFootprint();
@@ -89,6 +92,7 @@ private:
     PageTabs *m_tabs = nullptr;
     BannerStack *m_banners = nullptr;
     Conditions *m_conditions = nullptr;
+    PageKeys *m_keys = nullptr;
     DeviceLine *m_line = nullptr;
     LiveStateBar *m_states = nullptr;
     QStackedWidget *m_pages = nullptr;

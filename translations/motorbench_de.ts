@@ -1298,6 +1298,22 @@
         <source>load %1 &amp;nbsp; frames/s %2 &amp;nbsp; dropped %3 &amp;nbsp; errors %4</source>
         <translation>Last %1 &amp;nbsp; Frames/s %2 &amp;nbsp; verworfen %3 &amp;nbsp; Fehler %4</translation>
     </message>
+    <message>
+        <source>pauses the list, and goes on</source>
+        <translation>hält die Liste an und lässt sie weiterlaufen</translation>
+    </message>
+    <message>
+        <source>goes to the filter</source>
+        <translation>geht zum Filter</translation>
+    </message>
+    <message>
+        <source>finds the next one</source>
+        <translation>findet den nächsten</translation>
+    </message>
+    <message>
+        <source>finds the one before</source>
+        <translation>findet den vorigen</translation>
+    </message>
 </context>
 <context>
     <name>mb::ByteStrip</name>
@@ -2865,6 +2881,29 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::JogPanel</name>
+    <message>
+        <source>Nudge −</source>
+        <translation>Schubs −</translation>
+    </message>
+    <message>
+        <source>Nudge +</source>
+        <translation>Schubs +</translation>
+    </message>
+    <message>
+        <source>Nudge backwards</source>
+        <translation>Rückwärts anschubsen</translation>
+    </message>
+    <message>
+        <source>Nudge forwards</source>
+        <translation>Vorwärts anschubsen</translation>
+    </message>
+    <message>
+        <source>A click moves it for a tenth of a second; held, it goes on until it is let go.</source>
+        <translation>Ein Klick bewegt ihn eine Zehntelsekunde; gehalten läuft er, bis man loslässt.</translation>
+    </message>
+</context>
+<context>
     <name>mb::JumperDrawing</name>
     <message>
         <source>Drawing: the jumper connects AUX1 and AUX2; adapter TX to board RX, RX to TX, 3.3 V, GND</source>
@@ -3137,6 +3176,42 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>%1: %2 bytes received, %3 sent, %4 dropped, %5 errors</source>
         <translation>%1: %2 Bytes empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
     </message>
+    <message>
+        <source>stop every motor</source>
+        <translation>halten jeden Motor an</translation>
+    </message>
+    <message>
+        <source>stops every motor, unless words can be typed where the focus is</source>
+        <translation>hält jeden Motor an, außer wo gerade Text eingegeben wird</translation>
+    </message>
+    <message>
+        <source>shows these keys</source>
+        <translation>zeigt diese Tasten</translation>
+    </message>
+    <message>
+        <source>shows page %1</source>
+        <translation>zeigt die Seite %1</translation>
+    </message>
+    <message>
+        <source>shows or hides the devices</source>
+        <translation>zeigt oder verbirgt die Geräte</translation>
+    </message>
+    <message>
+        <source>shows or hides the inspector</source>
+        <translation>zeigt oder verbirgt den Inspektor</translation>
+    </message>
+    <message>
+        <source>switches between dark and light</source>
+        <translation>wechselt zwischen dunkel und hell</translation>
+    </message>
+    <message>
+        <source>opens a recording</source>
+        <translation>öffnet eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>quits</source>
+        <translation>beendet das Programm</translation>
+    </message>
 </context>
 <context>
     <name>mb::MetricsPanel</name>
@@ -3164,10 +3239,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>± from %1 repeats</source>
         <translation>± aus %1 Läufen</translation>
-    </message>
-    <message>
-        <source>%1 = same</source>
-        <translation>%1 = gleich</translation>
     </message>
     <message>
         <source>SAT %1 %</source>
@@ -3224,6 +3295,22 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Made on a simulated controller, and marked so for ever</source>
         <translation>An einem simulierten Regler entstanden und für immer so bezeichnet</translation>
+    </message>
+    <message>
+        <source>%1= same</source>
+        <translation>%1= gleich</translation>
+    </message>
+    <message>
+        <source>WINDUP %1</source>
+        <translation>WINDUP %1</translation>
+    </message>
+    <message>
+        <source>WINDUP</source>
+        <translation>WINDUP</translation>
+    </message>
+    <message>
+        <source>The duty was at its limit while I went on; that is paid back as overshoot</source>
+        <translation>Der Tastgrad war am Anschlag, während I weiterlief; das rächt sich als Überschwingen</translation>
     </message>
 </context>
 <context>
@@ -3436,6 +3523,17 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Open recording…</source>
         <translation>Aufnahme öffnen…</translation>
+    </message>
+</context>
+<context>
+    <name>mb::PageKeys</name>
+    <message>
+        <source>Keys: %1</source>
+        <translation>Tasten: %1</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
     </message>
 </context>
 <context>
@@ -3873,6 +3971,26 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>axis %1</source>
         <translation>Achse %1</translation>
     </message>
+    <message>
+        <source>reads all parameters</source>
+        <translation>liest alle Parameter</translation>
+    </message>
+    <message>
+        <source>searches</source>
+        <translation>sucht</translation>
+    </message>
+    <message>
+        <source>writes what is staged</source>
+        <translation>schreibt, was vorgemerkt ist</translation>
+    </message>
+    <message>
+        <source>undoes the last edit</source>
+        <translation>nimmt die letzte Änderung zurück</translation>
+    </message>
+    <message>
+        <source>makes it again</source>
+        <translation>macht sie wieder</translation>
+    </message>
 </context>
 <context>
     <name>mb::PlotBoard</name>
@@ -4070,6 +4188,15 @@ Die Aufnahme läuft dabei weiter.</translation>
     <message>
         <source>/s</source>
         <translation>/s</translation>
+    </message>
+    <message>
+        <source>t</source>
+        <comment>time of both cursors</comment>
+        <translation>t</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
     </message>
 </context>
 <context>
@@ -4429,6 +4556,38 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>Double click a signal in the list at the right or under a device at the left, or drag it here.</source>
         <translation>Ein Signal rechts in der Liste oder links unter einem Gerät doppelklicken oder hierher ziehen.</translation>
+    </message>
+    <message>
+        <source>pauses the plots, and goes on</source>
+        <translation>hält die Kurven an und lässt sie weiterlaufen</translation>
+    </message>
+    <message>
+        <source>fits time and value</source>
+        <translation>passt Zeit und Wert ein</translation>
+    </message>
+    <message>
+        <source>cursors: arrows move one, C changes to the other</source>
+        <translation>Cursor: Pfeile bewegen einen, C wechselt zum anderen</translation>
+    </message>
+    <message>
+        <source>watches for a trigger, or no more</source>
+        <translation>wartet auf einen Trigger oder nicht mehr</translation>
+    </message>
+    <message>
+        <source>records, or ends the recording</source>
+        <translation>zeichnet auf oder beendet die Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>in the plots: less or more time</source>
+        <translation>in den Kurven: weniger oder mehr Zeit</translation>
+    </message>
+    <message>
+        <source>in the plots: larger or smaller values</source>
+        <translation>in den Kurven: größere oder kleinere Werte</translation>
+    </message>
+    <message>
+        <source>in the plots: writes a note at this time</source>
+        <translation>in den Kurven: schreibt eine Notiz zu dieser Zeit</translation>
     </message>
 </context>
 <context>
@@ -4815,6 +4974,41 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>What the maker does not tell of the bootloader, with the likely values</source>
         <translation>Was der Hersteller über den Bootloader nicht mitteilt, mit den wahrscheinlichen Werten</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SavedLimits</name>
+    <message>
+        <source>Kept limits</source>
+        <translation>Behaltene Grenzen</translation>
+    </message>
+    <message>
+        <source>kept limits</source>
+        <translation>behaltene Grenzen</translation>
+    </message>
+    <message>
+        <source>Name of the limits</source>
+        <translation>Name der Grenzen</translation>
+    </message>
+    <message>
+        <source>Choose limits that were kept for this unit, or type a name to keep the present ones under</source>
+        <translation>Grenzen wählen, die für dieses Gerät behalten wurden, oder einen Namen eingeben, unter dem die jetzigen behalten werden</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keep these limits under this name</source>
+        <translation>Diese Grenzen unter diesem Namen behalten</translation>
+    </message>
+    <message>
+        <source>Forget</source>
+        <translation>Vergessen</translation>
+    </message>
+    <message>
+        <source>Forget the limits of this name</source>
+        <translation>Die Grenzen dieses Namens vergessen</translation>
     </message>
 </context>
 <context>
@@ -5455,10 +5649,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Diese Faktoren nehmen</translation>
     </message>
     <message>
-        <source>Stages the gains of the trial that is selected; nothing is written yet.</source>
-        <translation>Merkt die Faktoren des gewählten Versuchs vor; geschrieben wird noch nichts.</translation>
-    </message>
-    <message>
         <source>Export the trials as CSV or JSON</source>
         <translation>Versuche als CSV oder JSON ausgeben</translation>
     </message>
@@ -5521,6 +5711,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>Forget this trial</source>
         <translation>Diesen Versuch vergessen</translation>
     </message>
+    <message>
+        <source>stopped: speed</source>
+        <translation>gestoppt: Drehzahl</translation>
+    </message>
 </context>
 <context>
     <name>mb::TrialModel</name>
@@ -5575,6 +5769,18 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>note</source>
         <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Nehmen</translation>
+    </message>
+    <message>
+        <source>Stages the gains of this trial; nothing is written yet.</source>
+        <translation>Merkt die Faktoren dieses Versuchs vor; geschrieben wird noch nichts.</translation>
+    </message>
+    <message>
+        <source>Use the gains of trial #%1</source>
+        <translation>Die Faktoren von Versuch #%1 nehmen</translation>
     </message>
 </context>
 <context>
@@ -5713,7 +5919,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>Steady error</source>
-        <translation>Bleibender Fehler</translation>
+        <translation>Restfehler</translation>
     </message>
     <message>
         <source>IAE</source>
@@ -5920,6 +6126,92 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>trigger %1 %2 %3, %4 before</source>
         <translation>Trigger %1 %2 %3, %4 davor</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneFrame</name>
+    <message>
+        <source>Part of the page</source>
+        <translation>Teil der Seite</translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Trials</source>
+        <translation>Versuche</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Live</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuneKeys</name>
+    <message>
+        <source>writes what is staged and runs</source>
+        <translation>schreibt, was vorgemerkt ist, und startet</translation>
+    </message>
+    <message>
+        <source>the same, four times over</source>
+        <translation>dasselbe, viermal nacheinander</translation>
+    </message>
+    <message>
+        <source>goes to the first gain</source>
+        <translation>geht zum ersten Faktor</translation>
+    </message>
+    <message>
+        <source>swaps the gain slots; disarms</source>
+        <translation>tauscht die Slots; entschärft</translation>
+    </message>
+    <message>
+        <source>flips trials A and B</source>
+        <translation>vertauscht die Versuche A und B</translation>
+    </message>
+    <message>
+        <source>pins trial B as A</source>
+        <translation>heftet Versuch B als A an</translation>
+    </message>
+    <message>
+        <source>cursors in the plot: arrows move one, C changes to the other</source>
+        <translation>Cursor in der Kurve: Pfeile bewegen einen, C wechselt zum anderen</translation>
+    </message>
+    <message>
+        <source>fits time and value of the plot</source>
+        <translation>passt Zeit und Wert der Kurve ein</translation>
+    </message>
+    <message>
+        <source>pauses the live view, and goes on</source>
+        <translation>hält die Live-Ansicht an und lässt sie weiterlaufen</translation>
+    </message>
+    <message>
+        <source>identifies the device: it blinks</source>
+        <translation>zeigt das Gerät: es blinkt</translation>
+    </message>
+    <message>
+        <source>undoes the last edit of gains</source>
+        <translation>nimmt die letzte Änderung der Faktoren zurück</translation>
+    </message>
+    <message>
+        <source>does it again</source>
+        <translation>macht sie wieder</translation>
+    </message>
+    <message>
+        <source>held: moves the armed motor gently forwards or backwards</source>
+        <translation>gehalten: bewegt den scharfen Motor sanft vorwärts oder rückwärts</translation>
+    </message>
+    <message>
+        <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
+        <translation>am Schieber eines Faktors: 2 %, mit Umschalt 0.2 %, mit Strg 20 %; das Mausrad ändert um 2 %</translation>
     </message>
 </context>
 <context>
@@ -6195,6 +6487,22 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>What the adviser proposes</source>
         <translation>Was der Ratgeber vorschlägt</translation>
+    </message>
+    <message>
+        <source>Something moves</source>
+        <translation>Es bewegt sich etwas</translation>
+    </message>
+    <message>
+        <source>Hold the lamp for 1 s to arm it first.</source>
+        <translation>Zuerst die Lampe 1 s halten, um es scharf zu schalten.</translation>
+    </message>
+    <message>
+        <source>not identified: %1</source>
+        <translation>nicht gezeigt: %1</translation>
+    </message>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>die Grenzen wurden nicht behalten: %1</translation>
     </message>
 </context>
 <context>

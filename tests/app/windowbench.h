@@ -22,8 +22,8 @@ public:
     static constexpr int inBootloader = 9;
     static constexpr std::size_t benchSize = 6; ///< three DMC60C, and an Abstract DC Drive of each dialect
 
-    explicit WindowBench(double fontScale = 1.0)
-        : m_application(*qApp, options(fontScale))
+    explicit WindowBench(double fontScale = 1.0, const QString &language = QStringLiteral("en"))
+        : m_application(*qApp, options(fontScale, language))
     {
         m_application.start();
         QApplication::setActiveWindow(&window());
@@ -89,12 +89,12 @@ public:
     }
 
 private:
-    static Options options(double fontScale)
+    static Options options(double fontScale, const QString &language)
     {
         Options options;
         options.demo = true;
         options.size = QStringLiteral("1280x800");
-        options.language = QStringLiteral("en");
+        options.language = language;
         options.fontScale = fontScale;
         return options;
     }

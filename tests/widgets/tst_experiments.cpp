@@ -1,108 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The Tune page around experiments: what F5 asks for, what comes back, how two trials are compared.
 #include "support/windowtests.h"
-#include "tunehand.h"
-#include "tuning/verdict.h"
+#include "trialbench.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
-#include "widgets/control/metricspanel.h"
-#include "widgets/control/responseplot.h"
-#include "widgets/control/stimulusbar.h"
-#include "widgets/control/triallist.h"
-#include "widgets/control/trialsview.h"
-#include "widgets/plots/plotstack.h"
+#include "widgets/control/tuneframe.h"
 
 #include <QAction>
-#include <QTableView>
-#include <QTableWidget>
 
 using namespace mb;
 using namespace mb::test;
 using tuning::Trial;
-
-namespace {
-
-/// What the engine would answer: a second-order step with this damping.
-Trial responseOf(const tuning::ExperimentPlan &plan, std::int64_t number, double damping, const std::string &unit)
-{
-    Trial trial;
-    trial.number = number;
-    trial.unit = unit;
-    trial.device = "sim:can/dmc60c:5";
-    trial.simulated = true;
-    trial.mode = plan.mode;
-    trial.axis = plan.axis;
-    trial.stimulus = *tuning::Stimulus::make(plan.profile, plan.from.value_or(0.0), plan.to, plan.seconds, 0.02);
-    trial.repeat = plan.repeat;
-    trial.envelope = {1e6, 1e6, 60.0, 0.55};
-    trial.gains = {{"slot0.p", 1.0 + damping}, {"slot0.i", 0.003}};
-    trial.reason = "done";
-    trial.stopped = true;
-    trial.holds = {{0.0, 1.0}};
-    trial.returns = {{1.0, 2.0}};
-    tuning::Signal velocity{"velocity", "counts/s", {}};
-    tuning::Signal duty{"duty", "fraction", {}};
-    constexpr double omega = 15.0;
-    const double damped = omega * std::sqrt(1.0 - damping * damping);
-    const auto step = [&](double t) {
-        return t <= 0.0 ? 0.0
-                        : 1.0
-                - std::exp(-damping * omega * t)
-                    * (std::cos(damped * t) + damping * omega / damped * std::sin(damped * t));
-    };
-    for (int i = -40; i < 400; ++i) {
-        const double t = i * 0.005;
-        velocity.trace.add(t, trial.stimulus.to * (step(t) - step(t - 1.0)));
-        duty.trace.add(t, t < 0.0 ? 0.0 : t < 0.08 ? 0.55 : 0.3);
-    }
-    trial.signals = {velocity, duty};
-    trial.metrics = tuning::readResponse(velocity.trace.part(-0.2, 1.0), trial.stimulus.to, 5.0).metrics;
-    trial.metrics.saturated = 0.08;
-    return trial;
-}
-
-/// The page in its first view, with a notebook.
-struct TrialBench : TuneBench {
-    TrialBench()
-    {
-        page->showLive(false);
-        device().selector = "sim:can/dmc60c:5";
-        device().liveness.heard = true;
-        workbench.publish();
-    }
-    [[nodiscard]] std::string unit() { return tuning::unitOf(device().identity, device().selector, true); }
-    void choose(double to, int repeat = 1)
-    {
-        StimulusChoice choice;
-        choice.to = to;
-        choice.repeat = repeat;
-        page->chooseStimulus(Mode::Velocity, choice);
-    }
-    /// As the engine ends it: kept, then told.
-    Trial finish(double damping)
-    {
-        const auto planned = workbench.plans.back();
-        const Trial trial
-            = responseOf(planned.plan, static_cast<std::int64_t>(workbench.plans.size()), damping, unit());
-        KeptTrial kept;
-        kept.number = *trial.number;
-        kept.trial = trial;
-        workbench.book.recorded[kept.number] = trial.signals;
-        kept.trial.signals.clear();
-        workbench.book.kept.push_back(kept);
-        planned.finished(trial);
-        QCoreApplication::processEvents();
-        QCoreApplication::processEvents();
-        return trial;
-    }
-    [[nodiscard]] QString metric(int row, int column)
-    {
-        return page->trials().metrics().table().item(row, column)->text();
-    }
-};
-
-} // namespace
 
 class TestExperiments : public QObject {
     Q_OBJECT
@@ -121,6 +30,7 @@ private Q_SLOTS:
     void tenThousandTrialsAreListedAtOnce();
     void everyControlHasAName();
     void thePlotKeepsAThirdOfThePageAtTwiceTheFont();
+    void withoutRoomOnePartIsShownAtATime();
 };
 
 void TestExperiments::oneKeyWritesWhatIsStagedAndRuns()
@@ -204,6 +114,7 @@ void TestExperiments::twoTrialsLieOverEachOtherWithTheirDifferenceInWords()
     QCOMPARE(trials.plot().stack().traceCount(), 5); // twice velocity and duty, and the set-point
     QVERIFY(trials.metrics().chips().contains(s("SAT 8 %")));
     QVERIFY(trials.metrics().chips().contains(s("SIMULATED")));
+    QVERIFY(trials.metrics().chips().filter(s("WINDUP")).size() == 1);
     QTest::keyClick(bench.page.get(), Qt::Key_B);
     QCOMPARE(trials.a()->number, 2);
     QCOMPARE(bench.metric(0, 3), s("+11.7 ▲ worse"));
@@ -231,8 +142,9 @@ void TestExperiments::theGainsOfATrialComeBackAsEdits()
     bench.page->run();
     bench.finish(0.5); // with P 1.5
     auto &list = bench.page->trials().list();
-    list.table().selectRow(0);
-    click(bench, "Use these gains");
+    const QRect use = list.table().visualRect(list.model().index(0, TrialModel::Use));
+    QVERIFY2(list.table().viewport()->rect().contains(use), "the column Use is in sight");
+    QTest::mouseClick(list.table().viewport(), Qt::LeftButton, {}, use.center());
     QVERIFY(bench.workbench.callsOf("writeParameters").empty()); // staged, never written
     QCOMPARE(bench.page->gainsPanel().toWrite().size(), 2U);
     bench.page->run();
@@ -371,6 +283,7 @@ void TestExperiments::everyControlHasAName()
     }
 }
 
+/// The page of a window of 1280 × 800 and of 1440 × 900 beside the devices, at both fonts; whichever part of it is chosen first.
 void TestExperiments::thePlotKeepsAThirdOfThePageAtTwiceTheFont()
 {
     const QFont before = QApplication::font();
@@ -379,18 +292,49 @@ void TestExperiments::thePlotKeepsAThirdOfThePageAtTwiceTheFont()
         font.setPointSizeF(size);
         QApplication::setFont(font);
         applyTheme(*qApp, lightTheme(size));
-        TuneBench bench(lightTheme(size), size > 15.0 ? QSize(1800, 1200) : QSize(1208, 700));
-        bench.page->showLive(false);
-        bench.workbench.publish();
-        QCoreApplication::processEvents();
-        const QSize plot = bench.page->trials().plot().size();
-        const double share = 1.0 * plot.width() * plot.height() / (bench.page->width() * bench.page->height());
-        qInfo("%.0f pt: plot %d x %d, %.0f %% of the page", size, plot.width(), plot.height(), share * 100.0);
-        if (size > 15.0)
-            QVERIFY(share >= 1.0 / 3.0);
+        for (const QSize page : {QSize(816, 526), QSize(976, 626), QSize(1048, 580)}) {
+            TrialBench bench(lightTheme(size), page);
+            bench.workbench.publish();
+            QCoreApplication::processEvents();
+            QCOMPARE(bench.page->size(), page); // it asks for no more
+            const QSize plot = bench.page->trials().plot().size();
+            const double share = 1.0 * plot.width() * plot.height() / (page.width() * page.height());
+            qInfo("%.0f pt, page %d x %d: plot %d x %d, %.0f %%", size, page.width(), page.height(), plot.width(),
+                plot.height(), share * 100.0);
+            QVERIFY(bench.page->trials().plot().isVisible());
+            QVERIFY(size < 15.0 || share >= 1.0 / 3.0);
+        }
     }
     QApplication::setFont(before);
     applyTheme(*qApp, lightTheme());
+}
+
+void TestExperiments::withoutRoomOnePartIsShownAtATime()
+{
+    TrialBench bench(lightTheme(), QSize(500, 320));
+    bench.workbench.publish();
+    TuneFrame &frame = bench.page->frame();
+    QVERIFY(frame.isCompact());
+    const auto seen = [&] {
+        const TrialsView &trials = bench.page->trials();
+        return std::array{bench.page->stimulus().isVisible(), bench.page->gainsPanel().isVisible(),
+            bench.page->trials().plot().isVisible(), bench.page->trials().metrics().isVisible(),
+            bench.page->trials().list().isVisible(), trials.isVisible()};
+    };
+    QVERIFY((seen() == std::array{false, false, true, false, false, true}));
+    frame.show(TuneFrame::Part::Setup);
+    QVERIFY((seen() == std::array{true, true, false, false, false, false}));
+    frame.show(TuneFrame::Part::Metrics);
+    QVERIFY((seen() == std::array{false, false, false, true, false, true}));
+    frame.show(TuneFrame::Part::Trials);
+    QVERIFY((seen() == std::array{false, false, false, false, true, true}));
+    frame.show(TuneFrame::Part::Live);
+    QVERIFY(bench.page->isLive());
+    frame.show(TuneFrame::Part::Response);
+    QVERIFY(!bench.page->isLive());
+    bench.page->resize(1208, 760);
+    QVERIFY(!frame.isCompact());
+    QVERIFY((seen() == std::array{true, true, true, true, true, true}));
 }
 
 MB_WINDOW_TEST(TestExperiments);

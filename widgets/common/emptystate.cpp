@@ -32,7 +32,7 @@ EmptyState::EmptyState(
     column->addWidget(m_title);
     auto *line = new QHBoxLayout; // an alignment would be given the height of the whole width, and cut the second line
     line->addStretch(1);
-    line->addWidget(m_text);
+    line->addWidget(m_text, 100);
     line->addStretch(1);
     column->addLayout(line);
     column->addLayout(buttons);
@@ -63,7 +63,8 @@ void EmptyState::restyle()
 {
     const Theme &theme = m_theme.theme();
     m_mark->setFixedSize(theme.u(44), theme.u(44));
-    m_text->setFixedWidth(theme.u(400));
+    m_text->setMinimumWidth(theme.u(220)); // large fonts in a small window
+    m_text->setMaximumWidth(theme.u(400));
     layout()->setContentsMargins(theme.u(24), theme.u(24), theme.u(24), theme.u(24));
     layout()->setSpacing(theme.u(8));
     m_actions->setSpacing(theme.u(8));

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace mb {
@@ -98,6 +99,9 @@ void AdvicePanel::setTrial(const Family *family, const tuning::Trial *trial)
     std::vector<tuning::Advice> now;
     if (family && trial)
         now = tuning::advise(*family, *trial);
+    const auto windup
+        = std::find_if(now.begin(), now.end(), [](const tuning::Advice &a) { return a.cause == Cause::Windup; });
+    m_windup = windup == now.end() ? std::nullopt : std::optional(windup->number);
     if (now.size() > mostShown)
         now.resize(mostShown);
     if (now == m_advice)

@@ -7,6 +7,7 @@
 
 #include <QWidget>
 
+#include <optional>
 #include <vector>
 
 class QVBoxLayout;
@@ -26,6 +27,8 @@ public:
     /// nullptr: no trial.
     void setTrial(const Family *family, const tuning::Trial *trial);
     [[nodiscard]] const std::vector<tuning::Advice> &advice() const { return m_advice; }
+    /// Seconds in which I went on while the duty was at its limit; nothing where it did not, or where that cannot be judged.
+    [[nodiscard]] std::optional<double> windup() const { return m_windup; }
 
 Q_SIGNALS:
     void stageRequested(const mb::tuning::Advice &advice);
@@ -35,6 +38,7 @@ private:
 
     const ThemeSource &m_theme;
     std::vector<tuning::Advice> m_advice;
+    std::optional<double> m_windup;
     QVBoxLayout *m_column = nullptr;
 };
 

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/envelopepanel.h"
 
+#include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberfield.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/control/savedlimits.h"
 #include "widgets/control/wrappedlabel.h"
 
 #include <QGridLayout>
 #include <QPushButton>
 
 #include <cmath>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -58,6 +61,13 @@ EnvelopePanel::EnvelopePanel(const ThemeSource &theme, QWidget *parent)
         connect(m_rows[i].field, &QLineEdit::textEdited, this, &EnvelopePanel::read);
     }
     grid->setColumnStretch(2, 1);
+    m_saved = new SavedLimits(theme, m_box);
+    grid->addWidget(m_saved, static_cast<int>(bounds.size()), 0, 1, 3);
+    connect(m_saved, &SavedLimits::chosen, this, [this](const QString &name) { take(m_book.named(m_unit, name)); });
+    connect(m_saved, &SavedLimits::keepRequested, this,
+        [this](const QString &name) { told(m_book.keep(m_unit, name, m_entered)); });
+    connect(m_saved, &SavedLimits::forgetRequested, this,
+        [this](const QString &name) { told(m_book.forget(m_unit, name)); });
     column->addWidget(m_head, 0, Qt::AlignLeft);
     column->addWidget(m_words);
     column->addWidget(m_box);
@@ -82,12 +92,35 @@ void EnvelopePanel::setUnits(const DisplayUnits &units)
     say();
 }
 
-void EnvelopePanel::setEntered(const Envelope &entered)
+void EnvelopePanel::choose(const std::string &unit, bool sameDevice)
 {
-    if (entered == m_entered)
+    if (unit == m_unit)
         return;
-    m_entered = entered;
+    if (sameDevice && !m_unit.empty())
+        told(m_book.carry(m_unit, unit));
+    else if (sameDevice && m_book.entered(unit) == Envelope())
+        told(m_book.enter(unit, m_entered));
+    m_unit = unit;
+    m_saved->setNames(m_book.names(unit));
+    if (std::exchange(m_entered, m_book.entered(unit)) == m_entered)
+        return;
     write();
+    Q_EMIT changed();
+}
+
+void EnvelopePanel::take(const Envelope &limits)
+{
+    m_entered = limits;
+    write();
+    told(m_book.enter(m_unit, m_entered));
+    Q_EMIT changed();
+}
+
+void EnvelopePanel::told(const Result<void> &result)
+{
+    m_saved->setNames(m_book.names(m_unit));
+    if (!result)
+        Q_EMIT failed(errorText(result.error()));
 }
 
 void EnvelopePanel::write()
@@ -112,6 +145,7 @@ void EnvelopePanel::read()
             m_entered.*bounds[i].value
                 = number ? std::optional(*number / m_rows[i].unit.scale) : std::optional<double>();
     }
+    told(m_book.enter(m_unit, m_entered));
     Q_EMIT changed();
 }
 

@@ -3,6 +3,7 @@
 
 #include "model/trialtraits.h"
 #include "widgets/common/theme.h"
+#include "widgets/control/envelopebook.h"
 #include "widgets/plots/displayunits.h"
 
 #include <QWidget>
@@ -15,6 +16,8 @@ class QPushButton;
 
 namespace mb {
 
+class SavedLimits;
+
 /// Travel, speed, current and duty that no experiment may leave: what a person has entered, and beside it what holds now.
 class EnvelopePanel : public QWidget {
     Q_OBJECT
@@ -22,8 +25,11 @@ public:
     explicit EnvelopePanel(const ThemeSource &theme, QWidget *parent = nullptr);
 
     void setUnits(const DisplayUnits &units);
-    /// What was entered for this unit. Without a signal.
-    void setEntered(const Envelope &entered);
+    /// Where limits of every unit are kept.
+    [[nodiscard]] EnvelopeBook &book() { return m_book; }
+    /// Shows what was entered for this unit (Trial::unit), also by another run of the program; changed() where that is something
+    /// else. Limits go along when a unit turns out to have a serial number. Empty: not known who it is.
+    void choose(const std::string &unit, bool sameDevice);
     [[nodiscard]] const Envelope &entered() const { return m_entered; }
     /// What bounds the next experiment; `missing` must be entered before it.
     void setInForce(const Envelope &inForce, const QString &missing);
@@ -31,6 +37,8 @@ public:
 
 Q_SIGNALS:
     void changed();
+    /// What could not be written.
+    void failed(const QString &cause);
 
 private:
     struct Row {
@@ -41,8 +49,13 @@ private:
     void read();
     void write();
     void say();
+    void take(const Envelope &limits);
+    void told(const Result<void> &result);
 
     const ThemeSource &m_theme;
+    EnvelopeBook m_book;
+    std::string m_unit;
+    SavedLimits *m_saved = nullptr;
     Envelope m_entered;
     Envelope m_inForce;
     QString m_missing;

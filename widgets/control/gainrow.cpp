@@ -14,6 +14,7 @@
 #include <QGridLayout>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,7 @@
 namespace mb {
 namespace {
 
+constexpr int notch = QWheelEvent::DefaultDeltasPerStep;
 constexpr int fieldWidth = 104;
 constexpr int nameWidth = 22;
 constexpr int boundNameWidth = 108;
@@ -86,6 +88,8 @@ void GainRow::buildFirstLine(QGridLayout &grid)
     m_field->setAccessibleName(tableText(m_parameter.label));
     m_field->setPlaceholderText(UnknownMark);
     name->setBuddy(m_field);
+    if (gain)
+        m_field->installEventFilter(this);
     m_unit = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);
     m_glyph = new StateGlyph(m_theme, GlyphState::Gone, this);
     m_word = textLabel({}, TextRole::Caption, Tone::Dim, this);
@@ -148,6 +152,28 @@ void GainRow::focusField()
 {
     m_field->setFocus(Qt::ShortcutFocusReason);
     m_field->selectAll();
+}
+
+bool GainRow::eventFilter(QObject *watched, QEvent *event)
+{
+    constexpr double step = 1.02;
+    if (event->type() != QEvent::Wheel || watched != m_field || !m_field->hasFocus())
+        return QWidget::eventFilter(watched, event);
+    m_turned += static_cast<const QWheelEvent &>(*event).angleDelta().y();
+    for (; std::abs(m_turned) >= notch; m_turned -= m_turned > 0 ? notch : -notch)
+        multiply(m_turned > 0 ? step : 1.0 / step);
+    event->accept();
+    return true;
+}
+
+void GainRow::multiply(double factor)
+{
+    const auto now = number();
+    if (!now || *now == 0.0)
+        return;
+    chosen(*now * factor);
+    m_sliding = false;
+    m_edits.endTyping(true);
 }
 
 void GainRow::typed(const QString &text)

@@ -4,7 +4,6 @@
 #include "widgets/control/arming.h"
 
 #include <QKeyEvent>
-#include <QTimer>
 #include <QWidget>
 
 namespace mb {
@@ -20,6 +19,9 @@ JogKeys::JogKeys(Arming &arming, QWidget &page, SetPointOf setPointOf)
     , m_setPointOf(std::move(setPointOf))
 {
     page.installEventFilter(this);
+    m_nudge.setSingleShot(true);
+    m_nudge.setTimerType(Qt::PreciseTimer);
+    connect(&m_nudge, &QTimer::timeout, this, &JogKeys::release);
 }
 
 bool JogKeys::press(int key)
@@ -30,6 +32,7 @@ bool JogKeys::press(int key)
     if (!setPoint)
         return false;
     m_held = key;
+    m_since.start();
     m_arming.run(*setPoint);
     return true;
 }
@@ -39,13 +42,22 @@ void JogKeys::release()
     if (m_held == 0)
         return;
     m_held = 0;
+    m_nudge.stop();
     m_arming.halt();
 }
 
-void JogKeys::nudge(bool forwards)
+void JogKeys::hold(bool forwards)
 {
-    if (press(forwards ? Qt::Key_J : Qt::Key_K))
-        QTimer::singleShot(nudgeTime, this, &JogKeys::release);
+    press(forwards ? Qt::Key_J : Qt::Key_K);
+}
+
+void JogKeys::letGo()
+{
+    const std::chrono::milliseconds held(m_since.isValid() ? m_since.elapsed() : 0);
+    if (m_held != 0 && held < nudgeTime)
+        m_nudge.start(nudgeTime - held);
+    else
+        release();
 }
 
 bool JogKeys::eventFilter(QObject *watched, QEvent *event)

@@ -3,7 +3,9 @@
 
 #include "model/setpoint.h"
 
+#include <QElapsedTimer>
 #include <QObject>
+#include <QTimer>
 
 #include <functional>
 #include <optional>
@@ -25,8 +27,10 @@ public:
     JogKeys(Arming &arming, QWidget &page, SetPointOf setPointOf);
 
     [[nodiscard]] bool isHeld() const { return m_held != 0; }
-    /// A tenth of a second of the same, for a button.
-    void nudge(bool forwards);
+    /// As a key that goes down, for a button.
+    void hold(bool forwards);
+    /// As the key that comes up; one that was held for less than a tenth of a second moves for as long.
+    void letGo();
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -38,6 +42,8 @@ private:
     Arming &m_arming;
     SetPointOf m_setPointOf;
     int m_held = 0;
+    QElapsedTimer m_since;
+    QTimer m_nudge;
 };
 
 } // namespace mb

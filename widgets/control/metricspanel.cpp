@@ -8,11 +8,14 @@
 #include "widgets/parameters/wraplayout.h"
 
 #include <QHeaderView>
+#include <QResizeEvent>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -63,11 +66,12 @@ MetricsPanel::MetricsPanel(const ThemeSource &theme, QWidget *parent)
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setShowGrid(false);
+    m_table->setProperty("dense", true);
     m_table->setWordWrap(false);
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the panel scrolls
     m_table->verticalHeader()->hide();
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
     m_table->horizontalHeader()->setMinimumSectionSize(look.u(30));
     m_health = new SectionLabel(tr("Loop health"), this);
@@ -100,8 +104,9 @@ void MetricsPanel::fit()
     m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + m_table->rowCount() * row + 2);
 }
 
-void MetricsPanel::setTrials(const KeptTrial *a, const KeptTrial *b)
+void MetricsPanel::setTrials(const KeptTrial *a, const KeptTrial *b, std::optional<double> windup)
 {
+    m_windup = windup;
     const auto bare = [](const KeptTrial *kept) {
         std::optional<KeptTrial> copy;
         if (!kept)
@@ -117,6 +122,12 @@ void MetricsPanel::setTrials(const KeptTrial *a, const KeptTrial *b)
 
 void MetricsPanel::fill()
 {
+    fillRows();
+    fillChips();
+}
+
+void MetricsPanel::fillRows()
+{
     const auto head = [](const QString &letter, const std::optional<KeptTrial> &kept) {
         return kept ? QStringLiteral("%1 #%2").arg(letter).arg(kept->number) : letter;
     };
@@ -124,20 +135,63 @@ void MetricsPanel::fill()
         {tr("metric"), head(QStringLiteral("A"), m_a), head(QStringLiteral("B"), m_b), tr("Δ B − A", "difference")});
     for (int column = ValueA; column < ColumnCount; ++column)
         m_table->horizontalHeaderItem(column)->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    for (std::size_t i = 0; i < keys.size(); ++i)
-        fillRow(static_cast<int>(i), keys[i]);
+    const auto fillAll = [this](Detail detail) {
+        for (std::size_t i = 0; i < keys.size(); ++i)
+            fillRow(static_cast<int>(i), keys[i], detail);
+        return tableWidth();
+    };
+    const int least = fillAll(Detail::WordsOnly);
+    const QMargins around = layout()->contentsMargins();
+    const int room = width() - around.left() - around.right(); // the table follows later
+    if (fillAll(Detail::All) > room && fillAll(Detail::WithoutError) > room)
+        fillAll(Detail::WordsOnly);
+    for (int column = ValueA; column < ColumnCount; ++column)
+        m_table->setColumnWidth(column, widthOf(column));
     const int repeats = m_b ? m_b->trial.repeat : 1;
     m_repeats->setText(repeats > 1 ? tr("± from %1 repeats").arg(repeats) : QString());
-    fillChips();
+    if (std::exchange(m_least, least + around.left() + around.right() + m_theme.theme().u(14)) != m_least)
+        Q_EMIT leastWidthChanged();
 }
 
-void MetricsPanel::fillRow(int row, std::string_view key)
+/// What the texts of a column need.
+int MetricsPanel::widthOf(int column) const
+{
+    const QFontMetrics caption(m_theme.theme().font(TextRole::Caption, font()));
+    int width = caption.horizontalAdvance(m_table->horizontalHeaderItem(column)->text());
+    for (int row = 0; row < m_table->rowCount(); ++row) {
+        const QTableWidgetItem &item = *m_table->item(row, column);
+        width = std::max(width, QFontMetrics(item.font()).horizontalAdvance(item.text()));
+    }
+    return width + m_theme.theme().u(10) + 8; // what the sheet leaves around a text, and the style inside it
+}
+
+int MetricsPanel::tableWidth() const
+{
+    return widthOf(Name) + widthOf(ValueA) + widthOf(ValueB) + widthOf(Difference);
+}
+
+void MetricsPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        fillRows(); // and no chip is deleted: a change of style, which resizes, walks through all widgets
+}
+
+void MetricsPanel::fillRow(int row, std::string_view key, Detail detail)
 {
     const MetricWord word = metricWord(key);
     setCell(row, Name, QStringLiteral("%1, %2").arg(word.name, word.unit), Tone::Text, false);
-    m_table->item(row, Name)->setToolTip(m_table->item(row, Name)->text());
     setCell(row, ValueA, textOf(m_a, key, word, false), Tone::Text, false);
-    setCell(row, ValueB, textOf(m_b, key, word, true), Tone::Text, true);
+    setCell(row, ValueB, textOf(m_b, key, word, detail == Detail::All), Tone::Text, true);
+    fillDifference(row, key, detail);
+    for (int column = Name; column < ColumnCount; ++column)
+        m_table->item(row, column)
+            ->setToolTip(column == ValueB ? textOf(m_b, key, word, true) : m_table->item(row, column)->text());
+}
+
+void MetricsPanel::fillDifference(int row, std::string_view key, Detail detail)
+{
+    const MetricWord word = metricWord(key);
     const auto a = m_a ? valueOf(m_a->trial.metrics, key) : std::nullopt;
     const auto b = m_b ? valueOf(m_b->trial.metrics, key) : std::nullopt;
     if (!a || !b) {
@@ -151,13 +205,14 @@ void MetricsPanel::fillRow(int row, std::string_view key)
     const double judged = isSigned ? (std::abs(after) - std::abs(before)) * word.scale : change;
     const auto error = valueOf(m_b->trial.errors, key).value_or(0.0) + valueOf(m_a->trial.errors, key).value_or(0.0);
     const bool same = std::abs(judged) < std::max(word.same, error * word.scale);
-    const QString number = formatDifference(change, word.decimals);
+    const QString number
+        = detail == Detail::WordsOnly ? QString() : formatDifference(change, word.decimals) + QLatin1Char(' ');
     if (same)
-        setCell(row, Difference, tr("%1 = same").arg(number), Tone::Dim, false);
+        setCell(row, Difference, tr("%1= same").arg(number), Tone::Dim, false);
     else if (judged < 0.0)
-        setCell(row, Difference, QStringLiteral("%1 ▼ %2").arg(number, word.less), Tone::Ok, false);
+        setCell(row, Difference, QStringLiteral("%1▼ %2").arg(number, word.less), Tone::Ok, false);
     else
-        setCell(row, Difference, QStringLiteral("%1 ▲ %2").arg(number, word.more), Tone::Caution, false);
+        setCell(row, Difference, QStringLiteral("%1▲ %2").arg(number, word.more), Tone::Caution, false);
 }
 
 void MetricsPanel::setCell(int row, int column, const QString &text, Tone tone, bool strong)
@@ -204,6 +259,9 @@ void MetricsPanel::fillChips()
     addChip(tr("ILIM"), of(tuning::flag::currentLimit), tr("The current was at its limit"));
     addChip(tr("RAMP"), of(tuning::flag::rampLimit), tr("The drive's own ramp was on"));
     addChip(tr("LIMIT SW"), of(tuning::flag::limitSwitch), tr("A limit switch was met"));
+    addChip(m_windup ? tr("WINDUP %1").arg(formatDuration(*m_windup)) : tr("WINDUP"),
+        m_windup ? Tone::Caution : Tone::Dim,
+        tr("The duty was at its limit while I went on; that is paid back as overshoot"));
     addChip(tr("QUANT"), of(tuning::flag::lowResolution), tr("The step has few counts of the encoder"));
     addChip(tr("LOST %1").arg(trial.lost), trial.lost > 0 ? Tone::Caution : Tone::Ok, tr("Samples that are missing"));
     if (trial.simulated)

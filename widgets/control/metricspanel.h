@@ -20,14 +20,29 @@ public:
 
     /// Stands below everything else.
     void append(QWidget *below);
-    /// nullptr: none.
-    void setTrials(const KeptTrial *a, const KeptTrial *b);
+    /// nullptr: none. `windup`: seconds in which I went on at the limit in B; nothing where it did not.
+    void setTrials(const KeptTrial *a, const KeptTrial *b, std::optional<double> windup = std::nullopt);
+    /// For its names and words whole, without ± and numbers of the difference.
+    [[nodiscard]] int leastWidth() const { return m_least; }
     [[nodiscard]] QTableWidget &table() { return *m_table; }
     [[nodiscard]] QStringList chips() const { return m_chipTexts; }
 
+Q_SIGNALS:
+    void leastWidthChanged();
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
+    /// What a row shows; where there is little room ± and the difference as a number give way, words and shape never.
+    enum class Detail { All, WithoutError, WordsOnly };
+
     void fill();
-    void fillRow(int row, std::string_view key);
+    void fillRows();
+    void fillRow(int row, std::string_view key, Detail detail);
+    void fillDifference(int row, std::string_view key, Detail detail);
+    [[nodiscard]] int widthOf(int column) const;
+    [[nodiscard]] int tableWidth() const;
     void setCell(int row, int column, const QString &text, Tone tone, bool strong);
     void fillChips();
     void addChip(const QString &text, Tone tone, const QString &tip);
@@ -39,8 +54,10 @@ private:
     QLabel *m_health = nullptr;
     QWidget *m_chips = nullptr;
     QStringList m_chipTexts;
+    int m_least = 0;
     std::optional<KeptTrial> m_a; ///< without signals
     std::optional<KeptTrial> m_b;
+    std::optional<double> m_windup;
 };
 
 } // namespace mb

@@ -91,7 +91,7 @@ void ModePanel::rebuild()
         button->setText(titled(modeText(m_modes[static_cast<std::size_t>(i)])));
         button->setAccessibleName(tr("%1 mode").arg(button->text()));
         button->setCheckable(true);
-        button->setSizePolicy(perLine == 2 ? QSizePolicy::Ignored : QSizePolicy::Expanding, QSizePolicy::Fixed);
+        button->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         const int place = i % perLine;
         const bool last = place == perLine - 1 || i == count - 1;
         setStyleProperty(*button, "segment",
@@ -124,6 +124,11 @@ void ModePanel::show(Mode mode, int edited, int running)
         m_group->button(static_cast<int>(found - m_modes.begin()))->setChecked(true);
     }
     m_slots->show(edited, running);
+}
+
+void ModePanel::swapSlots()
+{
+    m_slots->swap();
 }
 
 void ModePanel::chainAfter(QWidget *before)

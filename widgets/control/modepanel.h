@@ -27,6 +27,8 @@ public:
     [[nodiscard]] int runningSlot() const;
     /// Without a signal.
     void show(Mode mode, int edited, int running);
+    /// SlotPanel::swap().
+    void swapSlots();
     /// Puts the buttons behind `before` in the order of Tab: they are made anew for each family.
     void chainAfter(QWidget *before);
 

@@ -22,7 +22,8 @@ constexpr double nearLimit = 0.98;
 constexpr double beforeEdge = 0.1; ///< s
 constexpr double shortestSpan = 0.01;
 constexpr double notablePeak = 0.01;
-constexpr int lowPlot = 380;
+constexpr int roomForTwo = 210; ///< units of height
+constexpr int roomForThree = 330;
 
 /// The stretches of a trace that stay at or above a limit, either way.
 std::vector<std::pair<double, double>> stretchesAt(const Trace &trace, double limit)
@@ -89,6 +90,7 @@ ResponsePlot::ResponsePlot(const ThemeSource &theme, QWidget *parent)
     m_stack = new PlotStack(theme, this);
     m_stack->setObjectName(QStringLiteral("responseStack"));
     m_stack->setLive(false);
+    m_stack->setCursorValues(true);
     column->addWidget(m_stack);
 }
 
@@ -96,6 +98,7 @@ void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const Kep
 {
     m_stack->clear();
     m_length = 0.0;
+    m_drawnStrips = strips();
     const Side sideA{a, QStringLiteral("A"), false};
     const Side sideB{b, QStringLiteral("B"), true};
     const KeptTrial *const leading = b ? b : a;
@@ -111,7 +114,7 @@ void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const Kep
     for (const std::string_view channel : {measured, std::string_view("duty"), std::string_view("current")}) {
         if (strip > 0 && channel == measured)
             continue;
-        if (strip > 1 && height() < m_theme.theme().u(lowPlot))
+        if (strip >= m_drawnStrips)
             continue; // better one less than all of them flat
         const bool there = (a && channelOf(*family, a->trial, channel)) || (b && channelOf(*family, b->trial, channel));
         if (!there)
@@ -161,6 +164,7 @@ void ResponsePlot::add(
     style.marker = side.current ? TraceMarker::Automatic : TraceMarker::HollowSquare;
     style.emphasis = side.current && strip == 0;
     style.valueTag = side.current;
+    style.tagUnit = false;
     m_stack->addTrace(style, std::make_shared<FixedTrace>(pointsOf(trace, unit.scale)));
 }
 
@@ -195,10 +199,10 @@ void ResponsePlot::addMarks(const Side &a, const Side &b, const ShownUnit &unit)
     if (steps) {
         const double target = trial.stimulus.to * unit.scale;
         const double half = std::abs(trial.stimulus.to - trial.stimulus.from) * unit.scale * band;
-        bands.push_back({target - half, target + half, tr("±2 % band"), Tone::Ok});
+        bands.push_back({target - half, target + half, m_drawnStrips > 1 ? tr("±2 % band") : QString(), Tone::Ok});
     }
     for (const Side &side : {a, b}) {
-        if (!side.kept || !steps)
+        if (!side.kept || !steps || m_drawnStrips < 2) // a low plot has room for curves only
             continue;
         const tuning::Metrics &metrics = side.kept->trial.metrics;
         if (const auto peak = peakOf(side.kept->trial))
@@ -249,6 +253,19 @@ void ResponsePlot::addLimits(const Trial &trial, int strip, std::string_view cha
     const double shown = *limit * (duty ? 100.0 : 1.0);
     const QString text = duty ? tr("limit %1 %").arg(formatNumber(shown)) : tr("limit %1 A").arg(formatNumber(shown));
     m_stack->setLimits(strip, {{shown, text, duty ? TraceRole::Duty : TraceRole::Current}});
+}
+
+int ResponsePlot::strips() const
+{
+    const Theme &theme = m_theme.theme();
+    return height() < theme.u(roomForTwo) ? 1 : height() < theme.u(roomForThree) ? 2 : 3;
+}
+
+void ResponsePlot::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    if (strips() != m_drawnStrips)
+        Q_EMIT roomChanged();
 }
 
 QString ResponsePlot::summary() const

@@ -26,6 +26,13 @@ public:
     [[nodiscard]] QString summary() const;
     [[nodiscard]] PlotStack &stack() { return *m_stack; }
 
+Q_SIGNALS:
+    /// There is room for more strips, or for fewer: setTrials() draws them.
+    void roomChanged();
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     struct Side {
         const KeptTrial *kept = nullptr;
@@ -38,7 +45,11 @@ private:
     void addSpans(const Side &a, const Side &b);
     void addLimits(const tuning::Trial &trial, int strip, std::string_view channel);
 
+    /// Strips that are not flat: the measured value, duty, current.
+    [[nodiscard]] int strips() const;
+
     const ThemeSource &m_theme;
+    int m_drawnStrips = 3;
     PlotStack *m_stack = nullptr;
     double m_length = 0.0; ///< s, of the longest response
 };

@@ -69,8 +69,7 @@ QWidget *SlotPanel::buildJoined()
     split->setToolTip(split->accessibleName());
     row->addWidget(new QLabel(tr("Slot"), box));
     row->addWidget(m_both);
-    row->addWidget(new QLabel(tr("edit and run"), box));
-    row->addStretch(1);
+    row->addWidget(new ElidedLabel(tr("edit and run"), box), 1);
     row->addWidget(split);
     connect(m_both, &Segmented::currentChanged, this, [this](int slot) { choose(slot, slot); });
     connect(split, &QPushButton::clicked, this, [this] {
@@ -122,6 +121,16 @@ void SlotPanel::show(int edited, int running)
     m_running = running;
     m_split = edited != running;
     refresh();
+}
+
+void SlotPanel::swap()
+{
+    if (m_count < 2)
+        return;
+    if (m_edited != m_running)
+        choose(m_running, m_edited);
+    else
+        choose((m_running + 1) % m_count, (m_running + 1) % m_count);
 }
 
 void SlotPanel::choose(int edited, int running)

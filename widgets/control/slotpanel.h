@@ -26,6 +26,8 @@ public:
     [[nodiscard]] bool isSplit() const { return m_split; }
     /// Split where they differ. Without a signal.
     void show(int edited, int running);
+    /// Edited and running slot change places; where one is both, the next one becomes both. Nothing where there is one only.
+    void swap();
 
 Q_SIGNALS:
     void editedChanged(int slot);

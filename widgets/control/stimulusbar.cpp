@@ -21,7 +21,7 @@ using tuning::Profile;
 
 constexpr std::array kinds{Profile::Step, Profile::Square, Profile::Ramp, Profile::Sine, Profile::Chirp, Profile::Prbs};
 constexpr std::array repeats{1, 2, 4, 8, 16};
-constexpr double longest = 3600.0; ///< s
+constexpr double longestTime = 3600.0; ///< s
 
 /// What a kind does, as it stands below its name in the list.
 QString hintOf(Profile kind)
@@ -101,7 +101,9 @@ QWidget *StimulusBar::buildRow()
     m_unitLabel = textLabel({}, TextRole::Body, Tone::Dim, box);
     m_timeLabel = textLabel(tr("hold"), TextRole::Body, Tone::Dim, box);
     m_seconds = field(tr("Time of the stimulus"), tr("Seconds; empty: the usual, and a step ends once it has settled"));
-    m_seconds->setFixedWidth(theme.u(76));
+    const int widest
+        = std::max(fontMetrics().horizontalAdvance(tr("settled")), fontMetrics().horizontalAdvance(tr("usual")));
+    m_seconds->setFixedWidth(std::max(theme.u(76), widest + theme.u(24)));
     m_repeat = new QComboBox(box);
     m_repeat->setAccessibleName(tr("Repeats"));
     m_repeat->setToolTip(tr(
@@ -136,6 +138,7 @@ void StimulusBar::fillKinds()
         m_kind->setItemData(m_kind->count() - 1, hintOf(kind), Qt::ToolTipRole);
     }
     m_kind->setCurrentIndex(static_cast<int>(m_choice.profile));
+    m_kind->setMinimumWidth(m_kind->sizeHint().width() + theme.u(10)); // the sheet's padding is not in the hint
 }
 
 void StimulusBar::setUnits(Mode mode, const DisplayUnits &units)
@@ -195,8 +198,8 @@ void StimulusBar::read()
     take(m_from, m_unit.scale, choice.from, false);
     take(m_to, m_unit.scale, choice.to, true);
     take(m_seconds, 1.0, choice.seconds, false);
-    if (choice.seconds && (*choice.seconds <= 0.0 || *choice.seconds > longest))
-        m_fault = tr("The time is 0.001 to %1 s.").arg(longest);
+    if (choice.seconds && (*choice.seconds <= 0.0 || *choice.seconds > longestTime))
+        m_fault = tr("The time is 0.001 to %1 s.").arg(longestTime);
     const int kind = std::max(0, m_kind->currentIndex());
     choice.profile = kinds.at(static_cast<std::size_t>(kind));
     choice.repeat = m_repeat->currentData().toInt();

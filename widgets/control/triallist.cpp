@@ -4,17 +4,29 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/segmented.h"
+#include "widgets/parameters/wraplayout.h"
 
 #include <QApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMenu>
 #include <QTableView>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
 
 namespace mb {
 namespace {
 
+constexpr int mostMeasured = 100;      ///< rows whose texts decide how wide the columns are
 constexpr double bestOvershoot = 0.05; ///< the most that the best may have
+/// In this order, where there is no room.
+constexpr std::array givesWay{TrialModel::Time, TrialModel::Peak, TrialModel::Rise, TrialModel::Stimulus};
+
+bool gives(int column)
+{
+    return std::find(givesWay.begin(), givesWay.end(), column) != givesWay.end();
+}
 
 } // namespace
 
@@ -27,7 +39,8 @@ TrialList::TrialList(const ThemeSource &theme, QWidget *parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     m_table = new QTableView(this);
-    column->addWidget(buildHead());
+    m_head = buildHead();
+    column->addWidget(m_head);
     column->addWidget(m_table, 1);
     configure();
     connect(m_model, &QAbstractItemModel::modelReset, this, &TrialList::say);
@@ -40,21 +53,18 @@ QWidget *TrialList::buildHead()
 {
     const Theme &theme = m_theme.theme();
     auto *head = new QWidget(this);
-    auto *row = new QHBoxLayout(head);
+    auto *row = new WrapLayout(head);
     row->setContentsMargins(theme.u(12), theme.u(4), theme.u(12), theme.u(4));
-    row->setSpacing(theme.u(8));
     m_words = textLabel({}, TextRole::Caption, Tone::Dim, head);
     m_filter = new Segmented(tr("Which trials"), {tr("All"), tr("Starred"), tr("Clean")}, head);
     m_best = new CommandButton(m_theme, Symbol::Undo, tr("Back to best"), head);
     m_best->setToolTip(
         tr("Stages the gains of the quickest clean trial with no more than 5 % overshoot; runs nothing."));
-    m_use = new CommandButton(m_theme, tr("Use these gains"), head);
-    m_use->setToolTip(tr("Stages the gains of the trial that is selected; nothing is written yet."));
     m_export = new IconButton(m_theme, Symbol::Export, tr("Export the trials as CSV or JSON"), head);
     row->addWidget(new SectionLabel(tr("Trials"), head));
-    row->addWidget(m_words, 1);
+    row->addWidget(m_words);
+    row->addSpring();
     row->addWidget(m_filter);
-    row->addWidget(m_use);
     row->addWidget(m_best);
     row->addWidget(m_export);
     connect(m_filter, &Segmented::currentChanged, this,
@@ -62,10 +72,6 @@ QWidget *TrialList::buildHead()
     connect(m_best, &QPushButton::clicked, this, [this] {
         if (const KeptTrial *best = m_model->best(bestOvershoot))
             Q_EMIT useRequested(best->number);
-    });
-    connect(m_use, &QPushButton::clicked, this, [this] {
-        if (current() > 0)
-            Q_EMIT useRequested(current());
     });
     connect(m_export, &QToolButton::clicked, this, &TrialList::exportRequested);
     return head;
@@ -79,6 +85,7 @@ void TrialList::configure()
     m_table->setSelectionMode(QAbstractItemView::SingleSelection);
     m_table->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::SelectedClicked);
     m_table->setShowGrid(false);
+    m_table->setProperty("dense", true);
     m_table->setWordWrap(false);
     m_table->setSortingEnabled(true);
     m_table->setContextMenuPolicy(Qt::CustomContextMenu);
@@ -87,17 +94,19 @@ void TrialList::configure()
     head.setSortIndicator(TrialModel::Number, Qt::DescendingOrder);
     head.setSectionResizeMode(QHeaderView::Interactive);
     head.setMinimumSectionSize(m_theme.theme().u(24));
-    head.setStretchLastSection(true);
+    head.setSectionResizeMode(TrialModel::Note, QHeaderView::Stretch);
     m_empty = textLabel(tr("Every experiment appears here with its gains and what became of it."), TextRole::Body,
         Tone::Faint, m_table->viewport());
     auto *middle = new QVBoxLayout(m_table->viewport());
     middle->addWidget(m_empty, 0, Qt::AlignCenter);
     connect(m_table, &QTableView::clicked, this, &TrialList::clicked);
-    connect(m_table, &QTableView::activated, this,
-        [this](const QModelIndex &index) { Q_EMIT chosen(index.data(TrialModel::NumberRole).toLongLong(), false); });
+    connect(m_table, &QTableView::activated, this, [this](const QModelIndex &index) {
+        if (index.column() == TrialModel::Use)
+            clicked(index);
+        else
+            Q_EMIT chosen(index.data(TrialModel::NumberRole).toLongLong(), false);
+    });
     connect(m_table, &QWidget::customContextMenuRequested, this, &TrialList::openMenu);
-    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-        [this] { m_use->setEnabled(current() > 0); });
 }
 
 void TrialList::fit()
@@ -105,22 +114,88 @@ void TrialList::fit()
     const Theme &theme = m_theme.theme();
     const int row = std::max(theme.u(26), fontMetrics().height() + theme.u(6));
     m_table->verticalHeader()->setDefaultSectionSize(row);
-    m_table->setFixedHeight(m_table->horizontalHeader()->sizeHint().height() + m_rows * row + theme.u(4));
-    const auto width = [this, &theme](int column, const QString &widest) {
-        const int text = std::max(fontMetrics().horizontalAdvance(widest),
-            fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString())
-                + theme.u(10));
-        m_table->setColumnWidth(column, text + theme.u(32));
+    const int rows = m_table->horizontalHeader()->sizeHint().height() + m_rows * row + theme.u(4);
+    m_table->setMinimumHeight(m_filling ? 0 : rows);
+    m_table->setMaximumHeight(m_filling ? QWIDGETSIZE_MAX : rows);
+    fitColumns();
+    fitHead();
+}
+
+/// As wide as what may stand in them. What has no room gives way: it is among the metrics of A and B, or in the tooltip.
+void TrialList::fitColumns()
+{
+    const Theme &theme = m_theme.theme();
+    const QFontMetrics caption(theme.font(TextRole::Caption, font()));
+    std::array<int, TrialModel::ColumnCount> widths{};
+    const auto fitTo = [&](int column, const QString &widest) {
+        const QString name = m_model->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+        const bool sorted = m_table->horizontalHeader()->sortIndicatorSection() == column;
+        const int head = caption.horizontalAdvance(name) + (sorted ? theme.u(14) : 0);
+        widths.at(static_cast<std::size_t>(column))
+            = std::max(fontMetrics().horizontalAdvance(widest), head) + theme.u(10) + 8;
     };
-    m_table->setColumnWidth(TrialModel::Star, theme.u(28));
-    width(TrialModel::Number, QStringLiteral("#9999  B"));
-    width(TrialModel::Time, QStringLiteral("00.00. 00:00"));
-    width(TrialModel::Stimulus, QStringLiteral("0 ▸ 60 000 ×4"));
-    for (int column = TrialModel::GainP; column <= TrialModel::GainF; ++column)
-        width(column, QStringLiteral("0.00000"));
-    for (int column = TrialModel::Over; column <= TrialModel::Peak; ++column)
-        width(column, QStringLiteral("0 000"));
-    width(TrialModel::Flags, QStringLiteral("stopped: oscillation"));
+    widths[TrialModel::Star] = theme.u(32);
+    QFont bold = font();
+    bold.setBold(true);
+    fitTo(TrialModel::Number, QStringLiteral("#9999  B"));
+    widths[TrialModel::Number] += QFontMetrics(bold).horizontalAdvance(QStringLiteral("#9999  B"))
+        - fontMetrics().horizontalAdvance(QStringLiteral("#9999  B"));
+    for (int column = TrialModel::Time; column <= TrialModel::Peak; ++column)
+        fitTo(column, widestOf(column));
+    fitTo(TrialModel::Flags, tr("stopped: speed"));
+    widths[TrialModel::Flags] += theme.u(20); // the sign before it
+    fitTo(TrialModel::Note, QStringLiteral("000000"));
+    fitTo(TrialModel::Use, m_model->useText());
+    for (const int column : {TrialModel::GainD, TrialModel::GainF})
+        m_table->setColumnHidden(column, !m_model->usesGain(column));
+    int sum = 0;
+    for (int column = 0; column < TrialModel::ColumnCount; ++column)
+        sum += m_table->isColumnHidden(column) && !gives(column) ? 0 : widths.at(static_cast<std::size_t>(column));
+    for (const int column : givesWay) {
+        const bool tooWide = sum > width() - theme.u(14); // a scroll bar may come
+        sum -= tooWide ? widths.at(static_cast<std::size_t>(column)) : 0;
+        m_table->setColumnHidden(column, tooWide);
+    }
+    for (int column = 0; column < TrialModel::ColumnCount; ++column) {
+        if (column != TrialModel::Note)
+            m_table->setColumnWidth(column, widths.at(static_cast<std::size_t>(column)));
+    }
+}
+
+/// Of the first hundred rows: what one sees before one scrolls.
+QString TrialList::widestOf(int column) const
+{
+    QString widest = QStringLiteral("000.0");
+    for (int row = 0; row < std::min(m_model->rowCount(), mostMeasured); ++row) {
+        const QString text = m_model->index(row, column).data().toString();
+        if (fontMetrics().horizontalAdvance(text) > fontMetrics().horizontalAdvance(widest))
+            widest = text;
+    }
+    return widest;
+}
+
+/// The words of the head go first, what is wrong with the notebook never.
+void TrialList::fitHead()
+{
+    const bool shown = !m_words->isHidden();
+    const int words = m_words->sizeHint().width() + m_theme.theme().u(8);
+    const int all = m_head->layout()->sizeHint().width() + (shown ? 0 : words);
+    m_words->setVisible(!m_trouble.isEmpty() || all <= width());
+}
+
+void TrialList::setFilling(bool filling)
+{
+    if (filling == m_filling)
+        return;
+    m_filling = filling;
+    fit();
+}
+
+void TrialList::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitColumns();
+    fitHead();
 }
 
 void TrialList::setRows(int rows)
@@ -164,19 +239,10 @@ void TrialList::say()
     const KeptTrial *const best = m_model->best(bestOvershoot);
     m_best->setText(best ? tr("Back to best #%1").arg(best->number) : tr("Back to best"));
     m_best->setEnabled(best);
-    m_use->setEnabled(current() > 0);
     m_export->setEnabled(all > 0);
     m_empty->setVisible(m_model->rowCount() == 0);
-    for (int column = TrialModel::GainP; column <= TrialModel::GainF; ++column) {
-        const auto &trials = m_model->trials();
-        constexpr std::array<std::string_view, 4> names{"p", "i", "d", "f"};
-        const bool used = std::any_of(trials.begin(), trials.end(), [&](const KeptTrial &kept) {
-            return TrialModel::gainOf(kept.trial, names.at(static_cast<std::size_t>(column - TrialModel::GainP)))
-                       .value_or(0.0)
-                != 0.0;
-        });
-        m_table->setColumnHidden(column, !used && column >= TrialModel::GainD);
-    }
+    fitColumns();
+    fitHead();
 }
 
 qint64 TrialList::current() const
@@ -194,6 +260,8 @@ void TrialList::clicked(const QModelIndex &index)
     const qint64 number = kept->number;
     if (index.column() == TrialModel::Star)
         Q_EMIT m_model->starChosen(number, !kept->star);
+    else if (index.column() == TrialModel::Use && !kept->trial.gains.empty())
+        Q_EMIT useRequested(number);
     else
         Q_EMIT chosen(number, QApplication::keyboardModifiers().testFlag(Qt::ShiftModifier));
 }

@@ -25,10 +25,15 @@ public:
     void setUnits(const DisplayUnits &units) { m_model->setUnits(units); }
     void setLetters(std::int64_t a, std::int64_t b);
     void setRows(int rows);
+    /// Takes all the height there is instead of so many rows.
+    void setFilling(bool filling);
     /// What is wrong with the notebook; empty: nothing.
     void setTrouble(const QString &text);
     [[nodiscard]] TrialModel &model() { return *m_model; }
     [[nodiscard]] QTableView &table() { return *m_table; }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
 
 Q_SIGNALS:
     void chosen(qint64 number, bool asA);
@@ -43,6 +48,9 @@ private:
     void openMenu(const QPoint &at);
     void say();
     void fit();
+    void fitColumns();
+    void fitHead();
+    [[nodiscard]] QString widestOf(int column) const;
     [[nodiscard]] qint64 current() const;
 
     const ThemeSource &m_theme;
@@ -52,10 +60,11 @@ private:
     QLabel *m_empty = nullptr;
     Segmented *m_filter = nullptr;
     CommandButton *m_best = nullptr;
-    CommandButton *m_use = nullptr;
     IconButton *m_export = nullptr;
     QString m_trouble;
     int m_rows = 5;
+    bool m_filling = false;
+    QWidget *m_head = nullptr;
 };
 
 } // namespace mb

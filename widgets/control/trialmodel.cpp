@@ -3,6 +3,7 @@
 
 #include "widgets/common/icons.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/stateglyph.h"
 #include "widgets/control/trialwords.h"
 
 #include <QDateTime>
@@ -16,14 +17,14 @@
 namespace mb {
 namespace {
 
-constexpr std::array<std::string_view, 4> gainNames{"p", "i", "d", "f"};
+constexpr std::array<std::string_view, 4> shownGains{"p", "i", "d", "f"};
 
 QString orNone(const QString &text)
 {
     return text.isEmpty() ? QString(UnknownMark) : text;
 }
 
-QString percent(std::optional<double> fraction)
+QString percentText(std::optional<double> fraction)
 {
     return fraction ? formatNumber(*fraction * 100.0, 1) : QString();
 }
@@ -37,7 +38,7 @@ QString gainText(std::optional<double> gain)
 {
     if (!gain)
         return {};
-    return *gain == 0.0 ? QStringLiteral("0") : formatSignificant(*gain, 5);
+    return *gain == 0.0 ? QStringLiteral("0") : formatSignificant(*gain, 4);
 }
 
 } // namespace
@@ -55,6 +56,18 @@ std::optional<double> TrialModel::gainOf(const tuning::Trial &trial, std::string
             return value;
     }
     return std::nullopt;
+}
+
+bool TrialModel::usesGain(int column) const
+{
+    const std::string_view name = shownGains.at(static_cast<std::size_t>(column - GainP));
+    return std::any_of(m_trials.begin(), m_trials.end(),
+        [name](const KeptTrial &kept) { return gainOf(kept.trial, name).value_or(0.0) != 0.0; });
+}
+
+QString TrialModel::useText()
+{
+    return tr("Use");
 }
 
 bool TrialModel::isClean(const tuning::Trial &trial)
@@ -134,7 +147,7 @@ std::optional<double> TrialModel::sortKey(const KeptTrial &kept) const
     case GainP:
     case GainI:
     case GainD:
-    case GainF: return gainOf(kept.trial, gainNames.at(static_cast<std::size_t>(m_sortColumn - GainP)));
+    case GainF: return gainOf(kept.trial, shownGains.at(static_cast<std::size_t>(m_sortColumn - GainP)));
     case Over: return metrics.overshoot;
     case Settle: return metrics.settle;
     case Rise: return metrics.rise;
@@ -212,8 +225,8 @@ QString TrialModel::textOf(const KeptTrial &kept, int column) const
     case GainP:
     case GainI:
     case GainD:
-    case GainF: return orNone(gainText(gainOf(kept.trial, gainNames.at(static_cast<std::size_t>(column - GainP)))));
-    case Over: return orNone(percent(metrics.overshoot));
+    case GainF: return orNone(gainText(gainOf(kept.trial, shownGains.at(static_cast<std::size_t>(column - GainP)))));
+    case Over: return orNone(percentText(metrics.overshoot));
     case Settle: return orNone(milliseconds(metrics.settle));
     case Rise: return orNone(milliseconds(metrics.rise));
     case Peak: return orNone(metrics.peakCurrent ? formatNumber(*metrics.peakCurrent, 1) : QString());
@@ -224,6 +237,7 @@ QString TrialModel::textOf(const KeptTrial &kept, int column) const
         return words.join(QStringLiteral(", "));
     }
     case Note: return QString::fromStdString(kept.note);
+    case Use: return kept.trial.gains.empty() ? QString() : useText();
     default: return {};
     }
 }
@@ -233,9 +247,20 @@ QVariant TrialModel::toneOf(const KeptTrial &kept, int column) const
     const Theme &theme = m_theme.theme();
     if (column == Flags)
         return theme.tone(kept.trial.has(tuning::flag::aborted) ? Tone::Danger : Tone::Caution);
+    if (column == Use)
+        return theme.accent;
     if (column == Time || column == Note)
         return theme.tone(Tone::Dim);
     return {};
+}
+
+/// A shape beside the words, never colour alone.
+QVariant TrialModel::flagIcon(const KeptTrial &kept) const
+{
+    if (kept.trial.flags.empty())
+        return {};
+    const bool stopped = kept.trial.has(tuning::flag::aborted);
+    return glyphIcon(stopped ? GlyphState::Fault : GlyphState::Warning, m_theme.theme());
 }
 
 QVariant TrialModel::data(const QModelIndex &index, int role) const
@@ -250,15 +275,21 @@ QVariant TrialModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
     case Qt::EditRole: return textOf(*kept, column);
     case Qt::DecorationRole:
+        if (column == Flags)
+            return flagIcon(*kept);
         return column == Star ? QVariant(symbolIcon(kept->star ? Symbol::StarFilled : Symbol::Star, m_theme.theme(),
                    kept->star ? Tone::Caution : Tone::Faint))
                               : QVariant();
     case Qt::ToolTipRole:
         if (column == Star)
             return kept->star ? tr("Take the star away") : tr("Give it a star");
+        if (column == Use)
+            return tr("Stages the gains of this trial; nothing is written yet.");
         return kept->trial.detail.empty() ? textOf(*kept, column) : QString::fromStdString(kept->trial.detail);
     case Qt::AccessibleTextRole:
-        return column == Star ? (kept->star ? tr("starred") : tr("no star")) : textOf(*kept, column);
+        return column == Star ? (kept->star ? tr("starred") : tr("no star"))
+            : column == Use   ? tr("Use the gains of trial #%1").arg(kept->number)
+                              : textOf(*kept, column);
     case Qt::TextAlignmentRole:
         return static_cast<int>(
             (column >= GainP && column <= Peak ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
@@ -301,7 +332,7 @@ QVariant TrialModel::headerData(int section, Qt::Orientation orientation, int ro
         return {};
     const QStringList names{QString(), tr("trial"), tr("time"), tr("stimulus"), QStringLiteral("P"),
         QStringLiteral("I"), QStringLiteral("D"), QStringLiteral("F"), tr("over %"), tr("settle"), tr("rise"),
-        tr("peak A"), tr("flags"), tr("note")};
+        tr("peak A"), tr("flags"), tr("note"), QString()};
     return names.value(section);
 }
 

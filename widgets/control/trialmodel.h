@@ -32,6 +32,7 @@ public:
         Peak,
         Flags,
         Note,
+        Use, ///< takes the gains of its row
         ColumnCount
     };
     enum class Filter { All, Starred, Clean };
@@ -53,6 +54,10 @@ public:
     [[nodiscard]] const KeptTrial *best(double overshoot) const;
     /// A gain of this last part of its key, "p"; nothing where the loop has none.
     [[nodiscard]] static std::optional<double> gainOf(const tuning::Trial &trial, std::string_view name);
+    /// Whether any trial has another gain than 0 in this column.
+    [[nodiscard]] bool usesGain(int column) const;
+    /// What stands in the column Use.
+    [[nodiscard]] static QString useText();
     [[nodiscard]] static bool isClean(const tuning::Trial &trial);
 
     int rowCount(const QModelIndex &parent = {}) const override;
@@ -72,6 +77,7 @@ private:
     [[nodiscard]] static bool passes(const KeptTrial &kept, Filter filter);
     [[nodiscard]] std::optional<double> sortKey(const KeptTrial &kept) const;
     [[nodiscard]] QString textOf(const KeptTrial &kept, int column) const;
+    [[nodiscard]] QVariant flagIcon(const KeptTrial &kept) const;
     [[nodiscard]] QVariant toneOf(const KeptTrial &kept, int column) const;
 
     const ThemeSource &m_theme;

@@ -21,11 +21,15 @@
 #include <QStandardPaths>
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
 
-constexpr int metricsWidth = 392;
+constexpr int metricsWidth = 348;
+constexpr int leastMetrics = 296;
+constexpr double metricsShare = 0.4;
+constexpr double mostMetrics = 0.5;
 constexpr int roomBeside = 700; ///< for plot and metrics beside each other
 constexpr int leastBeside = 640;
 constexpr int roomyHeight = 620;
@@ -47,10 +51,12 @@ TrialsView::TrialsView(Workbench &workbench, const ThemeSource &theme, QWidget *
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(buildHead());
+    m_plot = new ResponsePlot(theme, this);
+    m_head = buildHead();
+    column->addWidget(m_head);
     auto *top = new QHBoxLayout;
     top->setSpacing(0);
-    m_plot = new ResponsePlot(theme, this);
+    connect(m_plot, &ResponsePlot::roomChanged, this, &TrialsView::drawPlot);
     m_side = new QWidget(this);
     auto *side = new QHBoxLayout(m_side);
     side->setContentsMargins(0, 0, 0, 0);
@@ -70,7 +76,8 @@ TrialsView::TrialsView(Workbench &workbench, const ThemeSource &theme, QWidget *
     top->addWidget(m_plot, 1);
     top->addWidget(m_side);
     column->addLayout(top, 1);
-    column->addWidget(separatorLine(Qt::Horizontal, this));
+    m_footLine = separatorLine(Qt::Horizontal, this);
+    column->addWidget(m_footLine);
     m_below = new Segmented(tr("Below the plot"), {tr("Trials"), tr("Metrics")}, this);
     m_below->hide();
     column->addWidget(m_below);
@@ -80,6 +87,7 @@ TrialsView::TrialsView(Workbench &workbench, const ThemeSource &theme, QWidget *
     column->addWidget(m_foot);
     connect(m_below, &Segmented::currentChanged, m_foot, &QStackedWidget::setCurrentIndex);
     connect(&theme, &ThemeSource::changed, this, &TrialsView::arrange);
+    connect(m_metrics, &MetricsPanel::leastWidthChanged, this, &TrialsView::arrange);
     connectList();
     arrange();
 }
@@ -106,6 +114,8 @@ QWidget *TrialsView::buildHead()
     connect(flipping, &QToolButton::clicked, this, &TrialsView::flip);
     connect(pinning, &QToolButton::clicked, this, &TrialsView::pinCurrent);
     connect(cursors, &QToolButton::toggled, this, [this](bool shown) { m_plot->stack().setCursorsShown(shown); });
+    connect(&m_plot->stack(), &PlotStack::cursorsChanged, cursors,
+        [this, cursors] { cursors->setChecked(m_plot->stack().cursorsShown()); });
     connect(fit, &QToolButton::clicked, this, [this] { m_plot->stack().fit(); });
     return head;
 }
@@ -150,16 +160,15 @@ void TrialsView::resizeEvent(QResizeEvent *event)
 void TrialsView::arrange()
 {
     const Theme &theme = m_theme.theme();
-    const bool beside
-        = width() >= theme.u(m_beside ? leastBeside : roomBeside); // a bar that comes and goes changes nothing
+    const bool beside = m_shown == Shown::All
+        && width() >= theme.u(m_beside ? leastBeside : roomBeside); // a bar that comes and goes changes nothing
     m_list->setRows(!beside ? 2 : height() > theme.u(roomyHeight) ? 5 : 3);
-    m_side->setFixedWidth(theme.u(metricsWidth));
-    m_side->setVisible(beside);
-    m_below->setVisible(!beside);
-    m_foot->setFixedHeight(m_list->sizeHint().height());
-    if (beside == m_beside)
+    const int share = std::min(std::max(static_cast<int>(width() * metricsShare), m_metrics->leastWidth()),
+        static_cast<int>(width() * mostMetrics));
+    m_side->setFixedWidth(std::clamp(share, theme.u(leastMetrics), theme.u(metricsWidth)));
+    showParts(beside);
+    if (std::exchange(m_beside, beside) == beside)
         return;
-    m_beside = beside;
     if (beside) {
         m_side->layout()->addWidget(m_numbers);
         m_below->setCurrent(0);
@@ -168,6 +177,37 @@ void TrialsView::arrange()
         m_foot->addWidget(m_numbers);
     }
     m_numbers->show();
+}
+
+void TrialsView::showParts(bool beside)
+{
+    const bool all = m_shown == Shown::All;
+    const bool list = m_shown == Shown::Trials || m_shown == Shown::Metrics;
+    m_head->setVisible(all);
+    m_plot->setVisible(!list);
+    m_side->setVisible(all && beside);
+    m_footLine->setVisible(all);
+    m_below->setVisible(all && !beside);
+    m_foot->setVisible(all || list);
+    if (all)
+        m_foot->setFixedHeight(std::max(m_list->sizeHint().height(), m_list->heightForWidth(width())));
+    else
+        m_foot->setMaximumHeight(QWIDGETSIZE_MAX);
+    if (!all)
+        m_foot->setMinimumHeight(0);
+    m_list->setFilling(list);
+    if (list)
+        m_foot->setCurrentIndex(m_shown == Shown::Trials ? 0 : 1);
+    else if (all && !beside)
+        m_foot->setCurrentIndex(m_below->current());
+}
+
+void TrialsView::setShown(Shown shown)
+{
+    if (shown == m_shown)
+        return;
+    m_shown = shown;
+    arrange();
 }
 
 void TrialsView::choose(const Family *family, const std::string &unit, int axis, Mode mode)
@@ -293,6 +333,11 @@ bool TrialsView::isComparable() const
     return m_a && m_b && isSameStimulus(m_a->trial, m_b->trial);
 }
 
+void TrialsView::drawPlot()
+{
+    m_plot->setTrials(m_family, m_a && m_b && !isComparable() ? nullptr : a(), b(), m_units);
+}
+
 void TrialsView::draw()
 {
     const bool other = m_a && m_b && !isComparable();
@@ -301,9 +346,9 @@ void TrialsView::draw()
             : other       ? tr("A #%1 is another stimulus, it is not drawn").arg(m_a->number)
             : m_a && m_b  ? tr("A #%1 against B #%2").arg(m_a->number).arg(m_b->number)
                           : tr("B #%1; Shift+click on a trial pins it as A").arg(m_b->number));
-    m_plot->setTrials(m_family, shownA, b(), m_units);
-    m_metrics->setTrials(shownA, b());
+    drawPlot();
     m_advice->setTrial(m_family, m_b ? &m_b->trial : nullptr);
+    m_metrics->setTrials(shownA, b(), m_advice->windup());
     m_list->setLetters(m_a ? m_a->number : 0, m_b ? m_b->number : 0);
     Q_EMIT changed();
 }

@@ -27,11 +27,16 @@ class TrialList;
 class TrialsView : public QWidget {
     Q_OBJECT
 public:
+    /// What of it is in sight.
+    enum class Shown { All, Plot, Metrics, Trials };
+
     TrialsView(Workbench &workbench, const ThemeSource &theme, QWidget *parent = nullptr);
 
     /// Whose trials: a unit (Trial::unit), the axis of a board (else 1), a mode. Nothing happens while all stay the same.
     void choose(const Family *family, const std::string &unit, int axis, Mode mode);
     void setUnits(const DisplayUnits &units);
+    /// All at once, or one part that takes all the room.
+    void setShown(Shown shown);
     /// What is measured so far of a trial that runs: shown as B at once.
     void showMeasured(const tuning::Trial &trial);
     /// It is over, with its samples. Unless somebody has pinned another, what was B becomes A.
@@ -66,10 +71,12 @@ protected:
 private:
     QWidget *buildHead();
     void arrange();
+    void showParts(bool beside);
     void connectList();
     void listed(const std::vector<KeptTrial> &trials);
     void fetch(std::int64_t number, bool asA);
     void draw();
+    void drawPlot();
     void exportAll();
     void failed(const Result<void> &result);
 
@@ -85,6 +92,9 @@ private:
     std::optional<KeptTrial> m_b;
     bool m_pinned = false; ///< somebody chose A
     bool m_beside = true;
+    Shown m_shown = Shown::All;
+    QWidget *m_head = nullptr;
+    QWidget *m_footLine = nullptr;
     QLabel *m_words = nullptr;
     Segmented *m_below = nullptr;
     QStackedWidget *m_foot = nullptr;

@@ -11,25 +11,27 @@
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/jogkeys.h"
+#include "widgets/control/jogpanel.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/movespanel.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/stimulusbar.h"
 #include "widgets/control/trialsview.h"
+#include "widgets/control/tuneframe.h"
+#include "widgets/control/tunekeys.h"
 #include "widgets/control/tuneplot.h"
 #include "widgets/control/wrappedlabel.h"
 
 #include <QHBoxLayout>
 #include <QScrollArea>
 #include <QScrollBar>
-#include <QShortcut>
 #include <QStackedWidget>
+#include <QUndoStack>
 
 namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds slewTime{20};
-constexpr int columnWidth = 336;
 
 } // namespace
 
@@ -45,27 +47,19 @@ TunePage::TunePage(
     setObjectName(QStringLiteral("tunePage"));
     m_stack = new QStackedWidget(this);
     m_empty = new EmptyState(theme, Symbol::Wave, {}, {}, m_stack);
-    auto *content = new QWidget(m_stack);
-    auto *grid = new QGridLayout(content);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(0);
-    grid->addWidget(buildCommands(), 0, 0, 1, 3);
-    grid->addWidget(separatorLine(Qt::Horizontal, content), 1, 0, 1, 3);
-    m_stimulus = new StimulusBar(m_theme, content);
-    grid->addWidget(m_stimulus, 2, 0, 1, 3);
-    grid->addWidget(separatorLine(Qt::Horizontal, content), 3, 0, 1, 3);
-    grid->addWidget(buildColumn(), 4, 0);
-    grid->addWidget(separatorLine(Qt::Vertical, content), 4, 1);
-    grid->addWidget(buildWork(), 4, 2);
-    grid->setColumnStretch(2, 1);
-    grid->setRowStretch(4, 1);
+    m_frame = new TuneFrame(theme, m_stack);
+    m_stimulus = new StimulusBar(m_theme, m_frame);
+    QWidget *const commands = buildCommands();
+    QWidget *const column = buildColumn();
+    QWidget *const work = buildWork();
+    m_frame->setParts({commands, m_stimulus, column, work, m_trials});
     m_stack->addWidget(m_empty);
-    m_stack->addWidget(content);
+    m_stack->addWidget(m_frame);
     auto *all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     all->addWidget(m_stack);
     connectPanels();
-    buildKeys();
+    makeTuneKeys(*this);
     showLive(false);
     selectionChanged();
 }
@@ -100,7 +94,8 @@ QWidget *TunePage::buildCommands()
     row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
     row->setSpacing(theme.u(8));
     m_glyph = new StateGlyph(m_theme, GlyphState::Gone, bar);
-    m_cause = textLabel({}, TextRole::Emphasis, Tone::Text, bar);
+    m_cause = new ElidedLabel({}, bar);
+    setTextRole(*m_cause, TextRole::Emphasis);
     m_remedy = new ElidedLabel({}, bar);
     setTone(*m_remedy, Tone::Dim);
     m_halt = new CommandButton(m_theme, Symbol::Stop, tr("Stop motion"), bar);
@@ -121,11 +116,18 @@ QWidget *TunePage::buildCommands()
     return bar;
 }
 
+/// Without room the tabs below have the views, and the button that stops is its sign.
+void TunePage::foldCommands(bool folded)
+{
+    m_view->setVisible(!folded);
+    m_halt->setTextVariants(folded ? QStringList() : QStringList{tr("Stop motion"), tr("Stop axis %1").arg(8)});
+    showCommands();
+}
+
 QWidget *TunePage::buildColumn()
 {
     const Theme &theme = m_theme.theme();
     auto *column = new QWidget(this);
-    column->setFixedWidth(theme.u(columnWidth));
     auto *all = new QVBoxLayout(column);
     all->setContentsMargins(0, 0, 0, 0);
     all->setSpacing(0);
@@ -148,6 +150,8 @@ QWidget *TunePage::buildColumn()
     m_setPoint = new SetPointPanel(m_theme, panels);
     m_gains = new GainsPanel(m_theme, panels);
     inner->addWidget(m_modes);
+    m_jog = new JogKeys(m_arming, *this, [this](bool forwards) { return jogSetPoint(forwards); });
+    m_jogPanel = new JogPanel(*m_jog, m_theme, panels);
     inner->addWidget(separatorLine(Qt::Horizontal, panels));
     m_envelope = new EnvelopePanel(m_theme, panels);
     inner->addWidget(m_envelope);
@@ -156,6 +160,7 @@ QWidget *TunePage::buildColumn()
     byHand->setContentsMargins(0, 0, 0, 0);
     byHand->setSpacing(theme.u(8));
     byHand->addWidget(m_setPoint);
+    byHand->addWidget(m_jogPanel);
     m_firstPower = wrappedLabel({}, TextRole::Caption, Tone::Dim, panels);
     m_firstPower->hide();
     byHand->addWidget(m_firstPower);
@@ -176,8 +181,6 @@ QWidget *TunePage::buildColumn()
     all->addWidget(scroll, 1);
     all->addWidget(separatorLine(Qt::Horizontal, column));
     all->addWidget(buildWriteRow());
-    connect(&m_theme, &ThemeSource::changed, column,
-        [this, column] { column->setFixedWidth(m_theme.theme().u(columnWidth)); });
     return column;
 }
 
@@ -225,30 +228,26 @@ void TunePage::connectPanels()
         forgetMotion();
     });
     connect(m_view, &Segmented::currentChanged, this, &TunePage::viewChosen);
+    connect(m_frame, &TuneFrame::liveChosen, this, &TunePage::showLive);
+    connect(m_frame, &TuneFrame::compactChanged, this, &TunePage::foldCommands);
     connect(m_stimulus, &StimulusBar::changed, this, &TunePage::stimulusChosen);
     connect(m_envelope, &EnvelopePanel::changed, this, &TunePage::stimulusChosen);
+    connect(m_envelope, &EnvelopePanel::failed, this, [this](const QString &cause) {
+        m_workbench.report(Severity::Caution, {}, tr("the limits were not kept: %1").arg(cause));
+    });
     connect(m_plot, &TunePlot::unitsChanged, this, &TunePage::unitsChosen);
     connect(&m_workbench, &Workbench::changed, this, &TunePage::follow);
     connect(&m_arming, &Arming::changed, this, &TunePage::follow);
     connect(&m_selection, &Selection::changed, this, &TunePage::selectionChanged);
 }
 
-void TunePage::buildKeys()
+void TunePage::undo(bool again)
 {
-    auto *runKey = new QShortcut(QKeySequence(Qt::Key_F5), this);
-    runKey->setAutoRepeat(false);
-    connect(runKey, &QShortcut::activated, this, &TunePage::run);
-    auto *gainsKey = new QShortcut(QKeySequence(Qt::Key_G), this);
-    connect(gainsKey, &QShortcut::activated, m_gains, &GainsPanel::focusFirst);
-    new JogKeys(m_arming, *this, [this](bool forwards) { return jogSetPoint(forwards); });
-    const auto undo = [this](bool again) {
-        if (Choice *chosen = choice(); chosen && chosen->edits)
-            again ? chosen->edits->undoStack().redo() : chosen->edits->undoStack().undo();
-    };
-    connect(new QShortcut(QKeySequence(Qt::Key_B), this), &QShortcut::activated, m_trials, &TrialsView::flip);
-    connect(new QShortcut(QKeySequence(Qt::Key_A), this), &QShortcut::activated, m_trials, &TrialsView::pinCurrent);
-    connect(new QShortcut(QKeySequence::Undo, this), &QShortcut::activated, this, [undo] { undo(false); });
-    connect(new QShortcut(QKeySequence::Redo, this), &QShortcut::activated, this, [undo] { undo(true); });
+    const Choice *const chosen = choice();
+    if (!chosen || !chosen->edits)
+        return;
+    QUndoStack &stack = chosen->edits->undoStack();
+    again ? stack.redo() : stack.undo();
 }
 
 } // namespace mb

@@ -29,12 +29,16 @@ class EmptyState;
 class EnvelopePanel;
 class GainsPanel;
 struct KeptTrial;
+class JogKeys;
+class JogPanel;
 class ModePanel;
 class MovesPanel;
+class PlotStack;
 class Segmented;
 class StateGlyph;
 class StimulusBar;
 class TrialsView;
+class TuneFrame;
 class TunePlot;
 
 /// Tunes the loop of one motor by experiments: stimulus above, gains at the left, what the trials did at the right. Its live
@@ -66,11 +70,21 @@ public:
     /// Writes what is staged for the running slot, then runs the experiment. In the live view starts, or applies what is
     /// chosen to a motor that moves.
     void run();
+    /// The same with so many repeats; in the live view as run().
+    void runRepeated(int repeats);
     /// Writes the gains that are staged; does not start anything.
     void write();
     void halt();
     /// Stops the motor and lets its position count from 0; Run starts it again.
     void zero();
+    /// The last edit of the gains that are shown is taken back, or made again.
+    void undo(bool again);
+    /// Has the device show itself.
+    void identify();
+    /// The live view stands still, or goes on; nothing where the experiments are shown.
+    void pauseLive();
+    /// The plot that is in sight.
+    [[nodiscard]] PlotStack &shownStack();
     /// Mode and set-point of the axis that is shown, for all that are to run together; a position as the same distance.
     void spread();
 
@@ -83,6 +97,7 @@ public:
     [[nodiscard]] TrialsView &trials() { return *m_trials; }
     [[nodiscard]] StimulusBar &stimulus() { return *m_stimulus; }
     [[nodiscard]] EnvelopePanel &envelope() { return *m_envelope; }
+    [[nodiscard]] TuneFrame &frame() { return *m_frame; }
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -117,7 +132,7 @@ private:
     QWidget *buildColumn();
     QWidget *buildWriteRow();
     void connectPanels();
-    void buildKeys();
+    void foldCommands(bool folded);
 
     [[nodiscard]] const DeviceView *device() const;
     [[nodiscard]] Choice *choice();
@@ -180,8 +195,7 @@ private:
     const ThemeSource &m_theme;
     std::map<Place, Choice> m_choices;
     std::map<DeviceId, int> m_lastAxis;
-    std::map<DeviceId, Envelope> m_envelopes; ///< what a person has entered
-    std::vector<int> m_toTry;                 ///< axes whose turn is still to come
+    std::vector<int> m_toTry; ///< axes whose turn is still to come
     std::set<DeviceId> m_asked;
     DeviceId m_shown;
     int m_axis = 0;
@@ -190,15 +204,18 @@ private:
     QString m_rowsShown;
     QTimer m_slewTimer;
     QStackedWidget *m_stack = nullptr;
+    TuneFrame *m_frame = nullptr;
     EmptyState *m_empty = nullptr;
     StateGlyph *m_glyph = nullptr;
-    QLabel *m_cause = nullptr;
+    ElidedLabel *m_cause = nullptr;
     ElidedLabel *m_remedy = nullptr;
     CommandButton *m_halt = nullptr;
     CommandButton *m_run = nullptr;
     AxesPanel *m_axes = nullptr;
     QWidget *m_axesLine = nullptr;
     ModePanel *m_modes = nullptr;
+    JogKeys *m_jog = nullptr;
+    JogPanel *m_jogPanel = nullptr;
     SetPointPanel *m_setPoint = nullptr;
     QLabel *m_firstPower = nullptr;
     MovesPanel *m_moves = nullptr;

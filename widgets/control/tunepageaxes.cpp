@@ -90,7 +90,7 @@ void TunePage::showMotor(const DeviceView &view, int axis)
     m_envelope->setUnits(chosen.units);
     m_plot->choose(view, chosen.mode, axis, beside());
     m_stimulus->setChoice(chosen.stimulus);
-    m_envelope->setEntered(m_envelopes[view.id]);
+    m_envelope->choose(chosen.unit, false);
 }
 
 /// What runs elsewhere stays in sight, whatever is shown.

@@ -11,11 +11,13 @@
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainunits.h"
+#include "widgets/control/jogpanel.h"
 #include "widgets/control/modepanel.h"
 #include "widgets/control/movespanel.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/stimulusbar.h"
 #include "widgets/control/trialsview.h"
+#include "widgets/control/tuneframe.h"
 #include "widgets/control/tuneplot.h"
 
 #include <QStackedWidget>
@@ -228,8 +230,12 @@ void TunePage::showCommands()
         return;
     const Status now = status();
     m_glyph->setState(now.glyph);
-    m_cause->setText(now.cause);
+    const bool folded = m_frame->isCompact() && !now.remedy.isEmpty(); // one line for both
+    m_cause->setText(folded ? now.cause + QStringLiteral(" · ") + now.remedy : now.cause);
     m_remedy->setText(now.remedy);
+    m_remedy->setVisible(!m_frame->isCompact());
+    m_jogPanel->setPossible(m_arming.state() == LampState::Armed && jogSetPoint(true),
+        m_arming.isArmed(view->id) ? tr("Something moves") : tr("Hold the lamp for 1 s to arm it first."));
     const Choice &chosen = *choice();
     const QStringList staged = m_gains->stagedNames();
     const bool withGains = !staged.isEmpty() && chosen.editedSlot == chosen.runningSlot;
@@ -244,7 +250,9 @@ void TunePage::showCommands()
     m_run->setAccessibleDescription(m_run->toolTip());
     m_halt->setEnabled(moving || m_arming.isOnTrial());
     const bool others = view->motion.setPoints.size() > 1 && together < 2;
-    m_halt->setText(moving && m_axis > 0 && others ? tr("Stop axis %1").arg(m_axis) : tr("Stop motion"));
+    const QString stop = moving && m_axis > 0 && others ? tr("Stop axis %1").arg(m_axis) : tr("Stop motion");
+    m_halt->setText(m_frame->isCompact() ? QString() : stop);
+    m_halt->setAccessibleName(stop);
     const bool several = view->family->capabilities.gainSlots > 1;
     const QString names
         = staged.size() > 3 ? tr("%n value(s)", nullptr, staged.size()) : staged.join(QStringLiteral(", "));

@@ -8,10 +8,12 @@
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/modepanel.h"
+#include "widgets/control/responseplot.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/stimulusbar.h"
 #include "widgets/control/trialsview.h"
 #include "widgets/control/tuneplot.h"
+#include "widgets/plots/plotstack.h"
 
 #include <QPointer>
 
@@ -60,6 +62,30 @@ std::optional<SetPoint> TunePage::jogSetPoint(bool forwards) const
     setPoint.target = (has(Mode::Duty) ? gentleDuty : slowly) * (forwards ? 1.0 : -1.0);
     setPoint.brake = view->family->capabilities.outputOptions;
     return setPoint;
+}
+
+void TunePage::identify()
+{
+    const DeviceView *const view = device();
+    if (!view)
+        return;
+    m_workbench.identify(
+        view->id, [self = QPointer<TunePage>(this), name = titleOf(*view)](const Result<void> &result) {
+            if (self && !result)
+                self->m_workbench.report(
+                    Severity::Caution, name, tr("not identified: %1").arg(errorText(result.error())));
+        });
+}
+
+void TunePage::pauseLive()
+{
+    if (isLive())
+        m_plot->stack().setLive(!m_plot->stack().isLive());
+}
+
+PlotStack &TunePage::shownStack()
+{
+    return isLive() ? m_plot->stack() : m_trials->plot().stack();
 }
 
 std::optional<double> TunePage::present(const DeviceView &view, Mode mode, int axis) const

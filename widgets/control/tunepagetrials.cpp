@@ -11,6 +11,7 @@
 #include "widgets/control/modepanel.h"
 #include "widgets/control/trialsview.h"
 #include "widgets/control/trialwords.h"
+#include "widgets/control/tuneframe.h"
 #include "widgets/control/tunepage.h"
 
 #include <QPointer>
@@ -36,7 +37,7 @@ void TunePage::viewChosen(int view)
 {
     const bool live = view == 1;
     m_work->setCurrentIndex(view);
-    m_stimulus->setVisible(!live);
+    m_frame->setLive(live);
     m_envelope->setVisible(!live);
     m_liveColumn->setVisible(live);
     follow();
@@ -61,7 +62,6 @@ void TunePage::stimulusChosen()
     if (!chosen)
         return;
     chosen->stimulus = m_stimulus->choice();
-    m_envelopes[m_shown] = m_envelope->entered();
     follow();
 }
 
@@ -73,9 +73,7 @@ ExperimentWish TunePage::wishOf(const DeviceView &view, int axis) const
     wish.axis = std::max(axis, 1);
     wish.slot = chosen.runningSlot;
     wish.stimulus = chosen.stimulus;
-    const auto limits = m_envelopes.find(view.id);
-    if (limits != m_envelopes.end())
-        wish.limits = limits->second;
+    wish.limits = m_envelope->entered();
     if (axis == m_axis && chosen.editedSlot == chosen.runningSlot)
         wish.gains = m_gains->toWrite();
     return wish;
@@ -87,6 +85,7 @@ void TunePage::followTrials(const DeviceView &view)
     const Instant now = m_workbench.presentOf(view.link);
     if (chosen.unit.empty() || !view.identity.serial.empty()) // a scan may forget it for a moment
         chosen.unit = tuning::unitOf(view.identity, view.selector, view.link.starts_with("sim:"));
+    m_envelope->choose(chosen.unit, true);
     m_trials->choose(view.family, chosen.unit, std::max(m_axis, 1), chosen.mode);
     m_stimulus->setUnits(chosen.mode, chosen.units);
     if (!chosen.stimulus.to && view.liveness.heard && m_stimulus->fault().isEmpty())
@@ -155,6 +154,16 @@ void TunePage::tryOut()
         });
     else
         tryAxis(*view, first);
+}
+
+void TunePage::runRepeated(int repeats)
+{
+    Choice *const chosen = choice();
+    if (!isLive() && chosen) {
+        chosen->stimulus.repeat = repeats;
+        m_stimulus->setChoice(chosen->stimulus);
+    }
+    run();
 }
 
 void TunePage::tryAxis(const DeviceView &view, int axis)

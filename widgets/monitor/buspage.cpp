@@ -3,6 +3,7 @@
 
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/pagekeys.h"
 #include "widgets/monitor/busbar.h"
 #include "widgets/monitor/busloadview.h"
 #include "widgets/monitor/framedetail.h"
@@ -158,15 +159,11 @@ void BusPage::buildSideContent(QWidget &content)
 
 void BusPage::buildKeys()
 {
-    const auto key = [this](const QKeySequence &sequence, auto work) {
-        auto *shortcut = new QShortcut(sequence, this);
-        shortcut->setContext(Qt::WidgetWithChildrenShortcut);
-        connect(shortcut, &QShortcut::activated, this, work);
-    };
-    key(Qt::Key_P, [this] { setPaused(!m_paused); });
-    key(QKeySequence::Find, [this] { m_bar->focusFilter(); });
-    key(Qt::Key_F3, [this] { find(true); });
-    key(QKeySequence(QStringLiteral("Shift+F3")), [this] { find(false); });
+    auto *keys = new PageKeys(*this);
+    keys->add({Qt::Key_P}, tr("pauses the list, and goes on"), [this] { setPaused(!m_paused); });
+    keys->add({QKeySequence::Find}, tr("goes to the filter"), [this] { m_bar->focusFilter(); });
+    keys->add({Qt::Key_F3}, tr("finds the next one"), [this] { find(true); });
+    keys->add({QKeySequence(QStringLiteral("Shift+F3"))}, tr("finds the one before"), [this] { find(false); });
     auto *copy = new QShortcut(QKeySequence::Copy, m_table);
     copy->setContext(Qt::WidgetShortcut);
     connect(copy, &QShortcut::activated, this, [this] { QApplication::clipboard()->setText(selectedText()); });

@@ -6,6 +6,7 @@
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/pagekeys.h"
 #include "widgets/common/searchfield.h"
 #include "widgets/common/segmented.h"
 #include "widgets/parameters/changespanel.h"
@@ -17,7 +18,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
@@ -179,18 +179,16 @@ QWidget *ParametersPage::buildTable()
 
 void ParametersPage::buildKeys()
 {
-    const auto key = [this](const QKeySequence &keys, auto action) {
-        connect(new QShortcut(keys, this), &QShortcut::activated, this, action);
-    };
-    key(QKeySequence(QStringLiteral("Ctrl+F")), [this] {
+    auto *keys = new PageKeys(*this);
+    keys->add({Qt::Key_F5}, tr("reads all parameters"), [this] { readAll(); });
+    keys->add({QKeySequence(QStringLiteral("Ctrl+F"))}, tr("searches"), [this] {
         m_search->setFocus(Qt::ShortcutFocusReason);
         m_search->selectAll();
     });
-    key(QKeySequence(Qt::Key_F5), [this] { readAll(); });
-    key(QKeySequence(QStringLiteral("Ctrl+S")), [this] { write(); });
-    key(QKeySequence(QStringLiteral("Ctrl+Z")), [this] { undo(false); });
-    key(QKeySequence(QStringLiteral("Ctrl+Y")), [this] { undo(true); });
-    key(QKeySequence(QStringLiteral("Ctrl+Shift+Z")), [this] { undo(true); });
+    keys->add({QKeySequence(QStringLiteral("Ctrl+S"))}, tr("writes what is staged"), [this] { write(); });
+    keys->add({QKeySequence(QStringLiteral("Ctrl+Z"))}, tr("undoes the last edit"), [this] { undo(false); });
+    keys->add({QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
+        tr("makes it again"), [this] { undo(true); });
 }
 
 void ParametersPage::setFilter()

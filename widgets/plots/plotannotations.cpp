@@ -48,6 +48,7 @@ void PlotStack::setNotes(int strip, std::vector<PlotNote> notes)
 {
     ensureStrip(strip);
     m_strips.at(static_cast<std::size_t>(strip))->decor.notes = std::move(notes);
+    updateHeads();
     touch();
 }
 

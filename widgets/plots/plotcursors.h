@@ -25,6 +25,7 @@ public:
 
     void setRects(std::vector<QCPAxisRect *> rects) { m_rects = std::move(rects); }
     void setRows(std::vector<Row> rows) { m_rows = std::move(rows); }
+    const std::vector<Row> &rows() const { return m_rows; }
     double key(bool second) const { return second ? m_b : m_a; }
     void setKey(bool second, double key) { (second ? m_b : m_a) = key; }
     /// Which cursor lies within a few pixels of x: false A, true B.

@@ -64,12 +64,16 @@ struct HeadEntry {
     TraceLook look;
 };
 
+/// Units of the theme that unit, title and legend of a strip take above it.
+constexpr int headHeight = 20;
+
 /// Everything of one strip that is not a trace. Filled by PlotStack, drawn by the two items below.
 struct StripDecor {
     QString title;
     QString unit;
     QString secondUnit; ///< of the axis at the right; empty without one
     int secondRoom = 0; ///< pixels that the labels of that axis take in every strip
+    int headGap = 0;    ///< pixels between the head and the strip
     QString keyUnit;    ///< "s" at the right end of a relative time axis, last strip only
     QString watermark;
     std::vector<HeadEntry> entries;
@@ -81,6 +85,7 @@ struct StripDecor {
     std::vector<PlotMark> marks;
     std::optional<TriggerLine> trigger;
     std::vector<std::pair<double, double>> gaps;
+    std::vector<const TracePlottable *> curves; ///< against the left scale, in notes' way; empty: they may cover them
     bool first = false; ///< of the stack: gaps are labelled here, beside them when they are too narrow
 };
 

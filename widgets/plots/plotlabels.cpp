@@ -6,6 +6,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <cmath>
 
 namespace mb {
 namespace {
@@ -104,6 +105,8 @@ public:
     {
         for (const GapLabel &gap : gapLabels(decor, m_keys, m_box, m_metrics, theme))
             m_taken.push_back(gap.place);
+        for (const TracePlottable *curve : decor.curves)
+            layOut(*curve);
     }
     std::vector<StripWord> words()
     {
@@ -133,6 +136,46 @@ private:
             return;
         m_taken.push_back(*place);
         m_words.push_back({kind, index, *place});
+    }
+    /// What is drawn of a curve, as boxes of a pixel column or so.
+    void layOut(const TracePlottable &curve)
+    {
+        const std::vector<PlotPoint> &points = curve.points();
+        for (std::size_t i = 1; i < points.size(); ++i) {
+            const PlotPoint &a = points[i - 1];
+            const PlotPoint &b = points[i];
+            const QRectF box(QPointF(m_keys.coordToPixel(a.key), m_left.coordToPixel(a.value)),
+                QPointF(m_keys.coordToPixel(b.key), m_left.coordToPixel(b.value)));
+            if (std::isfinite(box.top()) && std::isfinite(box.bottom()))
+                m_drawn.push_back(box.normalized().adjusted(-2, -2, 2, 2));
+        }
+    }
+    [[nodiscard]] auto covered(const QRectF &place) const
+    {
+        return std::count_if(
+            m_drawn.begin(), m_drawn.end(), [&](const QRectF &drawn) { return drawn.intersects(place); });
+    }
+    /// As freePlace(), and where it hides as little as can be of the curves; near what it names before far from it.
+    [[nodiscard]] std::optional<QRectF> clearPlace(const QRectF &wanted, const std::vector<double> &shifts) const
+    {
+        std::optional<QRectF> best;
+        double least = 0.0;
+        for (const double shift : shifts) {
+            for (int lines = -7; lines <= 7; ++lines) {
+                const QRectF place = between(wanted.translated(shift, lines * wanted.height() * 0.75));
+                const bool inside = place.top() >= m_box.top() && place.bottom() <= m_box.bottom();
+                if (!inside || !freePlace(place, place, m_taken))
+                    continue;
+                const auto hidden = static_cast<double>(covered(place));
+                const double far = QLineF(wanted.center(), place.center()).length() / (2.0 * wanted.height());
+                const double cost = (hidden > 0.0 ? 2.5 + hidden * 0.05 : 0.0) + far;
+                if (!best || cost < least) {
+                    best = place;
+                    least = cost;
+                }
+            }
+        }
+        return best;
     }
     /// Above or below a line, at its right end or at its left.
     void beside(StripWord::Kind kind, std::size_t index, const QString &text, double y, bool rightFirst)
@@ -192,7 +235,11 @@ private:
             QRectF text(at + QPointF(m_theme.u(note.offset.x()), m_theme.u(note.offset.y())), size);
             text = between(text);
             text.moveBottom(std::clamp(text.bottom(), m_box.top() + text.height(), m_box.bottom()));
-            take(StripWord::Kind::Note, i, freePlace(text, m_box, m_taken));
+            const double other = 2 * (at.x() - text.center().x()); // the same at the left of the point
+            const double wide = text.width();
+            take(StripWord::Kind::Note, i,
+                m_drawn.empty() ? freePlace(text, m_box, m_taken)
+                                : clearPlace(text, {0.0, other, 0.4 * wide, 0.8 * wide, other - 0.4 * wide}));
         }
     }
     void bands()
@@ -201,7 +248,10 @@ private:
             QRectF text(QPointF(), sizeOf(m_decor.bands[i].text));
             text.moveBottomRight(
                 {m_box.left() + m_box.width() * 0.62, m_left.coordToPixel(m_decor.bands[i].upper) - m_theme.u(2)});
-            take(StripWord::Kind::Band, i, freePlace(between(text), m_box, m_taken));
+            const double step = m_box.width() * 0.15;
+            take(StripWord::Kind::Band, i,
+                m_drawn.empty() ? freePlace(between(text), m_box, m_taken)
+                                : clearPlace(text, {0.0, step, -step, 2 * step, -2 * step}));
         }
     }
     void spans()
@@ -226,6 +276,7 @@ private:
     const QFont m_caption;
     const QFontMetrics m_metrics;
     std::vector<QRectF> m_taken;
+    std::vector<QRectF> m_drawn; ///< curves that words keep clear of
     std::vector<StripWord> m_words;
 };
 

@@ -196,6 +196,14 @@ QString PlotStack::valueText(const TraceStyle &style, double value) const
     return formatValue(value, decimals, style.unit);
 }
 
+QString PlotStack::tagText(const TraceStyle &style, double value) const
+{
+    TraceStyle bare = style;
+    if (!style.tagUnit)
+        bare.unit.clear();
+    return valueText(bare, value);
+}
+
 void PlotStack::updateTags(Strip &strip, int index)
 {
     strip.decor.tags.clear();
@@ -206,7 +214,7 @@ void PlotStack::updateTags(Strip &strip, int index)
             continue;
         const auto value = m_live && !m_held ? trace.source->latest() : std::optional(valueAt(id, m_to));
         if (value && std::isfinite(*value))
-            strip.decor.tags.push_back({valueText(trace.style, *value), *value, look, trace.style.secondAxis});
+            strip.decor.tags.push_back({tagText(trace.style, *value), *value, look, trace.style.secondAxis});
     }
 }
 
@@ -215,7 +223,7 @@ int PlotStack::tagMargin() const
     int width = m_theme.theme().u(14);
     for (const auto &[id, trace] : m_traces) {
         if (trace.visible && trace.style.valueTag && trace.style.role != TraceRole::Setpoint) {
-            const QString widest = formatValue(-8888.8, 1, trace.style.unit);
+            const QString widest = formatValue(-8888.8, 1, trace.style.tagUnit ? trace.style.unit : QString());
             width = std::max(width, StripFace::tagWidth(m_theme.theme(), font(), widest));
         }
     }
@@ -251,8 +259,10 @@ void PlotStack::updateCursorRows()
     const double a = m_cursors->key(false);
     const double b = m_cursors->key(true);
     std::vector<PlotCursors::Row> rows;
+    if (m_bothValues)
+        rows.push_back({tr("t", "time of both cursors"), tr("%1 → %2").arg(preciseDuration(a), preciseDuration(b))});
     rows.push_back({tr("Δt"), preciseDuration(b - a), true});
-    if (std::abs(b - a) > 1e-9)
+    if (std::abs(b - a) > 1e-9 && !m_bothValues)
         rows.push_back({tr("1/Δt"), formatSignificant(1 / std::abs(b - a), 4) + QChar(QChar::Nbsp) + tr("Hz")});
     int measured = 0;
     int last = 0;
@@ -260,13 +270,25 @@ void PlotStack::updateCursorRows()
         const double difference = valueAt(id, b) - valueAt(id, a);
         if (!trace.visible || !std::isfinite(difference) || rows.size() >= 9)
             continue;
-        rows.push_back({tr("Δ %1").arg(trace.style.name), valueText(trace.style, difference)});
+        if (m_bothValues)
+            rows.push_back({trace.style.name,
+                tr("%1 → %2").arg(valueText(trace.style, valueAt(id, a)), valueText(trace.style, valueAt(id, b)))});
+        else
+            rows.push_back({tr("Δ %1").arg(trace.style.name), valueText(trace.style, difference)});
         measured += trace.style.role != TraceRole::Setpoint ? 1 : 0;
         last = trace.style.role != TraceRole::Setpoint ? id : last;
     }
-    if (measured == 1) // there is room for more about it
+    if (measured == 1 && !m_bothValues) // there is room for more about it
         addStatistics(rows, last);
     m_cursors->setRows(std::move(rows));
+}
+
+QStringList PlotStack::cursorWords() const
+{
+    QStringList lines;
+    for (const PlotCursors::Row &row : m_cursors->rows())
+        lines << row.name + QLatin1Char(' ') + row.value;
+    return lines;
 }
 
 void PlotStack::addStatistics(std::vector<PlotCursorRow> &rows, int id) const

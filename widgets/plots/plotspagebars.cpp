@@ -2,6 +2,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/pagekeys.h"
 #include "widgets/common/segmented.h"
 #include "widgets/plots/curveplot.h"
 #include "widgets/plots/plotspage.h"
@@ -9,7 +10,6 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QShortcut>
 
 #include <array>
 
@@ -133,16 +133,23 @@ void PlotsPage::buildTools(QHBoxLayout &row)
 
 void PlotsPage::addKeys()
 {
-    const auto add = [this](int key, auto &&act) {
-        connect(new QShortcut(QKeySequence(key), this), &QShortcut::activated, this, act);
-    };
-    add(Qt::Key_P, [this] { m_pause->click(); });
-    add(Qt::Key_0, [this] { m_plots->currentWidget() == m_stack ? m_stack->fit() : curves(View::Spectrum).fit(); });
-    add(Qt::Key_T, [this] { m_triggerButton->toggle(); });
-    add(Qt::Key_R, [this] {
+    auto *keys = new PageKeys(*this);
+    keys->add({Qt::Key_P}, tr("pauses the plots, and goes on"), [this] { m_pause->click(); });
+    keys->add({Qt::Key_0}, tr("fits time and value"),
+        [this] { m_plots->currentWidget() == m_stack ? m_stack->fit() : curves(View::Spectrum).fit(); });
+    keys->add({Qt::Key_L}, tr("cursors: arrows move one, C changes to the other"), [this] {
+        m_stack->setCursorsShown(!m_stack->cursorsShown());
+        if (m_stack->cursorsShown())
+            m_stack->setFocus(Qt::ShortcutFocusReason);
+    });
+    keys->add({Qt::Key_T}, tr("watches for a trigger, or no more"), [this] { m_triggerButton->toggle(); });
+    keys->add({Qt::Key_R}, tr("records, or ends the recording"), [this] {
         if (m_recorder)
             toggleRecording();
     });
+    keys->note({Qt::Key_Plus, Qt::Key_Minus}, tr("in the plots: less or more time"));
+    keys->note({Qt::Key_PageUp, Qt::Key_PageDown}, tr("in the plots: larger or smaller values"));
+    keys->note({Qt::Key_N}, tr("in the plots: writes a note at this time"));
 }
 
 } // namespace mb

@@ -126,7 +126,9 @@ void PlotStack::styleStrip(Strip &strip, bool last) const
     strip.rect->axis(QCPAxis::atBottom)->setTickLabels(last);
     const int below = theme.u(last ? 26 : 6);
     strip.rect->setAutoMargins(QCP::msLeft);
-    strip.rect->setMargins(QMargins(0, theme.u(36), tagMargin(), below));
+    strip.decor.headGap = strip.style.legend || !strip.style.title.isEmpty() ? theme.u(8) : 0;
+    const int above = theme.u(headHeight) + strip.decor.headGap + theme.u(strip.decor.headGap > 0 ? 8 : 2);
+    strip.rect->setMargins(QMargins(0, above, tagMargin(), below));
     strip.decor.keyUnit = last && !m_unixAtZero ? tr("s") : QString();
 }
 
@@ -141,6 +143,7 @@ void PlotStack::updateHeads()
         decor.first = i == 0;
         decor.watermark = m_watermark;
         decor.entries.clear();
+        decor.curves.clear();
         decor.marks = m_marks;
         decor.secondRoom = anySecond ? m_theme.theme().u(56) : 0;
         QStringList units;
@@ -151,6 +154,8 @@ void PlotStack::updateHeads()
             QStringList &ofAxis = trace.style.secondAxis ? secondUnits : units;
             if (!ofAxis.contains(trace.style.unit))
                 ofAxis << trace.style.unit;
+            if (!decor.notes.empty() && !trace.style.secondAxis)
+                decor.curves.push_back(trace.plottable);
             if (m_strips[i]->style.legend)
                 decor.entries.push_back({trace.style.name, trace.plottable->look()});
         }

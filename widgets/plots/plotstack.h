@@ -32,6 +32,7 @@ struct TraceStyle {
     TraceMarker marker = TraceMarker::Automatic;
     bool emphasis = false;   ///< heavier; only for traces that stand still
     bool valueTag = true;    ///< newest value at the right edge (never for set-points)
+    bool tagUnit = true;     ///< with its unit, which also stands above the axis
     int decimals = -1;       ///< of the tag; -1: four significant digits
     bool secondAxis = false; ///< against the scale at the right
     bool aligned = false;    ///< its keys count from the left edge, or from the trigger: a kept reference
@@ -51,7 +52,7 @@ struct PlotTrigger {
 struct StripStyle {
     QString title;
     double stretch = 1.0;
-    bool legend = true; ///< names and swatches above the strip
+    bool legend = true; ///< names and swatches above the strip; without them and a title it has a low head
 };
 
 /// Strips of traces above one time axis, in one QCustomPlot. Live, it follows the present; paused, it can be zoomed and
@@ -115,6 +116,10 @@ public:
     bool cursorsShown() const;
     std::pair<double, double> cursorKeys() const;
     void setCursorKeys(double a, double b);
+    /// Beside the cursors: both times, and the value of each trace at both, instead of the differences.
+    void setCursorValues(bool both) { m_bothValues = both; }
+    /// What the box beside the cursors says, a line each.
+    [[nodiscard]] QStringList cursorWords() const;
     /// Of the samples between A and B.
     std::optional<TraceSource::Statistics> selection(int trace) const;
     /// Value of a trace at a key, from what is drawn; NaN outside and in a gap.
@@ -218,6 +223,7 @@ private:
     void updateCursorRows();
     void addStatistics(std::vector<PlotCursorRow> &rows, int id) const;
     QString valueText(const TraceStyle &style, double value) const;
+    QString tagText(const TraceStyle &style, double value) const;
     int tagMargin() const;
     // plotinteraction.cpp
     void connectMouse();
@@ -281,6 +287,7 @@ private:
     QString m_stateText;
     QString m_dropType;
     bool m_ownTable = true;
+    bool m_bothValues = false;
 };
 
 } // namespace mb

@@ -51,16 +51,17 @@ void StripFace::drawHead(QCPPainter &painter, const QRectF &box) const
     const Theme &theme = m_theme.theme();
     const QFont small = caption();
     const QFont bold = theme.font(TextRole::Emphasis, small);
-    const double height = theme.u(20);
-    const double top = box.top() - height - theme.u(8);
+    const double height = theme.u(headHeight);
+    const double top = box.top() - height - m_decor.headGap;
     painter.setFont(small);
     painter.setPen(theme.dim);
     const double left = m_rect.outerRect().left();
-    painter.drawText(
-        QRectF(left, top, box.left() - left - theme.u(7), height), Qt::AlignRight | Qt::AlignVCenter, m_decor.unit);
+    const bool low = m_decor.headGap == 0; // beside the number at the top of the axis
+    const QRectF corner(left + (low ? theme.u(4) : 0), top, box.left() - left - theme.u(low ? 4 : 7), height);
+    painter.drawText(corner, static_cast<int>((low ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter), m_decor.unit);
     if (!m_decor.secondUnit.isEmpty()) {
-        const QRectF corner(box.right() + theme.u(7), top, m_decor.secondRoom + theme.u(40), height);
-        painter.drawText(corner, Qt::AlignLeft | Qt::AlignVCenter, m_decor.secondUnit);
+        const QRectF other(box.right() + theme.u(7), top, m_decor.secondRoom + theme.u(40), height);
+        painter.drawText(other, Qt::AlignLeft | Qt::AlignVCenter, m_decor.secondUnit);
     }
     double x = box.left();
     const double end = m_decor.secondUnit.isEmpty() ? m_rect.outerRect().right() : box.right();
@@ -115,8 +116,12 @@ void StripFace::drawWords(QCPPainter &painter) const
         painter.setPen(color);
         painter.drawText(place, Qt::AlignCenter, text);
     };
+    QColor behind = theme.canvas; // what must cross a curve is still read
+    behind.setAlphaF(0.8);
     for (const StripWord &word : stripWords(m_decor, m_rect, caption(), theme)) {
         painter.setFont(caption());
+        if (!m_decor.curves.empty() && word.kind != StripWord::Kind::Mark)
+            painter.fillRect(word.place, behind);
         switch (word.kind) {
         case StripWord::Kind::Mark: drawFlag(painter, m_decor.marks[word.index], word.place); break;
         case StripWord::Kind::Limit: write(word.place, m_decor.limits[word.index].text, theme.text); break;
@@ -138,7 +143,10 @@ void StripFace::drawNote(QCPPainter &painter, const PlotNote &note, const QRectF
     QPen leader(theme.dim, 1, Qt::DotLine);
     leader.setCosmetic(true);
     painter.setPen(leader);
-    painter.drawLine(QLineF(at, QPointF(place.left() - 2, place.center().y())));
+    const double end = at.x() > place.right() ? place.right() + 2 : std::max(at.x(), place.left() - 2);
+    const double top = at.y() < place.top() ? place.top() : at.y() > place.bottom() ? place.bottom() : at.y();
+    const bool over = end > place.left() - 2 && end < place.right() + 2; // straight above or below the point
+    painter.drawLine(QLineF(at, QPointF(end, over ? top : place.center().y())));
     QFont font = note.strong ? theme.font(TextRole::Emphasis, caption()) : caption();
     font.setPointSizeF(caption().pointSizeF());
     painter.setFont(font);

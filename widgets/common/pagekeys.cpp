@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/common/pagekeys.h"
+
+#include "widgets/common/labels.h"
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QShortcut>
+#include <QTextEdit>
+#include <QTreeView>
+
+namespace mb {
+namespace {
+
+/// A letter or a digit without Ctrl, Alt or Meta.
+bool isSingle(const QKeySequence &keys)
+{
+    const int key = keys[0];
+    const int modifiers = key & static_cast<int>(Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
+    const int bare = key & ~static_cast<int>(Qt::KeyboardModifierMask);
+    return modifiers == 0 && bare >= Qt::Key_0 && bare <= Qt::Key_Z;
+}
+
+void fill(QGridLayout &grid, QWidget *box, const PageKeys &keys)
+{
+    for (const PageKeys::Row &row : keys.rows()) {
+        const int at = grid.rowCount();
+        QLabel *const key = textLabel(PageKeys::textOf(row), TextRole::Emphasis, Tone::Text, box);
+        QLabel *const does = textLabel(row.does, TextRole::Body, Tone::Text, box);
+        does->setWordWrap(true);
+        grid.addWidget(key, at, 0, Qt::AlignTop);
+        grid.addWidget(does, at, 1);
+    }
+}
+
+} // namespace
+
+bool takesLetters(const QWidget *widget)
+{
+    return qobject_cast<const QLineEdit *>(widget) || qobject_cast<const QTextEdit *>(widget)
+        || qobject_cast<const QPlainTextEdit *>(widget) || qobject_cast<const QAbstractSpinBox *>(widget)
+        || qobject_cast<const QComboBox *>(widget) || qobject_cast<const QTreeView *>(widget);
+}
+
+PageKeys::PageKeys(QWidget &page)
+    : QObject(&page)
+    , m_page(page)
+{
+    connect(qApp, &QApplication::focusChanged, this, [this](QWidget *, QWidget *now) { followFocus(now); });
+}
+
+void PageKeys::add(std::vector<QKeySequence> keys, const QString &does, std::function<void()> act)
+{
+    Row row{std::move(keys), does, {}};
+    for (const QKeySequence &key : row.keys) {
+        auto *shortcut = new QShortcut(key, &m_page);
+        shortcut->setAutoRepeat((key[0] & static_cast<int>(Qt::ControlModifier)) != 0);
+        connect(shortcut, &QShortcut::activated, this, act);
+        row.shortcuts.push_back(shortcut);
+    }
+    m_rows.push_back(std::move(row));
+    followFocus(QApplication::focusWidget());
+}
+
+void PageKeys::note(std::vector<QKeySequence> keys, const QString &does)
+{
+    m_rows.push_back({std::move(keys), does, {}});
+}
+
+void PageKeys::followFocus(const QWidget *now)
+{
+    const bool letters = !takesLetters(now);
+    for (const Row &row : m_rows) {
+        for (QShortcut *shortcut : row.shortcuts)
+            shortcut->setEnabled(letters || !isSingle(shortcut->key()));
+    }
+}
+
+QString PageKeys::textOf(const Row &row)
+{
+    QStringList texts;
+    for (const QKeySequence &key : row.keys)
+        texts << key.toString(QKeySequence::NativeText);
+    return texts.join(QStringLiteral(", "));
+}
+
+void showKeys(QWidget &parent, const QString &page, const std::vector<const PageKeys *> &keys)
+{
+    auto *dialog = new QDialog(&parent);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setObjectName(QStringLiteral("keys"));
+    dialog->setWindowTitle(PageKeys::tr("Keys: %1").arg(page));
+    auto *column = new QVBoxLayout(dialog);
+    auto *scroll = new QScrollArea(dialog);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setAccessibleName(dialog->windowTitle());
+    auto *box = new QWidget(scroll);
+    auto *grid = new QGridLayout(box);
+    grid->setColumnStretch(1, 1);
+    grid->setHorizontalSpacing(QFontMetrics(dialog->font()).horizontalAdvance(QStringLiteral("MM")));
+    for (const PageKeys *table : keys) {
+        if (!table || table->rows().empty())
+            continue;
+        const bool ofPage = table == keys.front();
+        grid->addWidget(new SectionLabel(ofPage ? page : PageKeys::tr("Everywhere"), box), grid->rowCount(), 0, 1, 2);
+        fill(*grid, box, *table);
+    }
+    scroll->setWidget(box);
+    column->addWidget(scroll, 1);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
+    QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
+    column->addWidget(buttons);
+    const QSize room = parent.window()->size();
+    dialog->resize(std::min(dialog->sizeHint().width() + scroll->verticalScrollBar()->sizeHint().width()
+                           + QFontMetrics(dialog->font()).horizontalAdvance(QString(50, QLatin1Char('n'))),
+                       room.width() * 9 / 10),
+        std::min(box->sizeHint().height() + column->sizeHint().height(), room.height() * 9 / 10));
+    dialog->show();
+}
+
+} // namespace mb

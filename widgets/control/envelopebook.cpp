@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/envelopebook.h"
+
+#include "model/parameterfile.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <array>
+#include <utility>
+
+namespace mb {
+namespace {
+
+constexpr qint64 largestFile = 1'000'000;
+
+struct KeptBound {
+    const char *key;
+    std::optional<double> Envelope::*value;
+};
+
+constexpr std::array<KeptBound, 4> keptBounds{{
+    {"travel", &Envelope::travel},
+    {"speed", &Envelope::speed},
+    {"current", &Envelope::current},
+    {"duty", &Envelope::duty},
+}};
+
+const QLatin1String kindKey("motorbench");
+const QLatin1String kind("experiment limits");
+const QLatin1String unitsKey("units");
+const QLatin1String enteredKey("entered");
+const QLatin1String namedKey("named");
+
+QJsonObject toJson(const Envelope &limits)
+{
+    QJsonObject object;
+    for (const KeptBound &bound : keptBounds) {
+        if (const auto value = limits.*bound.value)
+            object.insert(QLatin1String(bound.key), *value);
+    }
+    return object;
+}
+
+/// What is no positive number is no limit, and is not taken for one.
+Envelope fromJson(const QJsonObject &object)
+{
+    Envelope limits;
+    for (const KeptBound &bound : keptBounds) {
+        const double value = object.value(QLatin1String(bound.key)).toDouble();
+        if (value > 0.0)
+            limits.*bound.value = value;
+    }
+    return limits;
+}
+
+} // namespace
+
+Result<void> EnvelopeBook::open(const QString &file)
+{
+    m_file.clear(); // what is not ours is not written over
+    m_units.clear();
+    QFile source(file);
+    if (!source.exists()) {
+        m_file = file;
+        return {};
+    }
+    if (source.size() > largestFile || !source.open(QIODevice::ReadOnly))
+        return fail(Fault::OutOfRange, file.toStdString() + " cannot be read", "remove it, or make it readable");
+    const QJsonObject all = QJsonDocument::fromJson(source.readAll()).object();
+    if (all.value(kindKey).toString() != kind)
+        return fail(Fault::OutOfRange, file.toStdString() + " holds no limits of experiments", "remove it");
+    const QJsonObject units = all.value(unitsKey).toObject();
+    for (auto unit = units.begin(); unit != units.end(); ++unit) {
+        Unit &read = m_units[unit.key().toStdString()];
+        const QJsonObject object = unit.value().toObject();
+        read.entered = fromJson(object.value(enteredKey).toObject());
+        const QJsonObject named = object.value(namedKey).toObject();
+        for (auto limits = named.begin(); limits != named.end(); ++limits)
+            read.named.emplace(limits.key(), fromJson(limits.value().toObject()));
+    }
+    m_file = file;
+    return {};
+}
+
+Result<void> EnvelopeBook::write() const
+{
+    if (m_file.isEmpty())
+        return {};
+    QJsonObject units;
+    for (const auto &[name, unit] : m_units) {
+        QJsonObject named;
+        for (const auto &[title, limits] : unit.named)
+            named.insert(title, toJson(limits));
+        units.insert(QString::fromStdString(name), QJsonObject{{enteredKey, toJson(unit.entered)}, {namedKey, named}});
+    }
+    QDir().mkpath(QFileInfo(m_file).path());
+    return saveFile(
+        m_file.toStdString(), QJsonDocument(QJsonObject{{kindKey, QString(kind)}, {unitsKey, units}}).toJson());
+}
+
+Envelope EnvelopeBook::entered(const std::string &unit) const
+{
+    const auto found = m_units.find(unit);
+    return found == m_units.end() ? Envelope() : found->second.entered;
+}
+
+Result<void> EnvelopeBook::enter(const std::string &unit, const Envelope &limits)
+{
+    if (unit.empty() || entered(unit) == limits)
+        return {};
+    m_units[unit].entered = limits;
+    return write();
+}
+
+Result<void> EnvelopeBook::carry(const std::string &from, const std::string &to)
+{
+    const auto found = m_units.find(from);
+    if (found == m_units.end() || m_units.count(to) > 0)
+        return {};
+    const Unit unit = found->second;
+    m_units.emplace(to, unit);
+    return write();
+}
+
+QStringList EnvelopeBook::names(const std::string &unit) const
+{
+    QStringList all;
+    const auto found = m_units.find(unit);
+    if (found == m_units.end())
+        return all;
+    for (const auto &[name, limits] : found->second.named)
+        all << name;
+    return all;
+}
+
+Envelope EnvelopeBook::named(const std::string &unit, const QString &name) const
+{
+    const auto found = m_units.find(unit);
+    if (found == m_units.end())
+        return {};
+    const auto limits = found->second.named.find(name);
+    return limits == found->second.named.end() ? Envelope() : limits->second;
+}
+
+Result<void> EnvelopeBook::keep(const std::string &unit, const QString &name, const Envelope &limits)
+{
+    if (unit.empty() || name.trimmed().isEmpty())
+        return {};
+    m_units[unit].named[name.trimmed()] = limits;
+    return write();
+}
+
+Result<void> EnvelopeBook::forget(const std::string &unit, const QString &name)
+{
+    const auto found = m_units.find(unit);
+    if (found == m_units.end() || found->second.named.erase(name) == 0)
+        return {};
+    return write();
+}
+
+} // namespace mb

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/result.h"
+#include "model/trialtraits.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <map>
+#include <string>
+
+namespace mb {
+
+/// The limits of experiments that people have entered, by unit (Trial::unit): what holds for it now, and sets with names to
+/// choose again. Kept in one JSON file, in the units of Envelope; without a file for as long as the program runs. GUI thread.
+class EnvelopeBook {
+public:
+    /// Reads the file, where there is one; OutOfRange when it is another, which is then neither taken nor written over.
+    Result<void> open(const QString &file);
+
+    /// What was entered for a unit; empty bounds where nothing was.
+    [[nodiscard]] Envelope entered(const std::string &unit) const;
+    Result<void> enter(const std::string &unit, const Envelope &limits);
+    /// A unit is known by another name now, its serial number: what was entered for it goes along, unless that has its own.
+    Result<void> carry(const std::string &from, const std::string &to);
+
+    /// Names that limits of this unit were kept under, sorted.
+    [[nodiscard]] QStringList names(const std::string &unit) const;
+    [[nodiscard]] Envelope named(const std::string &unit, const QString &name) const;
+    Result<void> keep(const std::string &unit, const QString &name, const Envelope &limits);
+    Result<void> forget(const std::string &unit, const QString &name);
+
+private:
+    struct Unit {
+        Envelope entered;
+        std::map<QString, Envelope> named;
+    };
+    [[nodiscard]] Result<void> write() const;
+
+    QString m_file;
+    std::map<std::string, Unit> m_units;
+};
+
+} // namespace mb
