@@ -6504,6 +6504,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>the limits were not kept: %1</source>
         <translation>die Grenzen wurden nicht behalten: %1</translation>
     </message>
+    <message>
+        <source>it has no lamp that could blink</source>
+        <translation>es hat keine Lampe, die blinken könnte</translation>
+    </message>
 </context>
 <context>
     <name>mb::TunePlot</name>

@@ -18,6 +18,7 @@ class TestExperiments : public QObject {
 private Q_SLOTS:
     void oneKeyWritesWhatIsStagedAndRuns();
     void nothingRunsUnlessArmedAndInsideTheEnvelope();
+    void aKindThatWouldLeaveTheEnvelopeCannotBeChosen();
     void whatIsMeasuredIsShownBeforeTheMotorIsBack();
     void twoTrialsLieOverEachOtherWithTheirDifferenceInWords();
     void anotherStimulusIsNotDrawnOverB();
@@ -81,6 +82,32 @@ void TestExperiments::nothingRunsUnlessArmedAndInsideTheEnvelope()
     QCOMPARE(bench.workbench.plans.back().plan.limits.speed, std::optional(70'000.0));
 }
 
+void TestExperiments::aKindThatWouldLeaveTheEnvelopeCannotBeChosen()
+{
+    TrialBench bench;
+    auto *travel = bench.find<QLineEdit>("Envelope: Travel ±");
+    auto *list = bench.find<QComboBox>("Stimulus");
+    QVERIFY(travel && list);
+    const auto mayChoose = [&](tuning::Profile kind) {
+        return list->model()->flags(list->model()->index(static_cast<int>(kind), 0)).testFlag(Qt::ItemIsEnabled);
+    };
+    const auto allow = [&](const char *counts) {
+        travel->setText(s(counts));
+        Q_EMIT travel->textEdited(travel->text());
+    };
+    bench.choose(60'000.0);
+    allow("90000000");
+    for (const tuning::Profile kind : StimulusBar::kinds())
+        QVERIFY(mayChoose(kind));
+    allow("100000");                           // at 60 000 counts/s
+    QVERIFY(mayChoose(tuning::Profile::Step)); // the chosen one is said to be wrong beside it
+    QVERIFY(!mayChoose(tuning::Profile::Chirp));
+    const QString why = list->itemData(static_cast<int>(tuning::Profile::Chirp), Qt::ToolTipRole).toString();
+    QVERIFY2(why.contains(s("100000")), qPrintable(why));
+    allow("90000000");
+    QVERIFY(mayChoose(tuning::Profile::Chirp));
+}
+
 void TestExperiments::whatIsMeasuredIsShownBeforeTheMotorIsBack()
 {
     TrialBench bench;
@@ -96,7 +123,7 @@ void TestExperiments::whatIsMeasuredIsShownBeforeTheMotorIsBack()
 
 void TestExperiments::twoTrialsLieOverEachOtherWithTheirDifferenceInWords()
 {
-    TrialBench bench;
+    TrialBench bench(lightTheme(), QSize(1600, 800));
     bench.choose(60'000.0);
     bench.arm();
     bench.page->run();

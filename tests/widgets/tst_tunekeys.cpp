@@ -147,6 +147,7 @@ class TestTuneKeys : public QObject {
 private Q_SLOTS:
     void everyListedKeyDoesWhatItSays();
     void lettersBelongToEditorsTreesAndComboBoxes();
+    void whatCannotBlinkIsNotTurnedInstead();
     void theListHasEveryRowInWords();
     void aClickNudgesForATenthOfASecond();
     void aButtonHeldDownMovesUntilItIsLetGo();
@@ -186,6 +187,18 @@ void TestTuneKeys::lettersBelongToEditorsTreesAndComboBoxes()
     bench.page->setFocus();
     QTest::keyClick(bench.page.get(), Qt::Key_B);
     QCOMPARE(bench.page->trials().b()->number, 1);
+}
+
+void TestTuneKeys::whatCannotBlinkIsNotTurnedInstead()
+{
+    static Family lampless = dmc60c();
+    lampless.capabilities.identify = false;
+    KeyBench bench;
+    bench.device().family = &lampless;
+    bench.workbench.publish();
+    bench.page->setFocus();
+    QTest::keyClick(bench.page.get(), Qt::Key_I);
+    QVERIFY(bench.workbench.callsOf("identify").empty());
 }
 
 void TestTuneKeys::theListHasEveryRowInWords()

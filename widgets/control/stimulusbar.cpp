@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QPainter>
+#include <QStandardItemModel>
 
 #include <array>
 #include <cmath>
@@ -19,7 +20,8 @@ namespace {
 
 using tuning::Profile;
 
-constexpr std::array kinds{Profile::Step, Profile::Square, Profile::Ramp, Profile::Sine, Profile::Chirp, Profile::Prbs};
+constexpr std::array allKinds{
+    Profile::Step, Profile::Square, Profile::Ramp, Profile::Sine, Profile::Chirp, Profile::Prbs};
 constexpr std::array repeats{1, 2, 4, 8, 16};
 constexpr double longestTime = 3600.0; ///< s
 
@@ -133,7 +135,7 @@ void StimulusBar::fillKinds()
     const QSignalBlocker quiet(m_kind);
     m_kind->clear();
     m_kind->setIconSize({2 * theme.u(16), theme.u(16)});
-    for (const Profile kind : kinds) {
+    for (const Profile kind : allKinds) {
         m_kind->addItem(iconOf(kind, theme.text, theme.u(16)), profileText(kind));
         m_kind->setItemData(m_kind->count() - 1, hintOf(kind), Qt::ToolTipRole);
     }
@@ -201,13 +203,28 @@ void StimulusBar::read()
     if (choice.seconds && (*choice.seconds <= 0.0 || *choice.seconds > longestTime))
         m_fault = tr("The time is 0.001 to %1 s.").arg(longestTime);
     const int kind = std::max(0, m_kind->currentIndex());
-    choice.profile = kinds.at(static_cast<std::size_t>(kind));
+    choice.profile = allKinds.at(static_cast<std::size_t>(kind));
     choice.repeat = m_repeat->currentData().toInt();
     const bool other = choice.profile != m_choice.profile;
     m_choice = choice;
     if (other)
         write();
     Q_EMIT changed();
+}
+
+std::span<const Profile> StimulusBar::kinds()
+{
+    return allKinds;
+}
+
+void StimulusBar::setKindFault(Profile kind, const QString &fault)
+{
+    auto *rows = qobject_cast<QStandardItemModel *>(m_kind->model());
+    QStandardItem *const row = rows ? rows->item(static_cast<int>(kind)) : nullptr;
+    if (!row || (row->isEnabled() == fault.isEmpty() && (fault.isEmpty() || row->toolTip() == fault)))
+        return;
+    row->setEnabled(fault.isEmpty());
+    row->setToolTip(fault.isEmpty() ? hintOf(kind) : fault);
 }
 
 void StimulusBar::setVerdict(bool good, const QString &text)

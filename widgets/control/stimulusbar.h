@@ -9,6 +9,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <span>
 
 class QComboBox;
 class QLabel;
@@ -37,12 +38,16 @@ class StimulusBar : public QWidget {
 public:
     explicit StimulusBar(const ThemeSource &theme, QWidget *parent = nullptr);
 
+    /// All kinds, in the order of the list.
+    [[nodiscard]] static std::span<const tuning::Profile> kinds();
     void setUnits(Mode mode, const DisplayUnits &units);
     /// Without a signal.
     void setChoice(const StimulusChoice &choice);
     [[nodiscard]] const StimulusChoice &choice() const { return m_choice; }
     /// What stands in the fields and cannot be read as a number; empty: all is legal.
     [[nodiscard]] QString fault() const { return m_fault; }
+    /// A kind that would leave the envelope cannot be chosen, and says why; `fault` empty: it can.
+    void setKindFault(tuning::Profile kind, const QString &fault);
     /// Whether the stimulus stays inside the envelope, with the numbers.
     void setVerdict(bool good, const QString &text);
     void focusTarget();

@@ -26,7 +26,7 @@
 namespace mb {
 namespace {
 
-constexpr int metricsWidth = 348;
+constexpr int metricsWidth = 400;
 constexpr int leastMetrics = 296;
 constexpr double metricsShare = 0.4;
 constexpr double mostMetrics = 0.5;

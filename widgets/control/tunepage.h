@@ -79,7 +79,7 @@ public:
     void zero();
     /// The last edit of the gains that are shown is taken back, or made again.
     void undo(bool again);
-    /// Has the device show itself.
+    /// Has the device blink, where it can; nothing moves.
     void identify();
     /// The live view stands still, or goes on; nothing where the experiments are shown.
     void pauseLive();
@@ -144,6 +144,7 @@ private:
     void followTrials(const DeviceView &view);
     [[nodiscard]] ExperimentWish wishOf(const DeviceView &view, int axis) const;
     [[nodiscard]] Status trialStatus(const DeviceView &view, const QString &name) const;
+    void checkKinds(const DeviceView &view, const Choice &chosen, Instant now);
     void viewChosen(int view);
     void stimulusChosen();
     void tryOut();

@@ -69,6 +69,10 @@ void TunePage::identify()
     const DeviceView *const view = device();
     if (!view)
         return;
+    if (!view->family->capabilities.identify) { // its shaft would turn, and that is asked for elsewhere
+        m_workbench.report(Severity::Info, titleOf(*view), tr("it has no lamp that could blink"));
+        return;
+    }
     m_workbench.identify(
         view->id, [self = QPointer<TunePage>(this), name = titleOf(*view)](const Result<void> &result) {
             if (self && !result)

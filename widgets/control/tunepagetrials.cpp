@@ -9,6 +9,7 @@
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/modepanel.h"
+#include "widgets/control/stimulusbar.h"
 #include "widgets/control/trialsview.h"
 #include "widgets/control/trialwords.h"
 #include "widgets/control/tuneframe.h"
@@ -94,10 +95,27 @@ void TunePage::followTrials(const DeviceView &view)
     const ExperimentCheck check = checkExperiment(view, wishOf(view, m_axis), chosen.units, now);
     m_stimulus->setEnabled(check.possible);
     m_envelope->setInForce(check.inForce, check.missing);
+    checkKinds(view, chosen, now);
     if (!m_stimulus->fault().isEmpty())
         m_stimulus->setVerdict(false, m_stimulus->fault());
     else
         m_stimulus->setVerdict(check.good, check.words);
+}
+
+/// Each kind of stimulus with the values as they are, so that the list says which would leave the envelope. The one that is
+/// chosen stays: what is wrong with it stands beside it, and at Run.
+void TunePage::checkKinds(const DeviceView &view, const Choice &chosen, Instant now)
+{
+    if (isLive())
+        return;
+    ExperimentWish wish = wishOf(view, m_axis);
+    for (const tuning::Profile kind : StimulusBar::kinds()) {
+        wish.stimulus.profile = kind;
+        const bool free = kind == chosen.stimulus.profile || !chosen.stimulus.to || !m_stimulus->fault().isEmpty();
+        const ExperimentCheck check = free ? ExperimentCheck{} : checkExperiment(view, wish, chosen.units, now);
+        m_stimulus->setKindFault(
+            kind, free || check.good || !check.possible || !check.missing.isEmpty() ? QString() : check.words);
+    }
 }
 
 TunePage::Status TunePage::trialStatus(const DeviceView &view, const QString &name) const
