@@ -1,14 +1,20 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The scripts, with stand-ins for what they call: what they say, and how they end."""
+import contextlib
+import io
 import os
 import pathlib
 import shlex
 import shutil
 import signal
 import subprocess
+import sys
 import tempfile
 import unittest
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "support"))
+import steady  # noqa: E402 pylint: disable=wrong-import-position
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 GOOGLETEST = "[  PASSED  ] 3 tests.\n[  SKIPPED ] 1 test, listed below:\n[  FAILED  ] 2 tests, listed below:\n"
@@ -184,6 +190,45 @@ class Test(Place):
             output, _ = process.communicate()
         self.assertNotEqual(process.returncode, 0)
         self.assertRegex(output, r"ended before everything was run\n0 passed, [12] failed\n$")
+
+
+class Steady(unittest.TestCase):
+    """tests/support/steady.py: only a machine that was late gives a case another try."""
+
+    def outcome(self, lateness, failures):
+        class Machine:
+            worst = lateness
+
+            def __enter__(self):
+                return self
+
+            def __exit__(self, *_):
+                pass
+
+        runs = []
+
+        class Case(steady.SteadyCase):
+            def test_it(self):
+                runs.append(1)
+                self.assertGreater(len(runs), failures)
+
+        usual, steady.Lateness = steady.Lateness, Machine
+        try:
+            with contextlib.redirect_stderr(io.StringIO()):
+                result = unittest.TestResult()
+                Case("test_it").run(result)
+        finally:
+            steady.Lateness = usual
+        return result.wasSuccessful(), len(runs)
+
+    def test_what_fails_on_a_machine_in_time_has_failed(self):
+        self.assertEqual(self.outcome(0.0, 1), (False, 1))
+
+    def test_what_fails_while_the_machine_was_held_up_runs_again(self):
+        self.assertEqual(self.outcome(0.2, 2), (True, 3))
+
+    def test_what_goes_on_failing_has_failed(self):
+        self.assertEqual(self.outcome(0.2, 99), (False, steady.ATTEMPTS))
 
 
 class Demo(Place):

@@ -10,10 +10,14 @@ All times are of this machine's real-time clock: the signal's is taken before it
 import os
 import signal
 import subprocess
+import sys
 import time
 
 from bench import PATIENCE, Program
 from rows import ROWS
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+from steady import SteadyCase  # noqa: E402, F401 pylint: disable=wrong-import-position,unused-import
 
 ROUNDS = int(os.environ.get("MOTORBENCH_SAFETY_ROUNDS", "1"))
 GUARDIAN = 0.7  # from the signal to the motor off, without a watchdog: 0.5 s of silence, and the way

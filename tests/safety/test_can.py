@@ -15,7 +15,7 @@ import unittest
 
 from bench import PATIENCE, Motor, Program
 from rows import ROWS
-from scenarios import ROUNDS, CableScenarios, MotionScenarios, Rounds
+from scenarios import ROUNDS, CableScenarios, MotionScenarios, Rounds, SteadyCase
 from trials import TrialScenarios
 
 
@@ -124,19 +124,19 @@ class AbstractDcRig(CanRig):
         return True  # what it said is in the time to the stop
 
 
-class Dmc60cSwitched(MotionScenarios, CableScenarios, unittest.TestCase):
+class Dmc60cSwitched(MotionScenarios, CableScenarios, SteadyCase):
     def setUp(self):
         self.rig = Dmc60cRig(self.control, Switch())
 
 
 @unittest.skipUnless(ROUNDS > 1, "a machine that tests meanwhile loses samples, and a guard ends the trial: scripts/soak safety")
-class Dmc60cTrial(TrialScenarios, unittest.TestCase):
+class Dmc60cTrial(TrialScenarios, SteadyCase):
     def setUp(self):
         super().setUp()
         self.rig = Dmc60cRig(self.control, Switch())
 
 
-class AbstractDcSwitched(MotionScenarios, CableScenarios, unittest.TestCase):
+class AbstractDcSwitched(MotionScenarios, CableScenarios, SteadyCase):
     def setUp(self):
         self.rig = AbstractDcRig(self.control, Switch())
 
@@ -145,13 +145,13 @@ class Unplugged(CableScenarios):
     cable = "the adapter is unplugged"
 
 
-class Dmc60cUnplugged(Unplugged, unittest.TestCase):
+class Dmc60cUnplugged(Unplugged, SteadyCase):
     def setUp(self):
         self.rig = Dmc60cRig(self.control, Adapter())
         self.addCleanup(self.rig.cable.remove)
 
 
-class AbstractDcUnplugged(Unplugged, unittest.TestCase):
+class AbstractDcUnplugged(Unplugged, SteadyCase):
     def setUp(self):
         self.rig = AbstractDcRig(self.control, Adapter())
         self.addCleanup(self.rig.cable.remove)

@@ -10,7 +10,7 @@ import unittest
 
 from bench import Motor, SerialCable, SocketCable
 from rows import ROWS
-from scenarios import CableScenarios, MotionScenarios, Rounds, WindowScenarios
+from scenarios import CableScenarios, MotionScenarios, Rounds, WindowScenarios, SteadyCase
 from trials import TrialScenarios
 
 
@@ -72,28 +72,28 @@ class SocketRig(LineRig):
         return bool(self.after(since))  # the length of the first exchange; what it said is in the time to the stop
 
 
-class Serial(MotionScenarios, CableScenarios, unittest.TestCase):
+class Serial(MotionScenarios, CableScenarios, SteadyCase):
     def setUp(self):
         self.rig = SerialRig(self.control)
 
 
-class SerialTrial(TrialScenarios, unittest.TestCase):
+class SerialTrial(TrialScenarios, SteadyCase):
     def setUp(self):
         super().setUp()
         self.rig = SerialRig(self.control)
 
 
-class Socket(MotionScenarios, CableScenarios, unittest.TestCase):
+class Socket(MotionScenarios, CableScenarios, SteadyCase):
     def setUp(self):
         self.rig = SocketRig(self.control)
 
 
-class SerialWindow(WindowScenarios, unittest.TestCase):
+class SerialWindow(WindowScenarios, SteadyCase):
     def setUp(self):
         self.rig = SerialRig(self.control)
 
 
-class SocketWindow(WindowScenarios, unittest.TestCase):
+class SocketWindow(WindowScenarios, SteadyCase):
     def setUp(self):
         self.rig = SocketRig(self.control)
 

@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Programs that run beside a test on real CAN interfaces."""
+import os
 import signal
 import subprocess
+import sys
 import threading
 import time
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "support"))
+from steady import SteadyCase  # noqa: E402, F401 pylint: disable=wrong-import-position,unused-import
 
 PATIENCE = 90.0  # of the whole suite for one step; nothing is expected to take this long
 
