@@ -171,6 +171,8 @@ Result<int> verdictOf(const Trial &trial)
             "the stop was not confirmed by " + trial.device + "; cut its power if the motor still turns");
     if (trial.reason == "done" || trial.reason == "interrupted")
         return exitDone;
+    if (trial.reason.empty())
+        return fail(Fault::Refused, trial.detail);
     return fail(Fault::Unsafe,
         "stopped by the guard '" + trial.reason + "': " + trial.detail + "; remove the cause before it is run again");
 }

@@ -128,6 +128,8 @@ Task<void> ExperimentRun::perform()
     co_await std::move(raising);
     auto finding = findDirection();
     co_await std::move(finding);
+    if (const std::string caution = m_device.caution(setPointAt(m_trial.stimulus.to)); !caution.empty())
+        note(caution);
     auto driving = drive();
     co_await std::move(driving);
     co_return {};
@@ -249,6 +251,21 @@ Task<void> ExperimentRun::findDirection()
     co_return {};
 }
 
+/// The check of the direction has moved it a little, and its loop does not bring it back: where nobody asked for another X,
+/// that is where it stands now.
+bool ExperimentRun::beginsHere()
+{
+    const auto here = m_recorder.latest("position");
+    if (m_plan.mode != Mode::Position || m_plan.from || m_device.family().capabilities.zeroPosition || !here)
+        return false;
+    const auto stimulus = Stimulus::make(m_plan.profile, *here, m_plan.to, m_plan.seconds, m_beat);
+    if (!stimulus)
+        return false;
+    m_trial.stimulus = *stimulus;
+    aim(*here);
+    return true;
+}
+
 bool ExperimentRun::isInterrupted() const
 {
     return m_around.interruption && m_around.interruption->isRequested();
@@ -304,6 +321,8 @@ Task<void> ExperimentRun::goTo(double target)
         if (m_device.clock().now() >= limit) {
             if (arrived || m_plan.mode == Mode::Current)
                 break; // noise, or a slow creep
+            if (beginsHere())
+                break;
             m_stream.stop();
             co_return fail(Fault::Refused,
                 "the unit stays " + numberText(std::round(std::abs(here - target) * 100.0) / 100.0)

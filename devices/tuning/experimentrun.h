@@ -29,6 +29,7 @@ private:
     [[nodiscard]] Task<void> raiseRates();
     [[nodiscard]] Task<void> lowerRates();
     [[nodiscard]] Task<void> findDirection();
+    [[nodiscard]] bool beginsHere();
     [[nodiscard]] Task<void> drive();
     [[nodiscard]] Task<void> goTo(double target);
     [[nodiscard]] Task<void> followOnce(double dither);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "families/abstractdc/simulatoroptions.h"
 #include "tests/tuning/experimentbench.h"
 
 #include <gtest/gtest.h>
@@ -88,6 +89,8 @@ INSTANTIATE_TEST_SUITE_P(OfTheBench, EveryFamily,
         Unit{"sim:can", "dmc60c", 5, Mode::Position, 8000.0}, Unit{"sim:can", "abstractdc", 3, Mode::Velocity, 4000.0},
         Unit{"sim:can", "abstractdc", 3, Mode::Position, 2000.0},
         Unit{"sim:can", "abstractdc", 3, Mode::Velocity, 2000.0},
+        Unit{"sim:can", "abstractdc", 4, Mode::Velocity, 1000.0},
+        Unit{"sim:can", "abstractdc", 4, Mode::Position, 500.0},
         Unit{"sim:serial", "supermodified", 4, Mode::Position, 400.0},
         Unit{"sim:serial", "supermodified", 5, Mode::Position, 4000.0},
         Unit{"sim:spi", "quadquad2drv", 0, Mode::Velocity, 1000.0},
@@ -231,6 +234,29 @@ TEST(Experiment, GainsThatNobodyCanReadAreRefusedWithTheRemedyUntilTheyWereWritt
     EXPECT_FALSE(bench.simulator()->isOutputOn());
     plan.gains = {bench.change("current.averaging", 1.0)};
     EXPECT_FALSE(bench.run(plan));
+}
+
+/// Its 16 bits wrap (trap 4), so a target never leads by more than the gains allow; unknown ones are taken for strong.
+TEST(Experiment, AWeakLoopOfUnknownGainsStandsAndSaysWhyUntilTheyWereWrittenHere)
+{
+    ExperimentBench bench("sim:can", "abstractdc", 5);
+    const auto still = bench.run(stepTo(Mode::Velocity, 40'000.0));
+    ASSERT_TRUE(still) << still.error().text();
+    EXPECT_TRUE(still->has(flag::didNotMove));
+    ASSERT_FALSE(bench.notes.empty());
+    EXPECT_NE(bench.notes.back().find("not known"), std::string::npos) << bench.notes.back();
+    const auto unit = SimulatedUnit::parse("abstractdc:5,dialect=D,motor=rs775");
+    const auto stored = abstractdc::simulation::storedGains(*abstractdc::simulation::UnitOptions::parse(*unit)).front();
+    for (const auto &[key, raw] : {std::pair{"velocity.p", stored.p}, std::pair{"velocity.divisor", stored.divisor}})
+        ASSERT_TRUE(test::run(bench.bench.clock, bench.device->write(bench.bench.index(*bench.device, key), raw)));
+    bench.notes.clear();
+    const auto moved = bench.run(stepTo(Mode::Velocity, 40'000.0));
+    expectDone(moved);
+    EXPECT_TRUE(bench.notes.empty());
+    EXPECT_FALSE(moved->has(flag::didNotMove));
+    EXPECT_TRUE(moved->metrics.rise);
+    std::printf("abstractdc 5    velocity  overshoot %.1f %%  sse %.2f %%\n",
+        moved->metrics.overshoot.value_or(-1.0) * 100.0, moved->metrics.sse.value_or(-1.0) * 100.0);
 }
 
 TEST(Experiment, ASlotOrAModeThatTheFamilyHasNotIsRefused)

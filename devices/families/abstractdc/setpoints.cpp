@@ -37,6 +37,21 @@ Result<Scale> scaleOf(Mode mode, const DeviceProfile &profile)
     return fail(Fault::Unsupported, "an Abstract DC Drive has no mode '" + std::string(toString(mode)) + "'");
 }
 
+/// Output per unit of error; nothing where it is not known.
+std::optional<double> strengthOf(const ParameterStore &known, Loop loop)
+{
+    const auto number = [&](Field field) -> std::optional<double> {
+        const auto index = parameterOf(loop, field);
+        const auto raw = index ? known.entry(*index).raw : std::nullopt;
+        return raw ? std::optional<double>(static_cast<double>(*raw)) : std::nullopt;
+    };
+    const auto p = number(Field::P);
+    const auto divisor = number(Field::Divisor);
+    if (!p || !divisor || *divisor == 0.0)
+        return std::nullopt;
+    return std::abs(*p / *divisor);
+}
+
 } // namespace
 
 Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile)
@@ -75,19 +90,17 @@ Mode modeOf(Loop loop)
     return Mode::Off;
 }
 
+bool knowsGains(const ParameterStore &known, Loop loop)
+{
+    return strengthOf(known, loop).has_value();
+}
+
 double greatestError(const ParameterStore &known, Loop loop)
 {
-    const auto number = [&](Field field) -> std::optional<double> {
-        const auto index = parameterOf(loop, field);
-        const auto raw = index ? known.entry(*index).raw : std::nullopt;
-        return raw ? std::optional<double>(static_cast<double>(*raw)) : std::nullopt;
-    };
-    const auto p = number(Field::P);
-    const auto divisor = number(Field::Divisor);
-    if (!p || !divisor || *divisor == 0.0)
+    const auto strength = strengthOf(known, loop);
+    if (!strength)
         return safeOutput / unknownStrength;
-    const double strength = std::abs(*p / *divisor);
-    return strength > 0.0 ? std::max(1.0, std::floor(safeOutput / strength)) : farthest;
+    return *strength > 0.0 ? std::max(1.0, std::floor(safeOutput / *strength)) : farthest;
 }
 
 std::int32_t TargetLead::next(
