@@ -153,6 +153,8 @@ TEST_F(SlowWork, ALostPortThatHangsIsAskedForOnceAtATime)
     openNow(good);
     good.pull();
     ASSERT_TRUE(loop.runUntil([this] { return core.snapshot().links[0].state == LinkState::Lost; }));
+    EXPECT_EQ(background.waiting(), 1U) << "it is closed, elsewhere";
+    background.release();
     for (int second = 0; second < 4; ++second) {
         clock.advance(1s);
         EXPECT_LE(background.waiting(), 1U);
