@@ -66,6 +66,8 @@ FORBIDDEN = [
     (("devices/",), (), r"\btr\s*\(", "no user text below widgets: return a fault, mark table texts for translation"),
     (("devices/", "app/", "widgets/"), ("app/console/commandline.", "devices/recording/expression."),  # CLI11 and muParser throw; it ends there
      r"\bthrow\b|\bcatch\s*\(", "exceptions are not used"),
+    (("devices/", "app/", "widgets/"), ("devices/wire/",), r"\bfrom_chars\b|\b(?:strto|sto|ato)(?:d|f|i|l|ll|ul|ull)\s*\(",
+     "numbers are read by wire/number.h"),
 ]
 
 

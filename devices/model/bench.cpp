@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/bench.h"
 
+#include "wire/number.h"
+
 #include <algorithm>
-#include <charconv>
 
 namespace mb {
 namespace {
@@ -19,23 +20,17 @@ struct BenchOptions {
     std::vector<SimulatedFault> faults;
 };
 
-template <class T> bool parse(std::string_view text, T &out)
-{
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), out);
-    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size();
-}
-
 Result<BenchOptions> parseOptions(const LinkAddress &address)
 {
     BenchOptions options;
     for (const auto &[key, value] : address.options) {
         bool good = false;
         if (key == "seed") {
-            good = parse(value, options.seed);
+            good = takeNumber(value, options.seed);
         } else if (key == "loss") {
-            good = parse(value, options.loss) && options.loss >= 0.0 && options.loss < 1.0;
+            good = takeNumber(value, options.loss) && options.loss >= 0.0 && options.loss < 1.0;
         } else if (key == "bitrate") {
-            good = parse(value, options.bitrate) && options.bitrate > 0;
+            good = takeNumber(value, options.bitrate) && options.bitrate > 0;
         } else if (key == "fault") {
             auto fault = SimulatedFault::parse(value);
             if (!fault)

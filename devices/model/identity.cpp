@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/identity.h"
 
+#include "wire/number.h"
+
 #include <array>
-#include <charconv>
 #include <cstdio>
 
 namespace mb {
@@ -10,11 +11,8 @@ namespace {
 
 std::optional<int> parseInt(std::string_view text, int base)
 {
-    int value = 0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value, base);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || value < 0)
-        return std::nullopt;
-    return value;
+    const auto value = wholeFrom<int>(text, base);
+    return value && *value >= 0 ? value : std::nullopt;
 }
 
 } // namespace

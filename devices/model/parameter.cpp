@@ -2,6 +2,7 @@
 #include "model/parameter.h"
 
 #include "wire/fixedpoint.h"
+#include "wire/number.h"
 
 #include <algorithm>
 #include <charconv>
@@ -15,11 +16,8 @@ std::optional<double> hexadecimalFrom(std::string_view text)
 {
     if (!text.starts_with("0x") && !text.starts_with("0X"))
         return std::nullopt;
-    std::uint64_t value = 0;
-    const auto parsed = std::from_chars(text.data() + 2, text.data() + text.size(), value, 16);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || value > 0xFFFFFFFFULL)
-        return std::nullopt;
-    return static_cast<double>(value);
+    const auto value = wholeFrom<std::uint32_t>(text.substr(2), 16);
+    return value ? std::optional<double>(*value) : std::nullopt;
 }
 
 std::string trimmed(std::string_view text)
@@ -113,17 +111,6 @@ Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text)
     return toRaw(parameter, *number);
 }
 
-std::optional<double> numberFrom(std::string_view text)
-{
-    if (text.starts_with('+') && !text.starts_with("+-"))
-        text.remove_prefix(1);
-    double value = 0.0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
-
 std::string numberText(double number)
 {
     std::array<char, 64> buffer{};
@@ -143,8 +130,8 @@ std::string toText(const Parameter &parameter, std::int64_t raw)
     for (int digits = 0; digits < 12; ++digits) {
         const auto end
             = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, digits);
-        double back = 0.0;
-        std::from_chars(buffer.data(), end.ptr, back);
+        const double back
+            = numberFrom({buffer.data(), static_cast<std::size_t>(end.ptr - buffer.data())}).value_or(0.0);
         if (toFixed(back, parameter.one) == raw)
             return numberText(back);
     }

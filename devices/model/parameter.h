@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/result.h"
+#include "wire/number.h"
 
 #include <array>
 #include <compare>
@@ -135,9 +136,6 @@ using Value = std::variant<std::monostate, bool, double>;
 [[nodiscard]] Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text);
 /// Shortest text that parseRaw() turns back into `raw`; on/off for booleans.
 [[nodiscard]] std::string toText(const Parameter &parameter, std::int64_t raw);
-/// The one reading of a number in command lines and files: sign, digits, a dot, an exponent; finite, and nothing else around
-/// it. A comma is no number: 1,500 may mean two things.
-[[nodiscard]] std::optional<double> numberFrom(std::string_view text);
 /// Shortest decimal of a number, dot whatever the locale.
 [[nodiscard]] std::string numberText(double number);
 

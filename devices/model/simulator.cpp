@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/simulator.h"
 
+#include "wire/number.h"
+
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 
 namespace mb {
 namespace {
@@ -33,8 +33,7 @@ constexpr std::array faultRows{
 
 bool parseNumber(std::string_view text, double &out)
 {
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), out);
-    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size() && std::isfinite(out) && out >= 0.0;
+    return takeNumber(text, out) && out >= 0.0;
 }
 
 } // namespace

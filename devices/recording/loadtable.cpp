@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "recording/loadtable.h"
 
+#include "wire/number.h"
+
+#include <algorithm>
+#include <array>
 #include <cerrno>
-#include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 
@@ -30,13 +34,13 @@ std::vector<std::string> fieldsOf(const std::string &line)
     return fields;
 }
 
+/// Where a program wrote that there is no number, it is NaN.
 std::optional<double> numberOf(const std::string &text)
 {
-    double number = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc() || end != text.data() + text.size())
-        return std::nullopt;
-    return number;
+    constexpr std::array<std::string_view, 5> none{"nan", "-nan", "inf", "-inf", "NaN"};
+    if (std::find(none.begin(), none.end(), text) != none.end())
+        return std::nan("");
+    return numberFrom(text);
 }
 
 std::optional<Instant> timeOf(const std::string &text, double offset)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/seriallink.h"
 
-#include <charconv>
+#include "wire/number.h"
 
 namespace mb {
 namespace {
@@ -12,10 +12,8 @@ constexpr int smoothing = 16;
 std::optional<int> fixedRate(const LinkAddress &address)
 {
     const auto text = address.option(address.isSimulated() ? "bitrate" : "baud");
-    int rate = 0;
-    if (!text || std::from_chars(text->data(), text->data() + text->size(), rate).ec != std::errc{} || rate <= 0)
-        return std::nullopt;
-    return rate;
+    const auto rate = text ? wholeFrom<int>(*text) : std::nullopt;
+    return rate && *rate > 0 ? rate : std::nullopt;
 }
 
 } // namespace

@@ -43,6 +43,8 @@ BAD = [
     ("devices/model/await2.cpp", "    co_await f([x] {\n        g();\n    });\n", 2, "name the operand"),
     ("tests/model/await3.cpp", "    auto x = co_await (a ? std::move(b)\n         : std::move(c));\n", 2, "name the operand"),
     ("devices/model/text.cpp", 'auto x = QObject::tr("text");\n', 2, "no user text"),
+    ("devices/model/number.cpp", "auto x = std::strtod(text, nullptr);\n", 2, "wire/number.h"),
+    ("devices/families/one/number.cpp", "auto x = std::from_chars(a, b, c);\n", 2, "wire/number.h"),
     ("devices/model/throw.cpp", "void f() { throw 1; }\n", 2, "exceptions are not used"),
     ("devices/async/layer1.h", "#include <QString>\n", 2, "no Qt in devices/async/"),
     ("devices/wire/layer2.h", '#include "transport/link.h"\n', 2, "must not know this layer"),

@@ -47,7 +47,7 @@ class Usage(ContractTest):
         self.assert_error(2, "watch", CIM, "--for", says="--for")
 
     def test_wrong_links_are_wrong_usage(self):
-        for link in ("can0", "bogus:x", "sim:lin", "sim:can?loss", "sim:can?loss=2", "sim:can?frob=1", "sim:can?fault=frob", "socketcan:", ":", ""):
+        for link in ("can0", "bogus:x", "sim:lin", "sim:can?loss", "sim:can?loss=2", "sim:can?loss=0,1", "sim:can?loss=nan", "sim:can?seed=1.5", "sim:can?fault=drop@1,5", "sim:can?frob=1", "sim:can?fault=frob", "socketcan:", ":", ""):
             self.assert_error(2, "scan", link)
             self.assert_error(2, "monitor", link, "--for", "1")
 
@@ -127,7 +127,7 @@ class Usage(ContractTest):
         self.assert_error(2, "simulate", "dmc60c:5")
         self.assert_error(2, "simulate", "--on", "socketcan:vcan0")
         self.assert_error(2, "simulate", "--on", "sim:can", "dmc60c:5")
-        for unit in ("dmc60c", "dmc60c:x", "frob:5", "dmc60c:64", "dmc60c:5,motor", "dmc60c:5,motor=frob", "dmc60c:5,frob=1", "dmc60c:5,fault=frob", "dmc60c:5,load=x"):
+        for unit in ("dmc60c", "dmc60c:x", "frob:5", "dmc60c:64", "dmc60c:5,motor", "dmc60c:5,motor=frob", "dmc60c:5,frob=1", "dmc60c:5,fault=frob", "dmc60c:5,load=x", "dmc60c:5,load=nan", "dmc60c:5,fault=drop@inf"):
             self.assert_error(2, "simulate", "--on", "socketcan:vcan0", unit)
         self.assert_error(2, "simulate", "--on", "socketcan:vcan0", "dmc60c:5", "--seed", "x")
 

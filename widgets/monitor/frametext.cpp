@@ -4,12 +4,12 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "wire/canerror.h"
+#include "wire/number.h"
 
 #include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace mb {
@@ -68,11 +68,8 @@ std::optional<double> fullScale(std::string_view unit)
 {
     if (!unit.starts_with("1/"))
         return std::nullopt;
-    double scale = 0.0;
-    const auto read = std::from_chars(unit.data() + 2, unit.data() + unit.size(), scale);
-    if (read.ec != std::errc{} || read.ptr != unit.data() + unit.size() || scale <= 0.0)
-        return std::nullopt;
-    return scale;
+    const auto scale = numberFrom(unit.substr(2));
+    return scale && *scale > 0.0 ? scale : std::nullopt;
 }
 
 QString fieldValue(const DecodedField &field)

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/simulatoroptions.h"
 
+#include "wire/number.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace mb::abstractdc::simulation {
@@ -11,8 +12,7 @@ namespace {
 template <class T> bool parseNumber(std::string_view text, T low, T high, T &out)
 {
     T value{};
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !(value >= low && value <= high))
+    if (!takeNumber(text, value) || !(value >= low && value <= high))
         return false;
     out = value;
     return true;

@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/simulatoroptions.h"
 
+#include "wire/number.h"
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace mb::dmc60c::simulation {
 namespace {
 
-template <class T> std::optional<T> parseNumber(std::string_view text, int base)
-{
-    T value{};
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value, base);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size())
-        return std::nullopt;
-    return value;
-}
-
 bool setSession(UnitOptions &options, std::string_view text)
 {
     const bool hex = text.starts_with("0x");
-    options.session = parseNumber<std::uint16_t>(hex ? text.substr(2) : text, hex ? 16 : 10);
+    options.session = wholeFrom<std::uint16_t>(hex ? text.substr(2) : text, hex ? 16 : 10);
     return options.session.value_or(0) != 0;
 }
 
@@ -30,8 +22,8 @@ bool setFirmware(UnitOptions &options, std::string_view text)
     const auto dot = text.find('.');
     if (dot == std::string_view::npos)
         return false;
-    const auto major = parseNumber<std::uint8_t>(text.substr(0, dot), 10);
-    const auto minor = parseNumber<std::uint8_t>(text.substr(dot + 1), 10);
+    const auto major = wholeFrom<std::uint8_t>(text.substr(0, dot));
+    const auto minor = wholeFrom<std::uint8_t>(text.substr(dot + 1));
     if (!major || !minor)
         return false;
     options.firmware = static_cast<std::uint16_t>(*major << 8 | *minor);
@@ -40,10 +32,7 @@ bool setFirmware(UnitOptions &options, std::string_view text)
 
 bool setLoad(UnitOptions &options, std::string_view text)
 {
-    double value = 0.0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), value);
-    options.load = value;
-    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size() && value >= 1.0 && value <= 1000.0;
+    return takeNumber(text, options.load) && options.load >= 1.0 && options.load <= 1000.0;
 }
 
 bool setText(std::string &out, std::string_view text, std::size_t longest)

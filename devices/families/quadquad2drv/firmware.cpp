@@ -3,12 +3,12 @@
 
 #include "families/quadquad2drv/updater.h"
 #include "transport/linkcatalog.h"
+#include "wire/number.h"
 
 #include <QtGlobal>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <utility>
 
 namespace mb::quadquad2drv {
@@ -90,9 +90,7 @@ Result<void> apply(BootSettings &settings, const std::string &key, const std::st
         settings.ending = value == "cr" ? "\r" : value == "lf" ? "\n" : "\r\n";
     } else { // pause
         int milliseconds = 0;
-        const auto parsed = std::from_chars(value.data(), value.data() + value.size(), milliseconds);
-        if (parsed.ec != std::errc{} || parsed.ptr != value.data() + value.size() || milliseconds < 0
-            || milliseconds > slowestPause)
+        if (!takeNumber(value, milliseconds) || milliseconds < 0 || milliseconds > slowestPause)
             return fail(Fault::OutOfRange, "pause=" + value + ": legal are 0 to 1000 milliseconds");
         settings.lineTime = std::chrono::milliseconds(milliseconds);
     }

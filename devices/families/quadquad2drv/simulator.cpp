@@ -2,25 +2,19 @@
 #include "families/quadquad2drv/simulator.h"
 
 #include "families/quadquad2drv/simulatorboot.h"
+#include "wire/number.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace mb::quadquad2drv {
 namespace simulation {
 namespace {
 
-template <class T> bool parseNumber(std::string_view text, T &out)
-{
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), out);
-    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size();
-}
-
 bool setVersion(BoardOptions &options, std::string_view text)
 {
     const auto dot = text.find('.');
-    return dot != std::string_view::npos && parseNumber(text.substr(0, dot), options.version[0])
-        && parseNumber(text.substr(dot + 1), options.version[1]);
+    return dot != std::string_view::npos && takeNumber(text.substr(0, dot), options.version[0])
+        && takeNumber(text.substr(dot + 1), options.version[1]);
 }
 
 bool setOption(BoardOptions &options, std::string_view key, std::string_view value)
@@ -31,7 +25,7 @@ bool setOption(BoardOptions &options, std::string_view key, std::string_view val
     }
     if (key == "load") {
         double load = 0.0;
-        const bool good = parseNumber(value, load) && load >= 1.0 && load <= 1000.0;
+        const bool good = takeNumber(value, load) && load >= 1.0 && load <= 1000.0;
         options.loads.fill(load);
         return good;
     }
@@ -50,7 +44,7 @@ bool setOption(BoardOptions &options, std::string_view key, std::string_view val
         return options.jumper || value == "open";
     }
     if (key == "scale")
-        return parseNumber(value, options.gainScale) && options.gainScale >= 1e-3 && options.gainScale <= 1e3;
+        return takeNumber(value, options.gainScale) && options.gainScale >= 1e-3 && options.gainScale <= 1e3;
     if (key == "inputs") {
         options.libraryPolarity = value == "library";
         return options.libraryPolarity || value == "datasheet";

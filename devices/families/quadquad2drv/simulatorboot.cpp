@@ -2,8 +2,7 @@
 #include "families/quadquad2drv/simulatorboot.h"
 
 #include "transport/linkcatalog.h"
-
-#include <charconv>
+#include "wire/number.h"
 
 namespace mb::quadquad2drv::simulation {
 namespace {
@@ -18,11 +17,7 @@ constexpr std::string_view endOfFile = ":00000001FF";
 
 std::optional<unsigned> hexByte(std::string_view text, std::size_t at)
 {
-    unsigned value = 0;
-    if (text.size() < at + 2)
-        return std::nullopt;
-    const auto parsed = std::from_chars(text.data() + at, text.data() + at + 2, value, 16);
-    return parsed.ptr == text.data() + at + 2 ? std::optional(value) : std::nullopt;
+    return text.size() < at + 2 ? std::nullopt : wholeFrom<unsigned>(text.substr(at, 2), 16);
 }
 
 /// A record whose length and checksum are right.

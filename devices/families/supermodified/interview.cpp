@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/interview.h"
 
+#include "wire/number.h"
+
 #include <algorithm>
-#include <charconv>
 
 namespace mb::supermodified {
 namespace {
@@ -110,12 +111,12 @@ Identity identityOf(const Line &line, const Node &node, const Interview &intervi
 namespace {
 
 /// Leaves `number` as it is when the identity has no such descriptor.
-void takeNumber(const Identity &identity, std::string_view key, int &number)
+void takeDescriptor(const Identity &identity, std::string_view key, int &number)
 {
     const auto found = std::find_if(identity.descriptors.begin(), identity.descriptors.end(),
         [key](const auto &descriptor) { return descriptor.first == key; });
     if (found != identity.descriptors.end())
-        std::from_chars(found->second.data(), found->second.data() + found->second.size(), number);
+        (void)takeNumber(found->second, number);
 }
 
 } // namespace
@@ -123,7 +124,7 @@ void takeNumber(const Identity &identity, std::string_view key, int &number)
 std::uint8_t maskOf(const Identity &identity)
 {
     int mask = exactMask;
-    takeNumber(identity, maskKey, mask);
+    takeDescriptor(identity, maskKey, mask);
     return static_cast<std::uint8_t>(mask);
 }
 
@@ -133,7 +134,7 @@ Node nodeOf(const Identity &identity, const SerialLink &link)
     node.id = identity.address;
     node.baudrate = link.fixedBaudrate().value_or(link.baudrate());
     node.dialect = dialectFrom(identity.dialect);
-    takeNumber(identity, baudKey, node.baudrate);
+    takeDescriptor(identity, baudKey, node.baudrate);
     return node;
 }
 

@@ -2,18 +2,17 @@
 #include "families/supermodified/simulatoroptions.h"
 
 #include "model/motormodel.h"
+#include "wire/number.h"
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace mb::supermodified::simulation {
 namespace {
 
 template <class T> bool setNumber(T &out, std::string_view text, T low, T high)
 {
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), out);
-    return parsed.ec == std::errc{} && parsed.ptr == text.data() + text.size() && out >= low && out <= high;
+    return takeNumber(text, out) && out >= low && out <= high;
 }
 
 bool setDialect(UnitOptions &options, std::string_view text)

@@ -2,10 +2,11 @@
 // The only file that knows libgpiod (1.6; 2.x has another interface).
 #include "transport/backends/gpiolines.h"
 
+#include "wire/number.h"
+
 #include <QSocketNotifier>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -16,15 +17,6 @@ namespace mb {
 namespace {
 
 constexpr const char *consumer = "motorbench";
-
-std::optional<unsigned> lineNumber(std::string_view text)
-{
-    unsigned number = 0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size())
-        return std::nullopt;
-    return number;
-}
 
 Error causeOf(int error, const std::string &name)
 {
@@ -50,7 +42,7 @@ GpioLine::~GpioLine()
 Result<void> GpioLine::find(std::string_view name)
 {
     const auto colon = name.rfind(':');
-    const auto number = colon == std::string_view::npos ? std::nullopt : lineNumber(name.substr(colon + 1));
+    const auto number = colon == std::string_view::npos ? std::nullopt : wholeFrom<unsigned>(name.substr(colon + 1));
     if (!number)
         return fail(Fault::OutOfRange, "a GPIO line is CHIP:LINE, as in gpiochip0:25, not '" + std::string(name) + "'");
     m_chip = gpiod_chip_open_lookup(std::string(name.substr(0, colon)).c_str());

@@ -2,13 +2,13 @@
 #include "transport/backends/ptyline.h"
 
 #include "transport/backends/serialdriver.h"
+#include "wire/number.h"
 
 #include <QSocketNotifier>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>
@@ -39,8 +39,7 @@ Result<std::unique_ptr<PtyLine>> PtyLine::create(const LinkAddress &address, Clo
 {
     for (const auto &[key, value] : address.options) {
         int rate = 0;
-        const auto parsed = std::from_chars(value.data(), value.data() + value.size(), rate);
-        const bool whole = parsed.ec == std::errc{} && parsed.ptr == value.data() + value.size();
+        const bool whole = takeNumber(value, rate);
         if (key != "baud" || !whole || rate < SerialLink::slowest || rate > SerialLink::fastest)
             return fail(
                 Fault::OutOfRange, "pty links have the option baud=BITS_PER_SECOND, not '" + key + "=" + value + "'");

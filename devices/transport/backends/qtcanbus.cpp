@@ -2,6 +2,7 @@
 #include "transport/backends/qtcanbus.h"
 
 #include "transport/backends/hardwaretime.h"
+#include "wire/number.h"
 
 #include <QCanBus>
 #include <QCanBusDevice>
@@ -10,7 +11,6 @@
 #include <QVariant>
 
 #include <algorithm>
-#include <charconv>
 #include <deque>
 
 namespace mb {
@@ -212,8 +212,7 @@ Result<std::unique_ptr<Link>> makeQtCanLink(const LinkAddress &address, Clock &c
         return fail(Fault::OutOfRange, "'" + address.text() + "' is not qtcan:PLUGIN:INTERFACE");
     int bitrate = 0;
     for (const auto &[key, value] : address.options) {
-        const auto parsed = std::from_chars(value.data(), value.data() + value.size(), bitrate);
-        if (key != "bitrate" || parsed.ec != std::errc{} || parsed.ptr != value.data() + value.size() || bitrate <= 0)
+        if (key != "bitrate" || !takeNumber(value, bitrate) || bitrate <= 0)
             return fail(Fault::OutOfRange,
                 "qtcan links have the option bitrate=BITS_PER_SECOND, not '" + key + "=" + value + "'");
     }

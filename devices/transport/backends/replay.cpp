@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/backends/replay.h"
 
+#include "wire/number.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace mb {
@@ -22,11 +23,10 @@ Result<double> parsePace(std::string_view text)
 {
     if (text == "max")
         return 0.0;
-    double pace = -1.0;
-    const auto parsed = std::from_chars(text.data(), text.data() + text.size(), pace);
-    if (parsed.ec != std::errc{} || parsed.ptr != text.data() + text.size() || !isPace(pace))
+    const auto pace = numberFrom(text);
+    if (!pace || !isPace(*pace))
         return wrongPace(std::string(text));
-    return pace;
+    return *pace;
 }
 
 } // namespace

@@ -2,12 +2,12 @@
 #include "transport/backends/serialport.h"
 
 #include "transport/backends/serialports.h"
+#include "wire/number.h"
 
 #include <QSerialPort>
 #include <QThread>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdlib>
 #include <filesystem>
 #include <system_error>
@@ -361,8 +361,7 @@ Result<std::unique_ptr<Link>> makeSerialPortLink(const LinkAddress &address, Clo
     SerialPortLink::Options options;
     for (const auto &[key, value] : address.options) {
         int number = 0;
-        const auto parsed = std::from_chars(value.data(), value.data() + value.size(), number);
-        const bool whole = parsed.ec == std::errc{} && parsed.ptr == value.data() + value.size();
+        const bool whole = takeNumber(value, number);
         bool good = whole && (number == 0 || number == 1);
         if (key == "format") {
             good = value == "8N1" || value == "8E1" || value == "8O1" || value == "8N2";

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/backends/spidev.h"
 
+#include "wire/number.h"
+
 #include <QSocketNotifier>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 
 #include <fcntl.h>
@@ -49,8 +50,7 @@ Result<std::unique_ptr<SpidevLink>> SpidevLink::make(const LinkAddress &address,
         if (key != "speed")
             return fail(
                 Fault::OutOfRange, "spidev links have no option '" + key + "'", "speed, ready and reset are known");
-        const auto parsed = std::from_chars(value.data(), value.data() + value.size(), hertz);
-        const bool whole = parsed.ec == std::errc{} && parsed.ptr == value.data() + value.size();
+        const bool whole = takeNumber(value, hertz);
         if (!whole || hertz < slowest || hertz > quickest)
             return fail(Fault::OutOfRange, "speed is 10000 to 10000000 Hz, not '" + value + "'");
     }
