@@ -73,8 +73,8 @@ std::string overview()
         + "\n"
           "--json       standard output is JSON, one object per line\n"
           "--quiet      no progress and no notes on standard error\n"
-          "--timeout S  longest wait for a device to be found\n"
-          "--retries N  look for a silent device so many times more\n"
+          "--timeout S  longest wait for an answer, and for a device to be found\n"
+          "--retries N  ask so many times more where nothing answers\n"
           "--help       with a verb: its arguments\n"
           "--version    the version of this program\n\n"
           "A LINK is sim:can, socketcan:can0, …; a DEVICE is LINK/FAMILY:ADDRESS, such as sim:can/dmc60c:5.\n"
@@ -95,8 +95,8 @@ void declareGlobals(CLI::App &app, Globals &globals)
     app.set_help_flag("--help,-h", "Show this and end");
     app.add_flag("--json", globals.json, "Standard output is JSON, one object per line");
     app.add_flag("--quiet", globals.quiet, "No progress and no notes on standard error");
-    app.add_option("--timeout", globals.timeout, "Longest wait in seconds for a device to be found");
-    app.add_option("--retries", globals.retries, "Look for a silent device so many times more");
+    app.add_option("--timeout", globals.timeout, "Longest wait in seconds for an answer, and for a device to be found");
+    app.add_option("--retries", globals.retries, "Ask so many times more where nothing answers");
 }
 
 Result<Options> optionsFrom(const Globals &globals)
@@ -108,13 +108,13 @@ Result<Options> optionsFrom(const Globals &globals)
         const auto seconds = parseNumber("--timeout", globals.timeout, 0.01, 3600.0);
         if (!seconds)
             return fail(seconds.error());
-        options.timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(*seconds));
+        options.patience.timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(*seconds));
     }
     if (!globals.retries.empty()) {
         const auto retries = parseInteger("--retries", globals.retries, 0, 1000);
         if (!retries)
             return fail(retries.error());
-        options.retries = *retries;
+        options.patience.retries = *retries;
     }
     return options;
 }

@@ -12,9 +12,8 @@ namespace mb::console {
 
 struct Options {
     bool json = false;
-    bool quiet = false;              ///< no progress and no notes
-    std::optional<Duration> timeout; ///< longest wait for a device to be found; as long as its family takes otherwise
-    int retries = 0;                 ///< how often a silent device is looked for again
+    bool quiet = false; ///< no progress and no notes
+    Patience patience;  ///< --timeout and --retries: of every question, and of finding a device
 };
 
 /// What a verb works with. One thread, one event loop.

@@ -4,14 +4,35 @@
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
-#include "async/event.h"
-#include "async/scope.h"
+#include "app/console/within.h"
 
 #include <algorithm>
 #include <memory>
 
 namespace mb::console {
 namespace {
+
+/// As long as --timeout says: what has not answered by then is not listed. A link on which nothing answers is looked through again, as often as
+/// --retries says.
+Task<std::vector<Device *>> scanPatiently(Console &console, Link &link, ScanOptions options)
+{
+    const Patience &patience = console.options().patience;
+    Result<std::vector<Device *>> found;
+    for (int tries = 0; tries <= patience.retries; ++tries) {
+        auto looking = within(
+            console.clock(), console.session().scan(link, options), patience.timeout, {Fault::Timeout, "not complete"});
+        found = co_await std::move(looking).attempt();
+        if (!found && found.error().fault == Fault::Timeout) {
+            console.note(link.address().text() + ": the scan was cut off after "
+                + numberText(secondsOf(*patience.timeout)) + " s");
+            found = console.session().devices();
+            std::erase_if(*found, [&link](const Device *device) { return &device->link() != &link; });
+        }
+        if (!found || !found->empty())
+            break;
+    }
+    co_return std::move(found);
+}
 
 /// Scans several links at the same time.
 class Round {
@@ -32,7 +53,7 @@ public:
             options.extent = m_extent;
             options.progress
                 = [this](const std::string &what, int place, int total) { m_progress.step(what, place, total); };
-            m_scope.spawn<std::vector<Device *>>(m_console.session().scan(*links[i], std::move(options)),
+            m_scope.spawn<std::vector<Device *>>(scanPatiently(m_console, *links[i], std::move(options)),
                 [this, i](Result<std::vector<Device *>> found) { ended(i, std::move(found)); });
         }
         if (links.empty())

@@ -28,12 +28,7 @@ Session &Stage::session()
 
 Task<Device *> Stage::find(Target target)
 {
-    if (!m_session) {
-        auto connecting = connect(m_console, std::move(target));
-        co_return co_await std::move(connecting).attempt();
-    }
-    auto connecting = m_session->connect(std::move(target.selector));
-    co_return co_await std::move(connecting).attempt();
+    return connectIn(m_console, session(), std::move(target));
 }
 
 LeaseRenewal::LeaseRenewal(Clock &clock, SetPointStream &stream)

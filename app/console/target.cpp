@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/target.h"
 
-#include "async/event.h"
-#include "async/scope.h"
+#include "app/console/within.h"
 #include "model/parametertransfer.h"
 #include "model/registry.h"
 
@@ -100,34 +99,27 @@ Task<void> noteReset(Console &console, Device &device)
 namespace {
 
 /// As long as --timeout says.
-Task<Device *> find(Console &console, DeviceSelector selector)
+Task<Device *> find(const Console &console, Session &session, DeviceSelector selector)
 {
-    const std::optional<Duration> patience = console.options().timeout;
-    Result<Device *> found = fail(Fault::Timeout,
+    const std::optional<Duration> limit = console.options().patience.timeout;
+    Error late{Fault::Timeout,
         "no answer from " + selector.family + ' ' + std::to_string(selector.address) + " within "
-            + numberText(secondsOf(patience.value_or(Duration::zero()))) + " s");
-    auto looking = console.session().connect(std::move(selector));
-    if (!patience)
-        co_return co_await std::move(looking).attempt();
-    Event over;
-    Timer limit(console.clock());
-    Scope scope(console.clock());
-    scope.spawn<Device *>(std::move(looking), [&found, &over](Result<Device *> result) {
-        found = std::move(result);
-        over.set();
-    });
-    limit.startIn(*patience, [&over] { over.set(); });
-    co_await over.wait();
-    co_return std::move(found);
+            + numberText(secondsOf(limit.value_or(Duration::zero()))) + " s"};
+    return within(session.clock(), session.connect(std::move(selector)), limit, std::move(late));
 }
 
 } // namespace
 
 Task<Device *> connect(Console &console, Target target)
 {
+    return connectIn(console, console.session(), std::move(target));
+}
+
+Task<Device *> connectIn(Console &console, Session &session, Target target)
+{
     Result<Device *> device;
-    for (int tries = 0; tries <= console.options().retries; ++tries) {
-        auto finding = find(console, target.selector);
+    for (int tries = 0; tries <= console.options().patience.retries; ++tries) {
+        auto finding = find(console, session, target.selector);
         device = co_await std::move(finding).attempt();
         if (device || device.error().fault != Fault::Timeout)
             break;
@@ -136,6 +128,7 @@ Task<Device *> connect(Console &console, Target target)
         co_return fail(Fault::Usage, device.error().detail, device.error().remedy); // the words fit several
     if (!device)
         co_return fail(device.error());
+    (*device)->link().setPatience(console.options().patience);
     auto noting = noteReset(console, **device);
     co_await std::move(noting);
     console.begin();

@@ -26,6 +26,8 @@ struct Target {
 
 /// Opens the link and finds the device. Where a reset takes every setting it is asked whether one came, and that is noted. A selector that fits several units is wrong usage, not an error of the device.
 [[nodiscard]] Task<Device *> connect(Console &console, Target target);
+/// The same in a session that lives on another time.
+[[nodiscard]] Task<Device *> connectIn(Console &console, Session &session, Target target);
 /// Refused while the device waits in its bootloader, where it has neither parameters nor a motor.
 [[nodiscard]] Result<void> needsApplication(const Device &device);
 

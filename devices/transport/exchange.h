@@ -11,7 +11,7 @@ struct Attempts {
     Duration timeout = std::chrono::milliseconds(250);
 };
 
-/// Sends `request` and yields the first frame that `match` accepts; asks again on a time-out. The link and the clock
+/// Sends `request` and yields the first frame that `match` accepts; asks again on a time-out. The patience of the link wins. The link and the clock
 /// outlive the task. Name the match before the call (docs/architecture.md, Asynchrony).
 [[nodiscard]] Task<CanFrame> exchange(
     CanLink &link, Clock &clock, CanFrame request, CanInbox::Match match, Attempts attempts);

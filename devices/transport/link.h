@@ -5,6 +5,7 @@
 #include "async/listeners.h"
 #include "async/result.h"
 #include "transport/linkaddress.h"
+#include "transport/patience.h"
 #include "wire/canframe.h"
 
 #include <cstdint>
@@ -89,6 +90,9 @@ public:
     /// Without one openSoon() is open(). Outlives the link.
     void setBackground(Background *background) { m_background = background; }
     [[nodiscard]] Background *background() const { return m_background; }
+    /// For every question that a task asks on this link from now on.
+    void setPatience(Patience patience) { m_patience = patience; }
+    [[nodiscard]] const Patience &patience() const { return m_patience; }
     /// Allowed in notifications of this link; destroying it there is not.
     void close();
     /// A closed link becomes a lost one: whoever opens those again opens it too.
@@ -128,6 +132,7 @@ private:
     LinkState m_state = LinkState::Closed;
     std::string m_reason;
     Background *m_background = nullptr;
+    Patience m_patience;
     bool m_opening = false;
     int m_attempt = 0; ///< of opening or closing it: whatever comes of an earlier one is too late
     LinkCounters m_counters;

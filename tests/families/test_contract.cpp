@@ -85,6 +85,30 @@ TEST_P(Contract, EveryReadableParameterReads)
         EXPECT_TRUE(outcome.raw) << device->parameters().parameter(outcome.index).key;
 }
 
+TEST_P(Contract, AsksASilentUnitAsLongAndAsOftenAsTheUserSays)
+{
+    const auto askFor = [this](Patience patience) {
+        SimulatedSession fresh("sim:" + std::string(toString(family().links.front())));
+        const auto found = fresh.scan();
+        const auto device = std::find_if(found.begin(), found.end(), [this](const Device *candidate) {
+            return &candidate->family() == &family() && candidate->identity().state == DeviceState::Online;
+        });
+        EXPECT_NE(device, found.end());
+        for (Simulator *simulator : fresh.session.bench(*fresh.link)->simulators())
+            simulator->setPowered(false);
+        fresh.link->setPatience(patience);
+        const Instant begin = fresh.clock.now();
+        const auto asked = run(fresh.clock, (*device)->refresh());
+        EXPECT_FALSE(asked);
+        return fresh.clock.now() - begin;
+    };
+    const Duration usual = askFor({});
+    const Duration brief = askFor({20ms, 0});
+    EXPECT_LT(brief, usual);
+    EXPECT_GE(askFor({2s, 0}), std::max<Duration>(2s, usual));
+    EXPECT_GE(askFor({20ms, 20}), brief + 20 * 20ms);
+}
+
 TEST_P(Contract, EveryWritableParameterWritesAndReadsBackWhereTheDeviceCan)
 {
     Device *device = online();

@@ -10,6 +10,7 @@ using namespace std::chrono_literals;
 
 constexpr Duration longestWait = 250ms; ///< section 4
 constexpr Duration shortest = 5ms;
+constexpr int mostDoublings = 5; ///< of the shortest, up to the longest
 
 } // namespace
 
@@ -35,7 +36,7 @@ Task<ParamResponse> ParameterExchange::run(CanFrame request, int device, std::ui
         return response && response->device == device && response->parameter == parameter;
     });
     Error last{Fault::Timeout, "no answer"};
-    for (int attempt = 0; attempt < most; ++attempt) {
+    for (int attempt = 0; attempt < m_link.patience().tries(most); ++attempt) {
         const Instant sentAt = m_clock.now();
         if (auto sent = m_link.send(request); !sent)
             co_return fail(sent.error());
@@ -54,10 +55,12 @@ Task<ParamResponse> ParameterExchange::run(CanFrame request, int device, std::ui
 
 Duration ParameterExchange::patienceAt(int attempt) const
 {
-    if (!m_roundTrip)
-        return longestWait;
+    const Patience &patience = m_link.patience();
+    if (!m_roundTrip || patience.timeout)
+        return patience.answer(longestWait);
+    const int doubled = 1 << std::min(attempt, mostDoublings);
     return std::clamp<Duration>(
-        4 * *m_roundTrip * (1 << attempt), shortest * (1 << attempt), std::max(longestWait, 4 * *m_roundTrip));
+        4 * *m_roundTrip * doubled, shortest * doubled, std::max(longestWait, 4 * *m_roundTrip));
 }
 
 void ParameterExchange::measured(Duration roundTrip)

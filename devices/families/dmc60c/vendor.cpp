@@ -11,6 +11,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t frameSize = 8;
+constexpr Duration atOnce = 250ms; ///< commands that may take longer write flash, or restart
 
 CanInbox::Match replyMatch(const VendorRequest &request)
 {
@@ -109,10 +110,13 @@ Task<VendorReply> vendorExchange(CanLink &link, Clock &clock, VendorRequest requ
 {
     CanInbox inbox(link, clock, replyMatch(request));
     Error last{Fault::Timeout, "no answer"};
-    for (int i = 0; i < attempts.tries; ++i) {
+    const Patience &patience = link.patience();
+    const bool asks = attemptsOf(request.command.command).timeout <= atOnce;
+    for (int i = 0; i < patience.tries(attempts.tries); ++i) {
         auto sending = sendAll(link, clock, request);
         co_await std::move(sending);
-        auto collecting = collect(inbox, request, attempts.timeout);
+        auto collecting
+            = collect(inbox, request, asks ? patience.answer(attempts.timeout) : patience.work(attempts.timeout));
         Result<VendorReply> reply = co_await std::move(collecting).attempt();
         if (reply) {
             reply->unanswered = i;

@@ -86,7 +86,7 @@ Task<void> PacketPort::listenFor(Round &round, std::size_t expected)
     co_return {};
 }
 
-Task<Packet> PacketPort::ask(const Bytes &request, const Gate &gate)
+Task<Packet> PacketPort::ask(const Bytes &request, const Gate &gate, Duration patience)
 {
     const Turns::Turn turn = co_await m_link.turns().take();
     // A packet that is ready first would be clocked out by the request.
@@ -94,7 +94,7 @@ Task<Packet> PacketPort::ask(const Bytes &request, const Gate &gate)
         auto pending = clockOut(streamPacketSize(m_masks, m_streamConfig));
         co_await std::move(pending);
     }
-    Round round{request[2], {}, m_clock.now() + answerTime};
+    Round round{request[2], {}, m_clock.now() + patience};
     struct Hearing {
         Hearing(Round *&slot, Round &round)
             : m_slot(slot)
@@ -124,8 +124,10 @@ Task<Packet> PacketPort::ask(const Bytes &request, const Gate &gate)
 Task<Packet> PacketPort::request(Bytes request, int tries, Gate gate)
 {
     Error last{Fault::Timeout, "the board did not answer"};
-    for (int i = 0; i < tries; ++i) {
-        auto asking = ask(request, gate);
+    const Patience wanted
+        = gate || tries == 1 ? Patience() : m_link.patience(); // an order to a motor, a poll: as they are
+    for (int i = 0; i < wanted.tries(tries); ++i) {
+        auto asking = ask(request, gate, wanted.answer(answerTime));
         Result<Packet> reply = co_await std::move(asking).attempt();
         if (reply) {
             const auto code = returnCode(*reply);

@@ -41,7 +41,7 @@ private:
         Instant deadline{};
     };
     void hear(const Traffic &traffic);
-    [[nodiscard]] Task<Packet> ask(const Bytes &request, const Gate &gate);
+    [[nodiscard]] Task<Packet> ask(const Bytes &request, const Gate &gate, Duration patience);
     [[nodiscard]] Task<void> listenFor(Round &round, std::size_t expected);
     [[nodiscard]] Task<void> takeWaiting();
     [[nodiscard]] Task<void> clockOut(std::size_t bytes);

@@ -105,6 +105,8 @@ Duration Line::patienceFor(const Request &request) const
 {
     if (!request.answered)
         return broadcastPause;
+    if (const Patience &wanted = m_link.patience(); wanted.timeout && request.rank == Rank::Task)
+        return request.patience > answerTime ? wanted.work(request.patience) : wanted.answer(request.patience);
     const Duration usual = m_answerTimes.patience(request.patience);
     const Duration longest = std::max(usual, AnswerTime::ceiling);
     const auto missed = m_misses.find(request.frame.to);
