@@ -4799,6 +4799,14 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>The last session did not end by itself. What it recorded is in %1.</source>
         <translation>Die letzte Sitzung wurde nicht regulär beendet. Ihre Aufnahme liegt in %1.</translation>
     </message>
+    <message>
+        <source>Samples are recorded on disk again, those of the meantime too.</source>
+        <translation>Messwerte werden wieder auf die Platte geschrieben, auch die der Zwischenzeit.</translation>
+    </message>
+    <message>
+        <source>Samples are not recorded on disk: %1</source>
+        <translation>Messwerte werden nicht auf die Platte geschrieben: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReplayBar</name>

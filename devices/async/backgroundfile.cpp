@@ -3,6 +3,7 @@
 
 #include "async/outputfile.h"
 
+#include <algorithm>
 #include <cerrno>
 
 #include <fcntl.h>
@@ -44,7 +45,7 @@ bool BackgroundFile::append(std::string_view record)
         return false;
     }
     m_waiting += record;
-    ++m_waitingRecords;
+    m_waitingEnds.push_back(m_waiting.size());
     ++m_status.taken;
     if (m_waiting.size() >= worthWriting)
         m_wake.notify_one();
@@ -75,19 +76,22 @@ void BackgroundFile::run()
 {
     std::unique_lock lock(m_mutex);
     std::string text;
+    std::vector<std::size_t> ends;
     while (true) {
         m_wake.wait(lock, [this] { return m_finish || m_flush || m_waiting.size() >= worthWriting; });
         const bool last = m_finish;
         m_flush = false;
         text.clear();
         text.swap(m_waiting);
-        const std::uint64_t records = std::exchange(m_waitingRecords, 0);
+        ends.clear();
+        ends.swap(m_waitingEnds);
         if (m_status.problem.empty() && !text.empty()) {
             lock.unlock();
-            std::string problem = writeAll(text);
+            Written written = writeAll(text);
+            const std::size_t records = written.problem.empty() ? ends.size() : keepWhole(ends, written.bytes);
             lock.lock();
-            m_status.written += problem.empty() ? records : 0;
-            m_status.problem = std::move(problem);
+            m_status.written += records;
+            m_status.problem = std::move(written.problem);
         }
         if (last)
             break;
@@ -100,18 +104,31 @@ void BackgroundFile::run()
     m_status.finished = true;
 }
 
-/// Empty when all is written, else why not.
-std::string BackgroundFile::writeAll(std::string_view text) const
+/// No problem when all is written.
+BackgroundFile::Written BackgroundFile::writeAll(std::string_view text) const
 {
-    while (!text.empty()) {
-        const ssize_t done = ::write(m_descriptor, text.data(), text.size());
-        if (done < 0 && errno == EINTR)
-            continue;
-        if (done < 0)
-            return m_path + ": " + writeFailure(errno);
-        text.remove_prefix(static_cast<std::size_t>(done));
+    Written written;
+    while (written.bytes < text.size()) {
+        const ssize_t done = ::write(m_descriptor, text.data() + written.bytes, text.size() - written.bytes);
+        if (done >= 0) {
+            written.bytes += static_cast<std::size_t>(done);
+        } else if (errno != EINTR) {
+            written.problem = m_path + ": " + writeFailure(errno);
+            break;
+        }
     }
-    return {};
+    return written;
+}
+
+/// Of what was written before the disk was full, the half of a record that came last is taken away; yields how many are whole.
+std::size_t BackgroundFile::keepWhole(const std::vector<std::size_t> &ends, std::size_t written) const
+{
+    const auto half = std::upper_bound(ends.begin(), ends.end(), written);
+    const std::size_t whole = half == ends.begin() ? 0 : *std::prev(half);
+    const off_t end = ::lseek(m_descriptor, 0, SEEK_CUR);
+    if (end >= 0 && written > whole) // what is no regular file cannot be cut
+        (void)!::ftruncate(m_descriptor, end - static_cast<off_t>(written - whole));
+    return static_cast<std::size_t>(half - ends.begin());
 }
 
 } // namespace mb

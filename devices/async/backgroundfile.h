@@ -10,11 +10,13 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 namespace mb {
 
 /// A text file written by a thread of its own, so that no disk ever holds up who writes. Records that are taken are written in
-/// their order; what cannot be taken or written is counted, never silently gone. Plain C++, for ThreadSanitizer.
+/// their order; what cannot be taken or written is counted, never silently gone, and a full disk leaves no half of one. Plain C++, for
+/// ThreadSanitizer.
 class BackgroundFile {
 public:
     static constexpr std::size_t mostWaiting = 64 * 1024 * 1024; ///< bytes in memory, then nothing more is taken
@@ -46,14 +48,19 @@ public:
 private:
     BackgroundFile(std::string path, int descriptor);
     void run();
-    [[nodiscard]] std::string writeAll(std::string_view text) const;
+    struct Written {
+        std::size_t bytes = 0;
+        std::string problem;
+    };
+    [[nodiscard]] Written writeAll(std::string_view text) const;
+    [[nodiscard]] std::size_t keepWhole(const std::vector<std::size_t> &ends, std::size_t written) const;
 
     std::string m_path;
     int m_descriptor;
     mutable std::mutex m_mutex;
     std::condition_variable m_wake;
     std::string m_waiting;
-    std::uint64_t m_waitingRecords = 0;
+    std::vector<std::size_t> m_waitingEnds; ///< of its records
     bool m_flush = false;
     bool m_finish = false;
     Status m_status;

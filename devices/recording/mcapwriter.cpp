@@ -77,7 +77,7 @@ Result<std::unique_ptr<McapWriter>> McapWriter::onto(const std::string &path, st
 
 void McapWriter::raw(const void *data, std::size_t size)
 {
-    if (std::fwrite(data, 1, size, m_file.get()) != size && m_error == 0)
+    if (m_error == 0 && std::fwrite(data, 1, size, m_file.get()) != size)
         m_error = errno;
     m_bytes += size;
 }
@@ -128,7 +128,7 @@ void McapWriter::metadata(const std::string &name, const mcap::Map &facts)
 
 Result<void> McapWriter::flush()
 {
-    if (std::fflush(m_file.get()) != 0 && m_error == 0)
+    if (m_error == 0 && std::fflush(m_file.get()) != 0)
         m_error = errno;
     if (m_error != 0)
         return fail(Error::fromPhrase(Fault::LinkLost, m_path + " cannot be written: " + writeFailure(m_error)));

@@ -108,6 +108,7 @@ Result<void> RollingRecorder::beginSegment(Instant now)
     for (const Tracked &tracked : m_tracked)
         (void)m_writer->addChannel({tracked.channel.topic(), aboutChannel(tracked.channel)});
     m_aboutChanged = true;
+    m_safe = segment;
     m_segments.push_back(std::move(segment));
     return {};
 }
@@ -118,8 +119,36 @@ Result<void> RollingRecorder::endSegment()
         return {};
     const auto finished = m_writer->finish();
     m_segments.back().bytes = m_writer->bytes();
-    m_writer.reset();
+    if (finished)
+        m_writer.reset();
+    else
+        salvage();
     return finished;
+}
+
+/// What was written is in the kernel's hands.
+void RollingRecorder::settle()
+{
+    m_segments.back().bytes = m_writer->bytes();
+    m_safe = m_segments.back();
+    for (Tracked &tracked : m_tracked)
+        tracked.safe = tracked.cursor.place();
+}
+
+/// The disk took less than it was given: the file ends where it was whole, and what it did not get is written again.
+void RollingRecorder::salvage()
+{
+    m_writer.reset();
+    for (Tracked &tracked : m_tracked)
+        tracked.cursor.rewind(tracked.safe);
+    std::error_code error;
+    if (m_safe.samples > 0)
+        fs::resize_file(m_safe.path, m_safe.bytes, error);
+    else
+        fs::remove(m_safe.path, error);
+    m_segments.back() = m_safe;
+    if (m_safe.samples == 0)
+        m_segments.pop_back();
 }
 
 void RollingRecorder::writeSamples(Duration unixOffset, Instant horizon)
@@ -158,6 +187,14 @@ Result<void> RollingRecorder::write(Instant now, Duration unixOffset)
 {
     if (m_tracked.empty())
         return {};
+    auto written = writeSegment(now, unixOffset);
+    m_failure = written ? std::nullopt : std::optional(written.error());
+    prune(now);
+    return written;
+}
+
+Result<void> RollingRecorder::writeSegment(Instant now, Duration unixOffset)
+{
     if (m_writer && now - m_segments.back().begun >= m_options.segment) {
         if (auto ended = endSegment(); !ended)
             return ended;
@@ -174,12 +211,15 @@ Result<void> RollingRecorder::write(Instant now, Duration unixOffset)
     for (const TimedNote &note : m_newNotes)
         m_writer->metadata(
             "note", {{"time", std::to_string(unixNanoseconds(note.time, unixOffset))}, {"text", note.text}});
-    m_newNotes.clear();
     writeSamples(unixOffset, now - settling);
-    const auto flushed = m_writer->flush();
-    m_segments.back().bytes = m_writer->bytes();
-    prune(now);
-    return flushed;
+    auto flushed = m_writer->flush();
+    if (!flushed) {
+        salvage();
+        return flushed;
+    }
+    m_newNotes.clear();
+    settle();
+    return {};
 }
 
 void RollingRecorder::prune(Instant now)
@@ -200,8 +240,9 @@ void RollingRecorder::startKeeping()
 
 Result<ExportReport> RollingRecorder::save(const std::string &path, const ExportProgress &progress)
 {
-    if (auto ended = endSegment(); !ended)
-        return fail(ended.error());
+    if (m_failure)
+        return fail(*m_failure);
+    (void)endSegment(); // its samples are all there, though a summary may find no room
     std::vector<std::string> paths;
     for (const Segment &segment : m_segments)
         paths.push_back(segment.path);

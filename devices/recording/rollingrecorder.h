@@ -31,7 +31,7 @@ public:
     /// What there is now. Channels that went away stay in the files that have them.
     void follow(const std::vector<ExportChannel> &channels, std::vector<std::pair<std::string, mcap::Map>> about);
     /// Writes what has been recorded since and hands it to the kernel. LinkLost with path and cause; nothing is lost as
-    /// long as the histories have it, the next call goes on.
+    /// long as the histories have it: files end with their last whole sample, and the next call goes on behind it, in a new one.
     [[nodiscard]] Result<void> write(Instant now, Duration unixOffset);
     /// A note for the file.
     void note(Instant time, const std::string &text);
@@ -39,7 +39,8 @@ public:
     /// From now on nothing is removed; what is there already (up to `keep` back) belongs to it.
     void startKeeping();
     [[nodiscard]] bool isKeeping() const { return m_keeping; }
-    /// Joins everything since `keep` before startKeeping() into one file, and goes back to rolling.
+    /// Joins everything since `keep` before startKeeping() into one file, and goes back to rolling. While samples wait for a disk that takes
+    /// nothing it fails with that cause, and goes on keeping.
     [[nodiscard]] Result<ExportReport> save(const std::string &path, const ExportProgress &progress);
 
     [[nodiscard]] std::uint64_t bytes() const;
@@ -52,6 +53,7 @@ private:
         ExportChannel channel;
         SampleCursor cursor;
         std::uint16_t id = 0;
+        SampleCursor::Place safe{}; ///< everything before it is in a file
     };
     struct Segment {
         std::string path;
@@ -62,6 +64,9 @@ private:
     };
     [[nodiscard]] Result<void> beginSegment(Instant now);
     [[nodiscard]] Result<void> endSegment();
+    [[nodiscard]] Result<void> writeSegment(Instant now, Duration unixOffset);
+    void settle();
+    void salvage();
     void writeSamples(Duration unixOffset, Instant horizon);
     void prune(Instant now);
     [[nodiscard]] Result<void> lockFolder();
@@ -74,7 +79,9 @@ private:
     std::vector<std::pair<std::string, mcap::Map>> m_notes;
     std::vector<TimedNote> m_newNotes;
     std::unique_ptr<McapWriter> m_writer;
-    std::list<Segment> m_segments; ///< oldest first; the last is being written
+    std::list<Segment> m_segments;  ///< oldest first; the last is being written
+    Segment m_safe;                 ///< of the last: what a full disk cannot take any more
+    std::optional<Error> m_failure; ///< of the last write
     std::size_t m_number = 0;
     bool m_keeping = false;
     bool m_aboutChanged = false;

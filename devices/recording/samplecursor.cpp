@@ -21,6 +21,7 @@ const Point *SampleCursor::peek(Instant to)
         const std::size_t size = m_telemetry->size(m_channel);
         if (m_index > size || (!m_begun && m_index == 0 && m_from != Instant::min()))
             m_index = m_from == Instant::min() ? 0 : m_telemetry->lowerBound(m_channel, m_from);
+        m_blockBegin = m_index;
         m_index = m_telemetry->read(m_channel, m_index, Instant::max(), blockSize, m_block);
         m_place = 0;
         // A gap before the first sample of the stretch lies outside it.
@@ -34,6 +35,14 @@ const Point *SampleCursor::peek(Instant to)
     const Point &next = m_block[m_place];
     const Point &sample = next.isGap() && m_place + 1 < m_block.size() ? m_block[m_place + 1] : next;
     return sample.time <= to ? &next : nullptr;
+}
+
+void SampleCursor::rewind(Place place)
+{
+    m_begun = place.begun;
+    m_blockBegin = place.block;
+    m_place = place.point;
+    m_index = m_telemetry->read(m_channel, place.block, Instant::max(), blockSize, m_block);
 }
 
 } // namespace mb

@@ -17,6 +17,14 @@ public:
     /// sample before); nullptr when there is none yet. Valid until the next call.
     [[nodiscard]] const Point *peek(Instant to = Instant::max());
     void pop() { ++m_place; }
+    struct Place {
+        std::size_t block = 0; ///< number of the sample that it begins with
+        std::size_t point = 0;
+        bool begun = false;
+    };
+    [[nodiscard]] Place place() const { return {m_blockBegin, m_place, m_begun}; }
+    /// Goes back to a place where it was: what came since is read again.
+    void rewind(Place place);
     [[nodiscard]] const Telemetry &telemetry() const { return *m_telemetry; }
     [[nodiscard]] ChannelIndex channel() const { return m_channel; }
     /// The number of the sample that the next block begins with.
@@ -27,6 +35,7 @@ private:
     ChannelIndex m_channel;
     Instant m_from;
     std::size_t m_index = 0;
+    std::size_t m_blockBegin = 0;
     bool m_begun = false;
     std::vector<Point> m_block;
     std::size_t m_place = 0;

@@ -3,6 +3,7 @@
 #include "app/enginecore.h"
 #include "async/virtualclock.h"
 #include "model/registry.h"
+#include "support/fulldisk.h"
 #include "support/temporaryfile.h"
 
 #include <gtest/gtest.h>
@@ -162,6 +163,32 @@ TEST(EngineRecordings, EndOnceWhenTheDiskIsFull)
     EXPECT_EQ(told, 1);
     bench.core.startRecording("sim:can", bench.folder.path("b.log"), keep);
     EXPECT_TRUE(started) << "another recording may begin";
+}
+
+TEST(EngineRecordings, WhatADiskTookBeforeItWasFullIsPlayed)
+{
+    EngineBench bench;
+    const std::string path = bench.folder.path("run.log");
+    ASSERT_TRUE(bench.open("sim:can"));
+    bench.clock.advance(2s);
+    {
+        const test::FullDisk full(20'000);
+        bench.core.startRecording("sim:can", path, {});
+        bench.clock.advance(5s);
+        while (!bench.view("sim:can").recording->finished) {
+            bench.clock.advance(200ms);
+            std::this_thread::yield();
+        }
+        bench.clock.advance(1s);
+    }
+    const RecordingState end = *bench.view("sim:can").recording;
+    EXPECT_NE(end.problem.find("greatest size"), std::string::npos) << end.problem;
+    EXPECT_GT(end.frames, end.lost) << "the first frames are in the file";
+    EXPECT_FALSE(bench.wasTold("none is missing"));
+    ASSERT_TRUE(bench.open("replay:" + path));
+    bench.clock.advance(1s);
+    EXPECT_FALSE(bench.wasTold("run.log: line")) << "no half of one is there";
+    EXPECT_GT(bench.view("replay:" + path).counters.rx, 100U);
 }
 
 } // namespace

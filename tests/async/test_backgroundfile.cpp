@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/backgroundfile.h"
+#include "support/fulldisk.h"
 #include "support/temporaryfile.h"
 
 #include <gtest/gtest.h>
@@ -66,6 +67,26 @@ TEST(BackgroundFile, SaysOnceThatTheDiskIsFullAndCountsWhatIsMissing)
     EXPECT_FALSE((*file)->append("record\n"));
     EXPECT_EQ((*file)->status().taken, 10U);
     EXPECT_EQ((*file)->status().refused, 1U);
+}
+
+TEST(BackgroundFile, EndsWithAWholeRecordWhenTheDiskIsFullInTheMiddleOfOne)
+{
+    const test::TemporaryFolder folder;
+    const test::FullDisk full(1000);
+    const auto file = BackgroundFile::create(folder.path("a.log"));
+    ASSERT_TRUE(file);
+    std::string expected;
+    for (int i = 0; i < 100; ++i) {
+        const std::string record = "record number " + std::to_string(100 + i) + '\n'; // 18 bytes
+        expected += i < 1000 / 18 ? record : std::string();
+        ASSERT_TRUE((*file)->append(record));
+    }
+    (*file)->finish();
+    while (!(*file)->status().finished)
+        std::this_thread::yield();
+    EXPECT_EQ((*file)->status().written, 1000U / 18);
+    EXPECT_NE((*file)->status().problem.find("greatest size"), std::string::npos);
+    EXPECT_EQ(folder.read("a.log"), expected);
 }
 
 TEST(BackgroundFile, RefusesWhatDoesNotFitIntoMemory)

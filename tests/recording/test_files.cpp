@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/export.h"
 #include "recording/loadrecording.h"
 #include "recording/mcapwriter.h"
-#include "recording/rollingrecorder.h"
+#include "recordingfolder.h"
 #include "signals.h"
 
 #include <gtest/gtest.h>
@@ -9,33 +10,12 @@
 #include <filesystem>
 #include <fstream>
 #include <random>
-#include <sys/wait.h>
-#include <unistd.h>
 
 namespace mb {
 namespace {
 
 using namespace test;
 namespace fs = std::filesystem;
-
-constexpr Duration unixOffset = std::chrono::seconds(1'700'000'000);
-
-/// A folder that goes with the test.
-struct Folder {
-    fs::path path;
-
-    Folder()
-    {
-        std::string name = (fs::temp_directory_path() / "mb-recording-XXXXXX").string();
-        path = ::mkdtemp(name.data());
-    }
-    ~Folder()
-    {
-        std::error_code ignored;
-        fs::remove_all(path, ignored);
-    }
-    [[nodiscard]] std::string file(const char *name) const { return (path / name).string(); }
-};
 
 std::string textOf(const std::string &path)
 {
@@ -255,132 +235,6 @@ TEST(Table, SaysInWhichLineWhatIsWrong)
         EXPECT_NE(loaded.error().text().find(says), std::string::npos) << loaded.error().text();
     }
     EXPECT_FALSE(loadRecording(folder.path.string()));
-}
-
-RollingRecorder::Options rolling(const Folder &folder, const char *name)
-{
-    RollingRecorder::Options options;
-    options.folder = folder.path.string();
-    options.name = name;
-    options.keep = 10s;
-    options.segment = 2s;
-    return options;
-}
-
-/// A device that sends 100 samples a second, and a recorder that looks every half second.
-struct Running {
-    std::shared_ptr<Telemetry> recording = telemetry();
-    Instant now = ms(0);
-
-    void run(RollingRecorder &recorder, int halfSeconds)
-    {
-        recorder.follow({{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "counts/s", {}, true}},
-            {{"device sim:can/dmc60c:5", {{"serial", "SN 7"}}}});
-        for (int i = 0; i < halfSeconds; ++i) {
-            for (int j = 0; j < 50; ++j) {
-                now += 10ms;
-                recording->append({velocity, now, static_cast<double>(now.time_since_epoch() / 1ms)});
-            }
-            recording->commit();
-            ASSERT_TRUE(recorder.write(now, unixOffset));
-        }
-    }
-};
-
-TEST(RollingRecorder, TheLastSecondsAreAlwaysThere)
-{
-    const Folder folder;
-    Running bench;
-    RollingRecorder recorder(rolling(folder, "run"));
-    bench.run(recorder, 60);
-    const auto report = recorder.save(folder.file("kept.mcap"), {});
-    ASSERT_TRUE(report) << report.error().text();
-    const auto loaded = loadRecording(folder.file("kept.mcap"));
-    ASSERT_TRUE(loaded);
-    const double seconds = std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count();
-    EXPECT_GE(seconds, 9.9); // what the recorder was asked for, but for what still settles
-    EXPECT_LE(seconds, 13.0);
-    EXPECT_NEAR(static_cast<double>((*loaded)->telemetry->size({0})), seconds * 100, 2);
-    EXPECT_EQ((*loaded)->about.at("device sim:can/dmc60c:5").at("serial"), "SN 7");
-    bench.run(recorder, 4); // goes on
-    EXPECT_GT(recorder.samples(), 0U);
-}
-
-TEST(RollingRecorder, KeepingBeginsBeforeItWasAskedFor)
-{
-    const Folder folder;
-    Running bench;
-    RollingRecorder recorder(rolling(folder, "run"));
-    bench.run(recorder, 40);
-    recorder.startKeeping();
-    bench.run(recorder, 80);
-    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
-    EXPECT_FALSE(recorder.isKeeping());
-    const auto loaded = loadRecording(folder.file("kept.mcap"));
-    ASSERT_TRUE(loaded);
-    EXPECT_GE(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count(), 49.0);
-    EXPECT_EQ((*loaded)->telemetry->lost({0}), 0U);
-    std::vector<Point> points;
-    (void)(*loaded)->telemetry->read({0}, 0, Instant::max(), 1'000'000, points);
-    for (std::size_t i = 1; i < points.size(); ++i) // nothing is missing where one file ends and the next begins
-        ASSERT_EQ(points[i].value, points[i - 1].value + 10.0);
-}
-
-TEST(RollingRecorder, SurvivesAKilledProcess)
-{
-    const Folder folder;
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) {
-        Running bench;
-        RollingRecorder recorder(rolling(folder, "killed"));
-        bench.run(recorder, 15);
-        ::kill(::getpid(), SIGKILL);
-    }
-    int status = 0;
-    ASSERT_EQ(::waitpid(child, &status, 0), child);
-    ASSERT_TRUE(WIFSIGNALED(status));
-    RollingRecorder other(rolling(folder, "alive"));
-    Running bench;
-    bench.run(other, 4);
-    fs::create_directory(folder.path / "recovered-killed.mcap"); // what stands there cannot be written over
-    EXPECT_FALSE(recoverRecordings(folder.path.string()));
-    EXPECT_TRUE(fs::exists(folder.path / "killed")) << "what could not be saved stays for the next time";
-    fs::remove(folder.path / "recovered-killed.mcap");
-    const auto recovered = recoverRecordings(folder.path.string());
-    ASSERT_TRUE(recovered) << recovered.error().text();
-    ASSERT_EQ(recovered->size(), 1U); // the one that runs is left alone
-    const auto loaded = loadRecording(recovered->front());
-    ASSERT_TRUE(loaded);
-    EXPECT_GE((*loaded)->telemetry->size({0}), 735U); // of 750; the last tenth of a second was still settling
-    EXPECT_FALSE(fs::exists(folder.path / "killed"));
-    EXPECT_TRUE(recoverRecordings(folder.path.string())->empty());
-}
-
-TEST(RollingRecorder, AnEndInOrderLeavesTheLastSession)
-{
-    const Folder folder;
-    for (int i = 0; i < 2; ++i) {
-        Running bench;
-        RollingRecorder recorder(rolling(folder, i == 0 ? "first" : "second"));
-        bench.run(recorder, 10);
-    }
-    EXPECT_TRUE(fs::exists(folder.path / "last-session" / "segment-000000.mcap"));
-    EXPECT_FALSE(fs::exists(folder.path / "first"));
-    EXPECT_TRUE(recoverRecordings(folder.path.string())->empty());
-}
-
-TEST(RollingRecorder, AFolderThatCannotBeWrittenIsTold)
-{
-    RollingRecorder::Options options;
-    options.folder = "/proc/nonexistent";
-    options.name = "run";
-    RollingRecorder recorder(options);
-    const auto recording = telemetry();
-    recorder.follow({{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "", {}, true}}, {});
-    const auto written = recorder.write(ms(0), unixOffset);
-    ASSERT_FALSE(written);
-    EXPECT_NE(written.error().text().find("/proc/nonexistent"), std::string::npos);
 }
 
 } // namespace

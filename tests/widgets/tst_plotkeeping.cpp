@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "plotbench.h"
+#include "support/fulldisk.h"
 #include "support/windowtests.h"
 
 using namespace mb;
@@ -17,6 +18,7 @@ private Q_SLOTS:
     void resetBringsTheUsualBack();
     void theScrubberScrollsBackWhileRecording();
     void recordingBeginsBeforeItWasAskedFor();
+    void aFullDiskIsToldOnceAndNothingIsCalledWritten();
 };
 
 void TestPlotKeeping::notesStandInThePlotAndInTheFile()
@@ -181,6 +183,37 @@ void TestPlotKeeping::recordingBeginsBeforeItWasAskedFor()
     const auto loaded = loadRecording(saved.first().at(0).toString().toStdString());
     QVERIFY(loaded);
     QVERIFY(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count() > 6.0);
+    bench.page->setRecorder(nullptr, {});
+}
+
+void TestPlotKeeping::aFullDiskIsToldOnceAndNothingIsCalledWritten()
+{
+    PlotBench bench;
+    const QTemporaryDir folder;
+    Recorder recorder(bench.workbench, folder.path() + s("/rolling"));
+    bench.page->setRecorder(&recorder, folder.path() + s("/kept"));
+    bench.pass(2.0, 60000.0);
+    QTRY_VERIFY(recorder.state().samples > 100);
+    QTest::keyClick(bench.page.get(), Qt::Key_R);
+    QTRY_VERIFY(recorder.state().keeping);
+    bench.workbench.calls.clear();
+    const auto told = [&bench] { return bench.workbench.callsOf("report"); };
+    QSignalSpy saved(&recorder, &Recorder::saved);
+    {
+        const FullDisk full(1);
+        QTRY_VERIFY((bench.pass(0.1, 60000.0), !told().empty()));
+        QVERIFY2(told().front().text.find("not recorded on disk") != std::string::npos, told().front().text.c_str());
+        QTest::keyClick(bench.page.get(), Qt::Key_R);
+        QTRY_COMPARE(saved.count(), 1);
+        QVERIFY(saved.first().at(1).toString().contains(s("greatest size")));
+        QVERIFY(QDir(folder.path() + s("/kept")).isEmpty());
+        QCOMPARE(told().size(), std::size_t{2}); // the state, and the order
+    }
+    QTRY_VERIFY((bench.pass(0.1, 60000.0), recorder.state().failure.isEmpty()));
+    QTest::keyClick(bench.page.get(), Qt::Key_R);
+    QTRY_COMPARE(saved.count(), 2);
+    QCOMPARE(saved.last().at(1).toString(), QString());
+    QVERIFY(loadRecording(saved.last().at(0).toString().toStdString()));
     bench.page->setRecorder(nullptr, {});
 }
 

@@ -100,8 +100,24 @@ void Recorder::work()
         m_state.samples = recorder.samples();
         m_state.since = recorder.since() ? plotKey(*recorder.since()) : 0.0;
         if (due)
-            m_state.failure = written ? QString() : qt(written.error().text());
+            tell(written ? QString() : errorText(written.error()));
     }
+}
+
+/// Once when it begins, once when it is over.
+void Recorder::tell(const QString &failure)
+{
+    const bool was = !m_state.failure.isEmpty();
+    m_state.failure = failure;
+    if (was == !failure.isEmpty())
+        return;
+    QMetaObject::invokeMethod(this, [this, failure] {
+        if (failure.isEmpty())
+            m_workbench.report(
+                Severity::Good, {}, tr("Samples are recorded on disk again, those of the meantime too."));
+        else
+            m_workbench.report(Severity::Danger, {}, tr("Samples are not recorded on disk: %1").arg(failure));
+    });
 }
 
 Recorder::State Recorder::state() const
@@ -128,7 +144,7 @@ void Recorder::save(const QString &path)
     }
     post([this, path](RollingRecorder &recorder) {
         const auto report = recorder.save(path.toStdString(), {});
-        const QString error = report ? QString() : qt(report.error().text());
+        const QString error = report ? QString() : errorText(report.error());
         {
             const std::lock_guard lock(m_mutex);
             m_state.saving = false;

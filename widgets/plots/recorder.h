@@ -43,6 +43,7 @@ private:
     void work();
     void follow();
     void post(std::function<void(RollingRecorder &)> order);
+    void tell(const QString &failure);
 
     Workbench &m_workbench;
     RollingRecorder::Options m_options;

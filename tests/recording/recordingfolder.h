@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/clock.h"
+
+#include <filesystem>
+#include <string>
+#include <unistd.h>
+
+namespace mb::test {
+
+inline constexpr Duration unixOffset = std::chrono::seconds(1'700'000'000);
+
+/// A folder that goes with the test.
+struct Folder {
+    std::filesystem::path path;
+
+    Folder()
+    {
+        std::string name = (std::filesystem::temp_directory_path() / "mb-recording-XXXXXX").string();
+        path = ::mkdtemp(name.data());
+    }
+    ~Folder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+    [[nodiscard]] std::string file(const char *name) const { return (path / name).string(); }
+};
+
+} // namespace mb::test

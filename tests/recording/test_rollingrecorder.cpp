@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "recording/loadrecording.h"
+#include "recording/rollingrecorder.h"
+#include "recordingfolder.h"
+#include "signals.h"
+#include "support/fulldisk.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace mb {
+namespace {
+
+using namespace test;
+namespace fs = std::filesystem;
+
+RollingRecorder::Options rolling(const Folder &folder, const char *name)
+{
+    RollingRecorder::Options options;
+    options.folder = folder.path.string();
+    options.name = name;
+    options.keep = 10s;
+    options.segment = 2s;
+    return options;
+}
+
+/// A device that sends 100 samples a second, and a recorder that looks every half second.
+struct Running {
+    std::shared_ptr<Telemetry> recording = telemetry();
+    Instant now = ms(0);
+
+    /// Half a second more.
+    Result<void> write(RollingRecorder &recorder)
+    {
+        recorder.follow({{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "counts/s", {}, true}},
+            {{"device sim:can/dmc60c:5", {{"serial", "SN 7"}}}});
+        for (int j = 0; j < 50; ++j) {
+            now += 10ms;
+            recording->append({velocity, now, static_cast<double>(now.time_since_epoch() / 1ms)});
+        }
+        recording->commit();
+        return recorder.write(now, unixOffset);
+    }
+    void run(RollingRecorder &recorder, int halfSeconds)
+    {
+        for (int i = 0; i < halfSeconds; ++i)
+            ASSERT_TRUE(write(recorder));
+    }
+};
+
+TEST(RollingRecorder, TheLastSecondsAreAlwaysThere)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    bench.run(recorder, 60);
+    const auto report = recorder.save(folder.file("kept.mcap"), {});
+    ASSERT_TRUE(report) << report.error().text();
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    const double seconds = std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count();
+    EXPECT_GE(seconds, 9.9); // what the recorder was asked for, but for what still settles
+    EXPECT_LE(seconds, 13.0);
+    EXPECT_NEAR(static_cast<double>((*loaded)->telemetry->size({0})), seconds * 100, 2);
+    EXPECT_EQ((*loaded)->about.at("device sim:can/dmc60c:5").at("serial"), "SN 7");
+    bench.run(recorder, 4); // goes on
+    EXPECT_GT(recorder.samples(), 0U);
+}
+
+TEST(RollingRecorder, KeepingBeginsBeforeItWasAskedFor)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    bench.run(recorder, 40);
+    recorder.startKeeping();
+    bench.run(recorder, 80);
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    EXPECT_FALSE(recorder.isKeeping());
+    const auto loaded = loadRecording(folder.file("kept.mcap"));
+    ASSERT_TRUE(loaded);
+    EXPECT_GE(std::chrono::duration<double>((*loaded)->last - (*loaded)->first).count(), 49.0);
+    EXPECT_EQ((*loaded)->telemetry->lost({0}), 0U);
+    std::vector<Point> points;
+    (void)(*loaded)->telemetry->read({0}, 0, Instant::max(), 1'000'000, points);
+    for (std::size_t i = 1; i < points.size(); ++i) // nothing is missing where one file ends and the next begins
+        ASSERT_EQ(points[i].value, points[i - 1].value + 10.0);
+}
+
+TEST(RollingRecorder, SurvivesAKilledProcess)
+{
+    const Folder folder;
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        Running bench;
+        RollingRecorder recorder(rolling(folder, "killed"));
+        bench.run(recorder, 15);
+        ::kill(::getpid(), SIGKILL);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    RollingRecorder other(rolling(folder, "alive"));
+    Running bench;
+    bench.run(other, 4);
+    fs::create_directory(folder.path / "recovered-killed.mcap"); // what stands there cannot be written over
+    EXPECT_FALSE(recoverRecordings(folder.path.string()));
+    EXPECT_TRUE(fs::exists(folder.path / "killed")) << "what could not be saved stays for the next time";
+    fs::remove(folder.path / "recovered-killed.mcap");
+    const auto recovered = recoverRecordings(folder.path.string());
+    ASSERT_TRUE(recovered) << recovered.error().text();
+    ASSERT_EQ(recovered->size(), 1U); // the one that runs is left alone
+    const auto loaded = loadRecording(recovered->front());
+    ASSERT_TRUE(loaded);
+    EXPECT_GE((*loaded)->telemetry->size({0}), 735U); // of 750; the last tenth of a second was still settling
+    EXPECT_FALSE(fs::exists(folder.path / "killed"));
+    EXPECT_TRUE(recoverRecordings(folder.path.string())->empty());
+}
+
+TEST(RollingRecorder, AnEndInOrderLeavesTheLastSession)
+{
+    const Folder folder;
+    for (int i = 0; i < 2; ++i) {
+        Running bench;
+        RollingRecorder recorder(rolling(folder, i == 0 ? "first" : "second"));
+        bench.run(recorder, 10);
+    }
+    EXPECT_TRUE(fs::exists(folder.path / "last-session" / "segment-000000.mcap"));
+    EXPECT_FALSE(fs::exists(folder.path / "first"));
+    EXPECT_TRUE(recoverRecordings(folder.path.string())->empty());
+}
+
+/// Everything that the bench has sent, each sample once.
+void expectComplete(const std::string &path, const Running &bench)
+{
+    const auto loaded = loadRecording(path);
+    ASSERT_TRUE(loaded) << loaded.error().text();
+    std::vector<Point> points;
+    (void)(*loaded)->telemetry->read({0}, 0, Instant::max(), 1'000'000, points);
+    ASSERT_GT(points.size(), 0U);
+    EXPECT_EQ(points.front().value, 10.0);
+    for (std::size_t i = 1; i < points.size(); ++i)
+        ASSERT_EQ(points[i].value, points[i - 1].value + 10.0);
+    EXPECT_GE(points.back().value, static_cast<double>((bench.now.time_since_epoch() - 100ms) / 1ms));
+}
+
+TEST(RollingRecorder, AFullDiskIsOneErrorAndCostsNothing)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    recorder.startKeeping();
+    bench.run(recorder, 9);
+    const std::uint64_t before = recorder.samples();
+    {
+        const FullDisk full(1);
+        const auto first = bench.write(recorder);
+        ASSERT_FALSE(first);
+        EXPECT_NE(first.error().text().find("greatest size"), std::string::npos) << first.error().text();
+        for (int i = 0; i < 10; ++i)
+            EXPECT_EQ(bench.write(recorder).error().fault, Fault::LinkLost);
+        EXPECT_EQ(recorder.samples(), before) << "what is not on the disk is not counted";
+    }
+    const FullDisk none(RLIM_INFINITY);
+    const auto saved = recorder.save(folder.file("kept.mcap"), {});
+    ASSERT_FALSE(saved) << "samples wait for the disk";
+    EXPECT_FALSE(fs::exists(folder.path / "kept.mcap"));
+    EXPECT_TRUE(recorder.isKeeping());
+    std::uint64_t whole = 0;
+    for (const auto &segment : fs::directory_iterator(folder.path / "run")) {
+        if (segment.path().extension() != ".mcap")
+            continue;
+        const auto loaded = loadRecording(segment.path().string());
+        ASSERT_TRUE(loaded) << segment.path() << ": " << loaded.error().text();
+        whole += (*loaded)->telemetry->size({0});
+    }
+    EXPECT_EQ(whole, before);
+    ASSERT_TRUE(bench.write(recorder)) << "there is room again";
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    expectComplete(folder.file("kept.mcap"), bench);
+}
+
+TEST(RollingRecorder, AFileThatMayNotGrowEndsWithItsLastWholeSample)
+{
+    const Folder folder;
+    Running bench;
+    RollingRecorder recorder(rolling(folder, "run"));
+    recorder.startKeeping();
+    int refused = 0;
+    {
+        const FullDisk full(6000);
+        for (int i = 0; i < 20; ++i)
+            refused += bench.write(recorder) ? 0 : 1;
+    }
+    EXPECT_GT(refused, 3);
+    ASSERT_TRUE(bench.write(recorder));
+    ASSERT_TRUE(recorder.save(folder.file("kept.mcap"), {}));
+    expectComplete(folder.file("kept.mcap"), bench);
+}
+
+TEST(RollingRecorder, AFolderThatCannotBeWrittenIsTold)
+{
+    RollingRecorder::Options options;
+    options.folder = "/proc/nonexistent";
+    options.name = "run";
+    RollingRecorder recorder(options);
+    const auto recording = telemetry();
+    recorder.follow({{recording, velocity, "sim:can/dmc60c:5", "dmc60c", "velocity", "", {}, true}}, {});
+    const auto written = recorder.write(ms(0), unixOffset);
+    ASSERT_FALSE(written);
+    EXPECT_NE(written.error().text().find("/proc/nonexistent"), std::string::npos);
+}
+
+} // namespace
+} // namespace mb
