@@ -3,6 +3,7 @@
 
 #include "model/parameterfile.h"
 #include "widgets/common/headerbar.h"
+#include "widgets/common/losses.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/plots/picturefile.h"
@@ -258,10 +259,22 @@ void Tour::look()
     }
 }
 
+/// The bench loses nothing, however busy the computer is.
+void Tour::tellLosses() const
+{
+    for (const DeviceView &device : m_workbench.snapshot().devices) {
+        const SampleCount count = samplesOf(device);
+        std::printf("%s: %llu samples, %llu lost\n", device.selector.c_str(),
+            static_cast<unsigned long long>(count.kept), static_cast<unsigned long long>(count.lost));
+    }
+    std::fflush(stdout);
+}
+
 void Tour::finish(int status)
 {
     m_poll.stop();
     m_current = m_steps.size();
+    tellLosses();
     QCoreApplication::exit(status);
 }
 

@@ -11,8 +11,8 @@
 
 namespace mb {
 
-/// Drives the demo through every page by itself, as a person would, and writes a picture of each. Ends the program:
-/// status 0 when every step was reached, 1 when one was not within its time.
+/// Drives the demo through every page by itself, as a person would, and writes a picture of each; prints their names, and at last the samples
+/// that each device sent and lost. Ends the program: status 0 when every step was reached, 1 when one was not within its time.
 class Tour : public QObject {
     Q_OBJECT
 public:
@@ -48,6 +48,7 @@ private:
     void look();
     void begin(std::size_t step);
     void finish(int status);
+    void tellLosses() const;
     void save(const QString &name, bool dark);
     void drive();
     [[nodiscard]] bool comesToSpeed();
