@@ -292,7 +292,8 @@ Task<Outcome> move(Console &console, Device &device, Plan plan)
     const Subscription signal = console.interrupted().add([&console] { console.session().stopAll(StopCause::User); });
     if (!console.isInterrupted()) {
         if (auto started = stream.start(plan.setPoint, leaseTerm); !started) {
-            console.onlyAsk();
+            if (!plan.zero)
+                console.onlyAsk();
             co_return fail(started.error());
         }
     }
@@ -378,7 +379,7 @@ Task<int> drive(Console &console, Arguments arguments)
     }
     Outcome outcome;
     {
-        SampleStream samples(console, *device, {});
+        SampleStream samples(console, *device, {.channels = {}, .states = {}, .driven = true});
         auto moving = move(console, *device, *plan);
         outcome = co_await std::move(moving);
         report(console, outcome, samples.count());

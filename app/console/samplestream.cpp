@@ -12,6 +12,7 @@ namespace mb::console {
 SampleStream::SampleStream(Console &console, Device &device, Watched watched)
     : m_console(console)
     , m_device(device)
+    , m_driven(watched.driven)
     , m_time(device.clock(), device.link().address())
     , m_start(device.clock().now())
     , m_chosen(device.telemetry()->channels().size(), watched.channels.empty() && watched.states.empty())
@@ -32,8 +33,15 @@ SampleStream::SampleStream(Console &console, Device &device, Watched watched)
     if (console.json())
         return; // programs name the states they want
     m_changed = device.changed().add([this] { noteStates(); });
-    for (const StateRow *const row : conditionsOf(device.family().states, m_noted))
-        console.note(device.selector() + ": " + std::string(row->clause));
+    for (const StateRow *const row : conditionsOf(device.family().states, m_noted)) {
+        if (isNews(*row))
+            console.note(device.selector() + ": " + std::string(row->clause));
+    }
+}
+
+bool SampleStream::isNews(const StateRow &row) const
+{
+    return row.kind == StateKind::Condition || (row.kind == StateKind::Rest && !m_driven);
 }
 
 void SampleStream::print(const Sample &sample)
@@ -85,7 +93,7 @@ void SampleStream::noteStates()
     const LiveStates now = m_device.states();
     for (std::size_t i = 0; i < table.size(); ++i) {
         const StateIndex index{static_cast<std::uint16_t>(i)};
-        if (table[i].kind == StateKind::Condition && m_noted.isOn(index) != now.isOn(index))
+        if (isNews(table[i]) && m_noted.isOn(index) != now.isOn(index))
             m_console.note(
                 m_device.selector() + ": " + std::string(table[i].clause) + (now.isOn(index) ? "" : ": over"));
     }

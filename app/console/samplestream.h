@@ -12,6 +12,7 @@ namespace mb::console {
 struct Watched {
     std::vector<ChannelIndex> channels;
     std::vector<StateIndex> states;
+    bool driven = false; ///< by this verb: that the motor stands before and after it is no news
 };
 
 /// Prints the samples of one device as they come, from its construction on, and counts them: CSV with a header, or
@@ -31,10 +32,12 @@ private:
     void print(Instant time, std::string_view key, double value, std::string_view unit, const QJsonValue &json);
     void printStates(Instant time);
     void noteStates();
+    [[nodiscard]] bool isNews(const StateRow &row) const;
     [[nodiscard]] std::uint64_t lostSoFar() const;
 
     Console &m_console;
     Device &m_device;
+    bool m_driven;
     TimeOrigin m_time;
     Instant m_start; ///< what was measured before is not part of it
     std::vector<bool> m_chosen;

@@ -192,7 +192,7 @@ Task<int> performOn(Console &console, Stage &stage, Plan plan)
     {
         std::optional<SampleStream> samples;
         if (plan.samples)
-            samples.emplace(console, *device, Watched{});
+            samples.emplace(console, *device, Watched{.channels = {}, .states = {}, .driven = true});
         auto running = experiment(console, stage.session(), *device, plan, notebook);
         trial = co_await std::move(running).attempt();
     }

@@ -7,7 +7,7 @@ std::vector<const StateRow *> conditionsOf(std::span<const StateRow> table, cons
 {
     std::vector<const StateRow *> found;
     for (std::size_t i = 0; i < table.size(); ++i) {
-        if (table[i].kind == StateKind::Condition && states.isOn({static_cast<std::uint16_t>(i)}))
+        if (table[i].kind != StateKind::Input && states.isOn({static_cast<std::uint16_t>(i)}))
             found.push_back(&table[i]);
     }
     return found;

@@ -3,6 +3,7 @@
 #include "parameterbench.h"
 #include "support/windowtests.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/valuelabel.h"
 #include "widgets/connection/devicecard.h"
 #include "widgets/connection/deviceline.h"
 #include "widgets/connection/livestatebar.h"
@@ -17,6 +18,7 @@ private Q_SLOTS:
     void aHaltIsNoAlert();
     void pinsChangeWhatIsDrawn();
     void theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing();
+    void unitsAreThoseOfTheDevice();
 
 private:
     ThemeSource m_theme{lightTheme()};
@@ -121,6 +123,36 @@ void LiveStatesTest::theBarKeepsItsHeightAndHidesForFamiliesThatTellNothing()
     }
     selection.select({2});
     QVERIFY(bar.isHidden());
+}
+
+/// A current is counts until somebody said what a count is.
+void LiveStatesTest::unitsAreThoseOfTheDevice()
+{
+    FakeWorkbench workbench;
+    Selection selection;
+    DeviceView device = drive();
+    device.family = findFamily(families(), "abstractdc");
+    device.identity.family = "abstractdc";
+    device.parameters.assign(device.family->parameters.size(), {});
+    const auto telemetry = std::make_shared<Telemetry>(device.family->channels);
+    telemetry->append({*telemetry->find("current"), workbench.time, 17.0});
+    telemetry->commit();
+    device.telemetry = telemetry;
+    workbench.shot.devices.push_back(device);
+    selection.select({1});
+    DeviceLine line(workbench, selection, m_theme);
+    line.resize(1100, 40);
+    line.show();
+    workbench.publish();
+    DeviceCard card(m_theme, nullptr);
+    card.show(workbench.device(0), workbench.time, false);
+    for (const QWidget *part : {static_cast<QWidget *>(&line), static_cast<QWidget *>(&card)}) {
+        const auto labels = part->findChildren<ValueLabel *>();
+        const auto label = std::find_if(labels.begin(), labels.end(),
+            [](const ValueLabel *one) { return one->accessibleName() == QStringLiteral("current"); });
+        QVERIFY(label != labels.end());
+        QCOMPARE((*label)->accessibleDescription(), QStringLiteral("17.0 counts"));
+    }
 }
 
 MB_WINDOW_TEST(LiveStatesTest);

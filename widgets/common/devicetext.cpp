@@ -139,7 +139,7 @@ QStringList alertsOf(const DeviceView &device)
 {
     QStringList clauses;
     for (const StateRow *row : conditionsOf(device.family->states, device.states)) {
-        if (row->key != "halted")
+        if (row->kind == StateKind::Condition)
             clauses += tableText(row->clause);
     }
     if (keepsStoppedMove(device))

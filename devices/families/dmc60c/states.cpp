@@ -18,7 +18,7 @@ constexpr std::array<StateRow, 12> stateRows{{
         QT_TRANSLATE_NOOP("table", "reverse soft limit holds")},
     {"limit.override", QT_TRANSLATE_NOOP("table", "Limit override"),
         QT_TRANSLATE_NOOP("table", "the set-point decides which limit switches count")},
-    {"halted", QT_TRANSLATE_NOOP("table", "Halt"), QT_TRANSLATE_NOOP("table", "halted")},
+    {"halted", QT_TRANSLATE_NOOP("table", "Halt"), QT_TRANSLATE_NOOP("table", "halted"), StateKind::Rest},
     {"input.limit.forward", QT_TRANSLATE_NOOP("table", "Pin of the forward limit switch"), {}, StateKind::Input},
     {"input.limit.reverse", QT_TRANSLATE_NOOP("table", "Pin of the reverse limit switch"), {}, StateKind::Input},
     {"input.encoder.a", QT_TRANSLATE_NOOP("table", "Encoder pin A"), {}, StateKind::Input},
