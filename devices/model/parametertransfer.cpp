@@ -26,7 +26,8 @@ Task<std::vector<TransferOutcome>> readParameters(
             static_cast<int>(outcomes.size()), total);
         auto task = device.read(index);
         Result<std::int64_t> raw = co_await std::move(task).attempt();
-        const bool lost = !raw && raw.error().fault == Fault::LinkLost;
+        const bool silent = !raw && raw.error().fault == Fault::Timeout && !device.liveness().heard;
+        const bool lost = silent || (!raw && raw.error().fault == Fault::LinkLost);
         outcomes.push_back({index, std::move(raw), std::nullopt});
         if (lost)
             break;

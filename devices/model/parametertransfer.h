@@ -16,7 +16,7 @@ struct TransferOutcome {
 /// Every parameter that this device has and that can be read, in table order.
 [[nodiscard]] std::vector<ParameterIndex> readable(const Device &device);
 
-/// Reads one after the other; goes on after an error of one parameter, ends early when the link is lost. Results in the
+/// Reads one after the other; goes on after an error of one parameter, ends early when the link is lost or the device is not heard any more. Results in the
 /// order of `indices`. The device and the progress outlive the task.
 [[nodiscard]] Task<std::vector<TransferOutcome>> readParameters(
     Device &device, std::vector<ParameterIndex> indices, Progress &progress);

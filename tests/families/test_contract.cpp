@@ -85,6 +85,20 @@ TEST_P(Contract, EveryReadableParameterReads)
         EXPECT_TRUE(outcome.raw) << device->parameters().parameter(outcome.index).key;
 }
 
+TEST_P(Contract, AUnitThatHasFallenSilentIsNotAskedForEveryParameter)
+{
+    Device *device = online();
+    ASSERT_NE(device, nullptr);
+    for (Simulator *simulator : bench->session.bench(*bench->link)->simulators())
+        simulator->setPowered(false);
+    NoProgress progress;
+    const auto outcomes = run(bench->clock, readParameters(*device, readable(*device), progress));
+    ASSERT_TRUE(outcomes);
+    EXPECT_EQ(outcomes->size(), family().capabilities.readback ? 1U : 0U);
+    for (const TransferOutcome &outcome : *outcomes)
+        EXPECT_EQ(outcome.raw.error().fault, Fault::Timeout);
+}
+
 TEST_P(Contract, AsksASilentUnitAsLongAndAsOftenAsTheUserSays)
 {
     const auto askFor = [this](Patience patience) {
