@@ -7,6 +7,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/tunepage.h"
+#include "widgets/design/designpage.h"
 #include "widgets/plots/plotspage.h"
 #include "widgets/plots/recorder.h"
 
@@ -158,19 +159,20 @@ void Application::setUpPlots()
     });
 }
 
-/// What people have entered on the Tune page outlives the program.
+/// What people have entered outlives the program; both pages that move motors go by it.
 void Application::setUpLimits()
 {
-    if (m_options.demo)
-        return;
-    QObject::connect(m_window.get(), &MainWindow::pageMade, m_window.get(), [this](PageId id, QWidget *page) {
-        auto *tune = qobject_cast<TunePage *>(page);
-        if (id != PageId::Tune || !tune)
-            return;
-        const auto opened = tune->envelope().book().open(
+    if (!m_options.demo) {
+        const auto opened = m_limits.open(
             QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/limits.json"));
         if (!opened)
             m_engine->report(Severity::Caution, {}, errorText(opened.error()));
+    }
+    QObject::connect(m_window.get(), &MainWindow::pageMade, m_window.get(), [this](PageId, QWidget *page) {
+        if (auto *tune = qobject_cast<TunePage *>(page))
+            tune->envelope().share(m_limits);
+        else if (auto *design = qobject_cast<DesignPage *>(page))
+            design->envelope().share(m_limits);
     });
 }
 

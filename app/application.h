@@ -4,6 +4,7 @@
 #include "app/engine.h"
 #include "app/mainwindow.h"
 #include "app/stopkeys.h"
+#include "widgets/control/envelopebook.h"
 
 #include <QApplication>
 #include <QTemporaryDir>
@@ -58,6 +59,7 @@ private:
     Settings m_settings;
     std::unique_ptr<ThemeSource> m_theme;
     std::unique_ptr<Engine> m_engine;
+    EnvelopeBook m_limits; ///< of experiments
     std::unique_ptr<MainWindow> m_window;
     std::unique_ptr<QTemporaryDir> m_demoFolder; ///< a demo leaves nothing behind
     std::unique_ptr<Recorder> m_recorder;

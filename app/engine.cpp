@@ -261,6 +261,14 @@ void Engine::runTrial(
     post([device, plan, told, back](EngineCore &core) { core.runTrial(device, plan, told, back); });
 }
 
+void Engine::runTuning(DeviceId device, const tuning::TunePlan &plan, TuningFinished finished)
+{
+    const EngineCore::TuningFinished back = [this, finished = std::move(finished)](Result<tuning::TuneReport> report) {
+        m_toWindow.post([finished, report = std::move(report)] { finished(report); });
+    };
+    post([device, plan, back](EngineCore &core) { core.runTuning(device, plan, back); });
+}
+
 TrialNotebook &Engine::trials()
 {
     return *m_notebook;

@@ -42,6 +42,7 @@ public:
         DeviceId device, const std::string &key, const ExperimentOptions &options, Finished finished) override;
     void runTrial(
         DeviceId device, const tuning::ExperimentPlan &plan, TrialMeasured measured, TrialFinished finished) override;
+    void runTuning(DeviceId device, const tuning::TunePlan &plan, TuningFinished finished) override;
     [[nodiscard]] TrialNotebook &trials() override;
     [[nodiscard]] const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const override
     {

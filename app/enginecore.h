@@ -9,7 +9,7 @@
 #include "model/transcript.h"
 #include "model/unknownframes.h"
 #include "transport/linkcatalog.h"
-#include "tuning/experiment.h"
+#include "tuning/autotune.h"
 
 #include <functional>
 #include <list>
@@ -68,6 +68,9 @@ public:
     /// stopMotion(), stopAll() and cancel() end its motion at once, and it puts back what it changed. `measured` after each hold.
     void runTrial(
         DeviceId id, const tuning::ExperimentPlan &plan, const TrialMeasured &measured, const TrialFinished &finished);
+    using TuningFinished = std::function<void(Result<tuning::TuneReport>)>;
+    /// A tuning by itself (tuning/autotune.h): an operation of the device, with everything of runTrial().
+    void runTuning(DeviceId id, const tuning::TunePlan &plan, const TuningFinished &finished);
     /// What earlier experiments owe to units that are here; it is looked for when a unit has told who it is.
     [[nodiscard]] const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const { return m_owed; }
     /// Puts back what a trial owes, or owes it no longer. Operations of the device.
@@ -161,6 +164,8 @@ private:
     void look();
     void callTheRoll();
     void interruptTrials(std::optional<DeviceId> id);
+    [[nodiscard]] tuning::ExperimentSurroundings surroundings(Progress &progress, tuning::Interruption &interruption);
+    void experimentEnded(Running &running);
     void wishAgain(DeviceId id);
     void lookAgain(DeviceId id);
     void lookForOwed();

@@ -13,14 +13,13 @@ namespace {
 using tuning::Trial;
 
 constexpr const char *trialTitle = "Experiment";
+constexpr const char *tuningTitle = "Autotune";
 
 /// The interruption lives as long as the story that looks at it.
-Task<Trial> conduct(Device &device, SetPointStream &stream, tuning::ExperimentPlan plan,
-    tuning::ExperimentSurroundings surroundings, std::shared_ptr<tuning::Interruption> interruption)
+template <class T> Task<T> keeping(std::shared_ptr<tuning::Interruption> interruption, Task<T> story)
 {
-    surroundings.interruption = interruption.get();
-    auto running = tuning::runExperiment(device, stream, std::move(plan), std::move(surroundings));
-    co_return co_await std::move(running).attempt();
+    const auto held = std::move(interruption);
+    co_return co_await std::move(story).attempt();
 }
 
 Task<void> settle(tuning::ExperimentJournal &journal, std::int64_t trial)
@@ -48,22 +47,15 @@ void EngineCore::runTrial(
         return answer(refused, fail(Fault::Unsafe, "stop the motor before an experiment begins"));
     const auto interruption = std::make_shared<tuning::Interruption>();
     const auto make = [this, plan, measured, interruption](Device &device, Progress &progress) {
-        tuning::ExperimentSurroundings around;
-        around.journal = m_journal;
-        around.directions = &m_directions;
-        around.note = [&progress](const std::string &text) { progress.log(Severity::Caution, text); };
+        tuning::ExperimentSurroundings around = surroundings(progress, *interruption);
         around.measured = measured;
-        return conduct(device, m_session.stream(device), plan, around, interruption);
+        return keeping(interruption, tuning::runExperiment(device, m_session.stream(device), plan, std::move(around)));
     };
     Running *const running = begin<Trial>(
         id, trialTitle, make,
         [this, id, finished](Running &done, Result<Trial> trial) {
-            done.interruption.reset();
-            wishAgain(id);
-            lookAgain(id);
+            experimentEnded(done);
             if (const Device *device = m_session.find(id)) {
-                for (const LogLine &line : done.operation->status().log)
-                    notice(line.severity, labelOf(*device), line.text);
                 if (trial && trial->reason == "done")
                     notice(Severity::Good, labelOf(*device), nameOf(*trial) + " is done");
                 else
@@ -73,6 +65,59 @@ void EngineCore::runTrial(
             }
             if (finished)
                 finished(std::move(trial));
+        },
+        refused);
+    if (running)
+        running->interruption = interruption;
+}
+
+tuning::ExperimentSurroundings EngineCore::surroundings(Progress &progress, tuning::Interruption &interruption)
+{
+    tuning::ExperimentSurroundings around;
+    around.journal = m_journal;
+    around.directions = &m_directions;
+    around.interruption = &interruption;
+    around.note = [&progress](const std::string &text) { progress.log(Severity::Caution, text); };
+    return around;
+}
+
+void EngineCore::experimentEnded(Running &running)
+{
+    running.interruption.reset();
+    wishAgain(running.device);
+    lookAgain(running.device);
+    if (const Device *device = m_session.find(running.device)) {
+        for (const LogLine &line : running.operation->status().log)
+            notice(line.severity, labelOf(*device), line.text);
+    }
+}
+
+void EngineCore::runTuning(DeviceId id, const tuning::TunePlan &plan, const TuningFinished &finished)
+{
+    const Finished refused = [finished](const Result<void> &result) {
+        if (finished)
+            finished(fail(result.error()));
+    };
+    if (Device *device = m_session.find(id); device && m_session.stream(*device).isRunning())
+        return answer(refused, fail(Fault::Unsafe, "stop the motor before it is tuned"));
+    const auto interruption = std::make_shared<tuning::Interruption>();
+    const auto make = [this, plan, interruption](Device &device, Progress &progress) {
+        return keeping(interruption,
+            tuning::autotune(device, m_session.stream(device), plan, surroundings(progress, *interruption)));
+    };
+    Running *const running = begin<tuning::TuneReport>(
+        id, tuningTitle, make,
+        [this, id, finished](Running &done, Result<tuning::TuneReport> report) {
+            experimentEnded(done);
+            if (const Device *device = m_session.find(id)) {
+                const bool good = report
+                    && (report->result == tuning::TuneResult::Kept || report->result == tuning::TuneResult::Proposed);
+                notice(good ? Severity::Good : Severity::Danger, labelOf(*device),
+                    report ? "tuning " + std::string(toString(report->result)) + ": " + report->evidence
+                           : "no tuning: " + report.error().text());
+            }
+            if (finished)
+                finished(std::move(report));
         },
         refused);
     if (running)

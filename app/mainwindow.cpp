@@ -20,6 +20,7 @@
 #include "widgets/connection/livestatebar.h"
 #include "widgets/connection/overviewpage.h"
 #include "widgets/control/tunepage.h"
+#include "widgets/design/designpage.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/monitor/buspage.h"
 #include "widgets/monitor/logpage.h"
@@ -195,6 +196,8 @@ void MainWindow::buildPages()
         [this](QWidget *parent) { return new ParametersPage(m_workbench, m_selection, m_theme, *m_banners, parent); });
     addPage(tr("Tune"),
         [this](QWidget *parent) { return new TunePage(m_workbench, m_selection, *m_arming, m_theme, parent); });
+    addPage(tr("Design"),
+        [this](QWidget *parent) { return new DesignPage(m_workbench, m_selection, *m_arming, m_theme, parent); });
     addPage(tr("Plots"), [this](QWidget *parent) { return new PlotsPage(m_workbench, m_selection, m_theme, parent); });
     addPage(tr("Firmware"),
         [this](QWidget *parent) { return new FirmwarePage(m_workbench, m_selection, m_theme, parent); });
@@ -344,7 +347,7 @@ void MainWindow::followPages()
 void MainWindow::followLine()
 {
     const auto id = static_cast<PageId>(m_tabs->currentIndex());
-    const bool ofDevice = id == PageId::Parameters || id == PageId::Tune;
+    const bool ofDevice = id == PageId::Parameters || id == PageId::Tune || id == PageId::Design;
     const bool tall = height() >= m_theme.theme().u(tallEnough);
     m_states->setWanted(id == PageId::Tune && tall);
     m_line->setVisible(ofDevice && tall && m_workbench.snapshot().device(m_selection.device()));
@@ -407,7 +410,8 @@ void MainWindow::follow()
     const bool any = !shot.devices.empty();
     const QString reason = any ? QString() : tr("needs a device; open a link first");
     m_tabs->setUnavailable(static_cast<int>(PageId::Parameters), reason);
-    m_tabs->setUnavailable(static_cast<int>(PageId::Tune), reason);
+    for (const PageId id : {PageId::Tune, PageId::Design})
+        m_tabs->setUnavailable(static_cast<int>(id), reason);
     followInspector();
 }
 

@@ -29,7 +29,7 @@ class PageKeys;
 class PageTabs;
 
 /// The pages, in the order of their tabs.
-enum class PageId { Overview, Parameters, Tune, Plots, Firmware, Bus, Log };
+enum class PageId { Overview, Parameters, Tune, Design, Plots, Firmware, Bus, Log };
 
 /// The one window: header with links, lamp and STOP; devices at the left; pages; inspector at the right; status bar.
 /// Composes, decides nothing about devices.

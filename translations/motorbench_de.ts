@@ -1131,6 +1131,57 @@
     </message>
 </context>
 <context>
+    <name>mb::BodePlot</name>
+    <message>
+        <source>unstable</source>
+        <translation>instabil</translation>
+    </message>
+    <message>
+        <source>crossover %1 Hz</source>
+        <translation>Durchtritt %1 Hz</translation>
+    </message>
+    <message>
+        <source>phase margin %1°</source>
+        <translation>Phasenreserve %1°</translation>
+    </message>
+    <message>
+        <source>gain margin %1 dB</source>
+        <translation>Amplitudenreserve %1 dB</translation>
+    </message>
+    <message>
+        <source>Ms %1</source>
+        <translation>Ms %1</translation>
+    </message>
+    <message>
+        <source>Magnitude of loop and motor</source>
+        <translation>Betrag von Regelkreis und Motor</translation>
+    </message>
+    <message>
+        <source>Phase of loop and motor</source>
+        <translation>Phase von Regelkreis und Motor</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>magnitude, dB</source>
+        <translation>Betrag, dB</translation>
+    </message>
+    <message>
+        <source>phase, °</source>
+        <translation>Phase, °</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <translation>Regelkreis</translation>
+    </message>
+    <message>
+        <source>motor ÷ gain</source>
+        <translation>Motor ÷ Verstärkung</translation>
+    </message>
+</context>
+<context>
     <name>mb::BusBar</name>
     <message>
         <source>Link</source>
@@ -1607,6 +1658,161 @@
     <message>
         <source>Demo</source>
         <translation>Demo</translation>
+    </message>
+</context>
+<context>
+    <name>mb::DesignPage</name>
+    <message>
+        <source>Loop</source>
+        <translation>Regelkreis</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>Identify</source>
+        <translation>Vermessen</translation>
+    </message>
+    <message>
+        <source>Autotune</source>
+        <translation>Selbst einstellen</translation>
+    </message>
+    <message>
+        <source>Identifies, writes the chosen set and proves it, in one go</source>
+        <translation>Vermisst, schreibt den gewählten Satz und beweist ihn, in einem Zug</translation>
+    </message>
+    <message>
+        <source>Write and prove</source>
+        <translation>Schreiben und beweisen</translation>
+    </message>
+    <message>
+        <source>Proposals</source>
+        <translation>Vorschläge</translation>
+    </message>
+    <message>
+        <source>Step, predicted and measured</source>
+        <translation>Sprung, vorhergesagt und gemessen</translation>
+    </message>
+    <message>
+        <source>writes the chosen set and proves it</source>
+        <translation>schreibt den gewählten Satz und beweist ihn</translation>
+    </message>
+    <message>
+        <source>identifies, writes and proves in one go</source>
+        <translation>vermisst, schreibt und beweist in einem Zug</translation>
+    </message>
+    <message>
+        <source>identifies the motor</source>
+        <translation>vermisst den Motor</translation>
+    </message>
+    <message>
+        <source>%1 waits in its bootloader.</source>
+        <translation>%1 wartet im Bootloader.</translation>
+    </message>
+    <message>
+        <source>This family has no loop that can be tuned.</source>
+        <translation>Diese Familie hat keinen Regelkreis, der sich einstellen lässt.</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Einstellung läuft</translation>
+    </message>
+    <message>
+        <source>STOP ends it; what was changed is put back.</source>
+        <translation>STOP beendet sie; was geändert war, wird zurückgestellt.</translation>
+    </message>
+    <message>
+        <source>Moving</source>
+        <translation>In Bewegung</translation>
+    </message>
+    <message>
+        <source>Stop the motion before the motor is tuned.</source>
+        <translation>Die Bewegung anhalten, bevor der Motor eingestellt wird.</translation>
+    </message>
+    <message>
+        <source>Busy</source>
+        <translation>Beschäftigt</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Scharf</translation>
+    </message>
+    <message>
+        <source>The motor turns both ways as soon as you say so.</source>
+        <translation>Der Motor dreht in beide Richtungen, sobald Sie es sagen.</translation>
+    </message>
+    <message>
+        <source>Not armed</source>
+        <translation>Nicht scharf</translation>
+    </message>
+    <message>
+        <source>Hold the lamp for 1 s to arm %1.</source>
+        <translation>Lampe 1 s halten, um %1 scharf zu schalten.</translation>
+    </message>
+    <message>
+        <source>No tuning here</source>
+        <translation>Hier nicht einstellbar</translation>
+    </message>
+    <message>
+        <source>No device selected</source>
+        <translation>Kein Gerät gewählt</translation>
+    </message>
+    <message>
+        <source>Choose a controller in the list at the left.</source>
+        <translation>Links in der Liste einen Controller wählen.</translation>
+    </message>
+    <message>
+        <source>Not by itself</source>
+        <translation>Nicht von selbst</translation>
+    </message>
+    <message>
+        <source>DEMO</source>
+        <translation>DEMO</translation>
+    </message>
+    <message>
+        <source>What the gains will do appears here, before they are written.</source>
+        <translation>Was die Faktoren tun werden, steht hier, bevor sie geschrieben sind.</translation>
+    </message>
+    <message>
+        <source>%1, predicted</source>
+        <translation>%1, vorhergesagt</translation>
+    </message>
+    <message>
+        <source>a step of %1</source>
+        <translation>ein Sprung von %1</translation>
+    </message>
+    <message>
+        <source>measured, forwards</source>
+        <translation>gemessen, vorwärts</translation>
+    </message>
+    <message>
+        <source>measured, backwards</source>
+        <translation>gemessen, rückwärts</translation>
+    </message>
+    <message>
+        <source>measured: %1 % over, settled after %2</source>
+        <translation>gemessen: %1 % Überschwingen, eingeschwungen nach %2</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>the limits were not kept: %1</source>
+        <translation>die Grenzen wurden nicht behalten: %1</translation>
     </message>
 </context>
 <context>
@@ -3212,6 +3418,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>quits</source>
         <translation>beendet das Programm</translation>
     </message>
+    <message>
+        <source>Design</source>
+        <translation>Entwurf</translation>
+    </message>
 </context>
 <context>
     <name>mb::MetricsPanel</name>
@@ -3322,6 +3532,73 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>%1 mode</source>
         <translation>Betriebsart %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ModelPanel</name>
+    <message>
+        <source>as fresh as the position</source>
+        <translation>so frisch wie die Position</translation>
+    </message>
+    <message>
+        <source>rolling, %1</source>
+        <translation>gleitend, %1</translation>
+    </message>
+    <message>
+        <source>block, %1</source>
+        <translation>blockweise, %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Nobody has identified this motor yet. Identify pushes it both ways with a part of the duty, inside the limits below, and changes no gain.</source>
+        <translation>Dieser Motor ist noch nicht vermessen. Vermessen stößt ihn in beide Richtungen mit einem Teil des Tastgrads an, innerhalb der Grenzen unten, und ändert keinen Faktor.</translation>
+    </message>
+    <message>
+        <source>good fit</source>
+        <translation>passt gut</translation>
+    </message>
+    <message>
+        <source>not believed</source>
+        <translation>nicht geglaubt</translation>
+    </message>
+    <message>
+        <source>gain K</source>
+        <translation>Verstärkung K</translation>
+    </message>
+    <message>
+        <source>counts/s at full duty</source>
+        <translation>counts/s bei vollem Tastgrad</translation>
+    </message>
+    <message>
+        <source>lag τ</source>
+        <translation>Zeitkonstante τ</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>dead time θ</source>
+        <translation>Totzeit θ</translation>
+    </message>
+    <message>
+        <source>ms, of the loop</source>
+        <translation>ms, des Kreises</translation>
+    </message>
+    <message>
+        <source>friction kS</source>
+        <translation>Reibung kS</translation>
+    </message>
+    <message>
+        <source>% duty</source>
+        <translation>% Tastgrad</translation>
+    </message>
+    <message>
+        <source>velocity filter</source>
+        <translation>Drehzahlfilter</translation>
     </message>
 </context>
 <context>
@@ -4666,6 +4943,65 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>No serial port is plugged in; choose or name the one of the programmer</source>
         <translation>Keine serielle Schnittstelle ist angesteckt; die des Programmiergeräts wählen oder nennen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProposalCard</name>
+    <message>
+        <source>quiet, forgiving</source>
+        <translation>ruhig, verzeihend</translation>
+    </message>
+    <message>
+        <source>no overshoot to speak of</source>
+        <translation>kaum Überschwingen</translation>
+    </message>
+    <message>
+        <source>fastest rise</source>
+        <translation>schnellster Anstieg</translation>
+    </message>
+    <message>
+        <source>over %</source>
+        <translation>über %</translation>
+    </message>
+    <message>
+        <source>settle ms</source>
+        <translation>einschw. ms</translation>
+    </message>
+    <message>
+        <source>Ms</source>
+        <translation>Ms</translation>
+    </message>
+    <message>
+        <source>GM dB</source>
+        <translation>AR dB</translation>
+    </message>
+    <message>
+        <source>PM °</source>
+        <translation>PR °</translation>
+    </message>
+    <message>
+        <source>calm</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>brisk</source>
+        <translation>flott</translation>
+    </message>
+    <message>
+        <source>τc %1</source>
+        <translation>τc %1</translation>
+    </message>
+    <message>
+        <source>raw %1</source>
+        <translation>raw %1</translation>
+    </message>
+    <message>
+        <source>Proposal: %1</source>
+        <translation>Vorschlag: %1</translation>
     </message>
 </context>
 <context>
@@ -6578,6 +6914,61 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>ch%1 set-point</source>
         <translation>ch%1 Sollwert</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TuningSteps</name>
+    <message>
+        <source>Kept</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Proposed, nothing written</source>
+        <translation>Vorgeschlagen, nichts geschrieben</translation>
+    </message>
+    <message>
+        <source>Rolled back</source>
+        <translation>Zurückgenommen</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>What happens</source>
+        <translation>Was geschieht</translation>
+    </message>
+    <message>
+        <source>Working: the motor turns</source>
+        <translation>In Arbeit: der Motor dreht</translation>
+    </message>
+    <message>
+        <source>STOP ends it at any moment; what was changed is put back.</source>
+        <translation>STOP beendet es jederzeit; was geändert war, wird zurückgestellt.</translation>
+    </message>
+    <message>
+        <source>Nothing has moved yet</source>
+        <translation>Noch hat sich nichts bewegt</translation>
+    </message>
+    <message>
+        <source>2  Choose what it is to be like. The plots show what each set would do.</source>
+        <translation>2  Wählen, wie er sein soll. Die Kurven zeigen, was jeder Satz täte.</translation>
+    </message>
+    <message>
+        <source>3  Write and prove: the gains are written, two steps in each direction are measured.</source>
+        <translation>3  Schreiben und beweisen: die Faktoren werden geschrieben, je zwei Sprünge in jede Richtung gemessen.</translation>
+    </message>
+    <message>
+        <source>4  They stay if they do what was predicted; else everything is put back and the reason said.</source>
+        <translation>4  Sie bleiben, wenn sie tun, was vorhergesagt war; sonst wird alles zurückgestellt und der Grund genannt.</translation>
+    </message>
+    <message>
+        <source>1  Identify: pushes with a part of the duty, both ways. No gain is changed.</source>
+        <translation>1  Vermessen: Stöße mit einem Teil des Tastgrads in beide Richtungen. Kein Faktor wird geändert.</translation>
     </message>
 </context>
 <context>

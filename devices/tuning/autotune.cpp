@@ -13,9 +13,14 @@ namespace {
 
 constexpr std::array<std::string_view, 5> names{"kept", "proposed", "rolled-back", "refused", "stopped"};
 
-/// Ends with what the report says; an error is why the motor was refused.
-Task<void> perform(AutotuneRun &run, const TunePlan &plan)
+/// A model: from the plan, or found out by pushes.
+Task<void> model(AutotuneRun &run, const TunePlan &plan)
 {
+    if (plan.known) {
+        auto recalling = run.recall();
+        co_await std::move(recalling);
+        co_return {};
+    }
     auto probing = run.probe();
     co_await std::move(probing);
     if (run.isOver())
@@ -26,6 +31,16 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
         co_return {};
     if (auto identified = run.identifyMotor(); !identified)
         co_return fail(identified.error());
+    co_return {};
+}
+
+/// Ends with what the report says; an error is why the motor was refused.
+Task<void> perform(AutotuneRun &run, const TunePlan &plan)
+{
+    auto modelling = model(run, plan);
+    co_await std::move(modelling);
+    if (run.isOver())
+        co_return {};
     if (auto proposed = run.propose(); !proposed)
         co_return fail(proposed.error());
     if (plan.propose) {

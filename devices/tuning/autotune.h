@@ -15,16 +15,27 @@ struct TunePlan {
     int axis = 1;
     int slot = 0; ///< where the result belongs
     Aim aim = Aim::Normal;
-    std::optional<double> response; ///< s, instead of the aim
-    std::optional<double> ms;       ///< largest sensitivity, instead of the aim's
-    bool propose = false;           ///< end before a gain is written
-    bool keep = false;              ///< also where nobody knows what it replaces
+    std::optional<double> response;  ///< s, instead of the aim
+    std::optional<double> ms;        ///< largest sensitivity, instead of the aim's
+    bool propose = false;            ///< end before a gain is written
+    bool keep = false;               ///< also where nobody knows what it replaces
+    std::optional<PlantModel> known; ///< of this loop, identified before: no pushes
     Envelope limits;
 };
 
 /// Names are stable: they are the result in JSON.
 enum class TuneResult { Kept, Proposed, RolledBack, Refused, Stopped };
 [[nodiscard]] std::string_view toString(TuneResult result);
+
+/// Gains for one aim, rounded to the device's, and what they will do.
+struct Proposal {
+    Aim aim = Aim::Normal;
+    Design design;
+    ScaledGains gains;
+    Margins margins;
+    Prediction predicted; ///< of a step of `step`
+    double step = 0.0;    ///< in the unit of the loop
+};
 
 /// What came of it, and all that it stands on.
 struct TuneReport {
@@ -38,6 +49,7 @@ struct TuneReport {
     std::optional<MotorFound> motor;
     PlantModel plant; ///< of the loop, what the design stands on
     std::vector<Gate> gates;
+    std::vector<Proposal> proposals; ///< calm, normal, brisk, as far as the device can have them
     std::optional<Design> design;
     ScaledGains proposed;
     std::vector<std::pair<std::string, std::optional<double>>> before; ///< gains by key, in the unit of the parameter

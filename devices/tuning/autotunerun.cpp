@@ -32,7 +32,11 @@ constexpr int proofRepeats = 2;
 constexpr double proofSettles = 4.0;  ///< predicted times to settle that a proof holds its step
 constexpr double notableRest = 0.02;  ///< of the step
 constexpr double integralShare = 0.1; ///< weight of the integral where friction must be overcome by it
-constexpr double loopDelays = 1.5;    ///< periods of the device's loop
+constexpr double usualMs = 1.6;       ///< largest sensitivity, of the model
+constexpr double usualMsOff = 1.9;    ///< and of a motor that is not quite as it says
+constexpr double briskMs = 1.7;
+constexpr double briskMsOff = 2.3;
+constexpr double loopDelays = 1.5; ///< periods of the device's loop
 
 std::string whole(double number)
 {
@@ -185,29 +189,72 @@ Result<void> AutotuneRun::identifyMotor()
     return {};
 }
 
-Result<void> AutotuneRun::propose()
+Task<void> AutotuneRun::recall()
+{
+    m_report.plant = *m_plan.known;
+    const auto position = axisChannel(m_device, "position", m_plan.axis);
+    const auto last = position ? m_device.telemetry()->latest(*position) : std::nullopt;
+    if (m_plan.loop == Mode::Position && !last)
+        co_return fail(Fault::Timeout, m_device.selector() + " has not told where it stands", "wait until it is heard");
+    m_start = m_here = last ? last->value : 0.0;
+    auto reading = readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_here);
+    const Envelope own = co_await std::move(reading);
+    const auto resolved = resolve(m_device.family(), factsOf(m_device, m_plan.axis), m_plan.loop, m_plan.limits, own);
+    if (!resolved)
+        co_return fail(resolved.error());
+    m_envelope = *resolved;
+    co_return {};
+}
+
+/// The plan's own response and damping take the place of its aim's.
+Result<Proposal> AutotuneRun::proposalFor(Aim aim) const
 {
     const Family &family = m_device.family();
-    const bool brisk = m_plan.aim == Aim::Brisk && !m_plan.ms;
-    const double ms = m_plan.ms.value_or(brisk ? 1.7 : 1.6);
-    const double response = m_plan.response.value_or(responseOf(m_plan.loop, m_plan.aim, m_report.plant));
+    const PlantModel &plant = m_report.plant;
+    const bool asked = aim == m_plan.aim;
+    const bool brisk = aim == Aim::Brisk && !(asked && m_plan.ms);
+    const double ms = (asked ? m_plan.ms : std::nullopt).value_or(brisk ? briskMs : usualMs);
+    const double response = (asked ? m_plan.response : std::nullopt).value_or(responseOf(m_plan.loop, aim, plant));
     LoopBounds bounds;
     bounds.period = family.loop->cycle;
     if (m_plan.loop == Mode::Position && !hasFrictionHelp(family))
         bounds.integralWeight = integralShare;
-    m_report.design = design(m_plan.loop, m_report.plant, response, bounds, ms, ms * (brisk ? 2.3 / 1.7 : 1.9 / 1.6));
-    auto scaled = scaleGains(m_device, m_plan.loop, m_plan.axis, m_plan.slot, m_report.design->gains);
+    Proposal proposal;
+    proposal.aim = aim;
+    proposal.design
+        = design(m_plan.loop, plant, response, bounds, ms, ms * (brisk ? briskMsOff / briskMs : usualMsOff / usualMs));
+    auto scaled = scaleGains(m_device, m_plan.loop, m_plan.axis, m_plan.slot, proposal.design.gains);
     if (!scaled)
         return fail(scaled.error());
-    m_report.proposed = std::move(*scaled);
+    proposal.gains = std::move(*scaled);
     if (m_plan.loop == Mode::Position)
-        addFrictionHelp(family, m_plan.axis, m_plan.slot, m_report.plant, m_report.proposed);
-    const ContinuousGains &gains = m_report.proposed.made;
-    m_report.margins = marginsOf(m_plan.loop, m_report.plant, gains);
-    m_step = proofStep(m_plan.loop, m_report.plant, gains, m_envelope);
-    const double seconds = 1.0 + 10.0 * (m_report.plant.tau + m_report.plant.delay);
-    m_report.predicted = predictStep(m_plan.loop, m_report.plant, gains, 0.0, m_step, seconds,
+        addFrictionHelp(family, m_plan.axis, m_plan.slot, plant, proposal.gains);
+    const ContinuousGains &gains = proposal.gains.made;
+    proposal.margins = marginsOf(m_plan.loop, plant, gains);
+    proposal.step = proofStep(m_plan.loop, plant, gains, m_envelope);
+    const double seconds = 1.0 + 10.0 * (plant.tau + plant.delay);
+    proposal.predicted = predictStep(m_plan.loop, plant, gains, 0.0, proposal.step, seconds,
         m_envelope.duty.value_or(1.0), std::clamp(family.loop->cycle, 1e-4, 0.02));
+    return proposal;
+}
+
+Result<void> AutotuneRun::propose()
+{
+    for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk}) {
+        auto proposal = proposalFor(aim);
+        if (!proposal && aim == m_plan.aim)
+            return fail(proposal.error());
+        if (!proposal)
+            continue;
+        if (aim == m_plan.aim) {
+            m_report.design = proposal->design;
+            m_report.proposed = proposal->gains;
+            m_report.margins = proposal->margins;
+            m_report.predicted = proposal->predicted;
+            m_step = proposal->step;
+        }
+        m_report.proposals.push_back(std::move(*proposal));
+    }
     return {};
 }
 

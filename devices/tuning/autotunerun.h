@@ -16,6 +16,8 @@ public:
     [[nodiscard]] Task<void> push();
     /// The model and its gates; no motion.
     [[nodiscard]] Result<void> identifyMotor();
+    /// Takes the model that the plan brings, and where the motor stands now; no motion.
+    [[nodiscard]] Task<void> recall();
     /// Gains, rounded to the device's, and what they will do; no motion.
     [[nodiscard]] Result<void> propose();
     /// Steps both ways with the proposal in force.
@@ -37,6 +39,7 @@ private:
 
     [[nodiscard]] Task<Trial> run(ExperimentPlan plan);
     [[nodiscard]] Task<Trial> pushOnce(Push push);
+    [[nodiscard]] Result<Proposal> proposalFor(Aim aim) const;
     [[nodiscard]] std::vector<ParameterChange> inProvingSlot() const;
     void note(const std::string &text) const;
 

@@ -108,6 +108,54 @@ TEST_F(TrialCore, MeasuresBeforeTheMotorIsBackKeepsTheTrialAndTheGains)
     EXPECT_FALSE(isOutputOn());
 }
 
+TEST_F(TrialCore, TunesAnOvershootingUnitInOneOrderAndAgainFromTheModelWithoutPushes)
+{
+    const std::int64_t before = stored();
+    std::optional<Result<tuning::TuneReport>> tuned;
+    const auto tune = [this, &tuned](const tuning::TunePlan &plan) {
+        tuned.reset();
+        core.runTuning(id(), plan, [&tuned](Result<tuning::TuneReport> report) { tuned = std::move(report); });
+        return clock.runUntil([&tuned] { return tuned.has_value(); }, 120s) && *tuned;
+    };
+    tuning::TunePlan plan;
+    plan.propose = true;
+    ASSERT_TRUE(tune(plan));
+    EXPECT_EQ((*tuned)->result, tuning::TuneResult::Proposed) << (*tuned)->evidence;
+    ASSERT_EQ((*tuned)->proposals.size(), 3U);
+    EXPECT_GT((*tuned)->proposals[0].design.response, (*tuned)->proposals[2].design.response) << "brisk is quicker";
+    EXPECT_EQ(stored(), before) << "a proposal writes nothing";
+    const std::size_t pushes = (*tuned)->trials.size();
+    EXPECT_GE(pushes, 5U);
+
+    plan.propose = false;
+    plan.known = (*tuned)->plant;
+    ASSERT_TRUE(tune(plan));
+    EXPECT_EQ((*tuned)->result, tuning::TuneResult::Kept) << (*tuned)->evidence;
+    EXPECT_EQ((*tuned)->trials.size(), 2U) << "a step each way, no pushes";
+    EXPECT_LT((*tuned)->measured.overshoot.value_or(1.0), 0.02);
+    EXPECT_NE(stored(), before);
+    EXPECT_FALSE(isOutputOn());
+}
+
+TEST_F(TrialCore, StopInATuningStopsTheMotorAndLeavesTheGainsAsTheyWere)
+{
+    const std::int64_t before = stored();
+    for (const Duration moment : {5ms, 700ms, 3000ms, 8000ms, 14000ms}) {
+        std::optional<Result<tuning::TuneReport>> tuned;
+        core.runTuning(id(), {}, [&tuned](Result<tuning::TuneReport> report) { tuned = std::move(report); });
+        clock.advance(moment);
+        ASSERT_FALSE(tuned) << moment.count();
+        core.stopAll(StopCause::User);
+        clock.advance(5ms);
+        EXPECT_FALSE(isOutputOn()) << moment.count();
+        ASSERT_TRUE(clock.runUntil([&tuned] { return tuned.has_value(); }, 20s));
+        EXPECT_TRUE(!*tuned || (*tuned)->result == tuning::TuneResult::Stopped) << moment.count();
+        clock.advance(2s);
+        EXPECT_FALSE(isOutputOn());
+        EXPECT_EQ(stored(), before) << moment.count();
+    }
+}
+
 TEST_F(TrialCore, StopAtAnyPhaseStopsTheMotorAndPutsGainsBack)
 {
     const std::int64_t before = stored();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fakenotebook.h"
+#include "tuning/autotune.h"
 #include "tuning/experiment.h"
 #include "widgets/common/workbench.h"
 
@@ -36,7 +37,13 @@ public:
         TrialFinished finished;
     };
 
+    struct Tuned {
+        tuning::TunePlan plan;
+        TuningFinished finished;
+    };
+
     std::vector<Planned> plans;
+    std::vector<Tuned> tunings;
     FakeNotebook book;
     std::map<DeviceId, std::vector<tuning::OwedGains>> owed;
     Snapshot shot;
@@ -98,6 +105,11 @@ public:
     {
         plans.push_back({plan, std::move(measured), std::move(finished)});
         note({"runTrial", device});
+    }
+    void runTuning(DeviceId device, const tuning::TunePlan &plan, TuningFinished finished) override
+    {
+        tunings.push_back({plan, std::move(finished)});
+        note({"runTuning", device});
     }
     TrialNotebook &trials() override { return book; }
     const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const override { return owed; }

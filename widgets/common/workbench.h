@@ -18,6 +18,8 @@ namespace tuning {
 struct ExperimentPlan;
 struct OwedGains;
 struct Trial;
+struct TunePlan;
+struct TuneReport;
 } // namespace tuning
 class TrialNotebook;
 
@@ -72,6 +74,10 @@ public:
     virtual void runTrial(
         DeviceId device, const tuning::ExperimentPlan &plan, TrialMeasured measured, TrialFinished finished)
         = 0;
+    using TuningFinished = std::function<void(const Result<tuning::TuneReport> &)>;
+    /// Tunes a loop by itself (tuning/autotune.h), by several experiments in a row: an operation of the device like runTrial(),
+    /// whose log tells each before it moves.
+    virtual void runTuning(DeviceId device, const tuning::TunePlan &plan, TuningFinished finished) = 0;
     [[nodiscard]] virtual TrialNotebook &trials() = 0;
     /// Gains that an experiment before has changed in a unit that is here, and that nobody has put back for certain.
     [[nodiscard]] virtual const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const = 0;

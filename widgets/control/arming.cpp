@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/arming.h"
 
+#include "tuning/autotune.h"
 #include "tuning/experiment.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
@@ -224,39 +225,63 @@ void Arming::run(const SetPoint &setPoint)
     m_workbench.startMotion(m_device, setPoint, leaseTime, finished);
 }
 
+bool Arming::beginTrial(Mode mode, int axis)
+{
+    if (m_state != LampState::Armed || m_onTrial)
+        return false;
+    m_setPoint = {};
+    m_setPoint.mode = mode;
+    m_setPoint.axis = axis;
+    m_onTrial = true;
+    enter(LampState::Moving);
+    return true;
+}
+
 void Arming::runTrial(
     const tuning::ExperimentPlan &plan, Workbench::TrialMeasured measured, Workbench::TrialFinished finished)
 {
-    if (m_state != LampState::Armed || m_onTrial)
+    if (!beginTrial(plan.mode, plan.axis))
         return;
-    m_setPoint = {};
-    m_setPoint.mode = plan.mode;
-    m_setPoint.axis = plan.axis;
-    m_onTrial = true;
-    enter(LampState::Moving);
     m_workbench.runTrial(m_device, plan, std::move(measured),
         [self = QPointer<Arming>(this), finished = std::move(finished)](const Result<tuning::Trial> &trial) {
-            if (self)
-                self->trialEnded(trial);
+            if (self && trial)
+                self->trialEnded({}, trial->reason, trial->detail);
+            else if (self)
+                self->trialEnded(fail(trial.error()), {}, {});
             if (finished)
                 finished(trial);
         });
 }
 
+void Arming::runTuning(const tuning::TunePlan &plan, Workbench::TuningFinished finished)
+{
+    if (!beginTrial(plan.loop, plan.axis))
+        return;
+    m_workbench.runTuning(m_device, plan,
+        [self = QPointer<Arming>(this), finished = std::move(finished)](const Result<tuning::TuneReport> &report) {
+            if (self && report)
+                self->trialEnded({}, report->stopReason.empty() ? "done" : report->stopReason, report->evidence);
+            else if (self)
+                self->trialEnded(fail(report.error()), {}, {});
+            if (finished)
+                finished(report);
+        });
+}
+
 /// A guard's stop is latched, as every stop that nobody asked for.
-void Arming::trialEnded(const Result<tuning::Trial> &trial)
+void Arming::trialEnded(const Result<void> &ran, const std::string &reason, const std::string &detail)
 {
     m_onTrial = false;
     if (m_state != LampState::Moving)
         return;
-    if (!trial)
-        m_workbench.report(Severity::Danger, titled(m_device), errorText(trial.error()));
-    const bool calm = !trial || trial->reason == "done" || trial->reason == "interrupted";
+    if (!ran)
+        m_workbench.report(Severity::Danger, titled(m_device), errorText(ran.error()));
+    const bool calm = !ran || reason == "done" || reason == "interrupted";
     if (calm)
         enter(LampState::Armed);
     else
         enter(LampState::Stopped,
-            tr("%1 guard, %2", "guard and what tripped it").arg(guardText(trial->reason), tableText(trial->detail)));
+            tr("%1 guard, %2", "guard and what tripped it").arg(guardText(reason), tableText(detail)));
 }
 
 void Arming::halt()

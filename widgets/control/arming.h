@@ -40,6 +40,8 @@ public:
     /// armed or moves. Once it is over the device is armed again, or stopped by whatever stopped it.
     void runTrial(
         const tuning::ExperimentPlan &plan, Workbench::TrialMeasured measured, Workbench::TrialFinished finished);
+    /// Tunes a loop of the armed device by itself; everything of runTrial() holds.
+    void runTuning(const tuning::TunePlan &plan, Workbench::TuningFinished finished);
     [[nodiscard]] bool isOnTrial() const { return m_onTrial; }
     /// Ends the motion and stays armed; a trial puts back what it changed first.
     void halt();
@@ -64,7 +66,9 @@ private:
     void follow();
     void renew();
     void enter(LampState state, const QString &reason = {});
-    void trialEnded(const Result<tuning::Trial> &trial);
+    [[nodiscard]] bool beginTrial(Mode mode, int axis);
+    /// `reason` as in Trial, with its detail; an error: nothing has moved.
+    void trialEnded(const Result<void> &ran, const std::string &reason, const std::string &detail);
     /// A device that an experiment moves, which was not begun here.
     [[nodiscard]] const DeviceView *experimentedWith() const;
     void stop(StopCause cause, const QString &reason);

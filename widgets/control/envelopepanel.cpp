@@ -63,11 +63,11 @@ EnvelopePanel::EnvelopePanel(const ThemeSource &theme, QWidget *parent)
     grid->setColumnStretch(2, 1);
     m_saved = new SavedLimits(theme, m_box);
     grid->addWidget(m_saved, static_cast<int>(bounds.size()), 0, 1, 3);
-    connect(m_saved, &SavedLimits::chosen, this, [this](const QString &name) { take(m_book.named(m_unit, name)); });
+    connect(m_saved, &SavedLimits::chosen, this, [this](const QString &name) { take(m_book->named(m_unit, name)); });
     connect(m_saved, &SavedLimits::keepRequested, this,
-        [this](const QString &name) { told(m_book.keep(m_unit, name, m_entered)); });
+        [this](const QString &name) { told(m_book->keep(m_unit, name, m_entered)); });
     connect(m_saved, &SavedLimits::forgetRequested, this,
-        [this](const QString &name) { told(m_book.forget(m_unit, name)); });
+        [this](const QString &name) { told(m_book->forget(m_unit, name)); });
     column->addWidget(m_head, 0, Qt::AlignLeft);
     column->addWidget(m_words);
     column->addWidget(m_box);
@@ -95,14 +95,20 @@ void EnvelopePanel::setUnits(const DisplayUnits &units)
 void EnvelopePanel::choose(const std::string &unit, bool sameDevice)
 {
     if (unit == m_unit)
-        return;
+        return look(); // the other page may have changed it
     if (sameDevice && !m_unit.empty())
-        told(m_book.carry(m_unit, unit));
-    else if (sameDevice && m_book.entered(unit) == Envelope())
-        told(m_book.enter(unit, m_entered));
+        told(m_book->carry(m_unit, unit));
+    else if (sameDevice && m_book->entered(unit) == Envelope())
+        told(m_book->enter(unit, m_entered));
     m_unit = unit;
-    m_saved->setNames(m_book.names(unit));
-    if (std::exchange(m_entered, m_book.entered(unit)) == m_entered)
+    m_saved->setNames(m_book->names(unit));
+    look();
+}
+
+void EnvelopePanel::look()
+{
+    const Envelope now = m_book->entered(m_unit);
+    if (m_unit.empty() || std::exchange(m_entered, now) == now)
         return;
     write();
     Q_EMIT changed();
@@ -112,13 +118,13 @@ void EnvelopePanel::take(const Envelope &limits)
 {
     m_entered = limits;
     write();
-    told(m_book.enter(m_unit, m_entered));
+    told(m_book->enter(m_unit, m_entered));
     Q_EMIT changed();
 }
 
 void EnvelopePanel::told(const Result<void> &result)
 {
-    m_saved->setNames(m_book.names(m_unit));
+    m_saved->setNames(m_book->names(m_unit));
     if (!result)
         Q_EMIT failed(errorText(result.error()));
 }
@@ -145,7 +151,7 @@ void EnvelopePanel::read()
             m_entered.*bounds[i].value
                 = number ? std::optional(*number / m_rows[i].unit.scale) : std::optional<double>();
     }
-    told(m_book.enter(m_unit, m_entered));
+    told(m_book->enter(m_unit, m_entered));
     Q_EMIT changed();
 }
 

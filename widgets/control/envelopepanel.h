@@ -25,8 +25,9 @@ public:
     explicit EnvelopePanel(const ThemeSource &theme, QWidget *parent = nullptr);
 
     void setUnits(const DisplayUnits &units);
-    /// Where limits of every unit are kept.
-    [[nodiscard]] EnvelopeBook &book() { return m_book; }
+    /// Where limits of every unit are kept, shared with other pages; it outlives this. Before, they are this panel's own.
+    void share(EnvelopeBook &book) { m_book = &book; }
+    [[nodiscard]] EnvelopeBook &book() { return *m_book; }
     /// Shows what was entered for this unit (Trial::unit), also by another run of the program; changed() where that is something
     /// else. Limits go along when a unit turns out to have a serial number. Empty: not known who it is.
     void choose(const std::string &unit, bool sameDevice);
@@ -50,10 +51,12 @@ private:
     void write();
     void say();
     void take(const Envelope &limits);
+    void look();
     void told(const Result<void> &result);
 
     const ThemeSource &m_theme;
-    EnvelopeBook m_book;
+    EnvelopeBook m_own;
+    EnvelopeBook *m_book = &m_own;
     std::string m_unit;
     SavedLimits *m_saved = nullptr;
     Envelope m_entered;

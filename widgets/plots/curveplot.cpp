@@ -78,18 +78,23 @@ void CurvePlot::restyle()
     setCurves(std::vector<Curve>(m_curves));
 }
 
-void CurvePlot::setAxes(const QString &x, const QString &y, bool logarithmicY)
+void CurvePlot::setAxes(const QString &x, const QString &y, bool logarithmicY, bool logarithmicX)
 {
-    m_plot->xAxis->setLabel(x);
-    m_plot->yAxis->setLabel(y);
-    const auto type = logarithmicY ? QCPAxis::stLogarithmic : QCPAxis::stLinear;
-    if (type == m_plot->yAxis->scaleType())
+    setAxis(*m_plot->xAxis, x, logarithmicX);
+    setAxis(*m_plot->yAxis, y, logarithmicY);
+}
+
+void CurvePlot::setAxis(QCPAxis &axis, const QString &label, bool logarithmic)
+{
+    axis.setLabel(label);
+    const auto type = logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear;
+    if (type == axis.scaleType())
         return;
-    m_plot->yAxis->setScaleType(type);
-    m_plot->yAxis->setTicker(logarithmicY ? QSharedPointer<QCPAxisTicker>(QSharedPointer<QCPAxisTickerLog>::create())
-                                          : QSharedPointer<NumberTicker>::create());
-    m_plot->yAxis->setNumberFormat(QStringLiteral("gb"));
-    m_plot->yAxis->setNumberPrecision(3);
+    axis.setScaleType(type);
+    axis.setTicker(logarithmic ? QSharedPointer<QCPAxisTicker>(QSharedPointer<QCPAxisTickerLog>::create())
+                               : QSharedPointer<NumberTicker>::create());
+    axis.setNumberFormat(QStringLiteral("gb"));
+    axis.setNumberPrecision(3);
     m_fitted = false;
 }
 

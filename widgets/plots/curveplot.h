@@ -23,7 +23,7 @@ class CurvePlot : public QWidget {
 public:
     CurvePlot(const ThemeSource &theme, const QString &accessibleName, QWidget *parent = nullptr);
 
-    void setAxes(const QString &x, const QString &y, bool logarithmicY);
+    void setAxes(const QString &x, const QString &y, bool logarithmicY, bool logarithmicX = false);
     void setCurves(const std::vector<Curve> &curves);
     void setNote(const QString &note);
     void setWatermark(const QString &text);
@@ -39,6 +39,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    void setAxis(QCPAxis &axis, const QString &label, bool logarithmic);
     void replotSoon();
     void restyle();
 

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/autotune.h"
+#include "widgets/common/selection.h"
+#include "widgets/common/stateglyph.h"
+#include "widgets/control/arming.h"
+
+#include <QWidget>
+
+#include <map>
+
+class QLabel;
+class QStackedWidget;
+class QVBoxLayout;
+
+namespace mb {
+
+class BodePlot;
+class CommandButton;
+class CurvePlot;
+class ElidedLabel;
+class EmptyState;
+class EnvelopePanel;
+class ModelPanel;
+class ProposalCard;
+class Segmented;
+class TuningSteps;
+
+/// From an unknown motor to proven gains: the model of the selected motor, three sets of gains that it may have, what each will
+/// do, and the order that writes one of them and proves it. Every motion goes through Arming.
+class DesignPage : public QWidget {
+    Q_OBJECT
+public:
+    DesignPage(Workbench &workbench, Selection &selection, Arming &arming, const ThemeSource &theme, QWidget *parent);
+
+    /// What stands above everything else, and whether the motor may be moved now.
+    struct Status {
+        GlyphState glyph = GlyphState::Gone;
+        QString cause;
+        QString remedy;
+        bool mayRun = false;
+    };
+    [[nodiscard]] Status status() const;
+
+    void chooseLoop(Mode loop);
+    void chooseAim(tuning::Aim aim);
+    /// Pushes the motor and makes the model; writes nothing.
+    void identify();
+    /// Writes the chosen proposal, runs its steps, keeps it or puts back what was there.
+    void prove();
+    /// Both, with the chosen aim.
+    void autotune();
+
+    [[nodiscard]] EnvelopePanel &envelope() { return *m_envelope; }
+    /// Of the motor and loop that are shown; nullptr: nothing is known yet.
+    [[nodiscard]] const tuning::TuneReport *report() const;
+
+private:
+    struct Place {
+        DeviceId device;
+        int axis = 1;
+        Mode loop = Mode::Velocity;
+        friend auto operator<=>(const Place &, const Place &) = default;
+    };
+    QWidget *buildCommands();
+    QWidget *buildColumn();
+    QWidget *buildPlots();
+    void buildKeys();
+
+    [[nodiscard]] const DeviceView *device() const;
+    [[nodiscard]] Place place() const;
+    [[nodiscard]] QString whyNot(const DeviceView &view) const;
+    [[nodiscard]] tuning::TunePlan plan() const;
+    [[nodiscard]] const tuning::Proposal *chosen() const;
+    void run(tuning::TunePlan plan);
+    void ended(const Place &place, const Result<tuning::TuneReport> &report);
+    void follow();
+    void followDevice(const DeviceView &view);
+    void followLimits(const DeviceView &view);
+    void showReport();
+    void showChosen();
+    void showStep(const tuning::Proposal &proposal);
+
+    Workbench &m_workbench;
+    Selection &m_selection;
+    Arming &m_arming;
+    const ThemeSource &m_theme;
+    std::map<Place, tuning::TuneReport> m_reports;
+    std::map<Place, tuning::Aim> m_aims;
+    Mode m_loop = Mode::Velocity;
+    DeviceId m_limitsOf;          ///< whose limits stand in the panel
+    std::optional<Place> m_shown; ///< whose report is on the page
+    QStackedWidget *m_stack = nullptr;
+    EmptyState *m_empty = nullptr;
+    StateGlyph *m_glyph = nullptr;
+    QLabel *m_cause = nullptr;
+    ElidedLabel *m_remedy = nullptr;
+    Segmented *m_loops = nullptr;
+    CommandButton *m_identify = nullptr;
+    CommandButton *m_autotune = nullptr;
+    CommandButton *m_prove = nullptr;
+    ModelPanel *m_model = nullptr;
+    EnvelopePanel *m_envelope = nullptr;
+    QVBoxLayout *m_cards = nullptr;
+    std::vector<ProposalCard *> m_proposals;
+    BodePlot *m_bode = nullptr;
+    CurvePlot *m_step = nullptr;
+    TuningSteps *m_steps = nullptr;
+};
+
+} // namespace mb

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/design/modelpanel.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/stateglyph.h"
+#include "widgets/control/wrappedlabel.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+enum Column { NameColumn, ValueColumn, ErrorColumn, UnitColumn };
+
+QString filterText(const tuning::VelocityFilter &filter)
+{
+    switch (filter.kind) {
+    case tuning::VelocityFilter::Kind::None: return ModelPanel::tr("as fresh as the position");
+    case tuning::VelocityFilter::Kind::Rolling: return ModelPanel::tr("rolling, %1").arg(formatDuration(filter.window));
+    case tuning::VelocityFilter::Kind::Block: return ModelPanel::tr("block, %1").arg(formatDuration(filter.window));
+    }
+    return {};
+}
+
+} // namespace
+
+ModelPanel::ModelPanel(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    const Theme &look = theme.theme();
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(look.u(6));
+    auto *head = new QHBoxLayout;
+    head->addWidget(new SectionLabel(tr("Model"), this));
+    head->addStretch(1);
+    m_glyph = new StateGlyph(theme, GlyphState::Gone, this);
+    m_verdict = textLabel({}, TextRole::Emphasis, Tone::Text, this);
+    head->addWidget(m_glyph);
+    head->addWidget(m_verdict);
+    column->addLayout(head);
+    m_box = new QWidget(this);
+    column->addWidget(m_box);
+    setReport(nullptr);
+}
+
+void ModelPanel::addFigure(
+    int row, const QString &name, double value, std::optional<double> error, int digits, const QString &unit)
+{
+    m_grid->addWidget(textLabel(name, TextRole::Body, Tone::Text, m_box), row, NameColumn);
+    m_grid->addWidget(textLabel(formatSignificant(value, digits), TextRole::Emphasis, Tone::Text, m_box), row,
+        ValueColumn, Qt::AlignRight);
+    if (error)
+        m_grid->addWidget(
+            textLabel(QStringLiteral("± ") + formatSignificant(*error, 2), TextRole::Body, Tone::Dim, m_box), row,
+            ErrorColumn);
+    m_grid->addWidget(textLabel(unit, TextRole::Caption, Tone::Dim, m_box), row, UnitColumn);
+}
+
+void ModelPanel::addGates(const std::vector<tuning::Gate> &gates)
+{
+    for (const tuning::Gate &gate : gates) {
+        auto *line = new QWidget(m_box);
+        auto *row = new QHBoxLayout(line);
+        row->setContentsMargins(0, 0, 0, 0);
+        row->addWidget(
+            new StateGlyph(m_theme, gate.passed ? GlyphState::Done : GlyphState::Warning, line), 0, Qt::AlignTop);
+        row->addWidget(
+            wrappedLabel(tableText(gate.detail), TextRole::Caption, gate.passed ? Tone::Dim : Tone::Caution, line), 1);
+        m_grid->addWidget(line, m_grid->rowCount(), NameColumn, 1, 4);
+    }
+}
+
+void ModelPanel::setReport(const tuning::TuneReport *report)
+{
+    delete m_grid;
+    qDeleteAll(m_box->findChildren<QWidget *>(QString(), Qt::FindDirectChildrenOnly));
+    m_grid = new QGridLayout(m_box);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setVerticalSpacing(m_theme.theme().u(3));
+    m_grid->setHorizontalSpacing(m_theme.theme().u(10));
+    m_grid->setColumnStretch(UnitColumn, 1);
+    const bool known = report && report->motor;
+    m_glyph->setVisible(known);
+    m_verdict->setVisible(known);
+    if (!known) {
+        m_grid->addWidget(
+            wrappedLabel(tr("Nobody has identified this motor yet. Identify pushes it both ways with a part of the "
+                            "duty, inside the limits below, and changes no gain."),
+                TextRole::Body, Tone::Dim, m_box),
+            0, 0);
+        return;
+    }
+    const tuning::MotorFound &motor = *report->motor;
+    const bool good
+        = std::all_of(report->gates.begin(), report->gates.end(), [](const tuning::Gate &gate) { return gate.passed; });
+    m_glyph->setState(good ? GlyphState::Done : GlyphState::Warning);
+    m_verdict->setText(good ? tr("good fit") : tr("not believed"));
+    addFigure(0, tr("gain K"), motor.line.gain, motor.line.gainError, 4, tr("counts/s at full duty"));
+    addFigure(1, tr("lag τ"), 1e3 * motor.pushes.tau, 1e3 * motor.pushes.tauError, 3, tr("ms"));
+    addFigure(2, tr("dead time θ"), 1e3 * report->plant.delay, 1e3 * motor.pushes.delayError, 3, tr("ms, of the loop"));
+    addFigure(3, tr("friction kS"), 100.0 * motor.line.friction, 100.0 * motor.line.frictionError, 3, tr("% duty"));
+    if (motor.filter) {
+        m_grid->addWidget(textLabel(tr("velocity filter"), TextRole::Body, Tone::Text, m_box), 4, NameColumn);
+        m_grid->addWidget(
+            textLabel(filterText(*motor.filter), TextRole::Emphasis, Tone::Text, m_box), 4, ValueColumn, 1, 3);
+    }
+    addGates(report->gates);
+}
+
+} // namespace mb
