@@ -132,7 +132,7 @@ TEST_F(TrialCore, TunesAnOvershootingUnitInOneOrderAndAgainFromTheModelWithoutPu
     ASSERT_TRUE(tune(plan));
     EXPECT_EQ((*tuned)->result, tuning::TuneResult::Kept) << (*tuned)->evidence;
     EXPECT_EQ((*tuned)->trials.size(), 2U) << "a step each way, no pushes";
-    EXPECT_LT((*tuned)->measured.overshoot.value_or(1.0), 0.02);
+    EXPECT_LT((*tuned)->measured.overshoot.value_or(1.0), 0.05);
     EXPECT_NE(stored(), before);
     EXPECT_FALSE(isOutputOn());
 }

@@ -85,7 +85,7 @@ private Q_SLOTS:
     void theKeysOrder();
     void anErrorLeavesThePageAsItWasAndArmed();
     void aGuardIsAStop();
-    void aLoopThatCannotBeTunedIsNotTried();
+    void aUnitInItsBootloaderIsNotTried();
     void everyControlHasAName();
 };
 
@@ -208,11 +208,12 @@ void TestDesignPage::aGuardIsAStop()
     QVERIFY(!bench.page->status().mayRun);
 }
 
-void TestDesignPage::aLoopThatCannotBeTunedIsNotTried()
+void TestDesignPage::aUnitInItsBootloaderIsNotTried()
 {
     DesignBench bench;
-    bench.page->chooseLoop(Mode::Current);
     bench.arm();
+    bench.workbench.shot.devices[0].identity.state = DeviceState::Bootloader;
+    Q_EMIT bench.workbench.changed();
     bench.page->identify();
     QVERIFY(bench.workbench.tunings.empty());
 }

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int steps = 240;
 constexpr double decadesAround = 1.3; ///< of the crossover, either way
-constexpr double lowestPhase = -540.0;
+constexpr double lowestPhase = -360.0;
 
 double decibel(double ratio)
 {
@@ -75,6 +75,8 @@ BodePlot::BodePlot(const ThemeSource &theme, QWidget *parent)
     m_phase = new CurvePlot(theme, tr("Phase of loop and motor"), this);
     m_magnitude->setAxes(tr("Hz"), tr("magnitude, dB"), false, true);
     m_phase->setAxes(tr("Hz"), tr("phase, °"), false, true);
+    for (CurvePlot *plot : {m_magnitude, m_phase})
+        plot->setLegendPlace(Qt::AlignBottom | Qt::AlignLeft);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -117,7 +119,6 @@ void BodePlot::clear()
 void BodePlot::setWatermark(const QString &text)
 {
     m_magnitude->setWatermark(text);
-    m_phase->setWatermark(text);
 }
 
 } // namespace mb

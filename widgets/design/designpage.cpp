@@ -36,6 +36,8 @@ constexpr int stepsWidth = 236;
 constexpr std::array designedLoops{Mode::Velocity, Mode::Position};
 constexpr double checkedDuty = 0.15;
 constexpr double checkedSeconds = 0.6;
+constexpr double shownSettles = 4.0;   ///< predicted times to settle that a step is drawn for
+constexpr double shortestShown = 0.05; ///< s, of one of them
 
 bool isSame(const tuning::ScaledGains &a, const tuning::ScaledGains &b)
 {
@@ -43,9 +45,11 @@ bool isSame(const tuning::ScaledGains &a, const tuning::ScaledGains &b)
         [](const auto &one, const auto &other) { return one.key == other.key && one.raw == other.raw; });
 }
 
-Curve curveOf(const QString &name, const TraceLook &look, const tuning::Trace &trace, double origin, double sign)
+Curve curveOf(
+    const QString &name, const TraceLook &look, const tuning::Trace &whole, double origin, double sign, double end)
 {
     Curve curve{name, look, {}, {}};
+    const tuning::Trace trace = whole.part(whole.isEmpty() ? 0.0 : whole.t.front(), end);
     for (std::size_t i = 0; i < trace.size(); ++i) {
         curve.x.append(trace.t[i]);
         curve.y.append(sign * (trace.y[i] - origin));
@@ -169,6 +173,7 @@ QWidget *DesignPage::buildPlots()
     column->setSpacing(0);
     m_bode = new BodePlot(m_theme, plots);
     m_step = new CurvePlot(m_theme, tr("Step, predicted and measured"), plots);
+    m_step->setLegendPlace(Qt::AlignBottom | Qt::AlignRight);
     column->addWidget(m_bode, 3);
     column->addWidget(separatorLine(Qt::Horizontal, plots));
     column->addWidget(m_step, 2);
@@ -408,10 +413,15 @@ void DesignPage::showStep(const tuning::Proposal &proposal)
     TraceLook dotted;
     dotted.role = TraceRole::Setpoint;
     dotted.dash = TraceDash::Dots;
-    std::vector<Curve> curves{
-        curveOf(tr("%1, predicted").arg(aimText(proposal.aim)), dotted, proposal.predicted.measured, 0.0, 1.0)};
-    QString note = tr("a step of %1").arg(formatSignificant(proposal.step, 4));
     const tuning::TuneReport &known = *report();
+    double end = shownSettles * std::max(proposal.predicted.metrics.settle.value_or(0.5), shortestShown);
+    for (const tuning::Trial &trial : known.proof) {
+        for (const tuning::Span &hold : trial.holds)
+            end = std::min(end, hold.to - hold.from);
+    }
+    std::vector<Curve> curves{
+        curveOf(tr("%1, predicted").arg(aimText(proposal.aim)), dotted, proposal.predicted.measured, 0.0, 1.0, end)};
+    QString note = tr("a step of %1").arg(formatSignificant(proposal.step, 4));
     if (isSame(known.proposed, proposal.gains)) {
         for (const tuning::Trial &trial : known.proof) {
             const double sign = trial.stimulus.to < trial.stimulus.from ? -1.0 : 1.0;
@@ -419,7 +429,7 @@ void DesignPage::showStep(const tuning::Proposal &proposal)
             look.role = role;
             look.dash = sign > 0.0 ? TraceDash::Solid : TraceDash::Long;
             curves.push_back(curveOf(sign > 0.0 ? tr("measured, forwards") : tr("measured, backwards"), look,
-                trial.folded(tuning::measuredOf(trial.mode)), trial.stimulus.from, sign));
+                trial.folded(tuning::measuredOf(trial.mode)), trial.stimulus.from, sign, end));
         }
         if (!known.proof.empty() && known.measured.overshoot)
             note += QStringLiteral(" · ")

@@ -26,6 +26,8 @@ public:
     void setAxes(const QString &x, const QString &y, bool logarithmicY, bool logarithmicX = false);
     void setCurves(const std::vector<Curve> &curves);
     void setNote(const QString &note);
+    /// Where the names stand: where the curves leave room, AlignTop | AlignRight otherwise.
+    void setLegendPlace(Qt::Alignment place);
     void setWatermark(const QString &text);
     void fit();
     [[nodiscard]] Result<void> exportTo(const QString &path);
