@@ -34,6 +34,27 @@ TEST(BenchLoss, NobodyIsAskedBehindAPageOfFirmware)
     expectNothingLost(bench);
 }
 
+TEST(BenchLoss, AnAnswerThatAPageOfFirmwareHoldsBackIsNotLost)
+{
+    SimulatedSession bench;
+    bench.scan();
+    bench.clock.advance(2s);
+    auto &link = static_cast<CanLink &>(*bench.link);
+    bool asked = false;
+    const Subscription watching = link.traffic().add([&asked](const Traffic &traffic) {
+        asked = asked || (traffic.direction == Direction::Sent && !traffic.can->extended && traffic.can->size == 1);
+    });
+    for (int page = 0; page < 20; ++page) {
+        asked = false;
+        ASSERT_TRUE(bench.clock.runUntil([&asked] { return asked; }, 1s)) << "a drive is polled";
+        for (int i = 0; i < 513; ++i)
+            ASSERT_TRUE(link.send(extendedFrame(0x0206FC7FU, {1, 2, 3, 4, 5, 6, 7, 8}))); // wins over its answer
+        bench.clock.advance(130ms);
+    }
+    bench.clock.advance(2s);
+    expectNothingLost(bench);
+}
+
 TEST(BenchLoss, APeriodThatIsWrittenAgainChangesNothing)
 {
     SimulatedSession bench;

@@ -12,7 +12,8 @@ using namespace std::chrono_literals;
 
 constexpr Duration silentPeriod = 500ms;
 constexpr Duration pollerMemory = 3s;
-constexpr int longSilence = 20; ///< questions in a row without an answer, until it is asked less often
+constexpr Duration longestWait = 1s; ///< for one answer, however much is sent
+constexpr int longSilence = 20;      ///< questions in a row without an answer, until it is asked less often
 
 std::size_t at(Log log)
 {
@@ -170,9 +171,20 @@ void LogPoller::ask()
         return;
     }
     wish.due = std::max(wish.due + wish.period, m_clock.now());
-    m_timer.startIn(answerTime(m_link), [this] { timedOut(); });
+    m_askedAt = m_clock.now();
+    m_timer.startIn(answerTime(m_link), [this] { expired(); });
     if (m_link.send(encodeLogRequest(spoken, m_offset, log)))
         m_open = log; // else nobody was asked and no answer is missing
+}
+
+/// What this program sends to other families after a question may win over its answer on the wire: a page of firmware is 50 ms.
+void LogPoller::expired()
+{
+    const Instant fair = std::min(m_wireFreeAt + answerTime(m_link), m_askedAt + longestWait);
+    if (m_open && m_wireFreeAt > m_askedAt && fair > m_clock.now())
+        m_timer.start(fair, [this] { expired(); });
+    else
+        timedOut();
 }
 
 void LogPoller::timedOut()

@@ -41,6 +41,7 @@ private:
     void overhear(const CanFrame &frame);
     void schedule();
     void ask();
+    void expired();
     void timedOut();
     void arrived(Log log, std::int32_t value, Instant time);
     [[nodiscard]] std::optional<LogReply> replyIn(const CanFrame &frame) const;
@@ -64,7 +65,8 @@ private:
     std::array<Wish, logCount> m_wishes{};
     std::array<Instant, maxOffset + 1> m_askedSeen{}; ///< when each drive of the link was asked last
     std::optional<Log> m_open;
-    Instant m_freeAt{};     ///< not before then: the wire is for others too
+    Instant m_freeAt{}; ///< not before then: the wire is for others too
+    Instant m_askedAt{};
     Instant m_wireFreeAt{}; ///< when what this program has sent to other families will have left, as far as it knows
     int m_missed = 0;
     bool m_heard = false;

@@ -9,6 +9,8 @@
 namespace mb::abstractdc {
 namespace {
 
+constexpr Duration longestHeldBack = std::chrono::seconds(1);
+
 /// Only for the speed, the one code that all dialects share; the same as a question to the drive with offset 0.
 bool isToAll(const Question &question)
 {
@@ -52,6 +54,8 @@ QuestionWatch::QuestionWatch(CanLink &link, Clock &clock)
     , m_traffic(link.traffic().add([this](const Traffic &traffic) {
         if (traffic.can)
             pass(*traffic.can);
+        if (traffic.can && traffic.can->extended && traffic.direction == Direction::Sent)
+            holdBack(*traffic.can);
     }))
 {
 }
@@ -67,6 +71,16 @@ void QuestionWatch::pass(const CanFrame &frame)
         std::erase_if(m_open, [&frame](const Open &open) { return open.until <= frame.time; });
         answer(frame.id);
     }
+}
+
+/// It wins over every answer on the wire, which comes so much later.
+void QuestionWatch::holdBack(const CanFrame &order)
+{
+    if (m_link.bitrate() <= 0)
+        return;
+    const Duration time = Duration(std::chrono::seconds(1)) * bitsOnWire(order) / m_link.bitrate();
+    for (Open &open : m_open)
+        open.until = std::min(open.until + time, m_clock.now() + longestHeldBack);
 }
 
 void QuestionWatch::ask(const Question &question, Instant time)

@@ -20,7 +20,7 @@ struct Question {
 
 /// Hears every question on a link, this program's and others', and says which of them the log that is passing may answer: one
 /// identifier is the answer of drives with other offsets in other dialects (6.3, the table), and one of all drives (6.5). A
-/// question is open for twice the time of an answer, by the time stamps of the frames: whoever is held up judges no differently.
+/// question is open for twice the time of an answer, and for what this program sends to other families meanwhile, by the time stamps of the frames: whoever is held up judges no differently.
 class QuestionWatch {
 public:
     QuestionWatch(CanLink &link, Clock &clock);
@@ -45,6 +45,7 @@ private:
     };
 
     void pass(const CanFrame &frame);
+    void holdBack(const CanFrame &order);
     void ask(const Question &question, Instant time);
     void answer(std::uint32_t identifier);
     void learn(const Question &question);
