@@ -3569,10 +3569,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Verstärkung K</translation>
     </message>
     <message>
-        <source>counts/s at full duty</source>
-        <translation>counts/s bei vollem Tastgrad</translation>
-    </message>
-    <message>
         <source>lag τ</source>
         <translation>Zeitkonstante τ</translation>
     </message>
@@ -3585,10 +3581,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Totzeit θ</translation>
     </message>
     <message>
-        <source>ms, of the loop</source>
-        <translation>ms, des Kreises</translation>
-    </message>
-    <message>
         <source>friction kS</source>
         <translation>Reibung kS</translation>
     </message>
@@ -3599,6 +3591,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>velocity filter</source>
         <translation>Drehzahlfilter</translation>
+    </message>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
     </message>
 </context>
 <context>
@@ -4952,10 +4948,6 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <translation>ruhig, verzeihend</translation>
     </message>
     <message>
-        <source>no overshoot to speak of</source>
-        <translation>kaum Überschwingen</translation>
-    </message>
-    <message>
         <source>fastest rise</source>
         <translation>schnellster Anstieg</translation>
     </message>
@@ -5002,6 +4994,14 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>Proposal: %1</source>
         <translation>Vorschlag: %1</translation>
+    </message>
+    <message>
+        <source>hardly overshoots</source>
+        <translation>schwingt kaum über</translation>
+    </message>
+    <message>
+        <source>%1 = 0</source>
+        <translation>%1 = 0</translation>
     </message>
 </context>
 <context>

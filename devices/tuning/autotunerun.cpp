@@ -184,7 +184,7 @@ Result<void> AutotuneRun::identifyMotor()
         m_report.plant.delay += motor.filter->delay;
     for (const Gate &gate : m_report.gates) {
         if (!gate.passed)
-            return fail(Fault::Refused, "the model is not to be believed: " + gate.detail);
+            return fail(Fault::Refused, "the model is not to be believed: " + gate.detail, gate.remedy);
     }
     return {};
 }

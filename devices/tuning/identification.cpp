@@ -119,13 +119,11 @@ std::vector<Gate> judge(const MotorFound &found, const std::vector<Trial> &pushe
     gates.push_back({"fit", "residual " + numberText(cost) + " of what counts and clocks explain, at most 3",
         found.pushes.cost <= mostCost});
     gates.push_back({"friction",
-        "friction takes " + percentText(found.line.friction) + " duty of pushes of " + percentText(smallest)
-            + ": allow more duty",
-        found.line.friction <= mostFrictionShare * smallest});
-    gates.push_back({"asymmetric load",
-        "the two directions differ by " + percentText(found.line.asymmetry())
-            + ", at most 10 %: does gravity pull at it?",
-        found.line.asymmetry() <= mostAsymmetry});
+        "friction takes " + percentText(found.line.friction) + " duty of pushes of " + percentText(smallest),
+        found.line.friction <= mostFrictionShare * smallest, "allow more duty"});
+    gates.push_back(
+        {"asymmetric load", "the two directions differ by " + percentText(found.line.asymmetry()) + ", at most 10 %",
+            found.line.asymmetry() <= mostAsymmetry, "see whether a load always pulls one way"});
     gates.push_back({"current limit",
         limited ? "the current limit cut into the pushes" : "no push met the current limit", !limited});
     return gates;

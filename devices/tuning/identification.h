@@ -23,6 +23,7 @@ struct Gate {
     std::string name;   ///< "fit", "friction", "asymmetric load", "resolution", "current limit"
     std::string detail; ///< with the number
     bool passed = true;
+    std::string remedy{}; ///< what helps where it has not passed; empty: nothing is known
 };
 
 /// The pushes of trials in duty mode, each from its own edge. Trials that moved nothing give none.

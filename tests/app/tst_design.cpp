@@ -38,8 +38,11 @@ void DesignTest::oneKeyTamesTheUnitThatOvershoots()
     QTRY_VERIFY_WITH_TIMEOUT(page.report(), tuningTime);
     const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES");
     QTRY_VERIFY(!bench.part<ProposalCard>().visibleRegion().isEmpty());
-    if (!folder.isEmpty())
+    if (!folder.isEmpty()) {
+        bench.window().resize(1440, 900);
+        QCoreApplication::processEvents();
         bench.window().grab().save(QDir(folder).filePath(QStringLiteral("design.png")));
+    }
     QVERIFY2(page.report()->result == tuning::TuneResult::Kept, page.report()->evidence.c_str());
     const double overshoot = page.report()->measured.overshoot.value_or(1.0);
     QVERIFY2(overshoot <= 0.05, qPrintable(QString::number(overshoot)));

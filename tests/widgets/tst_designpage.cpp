@@ -7,6 +7,7 @@
 #include "widgets/design/proposalcard.h"
 #include "widgets/plots/curveplot.h"
 
+#include <QLabel>
 #include <QTest>
 
 using namespace mb;
@@ -86,6 +87,7 @@ private Q_SLOTS:
     void anErrorLeavesThePageAsItWasAndArmed();
     void aGuardIsAStop();
     void aUnitInItsBootloaderIsNotTried();
+    void theColumnScrollsBeforeItIsSqueezed();
     void everyControlHasAName();
 };
 
@@ -216,6 +218,20 @@ void TestDesignPage::aUnitInItsBootloaderIsNotTried()
     Q_EMIT bench.workbench.changed();
     bench.page->identify();
     QVERIFY(bench.workbench.tunings.empty());
+}
+
+void TestDesignPage::theColumnScrollsBeforeItIsSqueezed()
+{
+    DesignBench bench;
+    bench.page->resize(1048, 480);
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    QCoreApplication::processEvents();
+    for (const ProposalCard *card : bench.cards()) {
+        for (const QLabel *label : card->findChildren<QLabel *>())
+            QVERIFY2(label->height() >= label->minimumSizeHint().height(), qPrintable(label->text()));
+    }
 }
 
 void TestDesignPage::everyControlHasAName()

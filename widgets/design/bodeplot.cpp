@@ -75,13 +75,13 @@ BodePlot::BodePlot(const ThemeSource &theme, QWidget *parent)
     m_phase = new CurvePlot(theme, tr("Phase of loop and motor"), this);
     m_magnitude->setAxes(tr("Hz"), tr("magnitude, dB"), false, true);
     m_phase->setAxes(tr("Hz"), tr("phase, °"), false, true);
-    for (CurvePlot *plot : {m_magnitude, m_phase})
-        plot->setLegendPlace(Qt::AlignBottom | Qt::AlignLeft);
+    m_phase->setWatermark({});
+    m_phase->setLegendPlace(Qt::AlignBottom | Qt::AlignLeft);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(m_magnitude, 1);
-    column->addWidget(m_phase, 1);
+    column->addWidget(m_magnitude, 4);
+    column->addWidget(m_phase, 3);
 }
 
 void BodePlot::setLoop(

@@ -146,6 +146,7 @@ QWidget *DesignPage::buildColumn()
     auto *inner = new QVBoxLayout(column);
     inner->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
     inner->setSpacing(theme.u(10));
+    inner->setSizeConstraint(QLayout::SetMinimumSize); // it scrolls before anything is squeezed
     m_model = new ModelPanel(m_theme, column);
     m_envelope = new EnvelopePanel(m_theme, column);
     connect(m_envelope, &EnvelopePanel::changed, this, &DesignPage::follow);
@@ -174,9 +175,9 @@ QWidget *DesignPage::buildPlots()
     m_bode = new BodePlot(m_theme, plots);
     m_step = new CurvePlot(m_theme, tr("Step, predicted and measured"), plots);
     m_step->setLegendPlace(Qt::AlignBottom | Qt::AlignRight);
-    column->addWidget(m_bode, 3);
+    column->addWidget(m_bode, 7);
     column->addWidget(separatorLine(Qt::Horizontal, plots));
-    column->addWidget(m_step, 2);
+    column->addWidget(m_step, 4);
     return plots;
 }
 

@@ -15,7 +15,7 @@ QString characterText(tuning::Aim aim)
 {
     switch (aim) {
     case tuning::Aim::Calm: return ProposalCard::tr("quiet, forgiving");
-    case tuning::Aim::Normal: return ProposalCard::tr("no overshoot to speak of");
+    case tuning::Aim::Normal: return ProposalCard::tr("hardly overshoots");
     case tuning::Aim::Brisk: return ProposalCard::tr("fastest rise");
     }
     return {};
@@ -70,7 +70,12 @@ ProposalCard::ProposalCard(
     auto *gains = new QGridLayout;
     gains->setColumnStretch(3, 1);
     int row = 0;
+    QStringList zeros;
     for (const tuning::ScaledGains::Row &gain : proposal.gains.rows) {
+        if (gain.raw == 0) {
+            zeros << shortName(gain.key);
+            continue;
+        }
         const auto index = findParameter(family.parameters, gain.key);
         const std::string_view unit = index ? family.parameters[index->value].unit : std::string_view();
         gains->addWidget(textLabel(shortName(gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
@@ -81,6 +86,10 @@ ProposalCard::ProposalCard(
                              Tone::Dim, this),
             row++, 3);
     }
+    if (!zeros.isEmpty())
+        gains->addWidget(
+            textLabel(tr("%1 = 0").arg(zeros.join(QStringLiteral(", "))), TextRole::Caption, Tone::Dim, this), row, 0,
+            1, 4);
     body().addLayout(gains);
     auto *figures = new QGridLayout;
     int column = 0;
