@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/registry.h"
 #include "model/unknownframes.h"
+#include "support/simulatedsession.h"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,21 @@ TEST(UnknownFrames, WhatAFamilyKnowsInAnyDialectIsKnown)
     EXPECT_EQ(unknown.count(), 0U);
     unknown.take(standardFrame(1764, value));
     EXPECT_EQ(unknown.count(), 1U);
+}
+
+TEST(UnknownFrames, NothingThatAScanSendsIsUnknown)
+{
+    test::SimulatedSession bench;
+    UnknownFrames unknown(families());
+    int sent = 0;
+    const Subscription watching = bench.link->traffic().add([&](const Traffic &traffic) {
+        sent += traffic.direction == Direction::Sent ? 1 : 0;
+        unknown.take(*traffic.can);
+    });
+    bench.scan();
+    bench.clock.advance(std::chrono::seconds(5));
+    EXPECT_GT(sent, 100) << "probes of two families, and polls";
+    EXPECT_EQ(unknown.count(), 0U);
 }
 
 TEST(UnknownFrames, AFloodOfIdentifiersStaysExact)
