@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/textfile.h"
 
+#include "async/descriptor.h"
+
 #include <array>
 #include <cerrno>
 
@@ -10,25 +12,6 @@
 
 namespace mb {
 namespace {
-
-class Descriptor {
-public:
-    explicit Descriptor(int descriptor)
-        : m_descriptor(descriptor)
-    {
-    }
-    Descriptor(const Descriptor &) = delete;
-    Descriptor &operator=(const Descriptor &) = delete;
-    ~Descriptor()
-    {
-        if (m_descriptor >= 0)
-            ::close(m_descriptor);
-    }
-    [[nodiscard]] int get() const { return m_descriptor; }
-
-private:
-    int m_descriptor;
-};
 
 tl::unexpected<Error> refused(const std::string &path, const std::string &cause)
 {

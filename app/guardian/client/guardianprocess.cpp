@@ -2,6 +2,7 @@
 #include "app/guardian/client/guardianprocess.h"
 
 #include "app/guardian/client/wirescript.h"
+#include "async/descriptor.h"
 
 #include <array>
 #include <cerrno>
@@ -23,27 +24,6 @@ namespace {
 constexpr int childSocket = 0;
 constexpr int childLine = 3;
 constexpr int aboveTheirs = 10; // no number that is given out in the child is one that is still to be copied there
-
-/// A descriptor that is closed at the end of its scope.
-class Owned {
-public:
-    explicit Owned(int descriptor)
-        : m_descriptor(descriptor)
-    {
-    }
-    Owned(const Owned &) = delete;
-    Owned &operator=(const Owned &) = delete;
-    ~Owned()
-    {
-        if (m_descriptor >= 0)
-            ::close(m_descriptor);
-    }
-    [[nodiscard]] int get() const { return m_descriptor; }
-    int give() { return std::exchange(m_descriptor, -1); }
-
-private:
-    int m_descriptor;
-};
 
 int spawn(pid_t &pid, const std::string &program, const GuardedLine &guarded, int socket, int line)
 {
@@ -83,10 +63,10 @@ Result<GuardianProcess> startGuardian(const std::string &program, const GuardedL
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
         return fail(Fault::Unsafe, std::string("no guardian can be started: ") + std::strerror(errno));
-    Owned ours(ends[0]);
-    const Owned theirs(ends[1]);
-    const Owned socket(::fcntl(theirs.get(), F_DUPFD_CLOEXEC, aboveTheirs));
-    const Owned line(::fcntl(guarded.outlet.descriptor, F_DUPFD_CLOEXEC, aboveTheirs));
+    Descriptor ours(ends[0]);
+    const Descriptor theirs(ends[1]);
+    const Descriptor socket(::fcntl(theirs.get(), F_DUPFD_CLOEXEC, aboveTheirs));
+    const Descriptor line(::fcntl(guarded.outlet.descriptor, F_DUPFD_CLOEXEC, aboveTheirs));
     GuardianProcess process;
     const int cause
         = socket.get() < 0 || line.get() < 0 ? errno : spawn(process.pid, program, guarded, socket.get(), line.get());

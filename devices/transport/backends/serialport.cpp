@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/backends/serialport.h"
 
+#include "async/descriptor.h"
 #include "transport/backends/serialports.h"
 #include "wire/number.h"
 
@@ -74,21 +75,6 @@ Result<void> applyRateOrKeep(const RateOrder &order)
         (void)setDriverBaudrate(order.descriptor, order.before);
     return applied;
 }
-
-struct OwnDescriptor {
-    explicit OwnDescriptor(int one)
-        : descriptor(one)
-    {
-    }
-    OwnDescriptor(const OwnDescriptor &) = delete;
-    OwnDescriptor &operator=(const OwnDescriptor &) = delete;
-    ~OwnDescriptor()
-    {
-        if (descriptor >= 0)
-            ::close(descriptor);
-    }
-    int descriptor;
-};
 
 std::string silentDriver()
 {
@@ -211,8 +197,8 @@ Result<void> SerialPortLink::doSetBaudrate(int wanted)
 
 Task<void> SerialPortLink::doSetBaudrateSoon(Background &background, int wanted)
 {
-    const auto own = std::make_shared<const OwnDescriptor>(::dup(m_port->handle()));
-    const RateOrder order{own->descriptor, name(), wanted, baudrate()};
+    const auto own = std::make_shared<const Descriptor>(::dup(m_port->handle()));
+    const RateOrder order{own->get(), name(), wanted, baudrate()};
     auto setting = inBackground<bool>(
         background, clock(), m_path, openLimit,
         [own, order]() -> Result<bool> {
@@ -266,7 +252,7 @@ void SerialPortLink::doClose()
 /// The driver may wait for what it still has to send: the last descriptor of the port is closed in the background, where there is one.
 void SerialPortLink::closeBehind(QSerialPort &port)
 {
-    const auto own = background() ? std::make_shared<const OwnDescriptor>(::dup(port.handle())) : nullptr;
+    const auto own = background() ? std::make_shared<const Descriptor>(::dup(port.handle())) : nullptr;
     port.close();
     if (own)
         background()->run(
