@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/outputfile.h"
+#include "support/fulldisk.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
-#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include <fcntl.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -49,29 +48,6 @@ private:
     std::string m_folder;
 };
 
-/// No file may grow beyond this in its life.
-class SizeLimit {
-public:
-    explicit SizeLimit(rlim_t bytes)
-    {
-        ::getrlimit(RLIMIT_FSIZE, &m_before);
-        m_signal = std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{bytes, m_before.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    SizeLimit(const SizeLimit &) = delete;
-    SizeLimit &operator=(const SizeLimit &) = delete;
-    ~SizeLimit()
-    {
-        ::setrlimit(RLIMIT_FSIZE, &m_before);
-        std::signal(SIGXFSZ, m_signal);
-    }
-
-private:
-    rlimit m_before{};
-    void (*m_signal)(int) = nullptr;
-};
-
 TEST_F(OutputFileTest, IsThereUnderItsNameOnlyAfterCommit)
 {
     OutputFile file(path("new.txt"));
@@ -87,7 +63,7 @@ TEST_F(OutputFileTest, IsThereUnderItsNameOnlyAfterCommit)
 TEST_F(OutputFileTest, LeavesTheOldFileWhenTheRoomEnds)
 {
     const std::string old = make("backup.json", "precious");
-    const SizeLimit limit(1000);
+    const test::FullDisk limit(1000);
     const auto written = writeFile(old, std::string(5000, 'x'));
     ASSERT_FALSE(written);
     EXPECT_EQ(written.error().detail, old + " cannot be written: the file has reached the greatest size there");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/virtualclock.h"
 #include "storage/trialbook.h"
+#include "support/fulldisk.h"
 #include "support/simulatedsession.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +12,7 @@
 #include <QTemporaryDir>
 
 #include <chrono>
-#include <csignal>
 #include <cstdio>
-#include <sys/resource.h>
 
 namespace mb {
 namespace {
@@ -244,29 +243,6 @@ TEST_F(Notebooks, TwoProgramsWriteAtOnceAndNeitherLosesATrial)
     EXPECT_EQ(second.list()->size(), 40U);
 }
 
-/// Files cannot grow beyond a size while this lives: what a full disk is like.
-class FullDisk {
-public:
-    explicit FullDisk(rlim_t bytes)
-    {
-        m_handler = std::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &m_before);
-        const rlimit small{bytes, m_before.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &small);
-    }
-    FullDisk(const FullDisk &) = delete;
-    FullDisk &operator=(const FullDisk &) = delete;
-    ~FullDisk()
-    {
-        ::setrlimit(RLIMIT_FSIZE, &m_before);
-        std::signal(SIGXFSZ, m_handler);
-    }
-
-private:
-    rlimit m_before{};
-    void (*m_handler)(int) = nullptr;
-};
-
 TEST_F(Notebooks, AFullDiskFailsTheTrialButKeepsTheOthers)
 {
     const auto database = open();
@@ -279,7 +255,7 @@ TEST_F(Notebooks, AFullDiskFailsTheTrialButKeepsTheOthers)
         large.signals.front().trace.add(i, static_cast<double>(noise >> 11U));
     }
     {
-        const FullDisk full(300'000);
+        const test::FullDisk full(300'000);
         const auto failed = test::run(clock, book.complete(1, large));
         ASSERT_FALSE(failed);
         EXPECT_EQ(failed.error().fault, Fault::OutOfRange);
