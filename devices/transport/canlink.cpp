@@ -27,6 +27,12 @@ Result<void> CanLink::send(const CanFrame &frame, Priority priority)
     return {};
 }
 
+Duration CanLink::wireTime(const CanFrame &frame) const
+{
+    const int rate = bitrate();
+    return rate > 0 ? Duration(std::chrono::seconds(1)) * bitsOnWire(frame) / rate : Duration::zero();
+}
+
 double CanLink::load(Instant now) const
 {
     return m_load.fraction(now, bitrate() > 0 ? bitrate() : 1'000'000);

@@ -45,6 +45,8 @@ public:
     [[nodiscard]] std::size_t backlog() const { return doBacklog(); }
     /// Bit/s, 0 when the link does not know.
     [[nodiscard]] int bitrate() const { return doBitrate(); }
+    /// How long a frame takes on the wire; zero when the link does not know its rate.
+    [[nodiscard]] Duration wireTime(const CanFrame &frame) const;
     /// Fraction of the bus in use over the last second of traffic, ours included, from estimated frame lengths;
     /// `now` is the present time. 1 Mbit/s is assumed when the rate is unknown.
     [[nodiscard]] double load(Instant now) const;

@@ -33,8 +33,7 @@ LogPoller::LogPoller(CanLink &link, Clock &clock, Events events)
         if (!traffic.can)
             return;
         if (traffic.direction == Direction::Sent && traffic.can->extended && m_link.bitrate() > 0) // not our own orders
-            m_wireFreeAt = std::max(m_wireFreeAt, m_clock.now())
-                + Duration(std::chrono::seconds(1)) * bitsOnWire(*traffic.can) / m_link.bitrate();
+            m_wireFreeAt = std::max(m_wireFreeAt, m_clock.now()) + m_link.wireTime(*traffic.can);
         count(*traffic.can);
     }))
     , m_received(link.received().add([this](const CanFrame &frame) { receive(frame); }))

@@ -76,9 +76,9 @@ void QuestionWatch::pass(const CanFrame &frame)
 /// It wins over every answer on the wire, which comes so much later.
 void QuestionWatch::holdBack(const CanFrame &order)
 {
-    if (m_link.bitrate() <= 0)
+    const Duration time = m_link.wireTime(order);
+    if (time == Duration::zero())
         return;
-    const Duration time = Duration(std::chrono::seconds(1)) * bitsOnWire(order) / m_link.bitrate();
     for (Open &open : m_open)
         open.until = std::min(open.until + time, m_clock.now() + longestHeldBack);
 }
