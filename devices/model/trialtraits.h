@@ -3,6 +3,7 @@
 
 #include "model/setpoint.h"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -18,6 +19,18 @@ struct Envelope {
 
     friend bool operator==(const Envelope &, const Envelope &) = default;
 };
+
+/// One bound of it, by the name that it has in JSON and in files.
+struct EnvelopeBound {
+    const char *key;
+    std::optional<double> Envelope::*value;
+};
+inline constexpr std::array<EnvelopeBound, 4> envelopeBounds{{
+    {"travel", &Envelope::travel},
+    {"speed", &Envelope::speed},
+    {"current", &Envelope::current},
+    {"duty", &Envelope::duty},
+}};
 
 /// A closed loop, and the parameters that make it.
 struct LoopGains {

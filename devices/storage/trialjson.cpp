@@ -20,18 +20,6 @@ QString errorKey(std::string_view key)
     return qt(key) + QStringLiteral("_error");
 }
 
-struct EnvelopeKey {
-    const char *key;
-    std::optional<double> Envelope::*value;
-};
-
-constexpr std::array<EnvelopeKey, 4> envelopeKeys{{
-    {"travel", &Envelope::travel},
-    {"speed", &Envelope::speed},
-    {"current", &Envelope::current},
-    {"duty", &Envelope::duty},
-}};
-
 QJsonArray spansToJson(const std::vector<tuning::Span> &spans)
 {
     QJsonArray array;
@@ -102,8 +90,8 @@ QJsonObject metricsToJson(const Trial &trial)
 QJsonObject toJson(const Envelope &envelope)
 {
     QJsonObject object;
-    for (const EnvelopeKey &key : envelopeKeys)
-        object.insert(QLatin1String(key.key), numberOrNull(envelope.*key.value));
+    for (const EnvelopeBound &bound : envelopeBounds)
+        object.insert(QLatin1String(bound.key), numberOrNull(envelope.*bound.value));
     return object;
 }
 
@@ -172,10 +160,10 @@ void readMetrics(const QJsonObject &object, Trial &trial)
 
 void readEnvelope(const QJsonObject &object, Trial &trial)
 {
-    for (const EnvelopeKey &key : envelopeKeys) {
-        const QJsonValue value = object.value(QLatin1String(key.key));
+    for (const EnvelopeBound &bound : envelopeBounds) {
+        const QJsonValue value = object.value(QLatin1String(bound.key));
         if (value.isDouble())
-            trial.envelope.*key.value = value.toDouble();
+            trial.envelope.*bound.value = value.toDouble();
     }
 }
 

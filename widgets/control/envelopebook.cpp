@@ -4,7 +4,6 @@
 #include "model/parameterfile.h"
 
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -15,19 +14,7 @@
 namespace mb {
 namespace {
 
-constexpr qint64 largestFile = 1'000'000;
-
-struct KeptBound {
-    const char *key;
-    std::optional<double> Envelope::*value;
-};
-
-constexpr std::array<KeptBound, 4> keptBounds{{
-    {"travel", &Envelope::travel},
-    {"speed", &Envelope::speed},
-    {"current", &Envelope::current},
-    {"duty", &Envelope::duty},
-}};
+constexpr std::int64_t largestFile = 1'000'000;
 
 const QLatin1String kindKey("motorbench");
 const QLatin1String kind("experiment limits");
@@ -38,7 +25,7 @@ const QLatin1String namedKey("named");
 QJsonObject toJson(const Envelope &limits)
 {
     QJsonObject object;
-    for (const KeptBound &bound : keptBounds) {
+    for (const EnvelopeBound &bound : envelopeBounds) {
         if (const auto value = limits.*bound.value)
             object.insert(QLatin1String(bound.key), *value);
     }
@@ -49,7 +36,7 @@ QJsonObject toJson(const Envelope &limits)
 Envelope fromJson(const QJsonObject &object)
 {
     Envelope limits;
-    for (const KeptBound &bound : keptBounds) {
+    for (const EnvelopeBound &bound : envelopeBounds) {
         const double value = object.value(QLatin1String(bound.key)).toDouble();
         if (value > 0.0)
             limits.*bound.value = value;
@@ -63,14 +50,14 @@ Result<void> EnvelopeBook::open(const QString &file)
 {
     m_file.clear(); // what is not ours is not written over
     m_units.clear();
-    QFile source(file);
-    if (!source.exists()) {
+    if (!QFileInfo::exists(file)) {
         m_file = file;
         return {};
     }
-    if (source.size() > largestFile || !source.open(QIODevice::ReadOnly))
-        return fail(Fault::OutOfRange, file.toStdString() + " cannot be read", "remove it, or make it readable");
-    const QJsonObject all = QJsonDocument::fromJson(source.readAll()).object();
+    const auto bytes = loadFile(file.toStdString(), largestFile);
+    if (!bytes)
+        return fail(Fault::OutOfRange, bytes.error().detail, "remove it, or make it readable");
+    const QJsonObject all = QJsonDocument::fromJson(*bytes).object();
     if (all.value(kindKey).toString() != kind)
         return fail(Fault::OutOfRange, file.toStdString() + " holds no limits of experiments", "remove it");
     const QJsonObject units = all.value(unitsKey).toObject();

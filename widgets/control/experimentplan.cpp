@@ -52,7 +52,7 @@ Envelope ownOf(const DeviceView &device, const ExperimentWish &wish, Instant now
         = tuning::ownLimits(*device.family, device.parameters, wish.axis, wish.slot, originOf(device, wish, now));
     const Envelope bench = device.link.starts_with("sim:") ? device.family->trials->bench : Envelope();
     Envelope known;
-    for (const auto bound : {&Envelope::travel, &Envelope::speed, &Envelope::current, &Envelope::duty}) {
+    for (const auto &[key, bound] : envelopeBounds) {
         const auto asked = wish.limits.*bound;
         const auto its = own.*bound ? own.*bound : bench.*bound;
         known.*bound = asked && own.*bound ? std::min(*asked, *(own.*bound)) : asked ? asked : its;
