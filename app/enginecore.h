@@ -166,6 +166,16 @@ private:
     void interruptTrials(std::optional<DeviceId> id);
     [[nodiscard]] tuning::ExperimentSurroundings surroundings(Progress &progress, tuning::Interruption &interruption);
     void experimentEnded(Running &running);
+    /// What is told of an experiment that has ended.
+    struct Notable {
+        Severity severity;
+        std::string text;
+    };
+    template <class T>
+    using MovingStory = std::function<Task<T>(Device &, SetPointStream &, tuning::ExperimentSurroundings)>;
+    template <class T>
+    void runMoving(DeviceId id, const char *title, const MovingStory<T> &story,
+        const std::function<Notable(const T &)> &judge, const std::function<void(Result<T>)> &finished);
     void wishAgain(DeviceId id);
     void lookAgain(DeviceId id);
     void lookForOwed();

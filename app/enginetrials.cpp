@@ -36,8 +36,10 @@ std::string nameOf(const Trial &trial)
 
 } // namespace
 
-void EngineCore::runTrial(
-    DeviceId id, const tuning::ExperimentPlan &plan, const TrialMeasured &measured, const TrialFinished &finished)
+/// An operation that moves the device by experiments: what is notable in it is told, what it interrupts puts back what it changed.
+template <class T>
+void EngineCore::runMoving(DeviceId id, const char *title, const MovingStory<T> &story,
+    const std::function<Notable(const T &)> &judge, const std::function<void(Result<T>)> &finished)
 {
     const Finished refused = [finished](const Result<void> &result) {
         if (finished)
@@ -46,29 +48,57 @@ void EngineCore::runTrial(
     if (Device *device = m_session.find(id); device && m_session.stream(*device).isRunning())
         return answer(refused, fail(Fault::Unsafe, "stop the motor before an experiment begins"));
     const auto interruption = std::make_shared<tuning::Interruption>();
-    const auto make = [this, plan, measured, interruption](Device &device, Progress &progress) {
-        tuning::ExperimentSurroundings around = surroundings(progress, *interruption);
-        around.measured = measured;
-        return keeping(interruption, tuning::runExperiment(device, m_session.stream(device), plan, std::move(around)));
+    const auto make = [this, story, interruption](Device &device, Progress &progress) {
+        return keeping(interruption, story(device, m_session.stream(device), surroundings(progress, *interruption)));
     };
-    Running *const running = begin<Trial>(
-        id, trialTitle, make,
-        [this, id, finished](Running &done, Result<Trial> trial) {
+    Running *const running = begin<T>(
+        id, title, make,
+        [this, judge, finished](Running &done, Result<T> result) {
             experimentEnded(done);
-            if (const Device *device = m_session.find(id)) {
-                if (trial && trial->reason == "done")
-                    notice(Severity::Good, labelOf(*device), nameOf(*trial) + " is done");
-                else
-                    notice(Severity::Danger, labelOf(*device),
-                        trial ? nameOf(*trial) + " was stopped: " + trial->reason + ", " + trial->detail
-                              : "no experiment: " + trial.error().text());
+            if (const Device *device = m_session.find(done.device)) {
+                const Notable told
+                    = result ? judge(*result) : Notable{Severity::Danger, "no experiment: " + result.error().text()};
+                notice(told.severity, labelOf(*device), told.text);
             }
             if (finished)
-                finished(std::move(trial));
+                finished(std::move(result));
         },
         refused);
     if (running)
         running->interruption = interruption;
+}
+
+void EngineCore::runTrial(
+    DeviceId id, const tuning::ExperimentPlan &plan, const TrialMeasured &measured, const TrialFinished &finished)
+{
+    runMoving<Trial>(
+        id, trialTitle,
+        [plan, measured](Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
+            around.measured = measured;
+            return tuning::runExperiment(device, stream, plan, std::move(around));
+        },
+        [](const Trial &trial) {
+            return trial.reason == "done"
+                ? Notable{Severity::Good, nameOf(trial) + " is done"}
+                : Notable{Severity::Danger, nameOf(trial) + " was stopped: " + trial.reason + ", " + trial.detail};
+        },
+        finished);
+}
+
+void EngineCore::runTuning(DeviceId id, const tuning::TunePlan &plan, const TuningFinished &finished)
+{
+    using tuning::TuneResult;
+    runMoving<tuning::TuneReport>(
+        id, tuningTitle,
+        [plan](Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
+            return tuning::autotune(device, stream, plan, std::move(around));
+        },
+        [](const tuning::TuneReport &report) {
+            const bool good = report.result == TuneResult::Kept || report.result == TuneResult::Proposed;
+            return Notable{good ? Severity::Good : Severity::Danger,
+                "tuning " + std::string(toString(report.result)) + ": " + report.evidence};
+        },
+        finished);
 }
 
 tuning::ExperimentSurroundings EngineCore::surroundings(Progress &progress, tuning::Interruption &interruption)
@@ -90,38 +120,6 @@ void EngineCore::experimentEnded(Running &running)
         for (const LogLine &line : running.operation->status().log)
             notice(line.severity, labelOf(*device), line.text);
     }
-}
-
-void EngineCore::runTuning(DeviceId id, const tuning::TunePlan &plan, const TuningFinished &finished)
-{
-    const Finished refused = [finished](const Result<void> &result) {
-        if (finished)
-            finished(fail(result.error()));
-    };
-    if (Device *device = m_session.find(id); device && m_session.stream(*device).isRunning())
-        return answer(refused, fail(Fault::Unsafe, "stop the motor before it is tuned"));
-    const auto interruption = std::make_shared<tuning::Interruption>();
-    const auto make = [this, plan, interruption](Device &device, Progress &progress) {
-        return keeping(interruption,
-            tuning::autotune(device, m_session.stream(device), plan, surroundings(progress, *interruption)));
-    };
-    Running *const running = begin<tuning::TuneReport>(
-        id, tuningTitle, make,
-        [this, id, finished](Running &done, Result<tuning::TuneReport> report) {
-            experimentEnded(done);
-            if (const Device *device = m_session.find(id)) {
-                const bool good = report
-                    && (report->result == tuning::TuneResult::Kept || report->result == tuning::TuneResult::Proposed);
-                notice(good ? Severity::Good : Severity::Danger, labelOf(*device),
-                    report ? "tuning " + std::string(toString(report->result)) + ": " + report->evidence
-                           : "no tuning: " + report.error().text());
-            }
-            if (finished)
-                finished(std::move(report));
-        },
-        refused);
-    if (running)
-        running->interruption = interruption;
 }
 
 /// Each stops in this call, and then puts back what it has changed.

@@ -130,12 +130,8 @@ Task<void> AutotuneRun::probe()
     const auto fit = fitPushes(seen);
     if (!fit)
         co_return fail(fit.error());
-    auto reading = readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_here);
-    const Envelope own = co_await std::move(reading); // anew: some devices get a limit with their first motion
-    const auto resolved = resolve(m_device.family(), factsOf(m_device, m_plan.axis), m_plan.loop, m_plan.limits, own);
-    if (!resolved)
-        co_return fail(resolved.error());
-    m_envelope = *resolved;
+    auto reading = readEnvelope(); // anew: some devices get a limit with their first motion
+    co_await std::move(reading);
     const Envelope &envelope = m_envelope;
     const double gain = speedReserve * std::abs(fit->speeds.front() / seen.front().duty); // counts/s per duty, at most
     m_duty = std::min(strongest, nearlyFull * envelope.duty.value_or(1.0));
@@ -197,6 +193,14 @@ Task<void> AutotuneRun::recall()
     if (m_plan.loop == Mode::Position && !last)
         co_return fail(Fault::Timeout, m_device.selector() + " has not told where it stands", "wait until it is heard");
     m_start = m_here = last ? last->value : 0.0;
+    auto reading = readEnvelope();
+    co_await std::move(reading);
+    co_return {};
+}
+
+/// From where the motor stands.
+Task<void> AutotuneRun::readEnvelope()
+{
     auto reading = readOwnLimits(m_device, m_plan.axis, m_plan.slot, m_here);
     const Envelope own = co_await std::move(reading);
     const auto resolved = resolve(m_device.family(), factsOf(m_device, m_plan.axis), m_plan.loop, m_plan.limits, own);

@@ -39,6 +39,7 @@ private:
 
     [[nodiscard]] Task<Trial> run(ExperimentPlan plan);
     [[nodiscard]] Task<Trial> pushOnce(Push push);
+    [[nodiscard]] Task<void> readEnvelope();
     [[nodiscard]] Result<Proposal> proposalFor(Aim aim) const;
     [[nodiscard]] std::vector<ParameterChange> inProvingSlot() const;
     void note(const std::string &text) const;
