@@ -82,6 +82,7 @@ private Q_SLOTS:
     void identifyingProposesAndWritesNothing();
     void theChosenSetIsProvenFromTheModelThatIsKnown();
     void aProofKeepsTheModelItStandsOn();
+    void whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown();
     void cardsAreChosenByKeysAndShowTheirOwnLoop();
     void theKeysOrder();
     void anErrorLeavesThePageAsItWasAndArmed();
@@ -150,6 +151,22 @@ void TestDesignPage::aProofKeepsTheModelItStandsOn()
     QVERIFY(bench.page->report()->result == TuneResult::RolledBack);
     QVERIFY(bench.page->report()->motor);
     QCOMPARE(bench.cards().size(), 3);
+}
+
+void TestDesignPage::whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    bench.page->autotune();
+    TuneReport stopped;
+    stopped.result = TuneResult::Stopped;
+    stopped.stopReason = "interrupted";
+    bench.finish(stopped);
+    bench.page->prove();
+    QCOMPARE(bench.workbench.tunings.size(), std::size_t(3));
+    QVERIFY(bench.workbench.tunings[2].plan.known == std::optional(identified().plant));
 }
 
 void TestDesignPage::cardsAreChosenByKeysAndShowTheirOwnLoop()

@@ -93,11 +93,7 @@ QWidget *TunePage::buildCommands()
     auto *row = new QHBoxLayout(bar);
     row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
     row->setSpacing(theme.u(8));
-    m_glyph = new StateGlyph(m_theme, GlyphState::Gone, bar);
-    m_cause = new ElidedLabel({}, bar);
-    setTextRole(*m_cause, TextRole::Emphasis);
-    m_remedy = new ElidedLabel({}, bar);
-    setTone(*m_remedy, Tone::Dim);
+    m_status = new StatusLine(m_theme, bar);
     m_halt = new CommandButton(m_theme, Symbol::Stop, tr("Stop motion"), bar);
     m_halt->setTextVariants({tr("Stop motion"), tr("Stop axis %1").arg(8)});
     m_halt->setToolTip(tr("Ends the motion and stays armed. STOP, Esc and Pause stop everything."));
@@ -106,10 +102,8 @@ QWidget *TunePage::buildCommands()
     m_run->setKeyHint(QStringLiteral("F5"));
     m_run->setTextVariants({tr("Run"), tr("Write and run"), tr("Apply"), tr("Run %1 axes").arg(8)});
     m_run->setObjectName(QStringLiteral("run"));
-    row->addWidget(m_glyph);
-    row->addWidget(m_cause);
     m_view = new Segmented(tr("View"), {tr("Experiment"), tr("Live")}, bar);
-    row->addWidget(m_remedy, 1);
+    row->addWidget(m_status, 1);
     row->addWidget(m_view);
     row->addWidget(m_halt);
     row->addWidget(m_run);

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "widgets/common/selection.h"
-#include "widgets/common/stateglyph.h"
 #include "widgets/control/arming.h"
 #include "widgets/control/experimentplan.h"
 #include "widgets/control/setpointpanel.h"
 #include "widgets/control/setpointslew.h"
+#include "widgets/control/statusline.h"
 #include "widgets/parameters/editdesk.h"
 #include "widgets/plots/displayunits.h"
 
@@ -24,7 +24,6 @@ namespace mb {
 
 class AxesPanel;
 class CommandButton;
-class ElidedLabel;
 class EmptyState;
 class EnvelopePanel;
 class GainsPanel;
@@ -35,7 +34,6 @@ class ModePanel;
 class MovesPanel;
 class PlotStack;
 class Segmented;
-class StateGlyph;
 class StimulusBar;
 class TrialsView;
 class TuneFrame;
@@ -51,14 +49,7 @@ public:
     TunePage(Workbench &workbench, Selection &selection, Arming &arming, const ThemeSource &theme, QWidget *parent);
     ~TunePage() override;
 
-    /// What the page says above everything else, and whether Run does something now.
-    struct Status {
-        GlyphState glyph = GlyphState::Gone;
-        QString cause;
-        QString remedy;
-        bool mayRun = false;
-    };
-    [[nodiscard]] Status status() const;
+    [[nodiscard]] PageStatus status() const;
 
     /// As if the mode was chosen and the target typed, in units of product.md.
     void choose(Mode mode, double target);
@@ -143,7 +134,7 @@ private:
     // tunepagetrials.cpp
     void followTrials(const DeviceView &view);
     [[nodiscard]] ExperimentWish wishOf(const DeviceView &view, int axis) const;
-    [[nodiscard]] Status trialStatus(const DeviceView &view, const QString &name) const;
+    [[nodiscard]] PageStatus trialStatus(const DeviceView &view, const QString &name) const;
     void checkKinds(const DeviceView &view, const Choice &chosen, Instant now);
     void viewChosen(int view);
     void stimulusChosen();
@@ -154,7 +145,7 @@ private:
     void stageAdvice(const std::vector<std::pair<std::string, double>> &values);
     void followGains(const DeviceView &view);
     void followForeignRun(const DeviceView &view);
-    [[nodiscard]] Status liveStatus(const DeviceView &view, const QString &name) const;
+    [[nodiscard]] PageStatus liveStatus(const DeviceView &view, const QString &name) const;
     void showCommands();
     void showEmpty(const DeviceView *view);
     void readOnce(const DeviceView &view);
@@ -207,9 +198,7 @@ private:
     QStackedWidget *m_stack = nullptr;
     TuneFrame *m_frame = nullptr;
     EmptyState *m_empty = nullptr;
-    StateGlyph *m_glyph = nullptr;
-    ElidedLabel *m_cause = nullptr;
-    ElidedLabel *m_remedy = nullptr;
+    StatusLine *m_status = nullptr;
     CommandButton *m_halt = nullptr;
     CommandButton *m_run = nullptr;
     AxesPanel *m_axes = nullptr;

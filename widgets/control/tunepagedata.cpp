@@ -164,7 +164,7 @@ void TunePage::showEmpty(const DeviceView *view)
             : tr("Open a link, or the simulated bench from the menu, to drive a motor."));
 }
 
-TunePage::Status TunePage::status() const
+PageStatus TunePage::status() const
 {
     const DeviceView *view = device();
     if (!view)
@@ -186,7 +186,7 @@ TunePage::Status TunePage::status() const
     return liveStatus(*view, name);
 }
 
-TunePage::Status TunePage::liveStatus(const DeviceView &view, const QString &name) const
+PageStatus TunePage::liveStatus(const DeviceView &view, const QString &name) const
 {
     if (m_writing)
         return {GlyphState::Busy, tr("Writing gains"), {}, false};
@@ -228,12 +228,8 @@ void TunePage::showCommands()
     const DeviceView *view = device();
     if (!view || view->id != m_shown)
         return;
-    const Status now = status();
-    m_glyph->setState(now.glyph);
-    const bool folded = m_frame->isCompact() && !now.remedy.isEmpty(); // one line for both
-    m_cause->setText(folded ? now.cause + QStringLiteral(" · ") + now.remedy : now.cause);
-    m_remedy->setText(now.remedy);
-    m_remedy->setVisible(!m_frame->isCompact());
+    const PageStatus now = status();
+    m_status->say(now, m_frame->isCompact());
     m_jogPanel->setPossible(m_arming.state() == LampState::Armed && jogSetPoint(true),
         m_arming.isArmed(view->id) ? tr("Something moves") : tr("Hold the lamp for 1 s to arm it first."));
     const Choice &chosen = *choice();

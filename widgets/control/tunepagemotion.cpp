@@ -161,7 +161,7 @@ void TunePage::unitsChosen(const DisplayUnits &units)
 
 void TunePage::run()
 {
-    const Status now = status();
+    const PageStatus now = status();
     if (!now.mayRun) {
         m_workbench.report(Severity::Caution, {}, tr("not run: %1. %2").arg(now.cause, now.remedy));
         return;

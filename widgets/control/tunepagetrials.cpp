@@ -118,7 +118,7 @@ void TunePage::checkKinds(const DeviceView &view, const Choice &chosen, Instant 
     }
 }
 
-TunePage::Status TunePage::trialStatus(const DeviceView &view, const QString &name) const
+PageStatus TunePage::trialStatus(const DeviceView &view, const QString &name) const
 {
     const Choice &chosen = m_choices.at({m_shown, m_axis});
     const ExperimentCheck check

@@ -25,7 +25,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace mb {
@@ -55,6 +55,16 @@ Curve curveOf(
         curve.y.append(sign * (trace.y[i] - origin));
     }
     return curve;
+}
+
+double shortestHold(const std::vector<tuning::Trial> &trials)
+{
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const tuning::Trial &trial : trials) {
+        for (const tuning::Span &hold : trial.holds)
+            shortest = std::min(shortest, hold.to - hold.from);
+    }
+    return shortest;
 }
 
 } // namespace
@@ -94,7 +104,6 @@ DesignPage::DesignPage(
     connect(&workbench, &Workbench::changed, this, &DesignPage::follow);
     connect(&arming, &Arming::changed, this, &DesignPage::follow);
     connect(&selection, &Selection::changed, this, &DesignPage::follow);
-    follow();
 }
 
 QWidget *DesignPage::buildCommands()
@@ -104,10 +113,7 @@ QWidget *DesignPage::buildCommands()
     auto *row = new QHBoxLayout(bar);
     row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
     row->setSpacing(theme.u(8));
-    m_glyph = new StateGlyph(m_theme, GlyphState::Gone, bar);
-    m_cause = textLabel({}, TextRole::Emphasis, Tone::Text, bar);
-    m_remedy = new ElidedLabel({}, bar);
-    setTone(*m_remedy, Tone::Dim);
+    m_status = new StatusLine(m_theme, bar);
     m_loops = new Segmented(tr("Loop"), {tr("Velocity"), tr("Position")}, bar);
     m_identify = new CommandButton(m_theme, tr("Identify"), bar);
     m_identify->setKeyHint(QStringLiteral("Shift+F6"));
@@ -117,9 +123,7 @@ QWidget *DesignPage::buildCommands()
     m_prove = new CommandButton(m_theme, Symbol::Play, tr("Write and prove"), bar);
     m_prove->setPrimary(true);
     m_prove->setKeyHint(QStringLiteral("F5"));
-    row->addWidget(m_glyph);
-    row->addWidget(m_cause);
-    row->addWidget(m_remedy, 1);
+    row->addWidget(m_status, 1);
     row->addWidget(m_loops);
     row->addWidget(m_identify);
     row->addWidget(m_autotune);
@@ -205,17 +209,20 @@ const tuning::TuneReport *DesignPage::report() const
     return found == m_reports.end() ? nullptr : &found->second;
 }
 
+tuning::Aim DesignPage::aim() const
+{
+    const auto found = m_aims.find(place());
+    return found == m_aims.end() ? tuning::Aim::Normal : found->second;
+}
+
 const tuning::Proposal *DesignPage::chosen() const
 {
     const tuning::TuneReport *const known = report();
-    const auto aim = m_aims.find(place());
     if (!known)
         return nullptr;
-    for (const tuning::Proposal &proposal : known->proposals) {
-        if (proposal.aim == (aim == m_aims.end() ? tuning::Aim::Normal : aim->second))
-            return &proposal;
-    }
-    return nullptr;
+    const auto found = std::find_if(known->proposals.begin(), known->proposals.end(),
+        [this](const tuning::Proposal &proposal) { return proposal.aim == aim(); });
+    return found == known->proposals.end() ? nullptr : &*found;
 }
 
 /// The loop that is chosen may be one that this family has not.
@@ -237,13 +244,12 @@ tuning::TunePlan DesignPage::plan() const
     tuning::TunePlan plan;
     plan.loop = m_loop;
     plan.axis = place().axis;
-    const auto aim = m_aims.find(place());
-    plan.aim = aim == m_aims.end() ? tuning::Aim::Normal : aim->second;
+    plan.aim = aim();
     plan.limits = m_envelope->entered();
     return plan;
 }
 
-DesignPage::Status DesignPage::status() const
+PageStatus DesignPage::status() const
 {
     const DeviceView *const view = device();
     if (!view)
@@ -307,7 +313,7 @@ void DesignPage::run(tuning::TunePlan plan)
     follow();
 }
 
-/// A proof brings no model of its own: what it stands on stays.
+/// A proof brings no model of its own, and what was stopped before it had one leaves the one that is known.
 void DesignPage::ended(const Place &place, const Result<tuning::TuneReport> &report)
 {
     if (report) {
@@ -315,6 +321,7 @@ void DesignPage::ended(const Place &place, const Result<tuning::TuneReport> &rep
         const auto before = m_reports.find(place);
         if (before != m_reports.end() && !now.motor) {
             now.motor = before->second.motor;
+            now.plant = before->second.plant;
             now.gates = before->second.gates;
             if (now.proposals.empty())
                 now.proposals = before->second.proposals;
@@ -325,8 +332,17 @@ void DesignPage::ended(const Place &place, const Result<tuning::TuneReport> &rep
     follow();
 }
 
+void DesignPage::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    follow();
+}
+
+/// Thirty times a second, and only while somebody sees it.
 void DesignPage::follow()
 {
+    if (!isVisible())
+        return;
     const DeviceView *const view = device();
     const QString why = view ? whyNot(*view) : QString();
     const bool usable = view && (why.isEmpty() || view->family->trials);
@@ -335,16 +351,14 @@ void DesignPage::follow()
             view ? why : tr("Choose a controller in the list at the left."));
     m_stack->setCurrentIndex(usable ? 1 : 0);
     if (usable)
-        followDevice(*view);
+        followDevice(*view, why);
 }
 
-void DesignPage::followDevice(const DeviceView &view)
+void DesignPage::followDevice(const DeviceView &view, const QString &whyNot)
 {
-    const QString why = whyNot(view);
-    const Status now = why.isEmpty() ? status() : Status{GlyphState::Warning, tr("Not by itself"), why, false};
-    m_glyph->setState(now.glyph);
-    m_cause->setText(now.cause);
-    m_remedy->setText(now.remedy);
+    const PageStatus now
+        = whyNot.isEmpty() ? status() : PageStatus{GlyphState::Warning, tr("Not by itself"), whyNot, false};
+    m_status->say(now);
     m_loops->setCurrent(m_loop == Mode::Velocity ? 0 : 1);
     m_identify->setEnabled(now.mayRun);
     m_autotune->setEnabled(now.mayRun);
@@ -408,35 +422,34 @@ void DesignPage::showChosen()
     showStep(*proposal);
 }
 
+/// What was measured stands beside the prediction of the gains that were proven.
 void DesignPage::showStep(const tuning::Proposal &proposal)
 {
-    const TraceRole role = m_loop == Mode::Velocity ? TraceRole::Velocity : TraceRole::Position;
+    const tuning::TuneReport *const proven = isSame(report()->proposed, proposal.gains) ? report() : nullptr;
+    double end = shownSettles * std::max(proposal.predicted.metrics.settle.value_or(0.5), shortestShown);
+    if (proven)
+        end = std::min(end, shortestHold(proven->proof));
     TraceLook dotted;
     dotted.role = TraceRole::Setpoint;
     dotted.dash = TraceDash::Dots;
-    const tuning::TuneReport &known = *report();
-    double end = shownSettles * std::max(proposal.predicted.metrics.settle.value_or(0.5), shortestShown);
-    for (const tuning::Trial &trial : known.proof) {
-        for (const tuning::Span &hold : trial.holds)
-            end = std::min(end, hold.to - hold.from);
-    }
     std::vector<Curve> curves{
         curveOf(tr("%1, predicted").arg(aimText(proposal.aim)), dotted, proposal.predicted.measured, 0.0, 1.0, end)};
     QString note = tr("a step of %1").arg(formatSignificant(proposal.step, 4));
-    if (isSame(known.proposed, proposal.gains)) {
-        for (const tuning::Trial &trial : known.proof) {
+    if (proven) {
+        for (const tuning::Trial &trial : proven->proof) {
             const double sign = trial.stimulus.to < trial.stimulus.from ? -1.0 : 1.0;
             TraceLook look;
-            look.role = role;
+            look.role = m_loop == Mode::Velocity ? TraceRole::Velocity : TraceRole::Position;
             look.dash = sign > 0.0 ? TraceDash::Solid : TraceDash::Long;
             curves.push_back(curveOf(sign > 0.0 ? tr("measured, forwards") : tr("measured, backwards"), look,
                 trial.folded(tuning::measuredOf(trial.mode)), trial.stimulus.from, sign, end));
         }
-        if (!known.proof.empty() && known.measured.overshoot)
+        const tuning::Metrics &measured = proven->measured;
+        if (!proven->proof.empty() && measured.overshoot)
             note += QStringLiteral(" · ")
                 + tr("measured: %1 % over, settled after %2")
-                      .arg(formatNumber(*known.measured.overshoot * 100.0, 1),
-                          known.measured.settle ? formatDuration(*known.measured.settle) : QString(UnknownMark));
+                      .arg(formatNumber(*measured.overshoot * 100.0, 1),
+                          measured.settle ? formatDuration(*measured.settle) : QString(UnknownMark));
     }
     m_step->setAxes(tr("s"), m_loop == Mode::Velocity ? tr("counts/s") : tr("counts"), false);
     m_step->setCurves(curves);

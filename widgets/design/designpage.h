@@ -3,14 +3,13 @@
 
 #include "tuning/autotune.h"
 #include "widgets/common/selection.h"
-#include "widgets/common/stateglyph.h"
 #include "widgets/control/arming.h"
+#include "widgets/control/statusline.h"
 
 #include <QWidget>
 
 #include <map>
 
-class QLabel;
 class QStackedWidget;
 class QVBoxLayout;
 
@@ -19,7 +18,6 @@ namespace mb {
 class BodePlot;
 class CommandButton;
 class CurvePlot;
-class ElidedLabel;
 class EmptyState;
 class EnvelopePanel;
 class ModelPanel;
@@ -34,14 +32,7 @@ class DesignPage : public QWidget {
 public:
     DesignPage(Workbench &workbench, Selection &selection, Arming &arming, const ThemeSource &theme, QWidget *parent);
 
-    /// What stands above everything else, and whether the motor may be moved now.
-    struct Status {
-        GlyphState glyph = GlyphState::Gone;
-        QString cause;
-        QString remedy;
-        bool mayRun = false;
-    };
-    [[nodiscard]] Status status() const;
+    [[nodiscard]] PageStatus status() const;
 
     void chooseLoop(Mode loop);
     void chooseAim(tuning::Aim aim);
@@ -55,6 +46,9 @@ public:
     [[nodiscard]] EnvelopePanel &envelope() { return *m_envelope; }
     /// Of the motor and loop that are shown; nullptr: nothing is known yet.
     [[nodiscard]] const tuning::TuneReport *report() const;
+
+protected:
+    void showEvent(QShowEvent *event) override;
 
 private:
     struct Place {
@@ -70,13 +64,14 @@ private:
 
     [[nodiscard]] const DeviceView *device() const;
     [[nodiscard]] Place place() const;
+    [[nodiscard]] tuning::Aim aim() const;
     [[nodiscard]] QString whyNot(const DeviceView &view) const;
     [[nodiscard]] tuning::TunePlan plan() const;
     [[nodiscard]] const tuning::Proposal *chosen() const;
     void run(tuning::TunePlan plan);
     void ended(const Place &place, const Result<tuning::TuneReport> &report);
     void follow();
-    void followDevice(const DeviceView &view);
+    void followDevice(const DeviceView &view, const QString &whyNot);
     void followLimits(const DeviceView &view);
     void showReport();
     void showChosen();
@@ -93,9 +88,7 @@ private:
     std::optional<Place> m_shown; ///< whose report is on the page
     QStackedWidget *m_stack = nullptr;
     EmptyState *m_empty = nullptr;
-    StateGlyph *m_glyph = nullptr;
-    QLabel *m_cause = nullptr;
-    ElidedLabel *m_remedy = nullptr;
+    StatusLine *m_status = nullptr;
     Segmented *m_loops = nullptr;
     CommandButton *m_identify = nullptr;
     CommandButton *m_autotune = nullptr;
