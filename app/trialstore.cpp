@@ -110,6 +110,11 @@ Task<void> StoredJournal::complete(std::int64_t number, tuning::Trial trial)
     return ask<void>([number, trial = std::move(trial)](TrialBook &book) { return book.complete(number, trial); });
 }
 
+Task<void> StoredJournal::keepTuning(tuning::TuneReport report)
+{
+    return ask<void>([report = std::move(report)](TrialBook &book) { return book.keepTuning(report); });
+}
+
 Task<std::vector<tuning::OwedGains>> StoredJournal::owedTo(std::string unit)
 {
     return ask<std::vector<tuning::OwedGains>>([unit = std::move(unit)](TrialBook &book) { return book.owedTo(unit); });

@@ -54,6 +54,7 @@ public:
     [[nodiscard]] Task<void> owe(std::int64_t trial, std::string unit, std::vector<tuning::OwedValue> values) override;
     [[nodiscard]] Task<void> settle(std::int64_t trial) override;
     [[nodiscard]] Task<void> complete(std::int64_t number, tuning::Trial trial) override;
+    [[nodiscard]] Task<void> keepTuning(tuning::TuneReport report) override;
     [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override;
 
 private:

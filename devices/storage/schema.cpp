@@ -47,7 +47,25 @@ CREATE TABLE owed (
 CREATE INDEX owed_unit ON owed (unit);
 )";
 
-constexpr std::array versions{firstSchema};
+/// Tunings, beside the trials that they are made of.
+constexpr const char *secondSchema = R"(
+CREATE TABLE tuning (
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    time REAL NOT NULL,
+    device TEXT NOT NULL,
+    unit TEXT NOT NULL,
+    firmware TEXT NOT NULL,
+    simulated INTEGER NOT NULL,
+    loop TEXT NOT NULL,
+    axis INTEGER NOT NULL,
+    slot INTEGER NOT NULL,
+    result TEXT NOT NULL,
+    evidence TEXT NOT NULL,
+    report TEXT NOT NULL);
+CREATE INDEX tuning_unit ON tuning (unit);
+)";
+
+constexpr std::array versions{firstSchema, secondSchema};
 
 } // namespace
 

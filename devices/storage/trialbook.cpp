@@ -3,12 +3,14 @@
 
 #include "model/qttext.h"
 #include "storage/trialjson.h"
+#include "storage/tuningjson.h"
 
 #include <QJsonDocument>
 #include <QSqlQuery>
 #include <QVariant>
 
 #include <cstring>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -43,6 +45,7 @@ KeptTrial trialOf(const QSqlQuery &row)
     kept.number = row.value(0).toLongLong();
     kept.time = row.value(1).toDouble();
     tuning::Trial &trial = kept.trial;
+    trial.number = kept.number;
     trial.device = text(row, 2);
     trial.unit = text(row, 3);
     trial.firmware = text(row, 4);
@@ -62,6 +65,29 @@ KeptTrial trialOf(const QSqlQuery &row)
     trial.lost = row.value(18).toULongLong();
     kept.star = row.value(19).toBool();
     kept.note = text(row, 20);
+    return kept;
+}
+
+KeptTuning tuningOf(const QSqlQuery &row)
+{
+    KeptTuning kept;
+    kept.number = row.value(0).toLongLong();
+    kept.time = row.value(1).toDouble();
+    tuning::TuneReport &report = kept.report;
+    report.device = text(row, 2);
+    report.unit = text(row, 3);
+    report.firmware = text(row, 4);
+    report.simulated = row.value(5).toBool();
+    report.loop = modeFromString(text(row, 6)).value_or(Mode::Off);
+    report.axis = row.value(7).toInt();
+    report.slot = row.value(8).toInt();
+    for (const auto result : {tuning::TuneResult::Kept, tuning::TuneResult::Proposed, tuning::TuneResult::RolledBack,
+             tuning::TuneResult::Refused, tuning::TuneResult::Stopped}) {
+        if (toString(result) == text(row, 9))
+            report.result = result;
+    }
+    report.evidence = text(row, 10);
+    readTuning(parsed(row.value(11)).object(), report);
     return kept;
 }
 
@@ -195,6 +221,38 @@ Result<std::vector<KeptTrial>> TrialBook::list(const std::string &device)
 Result<std::vector<KeptTrial>> TrialBook::listOf(const std::string &unit)
 {
     return read(" WHERE unit = ?", {qt(unit)});
+}
+
+Task<void> TrialBook::keepTuning(tuning::TuneReport report)
+{
+    co_return m_database.run(
+        "INSERT INTO tuning (time, device, unit, firmware, simulated, loop, axis, slot, result, evidence, report) "
+        "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
+        {now(), qt(report.device), qt(report.unit), qt(report.firmware), report.simulated, qt(toString(report.loop)),
+            report.axis, report.slot, qt(toString(report.result)), qt(report.evidence), textOf(toJson(report))});
+}
+
+Result<std::vector<KeptTuning>> TrialBook::tuningsOf(const std::string &unit)
+{
+    std::vector<KeptTuning> tunings;
+    bool known = false; // a file that is read only stays as old as it is
+    auto read = m_database.run(
+        "SELECT 1 FROM sqlite_master WHERE name = 'tuning'", {}, [&known](const QSqlQuery &) { known = true; });
+    if (read && known)
+        read = m_database.run("SELECT id, time, device, unit, firmware, simulated, loop, axis, slot, result, "
+                              "evidence, report FROM tuning WHERE unit = ? ORDER BY id",
+            {qt(unit)}, [&tunings](const QSqlQuery &row) { tunings.push_back(tuningOf(row)); });
+    for (KeptTuning &kept : tunings) {
+        std::vector<tuning::Trial> proof;
+        for (const tuning::Trial &trial : std::exchange(kept.report.proof, {})) {
+            if (const auto found = find(trial.number.value_or(0)))
+                proof.push_back(found->trial);
+        }
+        kept.report.proof = std::move(proof);
+    }
+    if (!read)
+        return fail(read.error());
+    return tunings;
 }
 
 Result<KeptTrial> TrialBook::find(std::int64_t number)

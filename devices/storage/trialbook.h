@@ -5,6 +5,7 @@
 #include "storage/database.h"
 #include "tuning/experimentjournal.h"
 #include "tuning/kepttrial.h"
+#include "tuning/kepttuning.h"
 
 #include <optional>
 
@@ -22,12 +23,15 @@ public:
     [[nodiscard]] Task<void> owe(std::int64_t trial, std::string unit, std::vector<tuning::OwedValue> values) override;
     [[nodiscard]] Task<void> settle(std::int64_t trial) override;
     [[nodiscard]] Task<void> complete(std::int64_t number, tuning::Trial trial) override;
+    [[nodiscard]] Task<void> keepTuning(tuning::TuneReport report) override;
     [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override;
 
     /// In order of their beginning; of one device, if it is named.
     [[nodiscard]] Result<std::vector<KeptTrial>> list(const std::string &device = {});
     /// The same of one unit, wherever it was connected (Trial::unit).
     [[nodiscard]] Result<std::vector<KeptTrial>> listOf(const std::string &unit);
+    /// Tunings of one unit in order of their end; none in a file that is read only and older than they are.
+    [[nodiscard]] Result<std::vector<KeptTuning>> tuningsOf(const std::string &unit);
     [[nodiscard]] Result<KeptTrial> find(std::int64_t number);
     [[nodiscard]] Result<std::vector<tuning::Signal>> signals(std::int64_t number);
     [[nodiscard]] Result<void> setStar(std::int64_t number, bool star);

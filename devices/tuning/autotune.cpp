@@ -5,6 +5,7 @@
 #include "tuning/autotunerun.h"
 #include "tuning/gains.h"
 #include "tuning/seconds.h"
+#include "tuning/verdict.h"
 
 #include <array>
 
@@ -92,7 +93,7 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
     if (auto known = checkScales(device, plan.loop); !known)
         co_return fail(known.error());
     const Instant begin = device.clock().now();
-    AutotuneRun run(device, stream, plan, std::move(surroundings));
+    AutotuneRun run(device, stream, plan, surroundings);
     auto performing = perform(run, plan);
     const Result<void> performed = co_await std::move(performing).attempt();
     TuneReport &report = run.report();
@@ -105,6 +106,13 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
     if (run.isOver())
         report.result = TuneResult::Stopped;
     report.seconds = inSeconds(device.clock().now() - begin);
+    report.unit = unitOf(device);
+    report.firmware = device.identity().firmware;
+    if (surroundings.journal) {
+        auto keeping = surroundings.journal->keepTuning(report);
+        if (const auto kept = co_await std::move(keeping).attempt(); !kept && surroundings.note)
+            surroundings.note("the tuning is not in the notebook: " + kept.error().text());
+    }
     co_return std::move(report);
 }
 

@@ -40,7 +40,9 @@ struct Proposal {
 /// What came of it, and all that it stands on.
 struct TuneReport {
     TuneResult result = TuneResult::Refused;
-    std::string device; ///< selector
+    std::string device;   ///< selector
+    std::string unit;     ///< as Trial::unit
+    std::string firmware; ///< version, empty when unknown
     bool simulated = false;
     Mode loop = Mode::Velocity;
     int axis = 1;

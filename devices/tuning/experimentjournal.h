@@ -6,6 +6,8 @@
 
 namespace mb::tuning {
 
+struct TuneReport;
+
 /// A value that an experiment has changed and owes to the unit.
 struct OwedValue {
     std::string key;
@@ -37,6 +39,8 @@ public:
     [[nodiscard]] virtual Task<void> settle(std::int64_t trial) = 0;
     /// What came of it.
     [[nodiscard]] virtual Task<void> complete(std::int64_t number, Trial trial) = 0;
+    /// What came of a whole tuning: its trials are kept by then.
+    [[nodiscard]] virtual Task<void> keepTuning(TuneReport report) = 0;
     /// What earlier experiments owe to a unit, oldest first.
     [[nodiscard]] virtual Task<std::vector<OwedGains>> owedTo(std::string unit) = 0;
 };

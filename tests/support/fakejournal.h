@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/experimentjournal.h"
+#include "tuning/autotune.h"
 
 #include <string>
 #include <vector>
@@ -40,6 +40,12 @@ public:
         completed.push_back(std::move(trial));
         co_return {};
     }
+    Task<void> keepTuning(tuning::TuneReport report) override
+    {
+        log.emplace_back("tuning");
+        tunings.push_back(std::move(report));
+        co_return {};
+    }
     Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override
     {
         std::vector<tuning::OwedGains> all;
@@ -55,6 +61,7 @@ public:
     std::string debtor;           ///< the unit that `owed` is for
     std::vector<tuning::Trial> begun;
     std::vector<tuning::Trial> completed;
+    std::vector<tuning::TuneReport> tunings;
     bool isFull = false;
 };
 

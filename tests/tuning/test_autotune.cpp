@@ -126,6 +126,9 @@ TEST(Autotune, TakesTheOvershootOfUnitSevenAway)
     for (const ScaledGains::Row &row : report->proposed.rows)
         EXPECT_EQ(rawOf(bench, row.key), row.raw) << row.key;
     EXPECT_LE(report->seconds, 60.0); // A13, of the device's time
+    ASSERT_EQ(bench.journal.tunings.size(), 1U);
+    EXPECT_EQ(bench.journal.tunings.front().result, TuneResult::Kept);
+    EXPECT_EQ(bench.journal.tunings.front().unit, after->unit);
 }
 
 TEST(Autotune, LeavesTheSlotItProvedInAsItWas)

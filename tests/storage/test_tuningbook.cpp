@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/virtualclock.h"
+#include "storage/trialbook.h"
+#include "support/simulatedsession.h"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QTemporaryDir>
+
+#include <chrono>
+#include <limits>
+
+namespace mb {
+namespace {
+
+using namespace tuning;
+
+class KeptTunings : public testing::Test {
+protected:
+    KeptTunings()
+    {
+        if (!QCoreApplication::instance()) {
+            static int count = 1;
+            static char name[] = "test_storage";
+            static char *arguments[] = {name, nullptr};
+            static QCoreApplication application(count, arguments);
+        }
+        clock.advance(std::chrono::hours(1000));
+    }
+    [[nodiscard]] std::unique_ptr<Database> open() const
+    {
+        auto opened = Database::open(path);
+        EXPECT_TRUE(opened) << (opened ? "" : opened.error().detail);
+        return opened ? std::move(*opened) : nullptr;
+    }
+    [[nodiscard]] static Prediction prediction(int points)
+    {
+        Prediction predicted;
+        for (int i = 0; i < points; ++i)
+            predicted.measured.add(0.001 * i, 10.0 * i);
+        predicted.metrics.overshoot = 0.01;
+        return predicted;
+    }
+    [[nodiscard]] static TuneReport report()
+    {
+        TuneReport report;
+        report.result = TuneResult::Kept;
+        report.device = "sim:can/dmc60c:7";
+        report.unit = "dmc60c 7";
+        report.firmware = "1.23";
+        report.simulated = true;
+        report.evidence = "the steps did what was predicted";
+        report.plant = {105'000.0, 0.168, 0.052, 0.021};
+        MotorFound motor;
+        motor.pushes.tauError = 0.002;
+        motor.line.gainError = 120.0;
+        motor.filter = VelocityFilter{VelocityFilter::Kind::Block, 0.1, 0.09, 0.1};
+        report.motor = motor;
+        report.gates = {{"fit", "the fit leaves 1.4 times", true, {}}, {"resolution", "12 counts", false, "go faster"}};
+        Proposal normal;
+        normal.design = {{1e-5, 2e-4, 0.0, 0.0}, 0.152, {"delay", "margin"}};
+        normal.gains.rows = {{"slot0.p", 38083, 0.5811}, {"slot0.i", 113, 0.001724}};
+        normal.gains.made = {1e-5, 2e-4, 0.0, 0.0};
+        normal.margins = {1.44, std::numeric_limits<double>::infinity(), 67.0, 4.0};
+        normal.predicted = prediction(5000);
+        normal.step = 30'000.0;
+        report.proposals = {normal};
+        report.design = normal.design;
+        report.proposed = normal.gains;
+        report.margins = normal.margins;
+        report.predicted = normal.predicted;
+        report.before = {{"slot0.p", 1.165}, {"slot0.d", std::nullopt}};
+        report.measured.overshoot = 0.013;
+        report.seconds = 38.2;
+        report.trials = {1, 2};
+        return report;
+    }
+
+    QTemporaryDir folder;
+    std::string path = folder.path().toStdString() + "/motorbench.db";
+    VirtualClock clock;
+};
+
+TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
+{
+    TuneReport kept = report();
+    {
+        const auto database = open();
+        TrialBook book(*database, clock);
+        for (int i = 0; i < 2; ++i) {
+            Trial trial;
+            trial.stimulus.to = i == 0 ? 30'000.0 : -30'000.0;
+            trial.number = test::run(clock, book.begin(trial)).value_or(0);
+            kept.proof.push_back(trial);
+        }
+        ASSERT_TRUE(test::run(clock, book.keepTuning(kept)));
+        ASSERT_TRUE(book.remove(2));
+    }
+    const auto database = open();
+    TrialBook book(*database, clock);
+    EXPECT_TRUE(book.tuningsOf("dmc60c 5")->empty());
+    const auto found = book.tuningsOf("dmc60c 7");
+    ASSERT_TRUE(found) << found.error().text();
+    ASSERT_EQ(found->size(), 1U);
+    EXPECT_DOUBLE_EQ(found->front().time, 3'600'000.0);
+    const TuneReport &back = found->front().report;
+    EXPECT_EQ(back.result, kept.result);
+    EXPECT_EQ(back.device, kept.device);
+    EXPECT_EQ(back.firmware, kept.firmware);
+    EXPECT_TRUE(back.simulated);
+    EXPECT_EQ(back.evidence, kept.evidence);
+    EXPECT_EQ(back.plant, kept.plant);
+    ASSERT_TRUE(back.motor && back.motor->filter);
+    EXPECT_EQ(back.motor->filter->kind, VelocityFilter::Kind::Block);
+    EXPECT_DOUBLE_EQ(back.motor->line.gainError, 120.0);
+    ASSERT_EQ(back.gates.size(), 2U);
+    EXPECT_FALSE(back.gates[1].passed);
+    EXPECT_EQ(back.gates[1].remedy, "go faster");
+    EXPECT_EQ(back.before, kept.before);
+    EXPECT_EQ(back.measured, kept.measured);
+    EXPECT_EQ(back.trials, kept.trials);
+    ASSERT_EQ(back.proposals.size(), 1U);
+    const Proposal &normal = back.proposals.front();
+    EXPECT_EQ(normal.design.bounds, kept.proposals.front().design.bounds);
+    EXPECT_EQ(normal.gains.made, kept.proposals.front().gains.made);
+    ASSERT_EQ(normal.gains.rows.size(), 2U);
+    EXPECT_EQ(normal.gains.rows[0].raw, 38083);
+    EXPECT_TRUE(std::isinf(normal.margins.gain));
+    EXPECT_DOUBLE_EQ(normal.margins.ms, 1.44);
+    EXPECT_LE(normal.predicted.measured.size(), 400U);
+    EXPECT_DOUBLE_EQ(valueAt(normal.predicted.measured, 2.0), 20'000.0);
+    ASSERT_EQ(back.proof.size(), 1U) << "the other trial was deleted";
+    EXPECT_DOUBLE_EQ(back.proof.front().stimulus.to, 30'000.0);
+}
+
+TEST_F(KeptTunings, ANotebookOfTheFirstSchemaKeepsItsTrialsAndTakesTunings)
+{
+    {
+        const auto database = open();
+        TrialBook book(*database, clock);
+        Trial trial;
+        trial.unit = "dmc60c 7";
+        ASSERT_TRUE(test::run(clock, book.begin(trial)));
+        ASSERT_TRUE(database->run("DROP TABLE tuning")); // as the first version left it
+        ASSERT_TRUE(database->run("PRAGMA user_version = 1"));
+    }
+    ASSERT_TRUE(open());
+    const auto database = open(); // which is of the newest version by now
+    ASSERT_TRUE(database);
+    TrialBook book(*database, clock);
+    EXPECT_EQ(book.listOf("dmc60c 7")->size(), 1U);
+    ASSERT_TRUE(test::run(clock, book.keepTuning(report())));
+    EXPECT_EQ(book.tuningsOf("dmc60c 7")->size(), 1U);
+}
+
+TEST_F(KeptTunings, AReadOnlyNotebookOfTheFirstSchemaHasNoTunings)
+{
+    const auto database = open();
+    ASSERT_TRUE(database->run("DROP TABLE tuning"));
+    TrialBook book(*database, clock);
+    const auto tunings = book.tuningsOf("dmc60c 7");
+    ASSERT_TRUE(tunings) << tunings.error().text();
+    EXPECT_TRUE(tunings->empty());
+}
+
+} // namespace
+} // namespace mb
