@@ -37,7 +37,7 @@ QJsonObject modelToJson(const TuneReport &report)
         {QStringLiteral("tau"), motor.pushes.tau}, {QStringLiteral("tau_error"), motor.pushes.tauError},
         {QStringLiteral("delay"), report.plant.delay}, {QStringLiteral("delay_error"), motor.pushes.delayError},
         {QStringLiteral("friction"), motor.line.friction}, {QStringLiteral("friction_error"), motor.line.frictionError},
-        {QStringLiteral("unit"), QStringLiteral("counts/s per duty")}};
+        {QStringLiteral("unit"), qt(motor.unit)}};
     object.insert(
         QStringLiteral("filter"), qt(toString(motor.filter ? motor.filter->kind : VelocityFilter::Kind::None)));
     object.insert(QStringLiteral("window"), motor.filter ? QJsonValue(motor.filter->window) : QJsonValue());
@@ -85,7 +85,7 @@ void printModel(Output &out, const TuneReport &report)
 {
     const MotorFound &motor = *report.motor;
     Table table({"model", "value", "±", "unit"});
-    table.add({"gain", brief(motor.line.gain), brief(motor.line.gainError), "counts/s per duty"});
+    table.add({"gain", brief(motor.line.gain), brief(motor.line.gainError), motor.unit});
     table.add({"tau", brief(1e3 * motor.pushes.tau), brief(1e3 * motor.pushes.tauError), "ms"});
     table.add({"delay of the loop", brief(1e3 * report.plant.delay), brief(1e3 * motor.pushes.delayError), "ms"});
     table.add({"friction", brief(100.0 * motor.line.friction), brief(100.0 * motor.line.frictionError), "% duty"});

@@ -37,6 +37,15 @@ struct LoopGains {
     Mode mode = Mode::Velocity;
     std::string_view prefix{};                 ///< of their keys, without the axis; '#' stands for the slot
     std::span<const std::string_view> names{}; ///< what follows it: "p", "i", …
+    bool proportional = false;                 ///< its integral cannot be relied on: only P is tuned
+};
+
+/// What is known of a loop that has no duty command, and so no LoopScale: its gains are tried against each other
+/// (tuning/twopointfit.h).
+struct RawLoop {
+    double cycle = 0.0;          ///< s between two passes of the loop
+    double fullDuty = 0.0;       ///< raw P times counts of error at full output …
+    std::string_view dialects{}; ///< … in units of these dialects, one after the other; not known in others
 };
 
 /// A setting of the device that bounds what a trial may do.
@@ -52,8 +61,10 @@ struct DeviceLimit {
 struct TrialTraits {
     std::span<const LoopGains> loops{};
     std::span<const DeviceLimit> limits{};
-    Envelope bench;      ///< of simulated units, for what nobody gives
-    double rate = 100.0; ///< samples per second asked for while a trial runs
+    Envelope bench;           ///< of simulated units, for what nobody gives
+    double rate = 100.0;      ///< samples per second asked for while a trial runs
+    double currentRate = 0.0; ///< the same for a trial of a current loop; 0: no other
+    RawLoop raw{};            ///< of its loops, where there is no duty command
     double nudge
         = 0.0; ///< counts of the move that checks the direction where there is no duty command; 0: a pulse of duty
     double nudgeTravel = 0.0;          ///< counts, either side, while it does

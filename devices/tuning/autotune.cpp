@@ -4,6 +4,7 @@
 #include "model/family.h"
 #include "tuning/autotunerun.h"
 #include "tuning/gains.h"
+#include "tuning/motoridentification.h"
 #include "tuning/seconds.h"
 #include "tuning/verdict.h"
 
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> names{"kept", "proposed", "rolled-back", "refused", "stopped"};
 
-/// A model: from the plan, or found out by pushes.
+/// A model: from the plan, or found out.
 Task<void> model(AutotuneRun &run, const TunePlan &plan)
 {
     if (plan.known) {
@@ -22,16 +23,9 @@ Task<void> model(AutotuneRun &run, const TunePlan &plan)
         co_await std::move(recalling);
         co_return {};
     }
-    auto probing = run.probe();
-    co_await std::move(probing);
-    if (run.isOver())
-        co_return {};
-    auto pushing = run.push();
-    co_await std::move(pushing);
-    if (run.isOver())
-        co_return {};
-    if (auto identified = run.identifyMotor(); !identified)
-        co_return fail(identified.error());
+    const auto identification = identificationOf(run.device().family(), plan.loop);
+    auto identifying = identification->identify(run);
+    co_await std::move(identifying);
     co_return {};
 }
 
@@ -72,18 +66,18 @@ Result<void> checkTuning(const Family &family, const TunePlan &plan)
     if (plan.loop == Mode::Current)
         return fail(Fault::Unsupported, "current loops are not tuned by themselves yet",
             "tune it by hand with 'motorbenchctl step'");
-    if (family.trials->nudge > 0.0)
-        return fail(Fault::Unsupported, std::string(family.title) + " has no duty command to identify a motor with",
-            "tune it by hand with 'motorbenchctl step'");
-    if (!loopUnits(family, plan.loop))
+    if (!identificationOf(family, plan.loop))
         return fail(Fault::Unsupported,
             "what a gain of " + std::string(family.title) + " means in this loop is not known",
             "tune it by hand with 'motorbenchctl step'");
-    ExperimentPlan pushes;
-    pushes.mode = Mode::Duty;
-    pushes.axis = plan.axis;
-    pushes.slot = plan.slot;
-    return checkPlan(family, pushes);
+    if (plan.known && family.trials->raw.cycle > 0.0 && !plan.scale)
+        return fail(Fault::OutOfRange, "what the gains of this loop make is not known any more", "identify it anew");
+    ExperimentPlan steps;
+    steps.mode = family.trials->nudge > 0.0 ? plan.loop : Mode::Duty;
+    steps.to = 1.0;
+    steps.axis = plan.axis;
+    steps.slot = plan.slot;
+    return checkPlan(family, steps);
 }
 
 Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan, ExperimentSurroundings surroundings)

@@ -20,6 +20,7 @@ struct TunePlan {
     bool propose = false;            ///< end before a gain is written
     bool keep = false;               ///< also where nobody knows what it replaces
     std::optional<PlantModel> known; ///< of this loop, identified before: no pushes
+    std::optional<TriedScale> scale; ///< that belongs to it: TuneReport::scale
     Envelope limits;
 };
 
@@ -49,7 +50,8 @@ struct TuneReport {
     int slot = 0;
     std::string evidence; ///< one sentence for people: why it ended so
     std::optional<MotorFound> motor;
-    PlantModel plant; ///< of the loop, what the design stands on
+    PlantModel plant;                ///< of the loop, what the design stands on
+    std::optional<TriedScale> scale; ///< of its gains, where they had to be tried
     std::vector<Gate> gates;
     std::vector<Proposal> proposals; ///< calm, normal, brisk, as far as the device can have them
     std::optional<Design> design;
@@ -68,7 +70,7 @@ struct TuneReport {
 /// OutOfRange or Unsupported for what cannot be tuned on this family; needs no device.
 [[nodiscard]] Result<void> checkTuning(const Family &family, const TunePlan &plan);
 
-/// From an unknown motor to proven gains, or a refusal that says why (docs/tuning.md): pushes of duty both ways, a model, gains
+/// From an unknown motor to proven gains, or a refusal that says why (docs/tuning.md): a model (motoridentification.h), gains
 /// within bounds, their step in both directions, and the gains stay only if they do what was predicted. The gains run in the
 /// slot that does not hold the result where there are two. Everything of ExperimentSurroundings holds; the stream's lease is the
 /// caller's to renew. Fails only where nothing has moved.

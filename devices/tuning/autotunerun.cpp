@@ -15,28 +15,15 @@
 namespace mb::tuning {
 namespace {
 
-constexpr std::array<double, 3> probes{0.15, 0.25, 0.4}; ///< duty
-constexpr double probeSeconds = 0.6;
-constexpr double strongest = 0.4; ///< duty of the pushes
-constexpr double weaker = 0.6;    ///< of the strongest
-constexpr double leastPush = 0.1;
-constexpr double taus = 8.0; ///< that a push lasts
-constexpr double leastTaus = 2.5;
-constexpr double leastSamples = 12.0; ///< of a push
-constexpr double longestPush = 3.0;   ///< s
-constexpr double usableShare = 0.75;  ///< of a limit of the envelope
-constexpr double nearlyFull = 0.96;   ///< of the duty limit
-constexpr double speedReserve = 1.3;  ///< friction takes a smaller share of a stronger push
-constexpr int pushRepeats = 2;
 constexpr int proofRepeats = 2;
-constexpr double proofSettles = 4.0;  ///< predicted times to settle that a proof holds its step
-constexpr double notableRest = 0.02;  ///< of the step
-constexpr double integralShare = 0.1; ///< weight of the integral where friction must be overcome by it
-constexpr double usualMs = 1.6;       ///< largest sensitivity, of the model
-constexpr double usualMsOff = 1.9;    ///< and of a motor that is not quite as it says
+constexpr double proofSettles = 4.0;       ///< predicted times to settle that a proof holds its step
+constexpr double longestPrediction = 30.0; ///< s
+constexpr double notableRest = 0.02;       ///< of the step
+constexpr double integralShare = 0.1;      ///< weight of the integral where friction must be overcome by it
+constexpr double usualMs = 1.6;            ///< largest sensitivity, of the model
+constexpr double usualMsOff = 1.9;         ///< and of a motor that is not quite as it says
 constexpr double briskMs = 1.7;
 constexpr double briskMsOff = 2.3;
-constexpr double loopDelays = 1.5; ///< periods of the device's loop
 
 std::string whole(double number)
 {
@@ -78,9 +65,10 @@ Task<Trial> AutotuneRun::run(ExperimentPlan plan)
     if (trial.number)
         m_report.trials.push_back(*trial.number);
     if (const Signal *const position = trial.signal("position"); position && !position->trace.isEmpty()) {
-        if (m_pushes.empty() && m_start == 0.0)
+        const bool counted = plan.mode == Mode::Position && m_device.family().capabilities.zeroPosition;
+        if (!std::exchange(m_placed, true) && !counted)
             m_start = position->trace.y.front();
-        m_here = position->trace.y.back();
+        m_here = position->trace.y.back() + (counted ? m_here : 0.0); // each counts from its own start
     }
     m_report.stopped = trial.stopped || m_device.isSeenStopped();
     if (trial.reason.empty())
@@ -92,7 +80,7 @@ Task<Trial> AutotuneRun::run(ExperimentPlan plan)
     co_return trial;
 }
 
-Task<Trial> AutotuneRun::pushOnce(Push push)
+Task<Trial> AutotuneRun::push(Push push)
 {
     ExperimentPlan plan;
     plan.mode = Mode::Duty;
@@ -105,79 +93,18 @@ Task<Trial> AutotuneRun::pushOnce(Push push)
     return run(std::move(plan));
 }
 
-Task<void> AutotuneRun::probe()
+void AutotuneRun::end(Guard guard, std::string evidence)
 {
-    Trial trial;
-    double most = std::min(probes.back(), m_plan.limits.duty.value_or(1.0));
-    for (const double duty : probes) {
-        auto pushing = pushOnce({std::min(duty, most), probeSeconds, 1});
-        trial = co_await std::move(pushing);
-        most = std::min(most, trial.envelope.duty.value_or(1.0));
-        const bool stuck = m_report.stopReason == toString(Guard::NoMotion) || (!isOver() && pushesOf(trial).empty());
-        if (!stuck)
-            break;
-        if (duty >= most) {
-            m_report.stopReason = toString(Guard::NoMotion);
-            m_report.evidence
-                = "the motor did not turn at up to " + percentText(most) + " duty: stalled, or the encoder is dead";
-            break;
-        }
-        m_report.stopReason.clear();
-    }
-    if (isOver())
-        co_return {};
-    const std::vector<PushRecord> seen = pushesOf(trial);
-    const auto fit = fitPushes(seen);
-    if (!fit)
-        co_return fail(fit.error());
-    auto reading = readEnvelope(); // anew: some devices get a limit with their first motion
-    co_await std::move(reading);
-    const Envelope &envelope = m_envelope;
-    const double gain = speedReserve * std::abs(fit->speeds.front() / seen.front().duty); // counts/s per duty, at most
-    m_duty = std::min(strongest, nearlyFull * envelope.duty.value_or(1.0));
-    if (envelope.speed)
-        m_duty = std::min(m_duty, usableShare * *envelope.speed / gain);
-    const double period = std::max(samplePeriod(seen.front().position), 1e-3);
-    m_seconds = std::min(std::max(taus * fit->tau, leastSamples * period), longestPush);
-    if (envelope.travel) {
-        const double room = usableShare * *envelope.travel / (pushRepeats * 1.25); // it rolls on while it brakes
-        const double shortest = std::max(leastTaus * fit->tau, leastSamples * period);
-        m_seconds = std::max(std::min(room / (gain * m_duty), m_seconds), shortest); // a slow motor takes its time
-        m_duty = std::min(m_duty, room / (gain * m_seconds));
-    }
-    if (m_duty < leastPush)
-        co_return fail(Fault::OutOfRange,
-            "there is not enough room to identify the motor: its limits leave pushes of " + percentText(m_duty)
-                + " duty only",
-            "allow more travel or speed");
-    co_return {};
+    m_report.stopReason = toString(guard);
+    m_report.evidence = std::move(evidence);
 }
 
-Task<void> AutotuneRun::push()
+Result<void> AutotuneRun::take(Finding finding)
 {
-    for (const double size : {m_duty, weaker * m_duty}) {
-        for (const double sign : {1.0, -1.0}) {
-            auto pushing = pushOnce({sign * size, m_seconds, pushRepeats});
-            m_pushes.push_back(co_await std::move(pushing));
-            if (isOver())
-                co_return {};
-        }
-    }
-    co_return {};
-}
-
-Result<void> AutotuneRun::identifyMotor()
-{
-    auto found = identify(m_pushes);
-    if (!found)
-        return fail(found.error());
-    m_report.gates = judge(*found, m_pushes);
-    m_report.motor = std::move(*found);
-    const MotorFound &motor = *m_report.motor;
-    const double loop = m_device.family().loop->cycle;
-    m_report.plant = {motor.line.gain, motor.pushes.tau, motor.pushes.delay + loopDelays * loop, motor.line.friction};
-    if (m_plan.loop == Mode::Velocity && motor.filter)
-        m_report.plant.delay += motor.filter->delay;
+    m_report.motor = std::move(finding.motor);
+    m_report.plant = finding.plant;
+    m_report.gates = std::move(finding.gates);
+    m_report.scale = finding.scale;
     for (const Gate &gate : m_report.gates) {
         if (!gate.passed)
             return fail(Fault::Refused, "the model is not to be believed: " + gate.detail, gate.remedy);
@@ -188,11 +115,13 @@ Result<void> AutotuneRun::identifyMotor()
 Task<void> AutotuneRun::recall()
 {
     m_report.plant = *m_plan.known;
+    m_report.scale = m_plan.scale;
     const auto position = axisChannel(m_device, "position", m_plan.axis);
     const auto last = position ? m_device.telemetry()->latest(*position) : std::nullopt;
     if (m_plan.loop == Mode::Position && !last)
         co_return fail(Fault::Timeout, m_device.selector() + " has not told where it stands", "wait until it is heard");
-    m_start = m_here = last ? last->value : 0.0;
+    m_start = m_here = last && !m_device.family().capabilities.zeroPosition ? last->value : 0.0;
+    m_placed = true;
     auto reading = readEnvelope();
     co_await std::move(reading);
     co_return {};
@@ -219,15 +148,11 @@ Result<Proposal> AutotuneRun::proposalFor(Aim aim) const
     const bool brisk = aim == Aim::Brisk && !(asked && m_plan.ms);
     const double ms = (asked ? m_plan.ms : std::nullopt).value_or(brisk ? briskMs : usualMs);
     const double response = (asked ? m_plan.response : std::nullopt).value_or(responseOf(m_plan.loop, aim, plant));
-    LoopBounds bounds;
-    bounds.period = family.loop->cycle;
-    if (m_plan.loop == Mode::Position && !hasFrictionHelp(family))
-        bounds.integralWeight = integralShare;
     Proposal proposal;
     proposal.aim = aim;
-    proposal.design
-        = design(m_plan.loop, plant, response, bounds, ms, ms * (brisk ? briskMsOff / briskMs : usualMsOff / usualMs));
-    auto scaled = scaleGains(m_device, m_plan.loop, m_plan.axis, m_plan.slot, proposal.design.gains);
+    proposal.design = design(m_plan.loop, plant, std::max(response, m_report.scale ? m_report.scale->quickest : 0.0),
+        boundsOf(), ms, ms * (brisk ? briskMsOff / briskMs : usualMsOff / usualMs));
+    auto scaled = scaleGains(m_device, m_plan.loop, m_plan.axis, m_plan.slot, proposal.design.gains, m_report.scale);
     if (!scaled)
         return fail(scaled.error());
     proposal.gains = std::move(*scaled);
@@ -236,10 +161,26 @@ Result<Proposal> AutotuneRun::proposalFor(Aim aim) const
     const ContinuousGains &gains = proposal.gains.made;
     proposal.margins = marginsOf(m_plan.loop, plant, gains);
     proposal.step = proofStep(m_plan.loop, plant, gains, m_envelope);
-    const double seconds = 1.0 + 10.0 * (plant.tau + plant.delay);
+    const double seconds = std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestPrediction);
     proposal.predicted = predictStep(m_plan.loop, plant, gains, 0.0, proposal.step, seconds,
-        m_envelope.duty.value_or(1.0), std::clamp(family.loop->cycle, 1e-4, 0.02));
+        m_envelope.duty.value_or(1.0), std::clamp(cycle(), 1e-4, 0.02));
     return proposal;
+}
+
+double AutotuneRun::cycle() const
+{
+    return m_report.scale ? m_report.scale->cycle : m_device.family().loop->cycle;
+}
+
+LoopBounds AutotuneRun::boundsOf() const
+{
+    LoopBounds bounds;
+    bounds.period = cycle();
+    if (m_report.scale)
+        bounds.derivativeShare = m_report.scale->strongest * m_report.scale->d / bounds.period;
+    else if (m_plan.loop == Mode::Position && !hasFrictionHelp(m_device.family()))
+        bounds.integralWeight = integralShare;
+    return bounds;
 }
 
 Result<void> AutotuneRun::propose()
@@ -287,6 +228,12 @@ std::vector<ParameterChange> AutotuneRun::inProvingSlot() const
     return changes;
 }
 
+double AutotuneRun::proofTarget(double sign) const
+{
+    const bool counted = m_device.family().capabilities.zeroPosition; // each experiment from its own start
+    return sign * m_step + (m_plan.loop == Mode::Position && !counted ? m_here : 0.0);
+}
+
 Task<void> AutotuneRun::prove()
 {
     auto reading = readGains(m_device, m_plan.loop, m_plan.axis, m_plan.slot);
@@ -300,7 +247,7 @@ Task<void> AutotuneRun::prove()
         plan.gains = inProvingSlot();
         plan.keep = m_plan.keep && m_provingSlot == m_plan.slot ? Keep::Always : Keep::Never;
         plan.from = m_plan.loop == Mode::Position ? std::optional<double>() : 0.0;
-        plan.to = sign * m_step + (m_plan.loop == Mode::Position ? m_here : 0.0);
+        plan.to = proofTarget(sign);
         note("proving: a step of " + whole(sign * m_step) + (m_plan.loop == Mode::Position ? " counts" : " counts/s"));
         auto running = run(std::move(plan));
         m_report.proof.push_back(co_await std::move(running));
@@ -325,10 +272,15 @@ Task<void> AutotuneRun::keep()
     const Capabilities &can = m_device.family().capabilities;
     m_report.evidence = std::string("the steps in both directions did what was predicted; the gains were written")
         + (can.readback ? " and read back" : ", which this family cannot read back");
-    const double resting = restingError(m_device.family(), m_report.plant, m_report.proposed.made);
+    const bool tried = m_report.scale.has_value();
+    const double resting = tried ? deadband(m_report.plant, m_report.proposed.made)
+                                 : restingError(m_device.family(), m_report.plant, m_report.proposed.made);
     if (resting > notableRest * m_step)
-        m_report.evidence
-            += "; it may rest " + whole(resting) + " short of its target, less does not move its integral";
+        m_report.evidence += "; it may rest " + whole(resting) + " short of its target, less does not move its "
+            + (tried ? "motor" : "integral");
+    if (std::any_of(m_report.proof.begin(), m_report.proof.end(),
+            [](const Trial &trial) { return trial.has(flag::restartNeeded); }))
+        m_report.evidence += "; a part of them is in force after a restart only";
     if (can.storesAfter > std::chrono::seconds(0))
         m_report.evidence
             += "; the unit stores them by itself within " + std::to_string(can.storesAfter.count()) + " s";

@@ -3,6 +3,10 @@
 
 #include "tuning/autotune.h"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace mb::tuning {
 
 /// The stages of one tuning and what they share. Lives in the frame of autotune().
@@ -10,12 +14,33 @@ class AutotuneRun {
 public:
     AutotuneRun(Device &device, SetPointStream &stream, TunePlan plan, ExperimentSurroundings surroundings);
 
-    /// Pushes that grow until the motor turns: how strong and how long the others are.
-    [[nodiscard]] Task<void> probe();
-    /// Pushes of two sizes, both ways.
-    [[nodiscard]] Task<void> push();
-    /// The model and its gates; no motion.
-    [[nodiscard]] Result<void> identifyMotor();
+    /// What an identification has found.
+    struct Finding {
+        MotorFound motor;
+        PlantModel plant; ///< as the loop sees it
+        std::vector<Gate> gates;
+        std::optional<TriedScale> scale;
+    };
+    /// A push of duty from standstill.
+    struct Push {
+        double duty = 0.0;
+        double seconds = 0.0;
+        int repeat = 1;
+    };
+
+    /// One experiment within the limits of the tuning; what ended it, if it was not its own end, ends the tuning.
+    [[nodiscard]] Task<Trial> run(ExperimentPlan plan);
+    [[nodiscard]] Task<Trial> push(Push push);
+    /// Limits of the plan and of the device together, from where the motor stands.
+    [[nodiscard]] Task<void> readEnvelope();
+    /// Refused with the gate that it did not pass.
+    [[nodiscard]] Result<void> take(Finding finding);
+    /// Ends the tuning for this reason.
+    void end(Guard guard, std::string evidence);
+    /// The last experiment ended by a guard, and that was to be expected.
+    void forgive() { m_report.stopReason.clear(); }
+    void note(const std::string &text) const;
+
     /// Takes the model that the plan brings, and where the motor stands now; no motion.
     [[nodiscard]] Task<void> recall();
     /// Gains, rounded to the device's, and what they will do; no motion.
@@ -29,33 +54,27 @@ public:
     [[nodiscard]] bool isOver() const { return !m_report.stopReason.empty(); }
     [[nodiscard]] bool hasMoved() const { return m_moved; }
     [[nodiscard]] TuneReport &report() { return m_report; }
+    [[nodiscard]] const TunePlan &plan() const { return m_plan; }
+    [[nodiscard]] const Envelope &envelope() const { return m_envelope; }
+    [[nodiscard]] Device &device() const { return m_device; }
 
 private:
-    struct Push {
-        double duty = 0.0;
-        double seconds = 0.0;
-        int repeat = 1;
-    };
-
-    [[nodiscard]] Task<Trial> run(ExperimentPlan plan);
-    [[nodiscard]] Task<Trial> pushOnce(Push push);
-    [[nodiscard]] Task<void> readEnvelope();
     [[nodiscard]] Result<Proposal> proposalFor(Aim aim) const;
+    [[nodiscard]] LoopBounds boundsOf() const;
+    [[nodiscard]] double cycle() const;
+    [[nodiscard]] double proofTarget(double sign) const;
     [[nodiscard]] std::vector<ParameterChange> inProvingSlot() const;
-    void note(const std::string &text) const;
 
     Device &m_device;
     SetPointStream &m_stream;
     TunePlan m_plan;
     ExperimentSurroundings m_around;
     TuneReport m_report;
-    std::vector<Trial> m_pushes;
-    Envelope m_envelope;    ///< of limits and device together
-    double m_duty = 0.0;    ///< of the stronger pushes
-    double m_seconds = 0.0; ///< of each
-    double m_step = 0.0;    ///< of the proof, in the unit of the loop
-    double m_start = 0.0;   ///< counts, where the tuning began
-    double m_here = 0.0;    ///< counts, where the last experiment ended
+    Envelope m_envelope;   ///< of limits and device together
+    double m_step = 0.0;   ///< of the proof, in the unit of the loop
+    double m_start = 0.0;  ///< counts, where the tuning began
+    double m_here = 0.0;   ///< counts, where the last experiment ended
+    bool m_placed = false; ///< m_start is known
     int m_provingSlot = 0;
     bool m_moved = false;
 };

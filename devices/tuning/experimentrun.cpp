@@ -256,7 +256,7 @@ Task<void> ExperimentRun::findDirection()
 bool ExperimentRun::beginsHere()
 {
     const auto here = m_recorder.latest("position");
-    if (m_plan.mode != Mode::Position || m_plan.from || m_device.family().capabilities.zeroPosition || !here)
+    if (m_plan.mode != Mode::Position || m_plan.from || !here)
         return false;
     const auto stimulus = Stimulus::make(m_plan.profile, *here, m_plan.to, m_plan.seconds, m_beat);
     if (!stimulus)

@@ -36,6 +36,12 @@ double calibratedScale(const Device &device, Mode loop, std::string_view gain)
     return one > 0.0 ? 1.0 / one : 0.0;
 }
 
+std::array<Term, 4> termsOf(const TriedScale &tried)
+{
+    return {{{"p", &ContinuousGains::p, 1.0 / tried.p}, {"i", &ContinuousGains::i, 0.0},
+        {"d", &ContinuousGains::d, 1.0 / tried.d}, {"f", &ContinuousGains::f, 0.0}}};
+}
+
 std::array<Term, 4> termsOf(const Device &device, Mode loop, double units)
 {
     const LoopScale &scale = *device.family().loop;
@@ -130,22 +136,23 @@ Result<void> checkScales(const Device &device, Mode loop)
     return {};
 }
 
-Result<ScaledGains> scaleGains(const Device &device, Mode loop, int axis, int slot, const ContinuousGains &gains)
+Result<ScaledGains> scaleGains(const Device &device, Mode loop, int axis, int slot, const ContinuousGains &gains,
+    const std::optional<TriedScale> &tried)
 {
     const Family &family = device.family();
     const LoopGains *const parameters = loopOf(family, loop);
     const auto units = loopUnits(family, loop);
-    if (!parameters || !units)
+    if (!parameters || (!units && !tried))
         return fail(Fault::Unsupported,
             "what a gain of " + std::string(family.title) + " means in this loop is not known",
             "tune it by hand with 'motorbenchctl step'");
     if (auto known = checkScales(device, loop); !known)
         return fail(known.error());
-    const auto terms = termsOf(device, loop, *units);
+    const auto terms = tried ? termsOf(*tried) : termsOf(device, loop, *units);
     const auto keyOf = [&](std::string_view name) {
         return gainKey(family, std::string(parameters->prefix) + std::string(name), axis, slot);
     };
-    const double divisor = family.loop->divided ? divisorFor(family, keyOf, terms, gains) : 1.0;
+    const double divisor = family.loop && family.loop->divided ? divisorFor(family, keyOf, terms, gains) : 1.0;
     ScaledGains scaled;
     for (const std::string_view name : parameters->names) {
         const std::string key = keyOf(name);

@@ -20,9 +20,21 @@ struct ScaledGains {
     std::vector<std::string> coarse;      ///< keys with fewer than 50 steps: 2 % are one step
 };
 
+/// What raw gains of a loop make, found by trying them against each other where its arithmetic tells no duty (twopointfit.h).
+struct TriedScale {
+    double p = 0.0;         ///< duty for a count, of a raw P of 1
+    double d = 0.0;         ///< duty for a count/s, of a raw D of 1
+    double cycle = 0.0;     ///< s between two passes of the loop
+    double strongest = 0.0; ///< raw D that one count may meet
+    double quickest = 0.0;  ///< s, 1/omega of a loop that what was tried vouches for
+
+    friend bool operator==(const TriedScale &, const TriedScale &) = default;
+};
+
 /// OutOfRange where the scale of this loop is not known or not calibrated, a gain does not fit, or one has fewer than 10 steps.
-[[nodiscard]] Result<ScaledGains> scaleGains(
-    const Device &device, Mode loop, int axis, int slot, const ContinuousGains &gains);
+/// `tried` takes the place of what the family tells; such a loop has no I.
+[[nodiscard]] Result<ScaledGains> scaleGains(const Device &device, Mode loop, int axis, int slot,
+    const ContinuousGains &gains, const std::optional<TriedScale> &tried = {});
 
 /// OutOfRange, with what finds them out, where a gain of this loop has a scale that must be calibrated and was not.
 [[nodiscard]] Result<void> checkScales(const Device &device, Mode loop);

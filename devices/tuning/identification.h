@@ -14,8 +14,9 @@ namespace mb::tuning {
 struct MotorFound {
     PushFit pushes;
     GainFit line;
-    std::optional<VelocityFilter> filter; ///< nothing where the device tells no velocity of its own
-    double supply = 0.0;                  ///< V at rest, which `line` is per full duty of; 0: not told
+    std::optional<VelocityFilter> filter;   ///< nothing where the device tells no velocity of its own
+    double supply = 0.0;                    ///< V at rest, which `line` is per full duty of; 0: not told
+    std::string unit = "counts/s per duty"; ///< of the gain
 };
 
 /// One gate of quality: why a model may not be believed.

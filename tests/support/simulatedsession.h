@@ -2,13 +2,17 @@
 #pragma once
 
 #include "async/virtualclock.h"
+#include "model/family.h"
 #include "model/registry.h"
 #include "model/session.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace mb::test {
 
@@ -23,8 +27,11 @@ template <class T> Result<T> run(VirtualClock &clock, Task<T> task, Duration lim
 
 /// A session of all families on a simulated bench, in virtual time.
 struct SimulatedSession {
-    explicit SimulatedSession(std::string_view address = "sim:can")
-        : session(clock, families())
+    /// `unit` in the notation of `simulate` instead of the bench's own.
+    explicit SimulatedSession(std::string_view address = "sim:can", std::string_view unit = {})
+        : m_unit(unit)
+        , m_families(familiesWith(unit))
+        , session(clock, m_families)
     {
         const auto parsed = LinkAddress::parse(address);
         EXPECT_TRUE(parsed);
@@ -68,6 +75,27 @@ struct SimulatedSession {
         return found.value_or(ParameterIndex{});
     }
 
+private:
+    /// Those of the program, the family of the unit with it as its bench.
+    std::vector<const Family *> familiesWith(std::string_view unit)
+    {
+        std::vector<const Family *> list(families().begin(), families().end());
+        for (const Family *&family : list) {
+            if (!unit.starts_with(std::string(family->key) + ':'))
+                continue;
+            m_units[0] = m_unit;
+            m_family = std::make_unique<Family>(*family);
+            m_family->bench = m_units;
+            family = m_family.get();
+        }
+        return list;
+    }
+    std::string m_unit;
+    std::array<std::string_view, 1> m_units{};
+    std::unique_ptr<Family> m_family;
+    std::vector<const Family *> m_families;
+
+public:
     VirtualClock clock;
     Session session;
     Link *link = nullptr;

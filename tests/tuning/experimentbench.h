@@ -13,8 +13,10 @@ namespace mb::test {
 
 /// Experiments on the simulated bench in virtual time. The lease is renewed as the console does, unless a test hangs it.
 struct ExperimentBench {
-    explicit ExperimentBench(std::string_view link = "sim:can", std::string_view family = "dmc60c", int address = 5)
-        : bench(link)
+    /// `unit` in the notation of `simulate` instead of the bench's own units of the family.
+    explicit ExperimentBench(std::string_view link = "sim:can", std::string_view family = "dmc60c", int address = 5,
+        std::string_view unit = {})
+        : bench(link, unit)
         , renewal(bench.clock)
     {
         bench.scan();

@@ -293,6 +293,7 @@ void DesignPage::prove()
         return;
     tuning::TunePlan wanted = plan();
     wanted.known = known->plant;
+    wanted.scale = known->scale;
     run(std::move(wanted));
 }
 
@@ -322,6 +323,7 @@ void DesignPage::ended(const Place &place, const Result<tuning::TuneReport> &rep
         if (before != m_reports.end() && !now.motor) {
             now.motor = before->second.motor;
             now.plant = before->second.plant;
+            now.scale = before->second.scale;
             now.gates = before->second.gates;
             if (now.proposals.empty())
                 now.proposals = before->second.proposals;

@@ -98,7 +98,7 @@ constexpr std::array<std::string_view, 4> gainNames{"p", "i", "d", "divisor"};
 constexpr std::array<LoopGains, 3> triedLoops{{
     {Mode::Velocity, "velocity.", gainNames},
     {Mode::Position, "position.", gainNames},
-    {Mode::Current, "current.", gainNames},
+    {Mode::Current, "current.", gainNames, true},
 }};
 constexpr TrialTraits trials{
     .loops = triedLoops,

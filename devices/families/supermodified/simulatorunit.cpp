@@ -249,6 +249,10 @@ bool Unit::disturb(std::string_view what, double value)
     } else if (what.starts_with("analog") && what.size() == 7 && what[6] >= '1' && what[6] <= '4')
         m_firmware.analog.at(static_cast<std::size_t>(what[6] - '1'))
             = static_cast<std::uint16_t>(std::clamp(value / adcVolts, 0.0, 1023.0));
+    else if (what == "encoder-dead" && value != 0.0)
+        m_drive.setEncoderDead(); // it sits on the output shaft, not on the motor
+    else if (what == "encoder-reversed" && value != 0.0)
+        m_drive.setEncoderReversed();
     else if (!m_drive.motor().disturb(what, value))
         return false;
     lookAfter();

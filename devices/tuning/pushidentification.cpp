@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/pushidentification.h"
+
+#include "model/family.h"
+#include "tuning/autotunerun.h"
+#include "tuning/figures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+constexpr std::array<double, 3> probes{0.15, 0.25, 0.4}; ///< duty
+constexpr double probeSeconds = 0.6;
+constexpr double strongest = 0.4; ///< duty of the pushes
+constexpr double weaker = 0.6;    ///< of the strongest
+constexpr double leastPush = 0.1;
+constexpr double taus = 8.0; ///< that a push lasts
+constexpr double leastTaus = 2.5;
+constexpr double samplesOfPush = 12.0; ///< of a push
+constexpr double longestPush = 3.0;    ///< s
+constexpr double usableShare = 0.75;   ///< of a limit of the envelope
+constexpr double nearlyFull = 0.96;    ///< of the duty limit
+constexpr double speedReserve = 1.3;   ///< friction takes a smaller share of a stronger push
+constexpr int pushRepeats = 2;
+constexpr double loopDelays = 1.5; ///< periods of the device's loop
+
+} // namespace
+
+Task<void> PushIdentification::identify(AutotuneRun &run)
+{
+    auto probing = probe(run);
+    co_await std::move(probing);
+    if (run.isOver())
+        co_return {};
+    auto pushing = push(run);
+    co_await std::move(pushing);
+    if (run.isOver())
+        co_return {};
+    co_return conclude(run);
+}
+
+/// Pushes that grow until the motor turns.
+Task<void> PushIdentification::probe(AutotuneRun &run)
+{
+    Trial trial;
+    double most = std::min(probes.back(), run.plan().limits.duty.value_or(1.0));
+    for (const double duty : probes) {
+        auto pushing = run.push({std::min(duty, most), probeSeconds, 1});
+        trial = co_await std::move(pushing);
+        most = std::min(most, trial.envelope.duty.value_or(1.0));
+        const bool stuck
+            = run.report().stopReason == toString(Guard::NoMotion) || (!run.isOver() && pushesOf(trial).empty());
+        if (!stuck)
+            break;
+        if (duty >= most) {
+            run.end(Guard::NoMotion,
+                "the motor did not turn at up to " + percentText(most) + " duty: stalled, or the encoder is dead");
+            break;
+        }
+        run.forgive();
+    }
+    if (run.isOver())
+        co_return {};
+    auto measuring = measureOut(run, std::move(trial));
+    co_await std::move(measuring);
+    co_return {};
+}
+
+/// How strong and how long the others are.
+Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
+{
+    const std::vector<PushRecord> seen = pushesOf(trial);
+    const auto fit = fitPushes(seen);
+    if (!fit)
+        co_return fail(fit.error());
+    auto reading = run.readEnvelope(); // anew: some devices get a limit with their first motion
+    co_await std::move(reading);
+    const Envelope &envelope = run.envelope();
+    const double gain = speedReserve * std::abs(fit->speeds.front() / seen.front().duty); // counts/s per duty, at most
+    m_duty = std::min(strongest, nearlyFull * envelope.duty.value_or(1.0));
+    if (envelope.speed)
+        m_duty = std::min(m_duty, usableShare * *envelope.speed / gain);
+    const double period = std::max(samplePeriod(seen.front().position), 1e-3);
+    m_seconds = std::min(std::max(taus * fit->tau, samplesOfPush * period), longestPush);
+    if (envelope.travel) {
+        const double room = usableShare * *envelope.travel / (pushRepeats * 1.25); // it rolls on while it brakes
+        const double shortest = std::max(leastTaus * fit->tau, samplesOfPush * period);
+        m_seconds = std::max(std::min(room / (gain * m_duty), m_seconds), shortest); // a slow motor takes its time
+        m_duty = std::min(m_duty, room / (gain * m_seconds));
+    }
+    if (m_duty < leastPush)
+        co_return fail(Fault::OutOfRange,
+            "there is not enough room to identify the motor: its limits leave pushes of " + percentText(m_duty)
+                + " duty only",
+            "allow more travel or speed");
+    co_return {};
+}
+
+/// Of two sizes, both ways.
+Task<void> PushIdentification::push(AutotuneRun &run)
+{
+    for (const double size : {m_duty, weaker * m_duty}) {
+        for (const double sign : {1.0, -1.0}) {
+            auto pushing = run.push({sign * size, m_seconds, pushRepeats});
+            m_pushes.push_back(co_await std::move(pushing));
+            if (run.isOver())
+                co_return {};
+        }
+    }
+    co_return {};
+}
+
+Result<void> PushIdentification::conclude(AutotuneRun &run) const
+{
+    auto found = tuning::identify(m_pushes);
+    if (!found)
+        return fail(found.error());
+    const double loop = run.device().family().loop->cycle;
+    PlantModel plant{
+        found->line.gain, found->pushes.tau, found->pushes.delay + loopDelays * loop, found->line.friction};
+    if (run.plan().loop == Mode::Velocity && found->filter)
+        plant.delay += found->filter->delay;
+    auto gates = judge(*found, m_pushes);
+    return run.take({std::move(*found), plant, std::move(gates), std::nullopt});
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/motoridentification.h"
+#include "tuning/trial.h"
+
+#include <vector>
+
+namespace mb::tuning {
+
+/// Pushes of duty from standstill: of two sizes, both ways; how strong and how long is found out by a few that grow until the
+/// motor turns.
+class PushIdentification final : public MotorIdentification {
+public:
+    [[nodiscard]] Task<void> identify(AutotuneRun &run) override;
+
+private:
+    [[nodiscard]] Task<void> probe(AutotuneRun &run);
+    [[nodiscard]] Task<void> measureOut(AutotuneRun &run, Trial seen);
+    [[nodiscard]] Task<void> push(AutotuneRun &run);
+    [[nodiscard]] Result<void> conclude(AutotuneRun &run) const;
+
+    std::vector<Trial> m_pushes;
+    double m_duty = 0.0;    ///< of the stronger pushes
+    double m_seconds = 0.0; ///< of each
+};
+
+} // namespace mb::tuning

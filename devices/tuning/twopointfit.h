@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/result.h"
+#include "tuning/trial.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace mb::tuning {
+
+/// One step of a position loop with known raw gains, from rest.
+struct LoopRun {
+    double p = 0.0;
+    double d = 0.0;
+    double step = 0.0; ///< counts from where it stood to its target, sign included
+    Trace way;         ///< counts from where it stood; t = 0 at the order
+};
+
+/// The ways of a trial to its target and back, with these gains in force. None for what did not move.
+[[nodiscard]] std::vector<LoopRun> runsOf(const Trial &trial, double p, double d);
+
+/// One run as a system of second order.
+struct StepFit {
+    double omega = 0.0; ///< rad/s
+    double zeta = 0.0;
+    double end = 0.0;      ///< where it ends, of its step
+    double residual = 0.0; ///< RMS, of its step
+};
+/// Nothing for fewer than eight samples.
+[[nodiscard]] std::optional<StepFit> fitStep(const LoopRun &run);
+
+/// What runs with different gains have in common: y'' + (drag + d·D)·y' + p·P·y = p·P·r with t counted from the delay on, each
+/// run with an end of its own. Friction is spread over the three: each alone may be far off, together they tell how the loop
+/// moves with other gains.
+struct TwoPointFit {
+    double p = 0.0;     ///< 1/s² per raw P
+    double d = 0.0;     ///< 1/s per raw D
+    double drag = 0.0;  ///< 1/s, of the motor alone
+    double delay = 0.0; ///< s, what the link takes included
+    double pError = 0.0;
+    double dError = 0.0;
+    double dragError = 0.0;
+    double delayError = 0.0;  ///< ± two standard errors
+    double residual = 0.0;    ///< RMS of what is left over, of a step
+    std::vector<double> ends; ///< where each run ends, of its step
+};
+/// OutOfRange where the runs have one P or one D only, or too few samples.
+[[nodiscard]] Result<TwoPointFit> fitTwoPoint(std::span<const LoopRun> runs);
+
+/// The step response of s² + drag·s + stiffness, from 0 to 1; 0 before its time.
+[[nodiscard]] double stepOfSecondOrder(double drag, double stiffness, double t);
+
+} // namespace mb::tuning

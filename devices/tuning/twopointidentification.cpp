@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/twopointidentification.h"
+
+#include "model/family.h"
+#include "tuning/autotunerun.h"
+#include "tuning/envelope.h"
+#include "tuning/figures.h"
+#include "tuning/gains.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+constexpr double firmer = 2.5;                            ///< P of the second point, of the first
+constexpr double damper = 2.0;                            ///< D of the third
+constexpr double tried = 0.5;                             ///< of full output that P makes of each step
+constexpr double smallestStep = 60.0;                     ///< of the smallest step
+constexpr double trustedCounts = 200.0;                   ///< of it where nobody knows what full output is
+constexpr std::array<double, 3> moreForce{1.0, 2.5, 6.0}; ///< times P, until it moves
+constexpr double leastRoom = 20.0;                        ///< counts
+constexpr double roomShare = 0.6;                         ///< of the travel
+constexpr double dampedLeast = 0.35;
+constexpr double dampedMost = 1.4;
+constexpr double moreDamping = 2.5;
+constexpr int mostLooks = 5;
+constexpr double swings = 12.0;       ///< of 1/(ζω) that a step is held
+constexpr double fewestDamping = 8.0; ///< D for 1 of P, where the unit has none
+constexpr double mostRaw = 30000.0;
+constexpr double mostResidual = 0.06;    ///< of a step
+constexpr double mostUncertainty = 0.3;  ///< of what D does
+constexpr double mostFriction = 0.6;     ///< of what P makes of a step
+constexpr double mostLoad = 0.1;         ///< of it
+constexpr double earlierWhenSmall = 0.8; ///< of the time that a larger step takes to its middle
+constexpr double trust = 2.0;            ///< times as quick as what was tried
+constexpr double noiseShare = 0.1;       ///< of full output that one count may make through D
+constexpr double cyclesOfDelay = 1.5;
+constexpr double heldMore = 1.15;     ///< times what was seen, that friction may hold
+constexpr double easyFriction = 0.15; ///< of what P makes of a step
+constexpr double mostGrowth = 2.5;    ///< of steps whose output is not known, where friction takes more of them
+constexpr double leastDrag = 0.5;     ///< 1/s: less is nothing beside what D does
+constexpr double restShare = 0.8;     ///< of a hold, after which it rests
+constexpr double electrical = 0.5e-3; ///< s
+
+std::string inWhole(double number)
+{
+    return numberText(std::round(number));
+}
+
+/// A little, in the last experiment, which counted from where it stood.
+bool hasMoved(const AutotuneRun &run)
+{
+    const auto position = axisChannel(run.device(), "position", run.plan().axis);
+    const auto last = position ? run.device().telemetry()->latest(*position) : std::nullopt;
+    return last && last->value != 0.0;
+}
+
+double roomOf(const AutotuneRun &run)
+{
+    return roomShare * run.envelope().travel.value_or(1e9);
+}
+
+/// Signed P times counts that a run leaves at its end.
+double leftOf(const LoopRun &run)
+{
+    const Trace tail = run.way.part(restShare * run.way.t.back(), run.way.t.back());
+    return (run.step - median(tail.y)) * run.p;
+}
+
+/// When it passed the middle of its way, s after the order; never: when it was last seen.
+double halfWay(const LoopRun &run)
+{
+    for (std::size_t i = 1; i < run.way.size(); ++i) {
+        const double before = run.way.y[i - 1] / run.step;
+        const double now = run.way.y[i] / run.step;
+        if (now >= 0.5 && now > before)
+            return run.way.t[i - 1] + (run.way.t[i] - run.way.t[i - 1]) * (0.5 - before) / (now - before);
+    }
+    return run.way.t.back();
+}
+
+} // namespace
+
+Task<void> TwoPointIdentification::identify(AutotuneRun &run)
+{
+    auto looking = look(run);
+    co_await std::move(looking);
+    if (run.isOver())
+        co_return {};
+    if (auto chosen = choose(run); !chosen)
+        co_return fail(chosen.error());
+    auto settling = settle(run);
+    co_await std::move(settling);
+    if (run.isOver())
+        co_return {};
+    auto trying = tryAll(run);
+    co_await std::move(trying);
+    if (run.isOver())
+        co_return {};
+    co_return conclude(run);
+}
+
+/// What it has, and which way it counts, before a gain is changed.
+Task<void> TwoPointIdentification::look(AutotuneRun &run)
+{
+    const TunePlan &plan = run.plan();
+    auto reading = readGains(run.device(), plan.loop, plan.axis, plan.slot);
+    const auto gains = co_await std::move(reading);
+    for (const auto &[key, value] : gains) {
+        if (key.ends_with(".p"))
+            m_stored.p = value.value_or(0.0);
+        if (key.ends_with(".d"))
+            m_stored.d = value.value_or(0.0);
+    }
+    auto bounding = run.readEnvelope();
+    co_await std::move(bounding);
+    if (m_stored.p < 1.0)
+        co_return fail(Fault::Refused, "the unit stores no P, so nothing moves it",
+            "write a small gain.p once, with which it moves");
+    const RawLoop &raw = run.device().family().trials->raw;
+    m_known = raw.dialects.find(run.device().identity().dialect) != std::string_view::npos;
+    m_full = raw.fullDuty;
+    auto beginning = begin(run);
+    co_await std::move(beginning);
+    co_return {};
+}
+
+/// A step with the gains as they are: the first closed loop of a run of the program checks the direction. Where friction holds
+/// what they make of so little, firmer ones: P and what damps it.
+Task<void> TwoPointIdentification::begin(AutotuneRun &run)
+{
+    const TrialTraits &traits = *run.device().family().trials;
+    for (const double more : moreForce) {
+        const Point point{std::round(more * m_stored.p),
+            std::round(std::clamp(std::sqrt(more) * m_stored.d, 0.0, std::max(mostRaw, m_stored.d)))};
+        const bool tooMuch = point.p > mostRaw || (m_known && point.p * traits.nudge > tried * m_full);
+        if (more > 1.0 && (tooMuch || !hasMoved(run))) // a dead sensor is not asked with more and more force
+            break;
+        run.forgive();
+        const double full = m_known ? m_full : trustedCounts / tried * m_stored.p;
+        const double step = std::round(std::max(tried * full / point.p, leastRoom));
+        auto running = run.run(planOf(run, point, std::min(step, roomOf(run)), more > 1.0));
+        (void)co_await std::move(running);
+        if (run.report().stopReason != toString(Guard::NoMotion))
+            break;
+    }
+    if (run.report().stopReason == toString(Guard::Oscillation))
+        run.forgive(); // the gains that swing are what is to be replaced
+    co_return {};
+}
+
+Result<void> TwoPointIdentification::choose(const AutotuneRun &run)
+{
+    const double room = roomOf(run);
+    if (m_known) {
+        m_drive = tried * m_full * run.envelope().duty.value_or(1.0);
+        const double step = std::min(firmer * smallestStep, room);
+        m_first.p = std::clamp(std::round(std::min(m_drive / step, m_stored.p)), 1.0, mostRaw / firmer);
+        m_first.d = m_stored.d * std::sqrt(m_first.p / m_stored.p);
+    } else {
+        m_first.p = std::max(std::round(m_stored.p / firmer), 1.0);
+        m_first.d = m_stored.d / damper;
+        m_drive = firmer * m_first.p * trustedCounts;
+    }
+    m_drive = std::min(m_drive, m_first.p * room);
+    if (m_drive < firmer * m_first.p * leastRoom)
+        return fail(Fault::OutOfRange,
+            "there is not enough room: its limits leave steps of " + inWhole(m_drive / (firmer * m_first.p))
+                + " counts",
+            "allow more travel");
+    const double least = m_stored.d > 0.0 ? 1.0 : fewestDamping * m_first.p;
+    m_first.d = std::round(std::clamp(m_first.d, least, mostRaw / damper));
+    return {};
+}
+
+ExperimentPlan TwoPointIdentification::planOf(const AutotuneRun &run, Point point, double counts, bool writes) const
+{
+    const Family &family = run.device().family();
+    const LoopGains &loop = *loopOf(family, Mode::Position);
+    ExperimentPlan plan;
+    plan.mode = Mode::Position;
+    plan.slot = run.plan().slot;
+    plan.to = counts;
+    plan.seconds = m_seconds;
+    for (const auto &[name, value] : {std::pair("p", point.p), std::pair("i", 0.0), std::pair("d", point.d)}) {
+        const std::string key = gainKey(family, std::string(loop.prefix) + name, run.plan().axis, run.plan().slot);
+        if (const auto index = findParameter(family.parameters, key); index && writes)
+            plan.gains.push_back({*index, static_cast<std::int64_t>(value)});
+    }
+    run.note("a step of " + inWhole(counts) + " counts with "
+        + (writes ? "P " + inWhole(point.p) + ", D " + inWhole(point.d) : "the gains as they are"));
+    return plan;
+}
+
+/// One trial with these gains; it is one of the runs unless the loop swung itself up.
+Task<void> TwoPointIdentification::step(AutotuneRun &run, Point point, double counts)
+{
+    auto running = run.run(planOf(run, point, counts, true));
+    Trial trial = co_await std::move(running);
+    m_swung = run.report().stopReason == toString(Guard::Oscillation);
+    if (m_swung)
+        run.forgive();
+    if (run.isOver() || m_swung)
+        co_return {};
+    for (LoopRun &seen : runsOf(trial, point.p, point.d))
+        m_runs.push_back(std::move(seen));
+    m_trials.push_back(std::move(trial));
+    co_return {};
+}
+
+/// Looks for a first point that neither swings nor creeps.
+Task<void> TwoPointIdentification::settle(AutotuneRun &run)
+{
+    for (int i = 0; i < mostLooks; ++i) {
+        m_runs.clear();
+        m_trials.clear();
+        auto stepping = step(run, m_first, m_drive / m_first.p);
+        co_await std::move(stepping);
+        if (run.isOver())
+            co_return {};
+        if (m_swung) {
+            m_first.d = std::min(moreDamping * m_first.d, mostRaw / damper);
+            continue;
+        }
+        const auto fit = m_runs.empty() ? std::nullopt : fitStep(m_runs.front());
+        if (!fit) {
+            run.end(Guard::NoMotion, "the motor did not follow a step: stalled, or the encoder is dead");
+            co_return {};
+        }
+        m_seconds = std::clamp(swings / (std::min(fit->zeta, 1.0) * fit->omega), 0.5, 1.5);
+        const double held = std::abs(leftOf(m_runs.front())) / m_drive;
+        if (!m_known && !m_grown && held > easyFriction) {
+            m_drive = std::min(m_drive * std::min(held / easyFriction, mostGrowth), m_first.p * roomOf(run));
+            m_grown = true;
+            continue;
+        }
+        const bool swinging = fit->zeta < dampedLeast && m_first.d < mostRaw / damper;
+        const bool creeping = fit->zeta > dampedMost && m_first.d > 1.0;
+        if (!swinging && !creeping)
+            co_return {};
+        m_first.d = std::round(
+            swinging ? std::min(moreDamping * m_first.d, mostRaw / damper) : std::max(m_first.d / moreDamping, 1.0));
+    }
+    co_return fail(Fault::Refused, "no D was found with which a small P neither swings nor creeps",
+        "see that nothing is loose, and write gains once with which it comes to rest");
+}
+
+Task<void> TwoPointIdentification::tryAll(AutotuneRun &run)
+{
+    const Point second{std::round(firmer * m_first.p), m_first.d};
+    const Point third{second.p, std::round(damper * m_first.d)};
+    struct Try {
+        Point point;
+        double share;
+    };
+    std::vector<Try> tries{{m_first, -1.0}, {second, 1.0}, {second, -1.0}, {third, 1.0}, {third, -1.0}};
+    if (!m_known)
+        tries.push_back({third, 0.5}); // where the output is at its end, a smaller step is quicker
+    for (const Try &next : tries) {
+        auto stepping = step(run, next.point, next.share * m_drive / next.point.p);
+        co_await std::move(stepping);
+        if (run.isOver())
+            co_return {};
+        if (m_swung)
+            co_return fail(Fault::Refused,
+                "it swung itself up with P " + inWhole(next.point.p) + " and D " + inWhole(next.point.d),
+                "see that nothing is loose; a stronger load than it was built for cannot be tuned");
+    }
+    co_return {};
+}
+
+/// Friction makes a smaller step later on its way; only an output that is at its end makes it earlier.
+bool TwoPointIdentification::isLinear() const
+{
+    std::vector<double> small;
+    std::vector<double> large;
+    for (const LoopRun &run : m_runs) {
+        if (run.p == m_runs.back().p && run.d == m_runs.back().d)
+            (std::abs(run.step) * run.p < 0.75 * m_drive ? small : large).push_back(halfWay(run));
+    }
+    return m_known || small.empty() || large.empty() || median(small) >= earlierWhenSmall * median(large);
+}
+
+std::vector<Gate> TwoPointIdentification::gatesOf(const TwoPointFit &fit, double friction, double load) const
+{
+    const bool linear = isLinear();
+    return {{"fit", "what is left over is " + percentText(fit.residual) + " of the steps, at most 6 %",
+                fit.residual <= mostResidual, "see that nothing is loose and that steps look alike"},
+        {"damping", "what D does is known within " + percentText(fit.dError / fit.d) + ", at most 30 %",
+            fit.dError <= mostUncertainty * fit.d, "write a larger gain.d once, with which it still comes to rest"},
+        {"friction", "friction takes " + percentText(friction / m_drive) + " of what P makes of a step, at most 60 %",
+            friction <= mostFriction * m_drive, "allow more travel or duty"},
+        {"asymmetric load", "a load takes " + percentText(load / m_drive) + " of what P makes of a step, at most 10 %",
+            load <= mostLoad * m_drive, "see whether a load always pulls one way"},
+        {"output", linear ? "no step met the end of the output" : "the steps met the end of the output", linear,
+            "write a smaller gain.p once"}};
+}
+
+Result<void> TwoPointIdentification::conclude(AutotuneRun &run) const
+{
+    const auto fit = fitTwoPoint(m_runs);
+    if (!fit)
+        return fail(fit.error());
+    const double full = m_known ? m_full : m_drive / tried;
+    double friction = 0.0; // it rests anywhere up to what holds it, and within a count
+    double load = 0.0;
+    for (const LoopRun &one : m_runs) {
+        const double left = leftOf(one);
+        friction = std::max(friction, heldMore * (std::abs(left) + one.p));
+        load += left / static_cast<double>(m_runs.size());
+    }
+    const double cycle = run.device().family().trials->raw.cycle;
+    const TriedScale scale{1.0 / full, fit->d / (fit->p * full), cycle,
+        std::max(m_known ? noiseShare * full : damper * m_first.d, m_stored.d),
+        1.0 / (trust * std::sqrt(fit->p * firmer * m_first.p))};
+    const double drag = std::max(fit->drag, leastDrag);
+    MotorFound found;
+    found.line.gain = fit->p * full / drag;
+    found.line.gainError = found.line.gain * std::hypot(fit->pError / fit->p, fit->dragError / drag);
+    found.line.friction = friction / full;
+    found.pushes.tau = 1.0 / drag;
+    found.pushes.tauError = fit->dragError / (drag * drag);
+    found.pushes.delay = fit->delay;
+    found.pushes.delayError = fit->delayError;
+    found.pushes.cost = fit->residual;
+    found.unit = m_known ? "counts/s per duty" : "counts/s per " + inWhole(full) + " of P × counts";
+    const PlantModel plant{found.line.gain, found.pushes.tau, cyclesOfDelay * cycle + electrical, found.line.friction};
+    return run.take({std::move(found), plant, gatesOf(*fit, friction, std::abs(load)), scale});
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/experiment.h"
+#include "tuning/identification.h"
+#include "tuning/motoridentification.h"
+#include "tuning/twopointfit.h"
+
+#include <vector>
+
+namespace mb::tuning {
+
+/// For a position loop without a duty command, whose gains may have an unknown scale: steps both ways with three pairs of gains,
+/// small enough that the output is never at its end. What P and D do to each other is enough to design with.
+class TwoPointIdentification final : public MotorIdentification {
+public:
+    [[nodiscard]] Task<void> identify(AutotuneRun &run) override;
+
+private:
+    /// Raw gains.
+    struct Point {
+        double p = 0.0;
+        double d = 0.0;
+    };
+
+    [[nodiscard]] Task<void> look(AutotuneRun &run);
+    [[nodiscard]] Task<void> begin(AutotuneRun &run);
+    [[nodiscard]] Result<void> choose(const AutotuneRun &run);
+    [[nodiscard]] Task<void> settle(AutotuneRun &run);
+    [[nodiscard]] ExperimentPlan planOf(const AutotuneRun &run, Point point, double counts, bool writes) const;
+    [[nodiscard]] Task<void> step(AutotuneRun &run, Point point, double counts);
+    [[nodiscard]] Task<void> tryAll(AutotuneRun &run);
+    [[nodiscard]] Result<void> conclude(AutotuneRun &run) const;
+    [[nodiscard]] bool isLinear() const;
+    [[nodiscard]] std::vector<Gate> gatesOf(const TwoPointFit &fit, double friction, double load) const;
+
+    Point m_stored;         ///< before the tuning
+    Point m_first;          ///< the calmest that is tried
+    bool m_known = false;   ///< raw P times counts of full output are known
+    double m_full = 0.0;    ///< that, or twice what was tried
+    double m_drive = 0.0;   ///< raw P times counts of each step
+    double m_seconds = 0.8; ///< of each step
+    bool m_swung = false;   ///< the last step was ended because the loop swung itself up
+    bool m_grown = false;   ///< the steps were made larger because friction took much of them
+    std::vector<LoopRun> m_runs;
+    std::vector<Trial> m_trials;
+};
+
+} // namespace mb::tuning
