@@ -42,8 +42,12 @@ void declare(QCommandLineParser &parser)
             tr(QT_TRANSLATE_NOOP(
                 "Options", "Draw a recording (.mcap, .csv) into the picture of --out, without a window.")),
             QStringLiteral("FILE")},
-        {QStringLiteral("out"), tr(QT_TRANSLATE_NOOP("Options", "The picture of --plot: .png, .svg or .pdf.")),
-            QStringLiteral("PICTURE")},
+        {QStringLiteral("report"),
+            tr(QT_TRANSLATE_NOOP("Options", "Print a report (.html) into the PDF of --out, without a window.")),
+            QStringLiteral("FILE")},
+        {QStringLiteral("out"),
+            tr(QT_TRANSLATE_NOOP("Options", "The picture of --plot: .png, .svg or .pdf; the PDF of --report.")),
+            QStringLiteral("FILE")},
         {QStringLiteral("json"), tr(QT_TRANSLATE_NOOP("Options", "With --plot: say what was drawn as JSON."))},
         {{QStringLiteral("h"), QStringLiteral("help")}, tr(QT_TRANSLATE_NOOP("Options", "Show this help."))},
         {{QStringLiteral("v"), QStringLiteral("version")}, tr(QT_TRANSLATE_NOOP("Options", "Show the version."))},
@@ -94,10 +98,11 @@ Result<Options> Options::parse(const QStringList &arguments)
         options.fontScale = parser.value(QStringLiteral("font-scale")).toDouble();
     options.plot = parser.value(QStringLiteral("plot"));
     options.out = parser.value(QStringLiteral("out"));
+    options.report = parser.value(QStringLiteral("report"));
     options.json = parser.isSet(QStringLiteral("json"));
-    if (parser.isSet(QStringLiteral("plot")) != parser.isSet(QStringLiteral("out"))
-        || options.plot.isEmpty() != options.out.isEmpty())
-        return fail(Fault::OutOfRange, "--plot FILE and --out PICTURE belong together");
+    if (options.hasNoWindow() == options.out.isEmpty() || (!options.plot.isEmpty() && !options.report.isEmpty())
+        || (parser.isSet(QStringLiteral("out")) && options.out.isEmpty()))
+        return fail(Fault::OutOfRange, "--plot FILE or --report FILE, and --out FILE belong together");
     if (auto checked = checkOptions(options); !checked)
         return fail(checked.error());
     return options;

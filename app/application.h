@@ -27,9 +27,12 @@ struct Options {
     double fontScale = 1.0; ///< of the system's font
     QStringList links;      ///< opened at the start
     QString plot;           ///< a recording to draw into a picture, without a window; empty: none
-    QString out;            ///< where that picture goes: png, svg or pdf
+    QString report;         ///< HTML of a report to print into a PDF, without a window; empty: none
+    QString out;            ///< where that picture goes: png, svg or pdf; or that PDF
     bool json = false;      ///< what it says on standard output is JSON
 
+    /// It is asked for a file and nothing else.
+    [[nodiscard]] bool hasNoWindow() const { return !plot.isEmpty() || !report.isEmpty(); }
     /// One line about what is wrong with the arguments.
     [[nodiscard]] static Result<Options> parse(const QStringList &arguments);
     [[nodiscard]] static QString help();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/application.h"
 #include "app/plotfile.h"
+#include "app/reportfile.h"
 
 #include <csignal>
 #include <cstdio>
@@ -30,7 +31,7 @@ int main(int argc, char **argv)
         std::puts("motorbench " MOTORBENCH_VERSION);
         return 0;
     }
-    if (!options->plot.isEmpty())
+    if (options->hasNoWindow())
         qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication::setStyle(QStringLiteral("Fusion"));
     QApplication qt(argc, argv);
@@ -38,6 +39,8 @@ int main(int argc, char **argv)
     QApplication::setApplicationVersion(QStringLiteral(MOTORBENCH_VERSION));
     if (!options->plot.isEmpty())
         return mb::plotFile(*options);
+    if (!options->report.isEmpty())
+        return mb::printReport(*options);
     mb::Application application(qt, *options);
     application.start();
     return QApplication::exec();

@@ -2,6 +2,7 @@
 #include "app/plotfile.h"
 
 #include "app/application.h"
+#include "app/refusal.h"
 #include "model/parameterfile.h"
 #include "recording/loadrecording.h"
 #include "widgets/common/devicetext.h"
@@ -21,20 +22,6 @@ namespace {
 
 constexpr double pictureScale = 2.0;
 constexpr QSize usualSize{1280, 800};
-
-/// In the words of the console, whose place this program has taken.
-int refuse(const Options &options, const Error &error)
-{
-    if (!options.json) {
-        std::fprintf(stderr, "motorbench: %s\n", error.text().c_str());
-        return 2;
-    }
-    const QJsonObject row{{QStringLiteral("status"), 2}, {QStringLiteral("fault"), QStringLiteral("out-of-range")},
-        {QStringLiteral("cause"), qt(error.detail)}, {QStringLiteral("remedy"), qt(error.remedy)}};
-    const QByteArray line = QJsonDocument(QJsonObject{{QStringLiteral("error"), row}}).toJson(QJsonDocument::Compact);
-    std::fprintf(stderr, "%s\n", line.constData());
-    return 2;
-}
 
 void addTraces(PlotStack &stack, const LoadedRecording &recording)
 {
@@ -85,14 +72,14 @@ int plotFile(const Options &options)
 {
     const QString suffix = QFileInfo(options.out).suffix().toLower();
     if (suffix != QLatin1String("png") && suffix != QLatin1String("svg") && suffix != QLatin1String("pdf"))
-        return refuse(options,
-            {Fault::OutOfRange, "--out '" + options.out.toStdString() + "' is no picture",
-                "give a name that ends in .png, .svg or .pdf"});
+        return refuse({Fault::OutOfRange, "--out '" + options.out.toStdString() + "' is no picture",
+                          "give a name that ends in .png, .svg or .pdf"},
+            options.json);
     const auto recording = loadRecording(options.plot.toLocal8Bit().toStdString());
     if (!recording)
-        return refuse(options,
-            {Fault::OutOfRange, recording.error().text(),
-                "give an .mcap or .csv that this program wrote, or the output of watch"});
+        return refuse({Fault::OutOfRange, recording.error().text(),
+                          "give an .mcap or .csv that this program wrote, or the output of watch"},
+            options.json);
     const ThemeSource theme(options.theme == QLatin1String("light") ? lightTheme(10.0 * options.fontScale)
                                                                     : darkTheme(10.0 * options.fontScale));
     QFont font = QApplication::font();
@@ -117,10 +104,10 @@ int plotFile(const Options &options)
     const QByteArray picture
         = suffix == QLatin1String("png") ? pngOf(stack.plot().picture(size, pictureScale)) : stack.pictureAs(suffix);
     if (picture.isEmpty())
-        return refuse(
-            options, {Fault::OutOfRange, options.out.toStdString() + " cannot be painted", "choose a smaller --size"});
+        return refuse({Fault::OutOfRange, options.out.toStdString() + " cannot be painted", "choose a smaller --size"},
+            options.json);
     if (const auto saved = saveFile(options.out.toStdString(), picture); !saved)
-        return refuse(options, saved.error());
+        return refuse(saved.error(), options.json);
     say(options, **recording, stack.traceCount());
     return 0;
 }

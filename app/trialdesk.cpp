@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/trialdesk.h"
 
+#include "model/registry.h"
+#include "storage/reportmatter.h"
 #include "storage/trialfile.h"
 
 #include <memory>
@@ -51,6 +53,12 @@ void TrialDesk::setNote(std::int64_t number, const QString &note, Finished finis
 void TrialDesk::remove(std::int64_t number, Finished finished)
 {
     ask<void>([number](TrialBook &book) { return book.remove(number); }, std::move(finished));
+}
+
+void TrialDesk::gather(const ReportWish &wish, Gathered gathered)
+{
+    ask<std::vector<ReportUnit>>(
+        [wish](TrialBook &book) { return reportUnits(book, families(), wish); }, std::move(gathered));
 }
 
 void TrialDesk::exportTo(const QString &path, std::vector<KeptTrial> trials, Finished finished)

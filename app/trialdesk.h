@@ -17,6 +17,7 @@ public:
     void setStar(std::int64_t number, bool star, Finished finished) override;
     void setNote(std::int64_t number, const QString &note, Finished finished) override;
     void remove(std::int64_t number, Finished finished) override;
+    void gather(const ReportWish &wish, Gathered gathered) override;
     void exportTo(const QString &path, std::vector<KeptTrial> trials, Finished finished) override;
 
 private:

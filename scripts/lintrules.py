@@ -63,7 +63,8 @@ FORBIDDEN = [
      "this runs a nested event loop: open() it and connect to its result"),
     (("",), (), r"\b(?:SIGNAL|SLOT)\s*\(", "connect to the member function, not to its spelling"),
     (("",), (), r"(?m)^[ \t]*#[ \t]*if[ \t]+0\b", "remove what is switched off"),
-    (("devices/",), (), r"\btr\s*\(", "no user text below widgets: return a fault, mark table texts for translation"),
+    (("devices/",), ("devices/report/",), r"\btr\s*\(",  # whose product is a text for people, with and without a screen
+     "no user text below widgets: return a fault, mark table texts for translation"),
     (("devices/", "app/", "widgets/"), ("app/console/commandline.", "devices/recording/expression."),  # CLI11 and muParser throw; it ends there
      r"\bthrow\b|\bcatch\s*\(", "exceptions are not used"),
     (("devices/", "app/", "widgets/"), ("devices/wire/",), r"\bfrom_chars\b|\b(?:strto|sto|ato)(?:d|f|i|l|ll|ul|ull)\s*\(",
@@ -103,7 +104,7 @@ def operands(path, _text, code):
             yield line, "error", "name the operand before co_await: GCC 12 destroys some temporaries twice"
 
 
-ROOTS = ("async", "wire", "place", "transport", "model", "recording", "tuning", "storage", "families", "widgets", "app", "support", "tests")
+ROOTS = ("async", "wire", "place", "transport", "model", "recording", "tuning", "report", "storage", "families", "widgets", "app", "support", "tests")
 SCREEN = re.compile(
     r"Qt(?:Gui|Widgets|Svg|PrintSupport|OpenGL)(?:/|$)|qcustomplot|Q(?:GuiApplication|Application|Widget|MainWindow|Dialog|Color|"
     r"Painter|PaintDevice|Pixmap|Image|Icon|Font|Brush|Pen|Action|Window|Palette|Style|Cursor|KeyEvent|MouseEvent|Screen)$",
@@ -117,14 +118,15 @@ LAYERS = [
     ("devices/model/", ("async", "wire", "transport", "model"), True),
     ("devices/recording/", ("async", "wire", "transport", "model", "recording"), True),
     ("devices/tuning/", ("async", "wire", "transport", "model", "tuning"), True),
-    ("devices/storage/", ("async", "wire", "transport", "model", "tuning", "storage"), True),
+    ("devices/report/", ("async", "wire", "transport", "model", "tuning", "report"), True),
+    ("devices/storage/", ("async", "wire", "transport", "model", "tuning", "report", "storage"), True),
     ("devices/families/", ("async", "wire", "transport", "model"), True),
-    ("widgets/", ("async", "wire", "transport", "model", "recording", "tuning", "widgets"), True),
-    ("app/console/", ("async", "wire", "transport", "model", "tuning", "storage", "app/console", "app/folders", "app/guardian", "app/sleep"), True),
+    ("widgets/", ("async", "wire", "transport", "model", "recording", "tuning", "report", "widgets"), True),
+    ("app/console/", ("async", "wire", "transport", "model", "tuning", "report", "storage", "app/console", "app/folders", "app/guardian", "app/sleep"), True),
     ("app/guardian/client/", ("async", "wire", "transport", "model", "app/guardian"), True),
     ("app/sleep/", ("async", "wire", "transport", "model", "app/sleep"), True),
     ("app/guardian/", ("app/guardian", "place"), False),
-    ("app/", ("async", "wire", "transport", "model", "recording", "tuning", "storage", "widgets", "app"), True),
+    ("app/", ("async", "wire", "transport", "model", "recording", "tuning", "report", "storage", "widgets", "app"), True),
 ]
 
 

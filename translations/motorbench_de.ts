@@ -1814,6 +1814,10 @@
         <source>the limits were not kept: %1</source>
         <translation>die Grenzen wurden nicht behalten: %1</translation>
     </message>
+    <message>
+        <source>writes a report of what is shown</source>
+        <translation>schreibt einen Bericht über das, was zu sehen ist</translation>
+    </message>
 </context>
 <context>
     <name>mb::DeviceCard</name>
@@ -4266,6 +4270,17 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::PdfText</name>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>DEMO, a simulated unit</source>
+        <translation>DEMO, ein simuliertes Gerät</translation>
+    </message>
+</context>
+<context>
     <name>mb::PlotBoard</name>
     <message>
         <source>DEMO</source>
@@ -5205,6 +5220,504 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>recorded %1</source>
         <translation>aufgenommen %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ReportOrder</name>
+    <message>
+        <source>Write report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>the report is in %1</source>
+        <translation>der Bericht steht in %1</translation>
+    </message>
+    <message>
+        <source>no report: %1</source>
+        <translation>kein Bericht: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ReportText</name>
+    <message>
+        <source>Rise, 10 to 90 %</source>
+        <translation>Anstieg, 10 bis 90 %</translation>
+    </message>
+    <message>
+        <source>Settling to 2 %</source>
+        <translation>Einschwingen auf 2 %</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Überschwingen</translation>
+    </message>
+    <message>
+        <source>Undershoot of the way back</source>
+        <translation>Unterschwingen des Rückwegs</translation>
+    </message>
+    <message>
+        <source>Error at rest</source>
+        <translation>Bleibende Abweichung</translation>
+    </message>
+    <message>
+        <source>IAE</source>
+        <translation>IAE</translation>
+    </message>
+    <message>
+        <source>ITAE</source>
+        <translation>ITAE</translation>
+    </message>
+    <message>
+        <source>Peak current</source>
+        <translation>Stromspitze</translation>
+    </message>
+    <message>
+        <source>Chatter of the duty, RMS</source>
+        <translation>Unruhe des Tastgrads, effektiv</translation>
+    </message>
+    <message>
+        <source>Time at the duty limit</source>
+        <translation>Zeit an der Tastgradgrenze</translation>
+    </message>
+    <message>
+        <source>Noise of the measurement</source>
+        <translation>Rauschen der Messung</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>square wave</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>ramp</source>
+        <translation>Rampe</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>chirp</source>
+        <translation>Chirp</translation>
+    </message>
+    <message>
+        <source>random steps</source>
+        <translation>Zufallssprünge</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>Drehzahl</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>duty</source>
+        <translation>Tastgrad</translation>
+    </message>
+    <message>
+        <source>%1 times</source>
+        <translation>%1-mal</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>cut off</source>
+        <translation>abgeschnitten</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>stopped by the guard “%1”</source>
+        <translation>gestoppt vom Wächter „%1“</translation>
+    </message>
+    <message>
+        <source>DEMO: this unit is simulated. Nothing here was measured on a motor.</source>
+        <translation>DEMO: Dieses Gerät ist simuliert. Nichts hiervon wurde an einem Motor gemessen.</translation>
+    </message>
+    <message>
+        <source>Report on %1</source>
+        <translation>Bericht über %1</translation>
+    </message>
+    <message>
+        <source>Made on %1 with %2</source>
+        <translation>Erstellt am %1 mit %2</translation>
+    </message>
+    <message>
+        <source>There are no trials of this unit in the notebook.</source>
+        <translation>Im Notizbuch stehen keine Versuche dieses Geräts.</translation>
+    </message>
+    <message>
+        <source>s since the edge</source>
+        <translation>s seit der Flanke</translation>
+    </message>
+    <message>
+        <source>Trial %1: %2</source>
+        <translation>Versuch %1: %2</translation>
+    </message>
+    <message>
+        <source>target</source>
+        <translation>Sollwert</translation>
+    </message>
+    <message>
+        <source>%1, measured</source>
+        <translation>%1, gemessen</translation>
+    </message>
+    <message>
+        <source>duty, %</source>
+        <translation>Tastgrad, %</translation>
+    </message>
+    <message>
+        <source>current, A</source>
+        <translation>Strom, A</translation>
+    </message>
+    <message>
+        <source>Metric</source>
+        <translation>Kennwert</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>Parameters of this set that have their default: %1</source>
+        <translation>Parameter dieses Satzes mit ihrer Vorgabe: %1</translation>
+    </message>
+    <message>
+        <source>travel ± %1</source>
+        <translation>Weg ± %1</translation>
+    </message>
+    <message>
+        <source>speed %1</source>
+        <translation>Drehzahl %1</translation>
+    </message>
+    <message>
+        <source>current %1</source>
+        <translation>Strom %1</translation>
+    </message>
+    <message>
+        <source>duty %1</source>
+        <translation>Tastgrad %1</translation>
+    </message>
+    <message>
+        <source>Trial %1, %2 loop</source>
+        <translation>Versuch %1, Regelkreis %2</translation>
+    </message>
+    <message>
+        <source>Trial %1, open loop</source>
+        <translation>Versuch %1, offener Kreis</translation>
+    </message>
+    <message>
+        <source>axis %1</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>gain slot %1</source>
+        <translation>Parametersatz %1</translation>
+    </message>
+    <message>
+        <source>firmware %1</source>
+        <translation>Firmware %1</translation>
+    </message>
+    <message>
+        <source>motor seen stopped</source>
+        <translation>Motor stand nachweislich</translation>
+    </message>
+    <message>
+        <source>stop not confirmed</source>
+        <translation>Stopp nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>%1 samples, %2 lost</source>
+        <translation>%1 Messwerte, %2 verloren</translation>
+    </message>
+    <message>
+        <source>Nothing was recorded.</source>
+        <translation>Nichts wurde aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>It ran within: %1.</source>
+        <translation>Er lief innerhalb von: %1.</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Notiz: %1</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Stimulus</source>
+        <translation>Anregung</translation>
+    </message>
+    <message>
+        <source>Rise</source>
+        <translation>Anstieg</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Einschwingen</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>History of the unit</source>
+        <translation>Verlauf des Geräts</translation>
+    </message>
+    <message>
+        <source>The newest %1 of %2 trials.</source>
+        <translation>Die neuesten %1 von %2 Versuchen.</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Proposed, nothing was written</source>
+        <translation>Vorgeschlagen, nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurückgestellt</translation>
+    </message>
+    <message>
+        <source>Refused</source>
+        <translation>Abgelehnt</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Gestoppt</translation>
+    </message>
+    <message>
+        <source>none, as fresh as the position</source>
+        <translation>keines, so frisch wie die Position</translation>
+    </message>
+    <message>
+        <source>rolling, %1</source>
+        <translation>gleitend, %1</translation>
+    </message>
+    <message>
+        <source>in blocks, %1</source>
+        <translation>blockweise, %1</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Gain K</source>
+        <translation>Verstärkung K</translation>
+    </message>
+    <message>
+        <source>A per duty</source>
+        <translation>A je Tastgrad</translation>
+    </message>
+    <message>
+        <source>counts/s per duty</source>
+        <translation>counts/s je Tastgrad</translation>
+    </message>
+    <message>
+        <source>Lag τ</source>
+        <translation>Verzögerung τ</translation>
+    </message>
+    <message>
+        <source>Dead time θ of the loop</source>
+        <translation>Totzeit θ des Kreises</translation>
+    </message>
+    <message>
+        <source>Friction kS</source>
+        <translation>Reibung kS</translation>
+    </message>
+    <message>
+        <source>% duty</source>
+        <translation>% Tastgrad</translation>
+    </message>
+    <message>
+        <source>Velocity filter of the device: %1</source>
+        <translation>Drehzahlfilter des Geräts: %1</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>nicht bestanden</translation>
+    </message>
+    <message>
+        <source>What the model was judged by:</source>
+        <translation>Wonach das Modell beurteilt wurde:</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Vorher</translation>
+    </message>
+    <message>
+        <source>Proposed</source>
+        <translation>Vorschlag</translation>
+    </message>
+    <message>
+        <source>Raw</source>
+        <translation>Roh</translation>
+    </message>
+    <message>
+        <source>Proof</source>
+        <translation>Nachweis</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Vorhergesagt</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Sensitivity peak Ms</source>
+        <translation>Empfindlichkeitsspitze Ms</translation>
+    </message>
+    <message>
+        <source>Gain margin</source>
+        <translation>Amplitudenreserve</translation>
+    </message>
+    <message>
+        <source>Phase margin</source>
+        <translation>Phasenreserve</translation>
+    </message>
+    <message>
+        <source>forwards</source>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>backwards</source>
+        <translation>rückwärts</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>vorhergesagt</translation>
+    </message>
+    <message>
+        <source>The step of the proof, predicted and measured</source>
+        <translation>Der Sprung des Nachweises, vorhergesagt und gemessen</translation>
+    </message>
+    <message>
+        <source>Magnitude and phase of the open loop</source>
+        <translation>Betrag und Phase des offenen Kreises</translation>
+    </message>
+    <message>
+        <source>magnitude of the loop, dB</source>
+        <translation>Betrag des Kreises, dB</translation>
+    </message>
+    <message>
+        <source>phase of the loop, °</source>
+        <translation>Phase des Kreises, °</translation>
+    </message>
+    <message>
+        <source>Response of the closed loop: %1</source>
+        <translation>Antwort des geschlossenen Kreises: %1</translation>
+    </message>
+    <message>
+        <source>bounded by %1</source>
+        <translation>begrenzt durch %1</translation>
+    </message>
+    <message>
+        <source>Tuning of the %1 loop</source>
+        <translation>Einstellung des Regelkreises: %1</translation>
+    </message>
+    <message>
+        <source>trials %1</source>
+        <translation>Versuche %1</translation>
+    </message>
+    <message>
+        <source>Family</source>
+        <translation>Familie</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Seriennummer</translation>
+    </message>
+    <message>
+        <source>Connected at</source>
+        <translation>Angeschlossen an</translation>
+    </message>
+    <message>
+        <source>Firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>Bootloader</source>
+        <translation>Bootloader</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>Known as</source>
+        <translation>Bekannt als</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>%1 of %2 differ from their default and are set in bold.</source>
+        <translation>%1 von %2 weichen von ihrer Vorgabe ab und sind fett gesetzt.</translation>
     </message>
 </context>
 <context>
@@ -6556,6 +7069,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>on a gain&apos;s slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %</source>
         <translation>am Schieber eines Faktors: 2 %, mit Umschalt 0.2 %, mit Strg 20 %; das Mausrad ändert um 2 %</translation>
+    </message>
+    <message>
+        <source>writes a report of the trials that are shown</source>
+        <translation>schreibt einen Bericht über die gezeigten Versuche</translation>
     </message>
 </context>
 <context>

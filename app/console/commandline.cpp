@@ -29,6 +29,8 @@ constexpr std::array table{
         "Identify the motor, design its gains, prove them, keep them", declareTune},
     Verb{"trials", "[DEVICE] [--export FILE] [--star N] [--note N TEXT] [--delete N]",
         "The notebook: every experiment with its gains", declareTrials},
+    Verb{"report", "DEVICE|trial:N… --out FILE.pdf|FILE.html",
+        "The service card of a unit, or of trials: identity, gains, curves, proof, history", declareReport},
     Verb{"flash", "DEVICE FILE [--dry-run] [--force]", "Update the firmware and verify it", declareFlash},
     Verb{"identify", "DEVICE [--axis N] [--yes]", "Make a device show itself: it blinks, or turns its shaft a little",
         declareIdentify},

@@ -43,5 +43,6 @@ struct Verb {
 [[nodiscard]] Job declareStep(CLI::App &arguments);
 [[nodiscard]] Job declareTune(CLI::App &arguments);
 [[nodiscard]] Job declareTrials(CLI::App &arguments);
+[[nodiscard]] Job declareReport(CLI::App &arguments);
 
 } // namespace mb::console

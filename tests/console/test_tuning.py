@@ -116,6 +116,59 @@ class Tune(ContractTest):
         self.assert_error(2, "tune", CIM, "--loop", "velocity", "--response", "0.1")
 
 
+class Report(ContractTest):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.number = self.run_one("step", LIVELY, "--mode", "velocity", "--to", "20000")["trial"]
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def path(self, name):
+        return os.path.join(self.folder.name, name)
+
+    def html(self, *subjects):
+        self.run_text("report", *subjects, "--out", self.path("a.html"))
+        with open(self.path("a.html"), encoding="utf-8") as file:
+            return file.read()
+
+    def test_a_trial_is_told_with_its_unit_curves_gains_and_history(self):
+        text = self.html(f"trial:{self.number}")
+        for word in ("DMC60C 7", "Serial number", f"Trial {self.number}, velocity loop", "<svg ", "Overshoot", "slot0.p", "History of the unit", "DEMO"):
+            self.assertIn(word, text)
+
+    def test_a_unit_is_told_with_its_tuning_and_its_parameters_against_their_defaults(self):
+        self.run_one("tune", LIVELY, "--loop", "velocity", "--propose")
+        text = self.html(LIVELY)
+        for word in ("Tuning of the velocity loop", "Proposed, nothing was written", "Lag τ", "Sensitivity peak Ms", "differ from their default",
+                     "current_limit.continuous", "Bootloader"):
+            self.assertIn(word, text)
+
+    def test_a_pdf_is_made_without_a_screen(self):
+        if not os.path.exists(os.path.join(os.path.dirname(contract.PROGRAM), "motorbench")):
+            self.skipTest("motorbench is not built")
+        environment = {key: value for key, value in os.environ.items() if key not in ("DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM")}
+        for subject in (f"trial:{self.number}", LIVELY):
+            run = Run(["report", subject, "--out", self.path("a.pdf")], environment=environment)
+            self.assertEqual((run.status, run.out, run.err), (0, "", ""), subject)
+            with open(self.path("a.pdf"), "rb") as file:
+                self.assertTrue(file.read().startswith(b"%PDF-"))
+            os.remove(self.path("a.pdf"))
+
+    def test_what_cannot_be_is_refused_with_status_two_and_leaves_nothing(self):
+        trial = f"trial:{self.number}"
+        self.assert_error(2, "report", trial, says="--out")
+        self.assert_error(2, "report", "--out", self.path("a.pdf"), says="device or trials")
+        self.assert_error(2, "report", trial, "--out", self.path("a.doc"), says="a.doc")
+        for kind in ("pdf", "html"):
+            self.assert_error(2, "report", trial, "--out", f"/nonexistent/a.{kind}", says=f"/nonexistent/a.{kind}")
+            self.assert_error(2, "report", "trial:4000000", "--out", self.path("a." + kind), says="no trial 4000000")
+            self.assert_error(2, "report", "trial:x", "--out", self.path("a." + kind), says="trial")
+            self.assert_error(3, "report", "sim:can/dmc60c:44", "--out", self.path("a." + kind))
+        self.assert_error(2, "report", trial, LIVELY, "--out", self.path("a.pdf"), says="leave one of them out")
+        self.assertEqual(os.listdir(self.folder.name), [])
+
+
 if __name__ == "__main__":
     contract.PROGRAM = sys.argv[1]
     unittest.main(argv=[sys.argv[0], *sys.argv[2:]], verbosity=2)

@@ -19,6 +19,8 @@ public:
     std::map<std::int64_t, std::vector<tuning::Signal>> recorded;
     QString exported;
     std::size_t exportedRows = 0;
+    std::vector<ReportWish> wishes;
+    Result<std::vector<ReportUnit>> matter; ///< of every report
 
     void list(const std::string &unit, Listed listed) override
     {
@@ -45,6 +47,11 @@ public:
     {
         std::erase_if(kept, [number](const KeptTrial &row) { return row.number == number; });
         later([finished] { finished({}); });
+    }
+    void gather(const ReportWish &wish, Gathered gathered) override
+    {
+        wishes.push_back(wish);
+        later([this, gathered] { gathered(matter); });
     }
     void exportTo(const QString &path, std::vector<KeptTrial> trials, Finished finished) override
     {

@@ -9,6 +9,7 @@
 #include "widgets/control/tuneplot.h"
 
 #include <QDialog>
+#include <QFileDialog>
 #include <QLabel>
 #include <QSlider>
 #include <QWheelEvent>
@@ -128,6 +129,16 @@ const std::array checks{
         [](KeyBench &b, const QKeySequence &k) {
             b.press(k);
             return b.workbench.callsOf("identify").size() == 1;
+        }},
+    Check{"Ctrl+P",
+        [](KeyBench &b, const QKeySequence &k) {
+            b.press(k);
+            auto *const dialog = b.page->findChild<QFileDialog *>();
+            if (!dialog || dialog->acceptMode() != QFileDialog::AcceptSave)
+                return false;
+            Q_EMIT dialog->fileSelected(s("/nonexistent/a.html"));
+            const ReportWish wish = b.workbench.book.wishes.back();
+            return wish.trials == std::vector<std::int64_t>{1, 2};
         }},
     Check{"Ctrl+Z",
         [](KeyBench &b, const QKeySequence &k) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "async/result.h"
-#include "tuning/kepttrial.h"
+#include "report/report.h"
 
 #include <QObject>
 #include <QString>
@@ -21,6 +21,8 @@ public:
     using Listed = std::function<void(Result<std::vector<KeptTrial>>)>;
     using Fetched = std::function<void(Result<std::vector<tuning::Signal>>)>;
 
+    using Gathered = std::function<void(Result<std::vector<ReportUnit>>)>;
+
     using QObject::QObject;
 
     /// Every trial of a unit (Trial::unit), in order of their beginning, without signals.
@@ -30,6 +32,8 @@ public:
     virtual void setStar(std::int64_t number, bool star, Finished finished) = 0;
     virtual void setNote(std::int64_t number, const QString &note, Finished finished) = 0;
     virtual void remove(std::int64_t number, Finished finished) = 0;
+    /// What a report tells of units and trials.
+    virtual void gather(const ReportWish &wish, Gathered gathered) = 0;
     /// Into a file: a table where its name ends with .csv, JSON otherwise.
     virtual void exportTo(const QString &path, std::vector<KeptTrial> trials, Finished finished) = 0;
 };

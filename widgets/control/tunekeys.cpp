@@ -43,6 +43,8 @@ PageKeys *makeTuneKeys(TunePage &page)
     keys->add({QKeySequence::Undo}, TuneKeys::tr("undoes the last edit of gains"), [tune] { tune->undo(false); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
         TuneKeys::tr("does it again"), [tune] { tune->undo(true); });
+    keys->add({QKeySequence::Print}, TuneKeys::tr("writes a report of the trials that are shown"),
+        [tune] { tune->writeReport(); });
     keys->note({Qt::Key_J, Qt::Key_K}, TuneKeys::tr("held: moves the armed motor gently forwards or backwards"));
     keys->note({Qt::Key_Left, Qt::Key_Right},
         TuneKeys::tr("on a gain's slider: 2 %, with Shift 0.2 %, with Ctrl 20 %; the wheel does the same by 2 %"));

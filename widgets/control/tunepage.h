@@ -33,6 +33,7 @@ class JogPanel;
 class ModePanel;
 class MovesPanel;
 class PlotStack;
+class ReportOrder;
 class Segmented;
 class StimulusBar;
 class TrialsView;
@@ -72,6 +73,8 @@ public:
     void undo(bool again);
     /// Has the device blink, where it can; nothing moves.
     void identify();
+    /// Asks for a file, and writes trials A and B into it, or all of the unit where none is shown.
+    void writeReport();
     /// The live view stands still, or goes on; nothing where the experiments are shown.
     void pauseLive();
     /// The plot that is in sight.
@@ -215,6 +218,7 @@ private:
     TunePlot *m_plot = nullptr;
     Segmented *m_view = nullptr;
     StimulusBar *m_stimulus = nullptr;
+    ReportOrder *m_order = nullptr;
     EnvelopePanel *m_envelope = nullptr;
     QWidget *m_liveColumn = nullptr;
     QStackedWidget *m_work = nullptr;

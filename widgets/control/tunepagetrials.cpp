@@ -14,6 +14,7 @@
 #include "widgets/control/trialwords.h"
 #include "widgets/control/tuneframe.h"
 #include "widgets/control/tunepage.h"
+#include "widgets/report/reportorder.h"
 
 #include <QPointer>
 #include <QStackedWidget>
@@ -240,6 +241,21 @@ void TunePage::useGains(const KeptTrial &kept)
     chosen->edits->stageAll(changes, tr("Gains of trial #%1").arg(kept.number));
     ++m_editRevision;
     follow();
+}
+
+void TunePage::writeReport()
+{
+    const DeviceView *view = device();
+    if (!view)
+        return;
+    ReportWish wish;
+    for (const KeptTrial *const shown : {m_trials->a(), m_trials->b()}) {
+        if (shown)
+            wish.trials.push_back(shown->number);
+    }
+    if (!m_order)
+        m_order = new ReportOrder(m_workbench, *this);
+    m_order->ask(*view, wish);
 }
 
 /// Staged, never written: one key runs it.

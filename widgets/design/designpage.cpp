@@ -17,6 +17,7 @@
 #include "widgets/design/proposalcard.h"
 #include "widgets/design/tuningsteps.h"
 #include "widgets/plots/curveplot.h"
+#include "widgets/report/reportorder.h"
 
 #include <QHBoxLayout>
 #include <QPointer>
@@ -191,6 +192,8 @@ void DesignPage::buildKeys()
     keys->add({Qt::Key_F5}, tr("writes the chosen set and proves it"), [this] { prove(); });
     keys->add({Qt::Key_F6}, tr("identifies, writes and proves in one go"), [this] { autotune(); });
     keys->add({QKeySequence(QStringLiteral("Shift+F6"))}, tr("identifies the motor"), [this] { identify(); });
+    m_order = new ReportOrder(m_workbench, *this);
+    keys->add({QKeySequence::Print}, tr("writes a report of what is shown"), [this] { writeReport(); });
 }
 
 const DeviceView *DesignPage::device() const
@@ -300,6 +303,18 @@ void DesignPage::prove()
 void DesignPage::autotune()
 {
     run(plan());
+}
+
+void DesignPage::writeReport()
+{
+    const DeviceView *const view = device();
+    if (!view)
+        return;
+    ReportWish wish;
+    wish.tuningsOnly = true;
+    if (const tuning::TuneReport *const known = report())
+        wish.trials = known->trials;
+    m_order->ask(*view, wish);
 }
 
 void DesignPage::run(tuning::TunePlan plan)

@@ -22,6 +22,7 @@ class EmptyState;
 class EnvelopePanel;
 class ModelPanel;
 class ProposalCard;
+class ReportOrder;
 class Segmented;
 class TuningSteps;
 
@@ -42,6 +43,9 @@ public:
     void prove();
     /// Both, with the chosen aim.
     void autotune();
+
+    /// Asks for a file, and writes what is shown into it: the tuning, or all of the unit where there is none yet.
+    void writeReport();
 
     [[nodiscard]] EnvelopePanel &envelope() { return *m_envelope; }
     /// Of the motor and loop that are shown; nullptr: nothing is known yet.
@@ -100,6 +104,7 @@ private:
     BodePlot *m_bode = nullptr;
     CurvePlot *m_step = nullptr;
     TuningSteps *m_steps = nullptr;
+    ReportOrder *m_order = nullptr;
 };
 
 } // namespace mb

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/parameterrows.h"
+#include "app/console/progressline.h"
+#include "app/console/target.h"
+#include "app/console/verb.h"
+#include "app/console/windowprogram.h"
+#include "app/folders/userfolders.h"
+#include "async/outputfile.h"
+#include "storage/reportmatter.h"
+#include "tuning/verdict.h"
+
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <sys/mman.h>
+#include <unistd.h>
+
+namespace mb::console {
+namespace {
+
+constexpr std::string_view trialPrefix = "trial:";
+constexpr int mostTrialNumber = 2'000'000'000;
+
+struct Arguments {
+    std::vector<std::string> subjects;
+    std::string out;
+};
+
+struct Wish {
+    std::optional<Target> target;
+    ReportWish matter;
+    bool pdf = false;
+};
+
+Result<Wish> check(const Console &console, const Arguments &a)
+{
+    Wish wish;
+    if (a.subjects.empty() || a.out.empty())
+        return fail(Fault::Usage, "report needs a device or trials, and a file",
+            "name LINK/FAMILY:ADDRESS or trial:N, and add --out FILE, a .pdf or .html");
+    wish.pdf = a.out.ends_with(".pdf") || a.out.ends_with(".PDF");
+    if (!wish.pdf && !a.out.ends_with(".html") && !a.out.ends_with(".htm") && !a.out.ends_with(".HTML"))
+        return fail(Fault::Usage, "--out '" + a.out + "' is no report", "give a name that ends in .pdf or .html");
+    for (const std::string &subject : a.subjects) {
+        if (subject.starts_with(trialPrefix)) {
+            const auto number = parseInteger("trial", subject.substr(trialPrefix.size()), 1, mostTrialNumber);
+            if (!number)
+                return fail(number.error());
+            wish.matter.trials.push_back(*number);
+            continue;
+        }
+        auto target = parseTarget(console, subject);
+        if (!target)
+            return fail(target.error());
+        if (wish.target)
+            return fail(Fault::Usage, "a report is about one device", "write one for each");
+        wish.target = std::move(*target);
+    }
+    if (wish.target && !wish.matter.trials.empty())
+        return fail(Fault::Usage, "a report is about a device or about trials", "leave one of them out");
+    return wish;
+}
+
+/// Who it is, and every parameter that it tells.
+Task<ReportUnit> readUnit(Console &console, Target target)
+{
+    auto connecting = connect(console, target);
+    Device *const device = co_await std::move(connecting);
+    ReportUnit unit;
+    unit.family = &device->family();
+    unit.selector = device->selector();
+    unit.unit = tuning::unitOf(*device);
+    unit.simulated = device->link().address().isSimulated();
+    if (needsApplication(*device)) {
+        ProgressLine progress(console);
+        auto reading = readParameters(*device, readable(*device), progress);
+        const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
+        if (const auto error = firstError(*device, outcomes))
+            co_return fail(*error);
+        const auto entries = device->parameters().entries();
+        unit.parameters.assign(entries.begin(), entries.end());
+    }
+    unit.identity = device->identity();
+    co_return unit;
+}
+
+Result<Report> gather(Console &console, ReportWish wish, std::optional<ReportUnit> unit)
+{
+    auto database = Database::open(databaseFile());
+    if (!database)
+        return fail(database.error());
+    if (!(*database)->remark().empty())
+        complain((*database)->remark());
+    TrialBook book(**database, console.clock());
+    if (unit)
+        wish.unit = unit->unit;
+    auto units = reportUnits(book, console.families(), wish);
+    if (!units)
+        return fail(units.error());
+    if (unit && !units->empty()) {
+        ReportUnit &found = units->front();
+        unit->tunings = std::move(found.tunings);
+        unit->trials = std::move(found.trials);
+        unit->history = std::move(found.history);
+        found = std::move(*unit);
+    }
+    Report report;
+    report.time = std::chrono::duration<double>(console.clock().now().time_since_epoch() + console.clock().unixOffset())
+                      .count();
+    report.program = "MotorBench " MOTORBENCH_VERSION;
+    report.units = std::move(*units);
+    return report;
+}
+
+/// The text goes over in memory: nothing is left behind, whatever happens.
+Error print(const QByteArray &html, const std::string &out, bool json)
+{
+    const int memory = ::memfd_create("report", 0);
+    const auto written = memory < 0 ? -1 : ::write(memory, html.constData(), static_cast<std::size_t>(html.size()));
+    if (written != html.size())
+        return {Fault::OutOfRange, std::string("the report cannot be handed over: ") + std::strerror(errno), {}};
+    std::vector<std::string> words{"--report", "/proc/self/fd/" + std::to_string(memory), "--out", out};
+    if (json)
+        words.emplace_back("--json");
+    return becomeWindow(std::move(words));
+}
+
+Task<int> report(Console &console, Arguments a)
+{
+    const auto wish = check(console, a);
+    if (!wish)
+        co_return fail(wish.error());
+    auto file = std::make_unique<OutputFile>(a.out);
+    if (auto opened = file->open(); !opened) // before anything is asked for
+        co_return fail(opened.error());
+    std::optional<ReportUnit> unit;
+    if (wish->target) {
+        auto reading = readUnit(console, *wish->target);
+        unit = co_await std::move(reading);
+    }
+    const auto gathered = gather(console, wish->matter, std::move(unit));
+    if (!gathered)
+        co_return fail(gathered.error());
+    const QByteArray html = htmlOf(*gathered).toUtf8();
+    if (wish->pdf) {
+        file.reset();
+        co_return fail(print(html, a.out, console.json()));
+    }
+    file->write({html.constData(), static_cast<std::size_t>(html.size())});
+    if (auto saved = file->commit(); !saved)
+        co_return fail(saved.error());
+    co_return exitDone;
+}
+
+} // namespace
+
+Job declareReport(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("subject", a->subjects, "LINK/FAMILY:ADDRESS, or trial:N of the notebook, one or more");
+    arguments.add_option("--out", a->out, "The report: .pdf or .html");
+    return [a](Console &console) { return report(console, *a); };
+}
+
+} // namespace mb::console

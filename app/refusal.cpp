@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/refusal.h"
+
+#include "widgets/common/devicetext.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <cstdio>
+
+namespace mb {
+namespace {
+
+constexpr int wrongInput = 2;
+
+} // namespace
+
+int refuse(const Error &error, bool json)
+{
+    if (!json) {
+        std::fprintf(stderr, "motorbench: %s\n", error.text().c_str());
+        return wrongInput;
+    }
+    const QJsonObject row{{QStringLiteral("status"), wrongInput},
+        {QStringLiteral("fault"), QStringLiteral("out-of-range")}, {QStringLiteral("cause"), qt(error.detail)},
+        {QStringLiteral("remedy"), qt(error.remedy)}};
+    const QByteArray line = QJsonDocument(QJsonObject{{QStringLiteral("error"), row}}).toJson(QJsonDocument::Compact);
+    std::fprintf(stderr, "%s\n", line.constData());
+    return wrongInput;
+}
+
+} // namespace mb

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/reportfile.h"
+
+#include "app/application.h"
+#include "app/refusal.h"
+#include "model/parameterfile.h"
+#include "widgets/report/reportpdf.h"
+
+namespace mb {
+namespace {
+
+constexpr std::int64_t largestReport = std::int64_t{256} << 20; // bytes
+
+} // namespace
+
+int printReport(const Options &options)
+{
+    const auto html = loadFile(options.report.toLocal8Bit().toStdString(), largestReport);
+    if (!html)
+        return refuse(html.error(), options.json);
+    const QByteArray pdf = pdfOf(QString::fromUtf8(*html));
+    if (pdf.isEmpty())
+        return refuse({Fault::OutOfRange, "the report cannot be painted", {}}, options.json);
+    if (const auto saved = saveFile(options.out.toLocal8Bit().toStdString(), pdf); !saved)
+        return refuse(saved.error(), options.json);
+    return 0;
+}
+
+} // namespace mb

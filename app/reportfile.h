@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace mb {
+
+struct Options;
+
+/// Prints the report that `options.report` holds as HTML into the PDF `options.out`. Yields the exit status: 0, or 2 after one line
+/// on standard error. Needs a QApplication, no screen.
+[[nodiscard]] int printReport(const Options &options);
+
+} // namespace mb

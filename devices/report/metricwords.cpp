@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/metricwords.h"
+
+#include "model/qttext.h"
+#include "report/htmltext.h"
+
+#include <array>
+
+namespace mb {
+namespace {
+
+struct Row {
+    std::string_view key;
+    const char *name;
+    double scale;
+    int decimals;
+    const char *unit;
+};
+
+constexpr std::array<Row, 11> metricRows{{
+    {"rise", QT_TRANSLATE_NOOP("mb::ReportText", "Rise, 10 to 90 %"), 1e3, 0, "ms"},
+    {"settle", QT_TRANSLATE_NOOP("mb::ReportText", "Settling to 2 %"), 1e3, 0, "ms"},
+    {"overshoot", QT_TRANSLATE_NOOP("mb::ReportText", "Overshoot"), 100.0, 1, "%"},
+    {"undershoot", QT_TRANSLATE_NOOP("mb::ReportText", "Undershoot of the way back"), 100.0, 1, "%"},
+    {"sse", QT_TRANSLATE_NOOP("mb::ReportText", "Error at rest"), 100.0, 2, "%"},
+    {"iae", QT_TRANSLATE_NOOP("mb::ReportText", "IAE"), 1e3, 0, "ms"},
+    {"itae", QT_TRANSLATE_NOOP("mb::ReportText", "ITAE"), 1e3, 1, "ms·s"},
+    {"peak_current", QT_TRANSLATE_NOOP("mb::ReportText", "Peak current"), 1.0, 1, "A"},
+    {"rms_duty", QT_TRANSLATE_NOOP("mb::ReportText", "Chatter of the duty, RMS"), 100.0, 2, "%"},
+    {"saturated", QT_TRANSLATE_NOOP("mb::ReportText", "Time at the duty limit"), 100.0, 1, "%"},
+    {"noise", QT_TRANSLATE_NOOP("mb::ReportText", "Noise of the measurement"), 100.0, 2, "%"},
+}};
+
+QString profileWord(tuning::Profile profile)
+{
+    switch (profile) {
+    case tuning::Profile::Step: return ReportText::tr("step");
+    case tuning::Profile::Square: return ReportText::tr("square wave");
+    case tuning::Profile::Ramp: return ReportText::tr("ramp");
+    case tuning::Profile::Sine: return ReportText::tr("sine");
+    case tuning::Profile::Chirp: return ReportText::tr("chirp");
+    case tuning::Profile::Prbs: return ReportText::tr("random steps");
+    }
+    return {};
+}
+
+} // namespace
+
+MetricWords metricWords(std::string_view key)
+{
+    for (const Row &row : metricRows) {
+        if (row.key == key)
+            return {ReportText::tr(row.name), row.scale, row.decimals, QString::fromUtf8(row.unit)};
+    }
+    return {qt(key), 1.0, 3, {}};
+}
+
+QString metricText(std::string_view key, const std::optional<double> &value)
+{
+    const MetricWords words = metricWords(key);
+    return value ? fixedFigure(*value * words.scale, words.decimals, words.unit) : figure(std::nullopt);
+}
+
+QString modeWord(Mode mode)
+{
+    switch (mode) {
+    case Mode::Velocity: return ReportText::tr("velocity");
+    case Mode::Position: return ReportText::tr("position");
+    case Mode::Current: return ReportText::tr("current");
+    case Mode::Duty: return ReportText::tr("duty");
+    default: return qt(toString(mode));
+    }
+}
+
+QString stimulusWords(const tuning::Trial &trial)
+{
+    const tuning::Stimulus &stimulus = trial.stimulus;
+    const bool duty = trial.mode == Mode::Duty;
+    const double scale = duty ? 100.0 : 1.0;
+    QString text = profileWord(stimulus.profile) + QStringLiteral(" ") + figure(stimulus.from * scale, 6)
+        + QStringLiteral(" → ") + figure(stimulus.to * scale, 6, duty ? QStringLiteral("%") : qt(unitOf(trial.mode)));
+    if (trial.repeat > 1)
+        text += QStringLiteral(", ") + ReportText::tr("%1 times").arg(trial.repeat);
+    return text;
+}
+
+QString endingWords(const tuning::Trial &trial)
+{
+    if (trial.reason == "done")
+        return ReportText::tr("done");
+    if (trial.reason.empty())
+        return ReportText::tr("cut off");
+    if (trial.reason == "interrupted")
+        return ReportText::tr("interrupted");
+    return ReportText::tr("stopped by the guard “%1”").arg(qt(trial.reason));
+}
+
+} // namespace mb

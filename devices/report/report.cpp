@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/report.h"
+
+#include "model/qttext.h"
+#include "report/htmltext.h"
+#include "report/trialsection.h"
+#include "report/tuningsection.h"
+#include "report/unitsection.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+/// Colours are those of the light theme; sizes are pixels, so that page and PDF agree.
+const QString sheet = QStringLiteral(R"(
+body { font-family: 'Noto Sans', 'DejaVu Sans', sans-serif; font-size: 12px; color: #171C22; background-color: #FFFFFF; }
+h1 { font-size: 24px; font-weight: bold; margin-top: 0px; margin-bottom: 2px; }
+h2 { font-size: 16px; font-weight: bold; color: #3D49C4; margin-top: 14px; margin-bottom: 3px; }
+p { margin-top: 3px; margin-bottom: 5px; }
+.dim { color: #47525E; } .key { color: #5F6A76; font-size: 10px; }
+.ok { color: #0A7547; } .caution { color: #8F5A00; } .danger { color: #8F0F22; } .accent { color: #3D49C4; }
+table.rows { border-collapse: collapse; margin-top: 4px; margin-bottom: 6px; }
+.rows th { font-size: 10px; color: #47525E; font-weight: normal; border-bottom: 1px solid #7D8894; padding: 2px 6px 2px 0px; }
+.rows td { border-bottom: 1px solid #E0E4EA; padding: 2px 6px 2px 0px; }
+table.demo { background-color: #4A55C4; } .demo td { color: #FFFFFF; font-weight: bold; padding: 6px 10px 6px 10px; }
+)");
+
+/// For a page on a screen; a PDF has pages of its own.
+const QString screenSheet
+    = QStringLiteral("@media screen { body { max-width: 720px; margin: 24px auto; padding: 0 16px; } "
+                     "svg { max-width: 100%; height: auto; } }");
+
+QString demoBanner()
+{
+    return QStringLiteral("<table class=\"demo\" width=\"100%\" cellspacing=\"0\" bgcolor=\"#4A55C4\"><tr><td>")
+        + ReportText::tr("DEMO: this unit is simulated. Nothing here was measured on a motor.")
+        + QStringLiteral("</td></tr></table>\n");
+}
+
+QString unitHtml(const ReportUnit &unit, const Report &report, bool first)
+{
+    QString html = QStringLiteral("<h1%1>%2</h1>\n")
+                       .arg(first ? QString() : QStringLiteral(" style=\"page-break-before: always\""),
+                           escaped(ReportText::tr("Report on %1").arg(nameOf(unit))));
+    html += paragraph(ReportText::tr("Made on %1 with %2").arg(timeText(report.time), escaped(report.program)), "dim");
+    if (unit.simulated)
+        html += demoBanner();
+    html += identityHtml(unit, report);
+    bool onFirstPage = true;
+    const auto newPage = [&onFirstPage](const QString &section) {
+        const QString placed
+            = onFirstPage ? section : QStringLiteral("<div style=\"page-break-before: always\"></div>") + section;
+        onFirstPage = false;
+        return placed;
+    };
+    for (const KeptTuning &tuning : unit.tunings)
+        html += newPage(tuningHtml(tuning, unit, report));
+    for (const KeptTrial &trial : unit.trials)
+        html += newPage(trialHtml(trial, unit, report));
+    if (const QString history = historyHtml(unit); !history.isEmpty())
+        html += history; // which goes on where there is room
+    if (const QString parameters = parametersHtml(unit, report); !parameters.isEmpty())
+        html += newPage(parameters);
+    if (unit.tunings.empty() && unit.trials.empty() && unit.history.empty())
+        html += paragraph(ReportText::tr("There are no trials of this unit in the notebook."), "dim");
+    return html;
+}
+
+} // namespace
+
+bool Report::isSimulated() const
+{
+    return std::any_of(units.begin(), units.end(), [](const ReportUnit &unit) { return unit.simulated; });
+}
+
+QString htmlOf(const Report &report)
+{
+    QStringList names;
+    for (const ReportUnit &unit : report.units)
+        names << nameOf(unit);
+    QString html = QStringLiteral("<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\">\n<title>")
+        + escaped(ReportText::tr("Report on %1").arg(names.join(QStringLiteral(", ")))) + QStringLiteral("</title>\n");
+    if (report.isSimulated())
+        html += QStringLiteral("<meta name=\"simulated\" content=\"true\">\n");
+    html += QStringLiteral("<style>") + sheet + QStringLiteral("</style>\n<style media=\"screen\">") + screenSheet
+        + QStringLiteral("</style></head>\n<body>\n");
+    for (const ReportUnit &unit : report.units)
+        html += unitHtml(unit, report, &unit == &report.units.front());
+    return html + QStringLiteral("</body></html>\n");
+}
+
+} // namespace mb

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/tuningsection.h"
+
+#include "model/family.h"
+#include "model/qttext.h"
+#include "report/htmltext.h"
+#include "report/metricwords.h"
+#include "report/svgplot.h"
+#include "report/trialsection.h"
+#include "tuning/envelope.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace mb {
+namespace {
+
+using namespace tuning;
+
+constexpr std::array<std::string_view, 5> provenMetrics{"rise", "settle", "overshoot", "sse", "peak_current"};
+constexpr int stepHeight = 170; // px
+constexpr int bodeHeight = 110;
+constexpr int bodePoints = 200;
+constexpr double decades = 1.3;       ///< of the Bode plot, either side of the crossover
+constexpr double shownSettles = 4.0;  ///< predicted times to settle that a step is drawn for
+constexpr double shortestShown = 0.2; ///< s
+
+const QString neutral = QStringLiteral("#171C22");
+const QString forwards = QStringLiteral("#1F8FD6");
+const QString backwards = QStringLiteral("#B0508C");
+
+QString verdictHtml(const TuneReport &report)
+{
+    switch (report.result) {
+    case TuneResult::Kept: return strong(ReportText::tr("Kept"), "ok");
+    case TuneResult::Proposed: return strong(ReportText::tr("Proposed, nothing was written"), "accent");
+    case TuneResult::RolledBack: return strong(ReportText::tr("Put back"), "caution");
+    case TuneResult::Refused: return strong(ReportText::tr("Refused"), "caution");
+    case TuneResult::Stopped: return strong(ReportText::tr("Stopped"), "danger");
+    }
+    return {};
+}
+
+QString filterWords(const std::optional<VelocityFilter> &filter)
+{
+    if (!filter)
+        return figure(std::nullopt);
+    const QString window = figure(1e3 * filter->window, 3, QStringLiteral("ms"));
+    switch (filter->kind) {
+    case VelocityFilter::Kind::None: return ReportText::tr("none, as fresh as the position");
+    case VelocityFilter::Kind::Rolling: return ReportText::tr("rolling, %1").arg(window);
+    case VelocityFilter::Kind::Block: return ReportText::tr("in blocks, %1").arg(window);
+    }
+    return {};
+}
+
+QString modelHtml(const TuneReport &report)
+{
+    HtmlTable table(QStringLiteral("lrrl"),
+        {ReportText::tr("Model"), ReportText::tr("Value"), QStringLiteral("±"), ReportText::tr("Unit")});
+    const auto add = [&table](const QString &name, double value, std::optional<double> error, const QString &unit) {
+        table.add({name, strong(figure(value, 4)), figure(error, 2), unit});
+    };
+    const std::optional<MotorFound> &motor = report.motor;
+    const auto error = [&motor](double of) { return motor ? std::optional(of) : std::nullopt; };
+    const MotorFound found = motor.value_or(MotorFound());
+    add(ReportText::tr("Gain K"), report.plant.gain, error(found.line.gainError),
+        report.loop == Mode::Current ? ReportText::tr("A per duty") : ReportText::tr("counts/s per duty"));
+    add(ReportText::tr("Lag τ"), 1e3 * report.plant.tau, error(1e3 * found.pushes.tauError), QStringLiteral("ms"));
+    add(ReportText::tr("Dead time θ of the loop"), 1e3 * report.plant.delay, error(1e3 * found.pushes.delayError),
+        QStringLiteral("ms"));
+    add(ReportText::tr("Friction kS"), 100.0 * report.plant.friction, error(100.0 * found.line.frictionError),
+        ReportText::tr("% duty"));
+    QString html = table.html();
+    if (motor)
+        html += paragraph(ReportText::tr("Velocity filter of the device: %1").arg(filterWords(motor->filter)), "dim");
+    return html;
+}
+
+QString gatesHtml(const TuneReport &report, const Report &whole)
+{
+    QString html;
+    for (const Gate &gate : report.gates) {
+        const QString detail = escaped(whole.phrase ? whole.phrase(gate.detail) : qt(gate.detail));
+        html += (gate.passed ? strong(ReportText::tr("passed"), "ok") : strong(ReportText::tr("failed"), "danger"))
+            + QStringLiteral(" ") + detail + QStringLiteral("<br>");
+    }
+    return html.isEmpty() ? html : paragraph(ReportText::tr("What the model was judged by:"), "dim") + paragraph(html);
+}
+
+QString gainsHtml(const TuneReport &report, const ReportUnit &unit, const Report &whole)
+{
+    if (report.proposed.rows.empty())
+        return {};
+    HtmlTable table(QStringLiteral("lrrr"),
+        {ReportText::tr("Gain"), ReportText::tr("Before"), ReportText::tr("Proposed"), ReportText::tr("Raw")});
+    for (const ScaledGains::Row &row : report.proposed.rows) {
+        std::optional<double> from;
+        for (const auto &[key, value] : report.before) {
+            if (key == row.key)
+                from = value;
+        }
+        table.add({gainLabel(unit, row.key, whole), figure(from, 6), strong(figure(row.number, 6)),
+            QString::number(row.raw)});
+    }
+    return table.html();
+}
+
+QString proofHtml(const TuneReport &report)
+{
+    if (!report.predicted)
+        return {};
+    HtmlTable table(
+        QStringLiteral("lrr"), {ReportText::tr("Proof"), ReportText::tr("Predicted"), ReportText::tr("Measured")});
+    for (const MetricKey &key : metricKeys()) {
+        const auto predicted = report.predicted->metrics.*key.value;
+        const auto measured = report.measured.*key.value;
+        if (std::find(provenMetrics.begin(), provenMetrics.end(), key.key) != provenMetrics.end())
+            table.add(
+                {metricWords(key.key).name, metricText(key.key, predicted), strong(metricText(key.key, measured))});
+    }
+    if (report.margins) {
+        const Margins &margins = *report.margins;
+        table.add({ReportText::tr("Sensitivity peak Ms"), figure(margins.ms, 3), QString()});
+        table.add({ReportText::tr("Gain margin"), figure(20.0 * std::log10(margins.gain), 3, QStringLiteral("dB")),
+            QString()});
+        table.add({ReportText::tr("Phase margin"), figure(margins.phase, 3, QStringLiteral("°")), QString()});
+    }
+    return table.html();
+}
+
+Trace moved(const Trace &trace, double origin, double sign, double end)
+{
+    Trace result;
+    for (std::size_t i = 0; i < trace.size() && trace.t[i] <= end; ++i)
+        result.add(trace.t[i], sign * (trace.y[i] - origin));
+    return result;
+}
+
+/// What was predicted and, where it was proven, both directions over it.
+QString stepSvg(const TuneReport &report)
+{
+    if (!report.predicted)
+        return {};
+    double end = std::max(shownSettles * report.predicted->metrics.settle.value_or(0.5), shortestShown);
+    SvgPane pane{qt(unitOf(report.loop)), {}, stepHeight};
+    for (const Trial &trial : report.proof) {
+        for (const Span &hold : trial.holds)
+            end = std::min(end, hold.to - hold.from);
+    }
+    for (const Trial &trial : report.proof) {
+        const double sign = trial.stimulus.to < trial.stimulus.from ? -1.0 : 1.0;
+        pane.curves.push_back(
+            {sign > 0.0 ? ReportText::tr("forwards") : ReportText::tr("backwards"), sign > 0.0 ? forwards : backwards,
+                {}, moved(trial.folded(measuredOf(trial.mode)), trial.stimulus.from, sign, end)});
+    }
+    pane.curves.push_back({ReportText::tr("predicted"), neutral, QStringLiteral("2,3"),
+        moved(report.predicted->measured, 0.0, 1.0, end)});
+    SvgPlot plot;
+    plot.label = ReportText::tr("s since the edge");
+    plot.mark = report.simulated ? QStringLiteral("DEMO") : QString();
+    plot.description = ReportText::tr("The step of the proof, predicted and measured");
+    plot.panes.push_back(std::move(pane));
+    return svgOf(plot);
+}
+
+QString bodeSvg(const TuneReport &report)
+{
+    if (!report.margins || !(report.margins->crossover > 0.0))
+        return {};
+    Trace magnitude;
+    Trace phase;
+    double turns = 0.0;
+    double before = 0.0;
+    for (int i = 0; i <= bodePoints; ++i) {
+        const double omega = report.margins->crossover * std::pow(10.0, decades * (2.0 * i / bodePoints - 1.0));
+        const std::complex<double> loop = openLoop(report.loop, report.plant, report.proposed.made, omega);
+        const double angle = std::arg(loop) * 180.0 / std::numbers::pi;
+        if (i > 0 && std::abs(angle - before) > 180.0)
+            turns += angle > before ? -360.0 : 360.0;
+        before = angle;
+        const double hertz = omega / (2.0 * std::numbers::pi);
+        magnitude.add(hertz, 20.0 * std::log10(std::abs(loop)));
+        if (angle + turns > -360.0)
+            phase.add(hertz, angle + turns);
+    }
+    SvgPlot plot;
+    plot.logarithmic = true;
+    plot.label = QStringLiteral("Hz");
+    plot.mark = report.simulated ? QStringLiteral("DEMO") : QString();
+    plot.description = ReportText::tr("Magnitude and phase of the open loop");
+    plot.panes.push_back({ReportText::tr("magnitude of the loop, dB"), {{{}, neutral, {}, magnitude}}, bodeHeight});
+    plot.panes.push_back({ReportText::tr("phase of the loop, °"), {{{}, neutral, {}, phase}}, bodeHeight});
+    return svgOf(plot);
+}
+
+QString figureBlock(const QString &svg)
+{
+    return svg.isEmpty() ? QString() : QStringLiteral("<div>") + svg + QStringLiteral("</div>\n");
+}
+
+QString chosenWords(const TuneReport &report)
+{
+    for (const Proposal &proposal : report.proposals) {
+        if (proposal.gains.made != report.proposed.made)
+            continue;
+        QString text = ReportText::tr("Response of the closed loop: %1")
+                           .arg(figure(1e3 * proposal.design.response, 3, QStringLiteral("ms")));
+        QStringList bounds;
+        for (const std::string_view bound : proposal.design.bounds)
+            bounds << qt(bound);
+        if (!bounds.isEmpty())
+            text += QStringLiteral(" · ") + ReportText::tr("bounded by %1").arg(bounds.join(QStringLiteral(", ")));
+        return text;
+    }
+    return {};
+}
+
+} // namespace
+
+QString tuningHtml(const KeptTuning &kept, const ReportUnit &unit, const Report &whole)
+{
+    const TuneReport &report = kept.report;
+    QString html = heading(2, ReportText::tr("Tuning of the %1 loop").arg(modeWord(report.loop)));
+    QStringList words{timeText(kept.time)};
+    if (unit.family && unit.family->capabilities.axes > 1)
+        words << ReportText::tr("axis %1").arg(report.axis);
+    if (unit.family && unit.family->capabilities.gainSlots > 1)
+        words << ReportText::tr("gain slot %1").arg(report.slot);
+    words << ReportText::tr("firmware %1").arg(report.firmware.empty() ? figure(std::nullopt) : qt(report.firmware))
+          << figure(report.seconds, 3, QStringLiteral("s"));
+    QStringList numbers;
+    for (const std::int64_t number : report.trials)
+        numbers << QString::number(number);
+    if (!numbers.isEmpty())
+        words << ReportText::tr("trials %1").arg(numbers.join(QStringLiteral(", ")));
+    html += paragraph(escaped(words.join(QStringLiteral(" · "))), "dim");
+    html += paragraph(verdictHtml(report) + QStringLiteral(": ")
+        + escaped(whole.phrase ? whole.phrase(report.evidence) : qt(report.evidence)));
+    if (report.plant.gain > 0.0)
+        html += beside(modelHtml(report), proofHtml(report));
+    html += figureBlock(stepSvg(report));
+    html += gainsHtml(report, unit, whole);
+    if (const QString chosen = chosenWords(report); !chosen.isEmpty())
+        html += paragraph(escaped(chosen), "dim");
+    return html + figureBlock(bodeSvg(report)) + gatesHtml(report, whole);
+}
+
+} // namespace mb

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/report.h"
+
+namespace mb {
+
+/// Who the unit is.
+[[nodiscard]] QString identityHtml(const ReportUnit &unit, const Report &report);
+/// Every parameter that was read, beside its default; what differs stands out. Empty where nobody has read them.
+[[nodiscard]] QString parametersHtml(const ReportUnit &unit, const Report &report);
+/// "DMC60C 7", as a heading names it.
+[[nodiscard]] QString nameOf(const ReportUnit &unit);
+
+} // namespace mb

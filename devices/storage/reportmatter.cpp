@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/reportmatter.h"
+
+#include "model/family.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace mb {
+namespace {
+
+constexpr std::string_view simulatedMark = "simulated ";
+
+Result<void> addSignals(TrialBook &book, tuning::Trial &trial)
+{
+    if (!trial.number)
+        return {};
+    auto signals = book.signals(*trial.number);
+    if (!signals)
+        return fail(signals.error());
+    trial.signals = std::move(*signals);
+    return {};
+}
+
+bool isIn(const std::vector<std::int64_t> &numbers, std::int64_t number)
+{
+    return std::find(numbers.begin(), numbers.end(), number) != numbers.end();
+}
+
+/// Of each loop the last one.
+template <class Item, class Place> std::vector<Item> newestOf(const std::vector<Item> &items, const Place &placeOf)
+{
+    std::vector<Item> newest;
+    for (auto item = items.rbegin(); item != items.rend(); ++item) {
+        const auto same = [&](const Item &other) { return placeOf(other) == placeOf(*item); };
+        if (std::none_of(newest.begin(), newest.end(), same))
+            newest.push_back(*item);
+    }
+    return newest;
+}
+
+/// History, and what of it stands in full: what was asked for, or the newest of each loop.
+Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
+{
+    const std::vector<std::int64_t> &asked = wish.trials;
+    auto history = book.listOf(unit.unit);
+    if (!history)
+        return fail(history.error());
+    unit.history = std::move(*history);
+    auto tunings = book.tuningsOf(unit.unit);
+    if (!tunings)
+        return fail(tunings.error());
+    if (asked.empty()) {
+        unit.tunings
+            = newestOf(*tunings, [](const KeptTuning &kept) { return std::tuple(kept.report.loop, kept.report.axis); });
+    } else {
+        for (KeptTuning &kept : *tunings) {
+            if (std::any_of(asked.begin(), asked.end(), [&](std::int64_t n) { return isPartOf(n, kept.report); }))
+                unit.tunings.push_back(std::move(kept));
+        }
+    }
+    for (KeptTuning &kept : unit.tunings) {
+        for (tuning::Trial &trial : kept.report.proof) {
+            if (auto added = addSignals(book, trial); !added)
+                return added;
+        }
+    }
+    std::vector<KeptTrial> full;
+    for (const KeptTrial &kept : unit.history) {
+        const bool told = std::any_of(unit.tunings.begin(), unit.tunings.end(),
+            [&](const KeptTuning &tuned) { return isPartOf(kept.number, tuned.report); });
+        if (asked.empty() ? !told && kept.trial.reason == "done" && kept.trial.mode != Mode::Duty
+                          : isIn(asked, kept.number) && !(wish.tuningsOnly && told))
+            full.push_back(kept);
+    }
+    unit.trials = asked.empty()
+        ? newestOf(full, [](const KeptTrial &kept) { return std::tuple(kept.trial.mode, kept.trial.axis); })
+        : std::move(full);
+    for (KeptTrial &kept : unit.trials) {
+        if (auto added = addSignals(book, kept.trial); !added)
+            return added;
+    }
+    return {};
+}
+
+} // namespace
+
+ReportUnit unitFrom(const std::string &unit, const std::string &selector, std::span<const Family *const> families)
+{
+    ReportUnit made;
+    made.unit = unit;
+    made.selector = selector;
+    made.simulated = unit.starts_with(simulatedMark);
+    const auto parsed = DeviceSelector::parse(selector);
+    if (!parsed)
+        return made;
+    made.identity.family = parsed->family;
+    made.identity.address = parsed->address;
+    made.identity.session = parsed->session;
+    const auto family = std::find_if(
+        families.begin(), families.end(), [&](const Family *each) { return each->key == parsed->family; });
+    made.family = family == families.end() ? nullptr : *family;
+    const std::string name = made.simulated ? unit.substr(simulatedMark.size()) : unit;
+    if (name.starts_with(parsed->family + ' '))
+        made.identity.serial = name.substr(parsed->family.size() + 1);
+    return made;
+}
+
+Result<std::vector<ReportUnit>> reportUnits(
+    TrialBook &book, std::span<const Family *const> families, const ReportWish &wish)
+{
+    std::vector<ReportUnit> units;
+    if (!wish.unit.empty())
+        units.push_back(unitFrom(wish.unit, {}, families));
+    for (const std::int64_t number : wish.trials) {
+        const auto kept = book.find(number);
+        if (!kept)
+            return fail(kept.error());
+        const auto same = [&](const ReportUnit &unit) { return unit.unit == kept->trial.unit; };
+        if (std::none_of(units.begin(), units.end(), same))
+            units.push_back(unitFrom(kept->trial.unit, kept->trial.device, families));
+        ReportUnit &unit = *std::find_if(units.begin(), units.end(), same);
+        unit.identity.firmware = kept->trial.firmware;
+        unit.simulated = kept->trial.simulated;
+    }
+    for (ReportUnit &unit : units) {
+        if (auto filled = fill(book, unit, wish); !filled)
+            return fail(filled.error());
+    }
+    return units;
+}
+
+} // namespace mb

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/family.h"
+#include "model/registry.h"
+#include "report/report.h"
+#include "report/svgplot.h"
+
+#include <gtest/gtest.h>
+
+#include <QXmlStreamReader>
+
+#include <cmath>
+
+namespace mb {
+namespace {
+
+using namespace tuning;
+
+const Family *familyNamed(std::string_view key)
+{
+    for (const Family *family : families()) {
+        if (family->key == key)
+            return family;
+    }
+    return nullptr;
+}
+
+Trace rising(double to)
+{
+    Trace trace;
+    for (int i = -20; i < 400; ++i)
+        trace.add(0.005 * i, i < 0 ? 0.0 : to * (1.0 - std::exp(-0.05 * i)));
+    return trace;
+}
+
+KeptTrial trial()
+{
+    KeptTrial kept;
+    kept.number = 12;
+    kept.time = 1.7e9;
+    kept.note = "with the <new> belt";
+    Trial &trial = kept.trial;
+    trial.number = 12;
+    trial.device = "sim:can/dmc60c:7";
+    trial.unit = "simulated dmc60c 210334ABCDEF";
+    trial.firmware = "1.23";
+    trial.simulated = true;
+    trial.stimulus = *Stimulus::make(Profile::Step, 0.0, 60'000.0, {}, 0.02);
+    trial.repeat = 2;
+    trial.holds = {{0.0, 2.0}};
+    trial.gains = {{"slot0.p", 1.165}, {"slot0.i", std::nullopt}};
+    trial.metrics.overshoot = 0.204;
+    trial.metrics.settle = 0.524;
+    trial.reason = "done";
+    trial.stopped = true;
+    trial.samples = 4711;
+    trial.signals = {{"velocity", "counts/s", rising(60'000.0)}, {"duty", "fraction", rising(0.3)}};
+    return kept;
+}
+
+KeptTuning tuned()
+{
+    KeptTuning kept;
+    kept.number = 1;
+    TuneReport &report = kept.report;
+    report.result = TuneResult::Kept;
+    report.simulated = true;
+    report.evidence = "the steps in both directions did what was predicted";
+    report.plant = {105'000.0, 0.168, 0.052, 0.021};
+    report.motor.emplace();
+    report.motor->line.gainError = 120.0;
+    report.gates = {{"fit", "what the fit leaves is 1.4 times", true, {}}};
+    report.proposed.rows = {{"slot0.p", 38083, 0.5811}};
+    report.proposed.made = {1e-5, 6e-5, 0.0, 0.0};
+    report.before = {{"slot0.p", 1.165}};
+    report.margins = Margins{1.44, 3.9, 67.0, 4.0};
+    report.predicted.emplace();
+    report.predicted->measured = rising(30'000.0);
+    report.predicted->metrics.settle = 0.5;
+    report.measured.overshoot = 0.013;
+    report.proof = {trial().trial};
+    report.trials = {12};
+    return kept;
+}
+
+Report reportOf(bool simulated)
+{
+    Report report;
+    report.time = 1.7e9;
+    report.program = "MotorBench 0.1.0";
+    ReportUnit unit;
+    unit.family = familyNamed("dmc60c");
+    unit.identity.family = "dmc60c";
+    unit.identity.address = 7;
+    unit.identity.serial = "210334ABCDEF";
+    unit.identity.firmware = "1.23";
+    unit.simulated = simulated;
+    unit.selector = "sim:can/dmc60c:7";
+    unit.tunings = {tuned()};
+    unit.trials = {trial()};
+    unit.history = {trial()};
+    for (const Parameter &parameter : unit.family->parameters)
+        unit.parameters.push_back({std::llround(parameter.fallback * parameter.one), ParameterState::Stored});
+    *unit.parameters[findParameter(unit.family->parameters, "slot0.p")->value].raw += 4711;
+    report.units.push_back(std::move(unit));
+    return report;
+}
+
+TEST(Report, TellsTheUnitItsTuningItsTrialItsParametersAndItsHistory)
+{
+    const QString html = htmlOf(reportOf(true));
+    for (const char *word : {"DMC60C 7", "210334ABCDEF", "sim:can/dmc60c:7", "1.23", "Tuning of the velocity loop",
+             "Kept", "slot0.p", "0.5811", "38083", "105000", "Sensitivity peak Ms", "Trial 12", "20.4", "524", "60000",
+             "4711 samples, 0 lost", "1 of 55 differ", "History of the unit", "MotorBench 0.1.0"})
+        EXPECT_TRUE(html.contains(QString::fromUtf8(word))) << word << "\n";
+    EXPECT_TRUE(html.contains(QStringLiteral("with the &lt;new&gt; belt")));
+    EXPECT_EQ(html.count(QStringLiteral("<svg ")), 3); // the proof, the loop, the trial
+}
+
+TEST(Report, MarksASimulatedUnitInWordsInEveryPlotAndForPrograms)
+{
+    const QString simulated = htmlOf(reportOf(true));
+    EXPECT_TRUE(simulated.contains(QStringLiteral("<meta name=\"simulated\"")));
+    EXPECT_TRUE(simulated.contains(QStringLiteral("DEMO: this unit is simulated")));
+    EXPECT_EQ(simulated.count(QStringLiteral(">DEMO</text>")), 5); // a pane each
+    Report real = reportOf(false);
+    real.units.front().tunings.clear();
+    real.units.front().trials.front().trial.simulated = false;
+    EXPECT_FALSE(htmlOf(real).contains(QStringLiteral("DEMO")));
+}
+
+TEST(Report, RefersToNothingOutsideItAndItsDrawingsAreWellFormed)
+{
+    const QString html = htmlOf(reportOf(true));
+    EXPECT_FALSE(html.contains(QStringLiteral("src=")));
+    EXPECT_FALSE(html.contains(QStringLiteral("href=")));
+    int from = 0;
+    for (int i = 0; i < 3; ++i) {
+        const int begin = html.indexOf(QStringLiteral("<svg "), from);
+        from = html.indexOf(QStringLiteral("</svg>"), begin) + 6;
+        ASSERT_GT(from, begin);
+        QXmlStreamReader xml(html.mid(begin, from - begin));
+        while (!xml.atEnd())
+            xml.readNext();
+        EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+    }
+}
+
+TEST(Report, WhatIsNotKnownIsADashAndNeverNought)
+{
+    const QString html = htmlOf(reportOf(true));
+    const int row = html.indexOf(QStringLiteral("slot0.i"));
+    ASSERT_GT(row, 0);
+    EXPECT_TRUE(html.mid(row, 120).contains(QStringLiteral("–"))) << html.mid(row, 120).toStdString();
+}
+
+TEST(SvgPlot, ThinsACurveOutButKeepsASpikeOfOneSample)
+{
+    SvgPlot plot;
+    Trace trace;
+    for (int i = 0; i < 100'000; ++i)
+        trace.add(i, i == 54'321 ? 1.0 : 0.0);
+    plot.panes.push_back({QStringLiteral("A"), {{{}, QStringLiteral("#000000"), {}, trace}}, 100});
+    const QString svg = svgOf(plot);
+    EXPECT_LT(svg.size(), 60'000);
+    const int points = svg.indexOf(QStringLiteral("points=\""));
+    double least = 1e9;
+    for (const QString &point :
+        svg.mid(points + 8, svg.indexOf(QLatin1Char('"'), points + 8) - points - 8).split(QLatin1Char(' ')))
+        least = std::min(least, point.section(QLatin1Char(','), 1, 1).toDouble());
+    EXPECT_LT(least, 40.0) << "the top of the pane";
+}
+
+TEST(SvgPlot, IsEmptyWhereThereIsNothingToDraw)
+{
+    EXPECT_TRUE(svgOf({}).isEmpty());
+    SvgPlot plot;
+    plot.panes.push_back({QStringLiteral("A"), {{{}, {}, {}, {}}}, 100});
+    EXPECT_TRUE(svgOf(plot).isEmpty());
+}
+
+} // namespace
+} // namespace mb

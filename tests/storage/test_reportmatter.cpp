@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/virtualclock.h"
+#include "model/family.h"
+#include "model/registry.h"
+#include "storage/reportmatter.h"
+#include "support/simulatedsession.h"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QTemporaryDir>
+
+namespace mb {
+namespace {
+
+using tuning::Trial;
+
+/// A notebook of unit 7: a push, a step, a tuning of the velocity loop of both, two steps after it; and one of unit 5.
+class Reports : public testing::Test {
+protected:
+    Reports()
+    {
+        if (!QCoreApplication::instance()) {
+            static int count = 1;
+            static char name[] = "test_storage";
+            static char *arguments[] = {name, nullptr};
+            static QCoreApplication application(count, arguments);
+        }
+        database = std::move(*Database::open(folder.path().toStdString() + "/motorbench.db"));
+        book = std::make_unique<TrialBook>(*database, clock);
+        keep("7", Mode::Duty);
+        keep("7", Mode::Velocity);
+        tuning::TuneReport tuned;
+        tuned.device = "sim:can/dmc60c:7";
+        tuned.unit = "simulated dmc60c SN7";
+        tuned.trials = {1, 2};
+        Trial proof;
+        proof.number = 2;
+        tuned.proof = {proof};
+        EXPECT_TRUE(test::run(clock, book->keepTuning(tuned)));
+        keep("7", Mode::Velocity);
+        keep("7", Mode::Velocity);
+        keep("5", Mode::Position);
+    }
+    void keep(const std::string &address, Mode mode)
+    {
+        Trial trial;
+        trial.device = "sim:can/dmc60c:" + address;
+        trial.unit = "simulated dmc60c SN" + address;
+        trial.firmware = "1.23";
+        trial.simulated = true;
+        trial.mode = mode;
+        trial.reason = "done";
+        tuning::Trace trace;
+        trace.add(0.0, 1.0);
+        trial.signals = {{"velocity", "counts/s", trace}};
+        const auto number = test::run(clock, book->begin(trial));
+        EXPECT_TRUE(test::run(clock, book->complete(number.value_or(0), trial)));
+    }
+    [[nodiscard]] std::vector<ReportUnit> of(const ReportWish &wish)
+    {
+        auto units = reportUnits(*book, families(), wish);
+        EXPECT_TRUE(units) << (units ? "" : units.error().text());
+        return units ? std::move(*units) : std::vector<ReportUnit>();
+    }
+    [[nodiscard]] static std::vector<std::int64_t> numbersOf(const std::vector<KeptTrial> &trials)
+    {
+        std::vector<std::int64_t> numbers;
+        for (const KeptTrial &kept : trials)
+            numbers.push_back(kept.number);
+        return numbers;
+    }
+
+    QTemporaryDir folder;
+    VirtualClock clock;
+    std::unique_ptr<Database> database;
+    std::unique_ptr<TrialBook> book;
+};
+
+TEST_F(Reports, TrialsOfTwoUnitsGiveTwoUnitsWithTheirHistories)
+{
+    const auto units = of({{3, 5}, {}, false});
+    ASSERT_EQ(units.size(), 2U);
+    EXPECT_EQ(numbersOf(units[0].trials), (std::vector<std::int64_t>{3}));
+    EXPECT_EQ(units[0].trials[0].trial.signals.size(), 1U);
+    EXPECT_TRUE(units[0].tunings.empty());
+    EXPECT_EQ(numbersOf(units[0].history), (std::vector<std::int64_t>{1, 2, 3, 4}));
+    EXPECT_EQ(units[0].identity.serial, "SN7");
+    EXPECT_EQ(units[0].identity.address, 7);
+    EXPECT_EQ(units[0].identity.firmware, "1.23");
+    ASSERT_NE(units[0].family, nullptr);
+    EXPECT_EQ(units[0].family->key, "dmc60c");
+    EXPECT_TRUE(units[0].simulated);
+    EXPECT_EQ(numbersOf(units[1].history), (std::vector<std::int64_t>{5}));
+}
+
+TEST_F(Reports, ATrialOfATuningBringsTheTuningWithTheSignalsOfItsProof)
+{
+    for (const bool tuningsOnly : {false, true}) {
+        const auto units = of({{2}, {}, tuningsOnly});
+        ASSERT_EQ(units.size(), 1U);
+        EXPECT_EQ(units[0].trials.size(), tuningsOnly ? 0U : 1U);
+        ASSERT_EQ(units[0].tunings.size(), 1U);
+        ASSERT_EQ(units[0].tunings[0].report.proof.size(), 1U);
+        EXPECT_EQ(units[0].tunings[0].report.proof[0].signals.size(), 1U);
+    }
+}
+
+TEST_F(Reports, OfAUnitTheNewestTrialOfEachLoopStandsBesideItsTunings)
+{
+    const auto units = of({{}, "simulated dmc60c SN7", false});
+    ASSERT_EQ(units.size(), 1U);
+    EXPECT_EQ(units[0].tunings.size(), 1U);
+    EXPECT_EQ(numbersOf(units[0].trials), (std::vector<std::int64_t>{4}));
+    EXPECT_EQ(units[0].history.size(), 4U);
+    EXPECT_TRUE(of({{}, "nobody", false}).front().history.empty());
+}
+
+TEST_F(Reports, ANumberThatIsNotThereIsSaidSo)
+{
+    const auto units = reportUnits(*book, families(), {{3, 99}, {}, false});
+    ASSERT_FALSE(units);
+    EXPECT_NE(units.error().text().find("there is no trial 99"), std::string::npos);
+}
+
+} // namespace
+} // namespace mb

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/report/reportorder.h"
+
+#include "model/family.h"
+#include "model/parameterfile.h"
+#include "tuning/verdict.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/common/trialnotebook.h"
+#include "widgets/report/reportpdf.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace mb {
+namespace {
+
+ReportUnit unitOf(const DeviceView &view)
+{
+    ReportUnit unit;
+    unit.family = view.family;
+    unit.identity = view.identity;
+    unit.selector = view.selector;
+    unit.simulated = view.link.starts_with("sim:");
+    unit.unit = tuning::unitOf(view.identity, view.selector, unit.simulated);
+    unit.parameters = view.parameters;
+    return unit;
+}
+
+QString proposedName(const DeviceView &view)
+{
+    return QStringLiteral("%1-%2.pdf").arg(qt(view.family->key)).arg(view.identity.address);
+}
+
+} // namespace
+
+ReportOrder::ReportOrder(Workbench &workbench, QWidget &page)
+    : QObject(&page)
+    , m_workbench(workbench)
+    , m_page(page)
+{
+}
+
+void ReportOrder::ask(const DeviceView &view, const ReportWish &wish)
+{
+    auto *dialog = new QFileDialog(&m_page, tr("Write report"), proposedName(view),
+        tr("PDF (*.pdf)") + QStringLiteral(";;") + tr("HTML (*.html)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("pdf"));
+    connect(dialog, &QFileDialog::filterSelected, dialog, [dialog](const QString &filter) {
+        dialog->setDefaultSuffix(
+            filter.contains(QStringLiteral("*.html")) ? QStringLiteral("html") : QStringLiteral("pdf"));
+    });
+    connect(
+        dialog, &QFileDialog::fileSelected, this, [this, view, wish](const QString &path) { write(view, wish, path); });
+    dialog->open();
+}
+
+void ReportOrder::write(const DeviceView &view, const ReportWish &wish, const QString &path)
+{
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix != QLatin1String("pdf") && suffix != QLatin1String("html"))
+        return finish(path,
+            fail(Fault::OutOfRange, path.toStdString() + " has a name that ends in no kind of report",
+                "end it in .pdf or .html"));
+    const ReportUnit subject = unitOf(view);
+    ReportWish matter = wish;
+    if (matter.trials.empty())
+        matter.unit = subject.unit;
+    m_workbench.trials().gather(
+        matter, [self = QPointer<ReportOrder>(this), subject, path](Result<std::vector<ReportUnit>> units) {
+            if (!self)
+                return;
+            if (!units)
+                return self->finish(path, fail(units.error()));
+            Report report;
+            report.time = std::chrono::duration<double>(
+                self->m_workbench.now().time_since_epoch() + self->m_workbench.unixOffset())
+                              .count();
+            report.program
+                = (QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion())
+                      .toStdString();
+            report.phrase = [](std::string_view text) { return tableText(text); };
+            for (ReportUnit &found : *units) {
+                if (found.unit != subject.unit)
+                    continue;
+                report.units.push_back(subject);
+                report.units.back().tunings = std::move(found.tunings);
+                report.units.back().trials = std::move(found.trials);
+                report.units.back().history = std::move(found.history);
+            }
+            self->finish(path, self->save(report, path));
+        });
+}
+
+Result<void> ReportOrder::save(const Report &report, const QString &path) const
+{
+    const QString html = htmlOf(report);
+    const QByteArray bytes = path.endsWith(QStringLiteral(".pdf"), Qt::CaseInsensitive) ? pdfOf(html) : html.toUtf8();
+    return saveFile(path.toStdString(), bytes);
+}
+
+void ReportOrder::finish(const QString &path, const Result<void> &result)
+{
+    if (result)
+        m_workbench.report(Severity::Good, {}, tr("the report is in %1").arg(path));
+    else
+        m_workbench.report(Severity::Danger, {}, tr("no report: %1").arg(errorText(result.error())));
+    Q_EMIT written(path, result.has_value());
+}
+
+} // namespace mb
