@@ -63,9 +63,6 @@ Result<void> checkTuning(const Family &family, const TunePlan &plan)
     if (!loopOf(family, plan.loop))
         return fail(Fault::OutOfRange,
             std::string(family.key) + " has no loop '" + std::string(toString(plan.loop)) + "' that can be tuned");
-    if (plan.loop == Mode::Current)
-        return fail(Fault::Unsupported, "current loops are not tuned by themselves yet",
-            "tune it by hand with 'motorbenchctl step'");
     if (!identificationOf(family, plan.loop))
         return fail(Fault::Unsupported,
             "what a gain of " + std::string(family.title) + " means in this loop is not known",

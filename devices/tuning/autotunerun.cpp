@@ -17,6 +17,10 @@ namespace {
 
 constexpr int proofRepeats = 2;
 constexpr double proofSettles = 4.0;       ///< predicted times to settle that a proof holds its step
+constexpr double currentOfStall = 0.1;     ///< that a proof of a current loop asks for
+constexpr double currentOfLimit = 0.3;     ///< and at most
+constexpr double leastCurrent = 0.08;      ///< s that it is held
+constexpr double longestCurrent = 0.2;     ///< s
 constexpr double longestPrediction = 30.0; ///< s
 constexpr double notableRest = 0.02;       ///< of the step
 constexpr double integralShare = 0.1;      ///< weight of the integral where friction must be overcome by it
@@ -88,6 +92,8 @@ Task<Trial> AutotuneRun::push(Push push)
     plan.to = push.duty;
     plan.seconds = push.seconds;
     plan.repeat = push.repeat;
+    if (const double rate = m_device.family().trials->currentRate; m_plan.loop == Mode::Current && rate > 0.0)
+        plan.rate = rate;
     note("pushing with " + percentText(push.duty) + " duty for " + numberText(std::round(push.seconds * 100.0) / 100.0)
         + " s" + (push.repeat > 1 ? ", " + std::to_string(push.repeat) + " times" : std::string()));
     return run(std::move(plan));
@@ -160,8 +166,12 @@ Result<Proposal> AutotuneRun::proposalFor(Aim aim) const
         addFrictionHelp(family, m_plan.axis, m_plan.slot, plant, proposal.gains);
     const ContinuousGains &gains = proposal.gains.made;
     proposal.margins = marginsOf(m_plan.loop, plant, gains);
-    proposal.step = proofStep(m_plan.loop, plant, gains, m_envelope);
-    const double seconds = std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestPrediction);
+    proposal.step = m_plan.loop == Mode::Current
+        ? std::min(currentOfStall * plant.gain, currentOfLimit * m_envelope.current.value_or(plant.gain))
+        : proofStep(m_plan.loop, plant, gains, m_envelope);
+    const double seconds = m_plan.loop == Mode::Current
+        ? longestCurrent
+        : std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestPrediction);
     proposal.predicted = predictStep(m_plan.loop, plant, gains, 0.0, proposal.step, seconds,
         m_envelope.duty.value_or(1.0), std::clamp(cycle(), 1e-4, 0.02));
     return proposal;
@@ -243,12 +253,17 @@ Task<void> AutotuneRun::prove()
         plan.mode = m_plan.loop;
         plan.slot = m_provingSlot;
         plan.repeat = proofRepeats;
-        plan.seconds = std::clamp(proofSettles * m_report.predicted->metrics.settle.value_or(1.0), 0.8, 5.0);
+        const double settles = proofSettles * m_report.predicted->metrics.settle.value_or(1.0);
+        plan.seconds = m_plan.loop == Mode::Current ? std::clamp(settles, leastCurrent, longestCurrent)
+                                                    : std::clamp(settles, 0.8, 5.0);
         plan.gains = inProvingSlot();
         plan.keep = m_plan.keep && m_provingSlot == m_plan.slot ? Keep::Always : Keep::Never;
         plan.from = m_plan.loop == Mode::Position ? std::optional<double>() : 0.0;
         plan.to = proofTarget(sign);
-        note("proving: a step of " + whole(sign * m_step) + (m_plan.loop == Mode::Position ? " counts" : " counts/s"));
+        note("proving: a step of "
+            + (m_plan.loop == Mode::Current
+                    ? numberText(std::round(sign * m_step * 100.0) / 100.0) + " A"
+                    : whole(sign * m_step) + (m_plan.loop == Mode::Position ? " counts" : " counts/s")));
         auto running = run(std::move(plan));
         m_report.proof.push_back(co_await std::move(running));
         if (isOver())

@@ -22,6 +22,7 @@ struct ExperimentPlan {
     Profile profile = Profile::Step;
     std::optional<double> seconds; ///< of the profile; nothing: the usual
     int repeat = 1;
+    std::optional<double> rate;         ///< samples per second asked for; nothing: the family's usual
     std::vector<ParameterChange> gains; ///< in force while it runs
     Keep keep = Keep::Never;            ///< and afterwards
     Envelope limits;                    ///< what the caller allows

@@ -166,13 +166,20 @@ Task<void> ExperimentRun::writeDown()
     co_return {};
 }
 
+double ExperimentRun::rate() const
+{
+    const TrialTraits &traits = *m_device.family().trials;
+    return m_plan.rate.value_or(
+        m_plan.mode == Mode::Current && traits.currentRate > 0.0 ? traits.currentRate : traits.rate);
+}
+
 Task<void> ExperimentRun::raiseRates()
 {
     for (const std::string_view key : {"position", "velocity", "current", "duty"}) {
         const auto channel = axisChannel(m_device, key, m_plan.axis);
         if (!channel)
             continue;
-        auto setting = m_device.setRate(*channel, m_device.family().trials->rate);
+        auto setting = m_device.setRate(*channel, rate());
         const Result<void> set = co_await std::move(setting).attempt();
         if (set)
             m_raised.push_back(*channel);
@@ -222,7 +229,7 @@ GuardPlan ExperimentRun::guardPlan() const
     plan.hottest = traits.hottest;
     plan.lowestBus = traits.lowestBus;
     plan.highestBus = traits.highestBus;
-    plan.telemetry = ofSeconds(std::max(1.0 / traits.rate, m_recorder.positionPeriod()));
+    plan.telemetry = ofSeconds(std::max(1.0 / rate(), m_recorder.positionPeriod()));
     plan.command = m_device.family().capabilities.commandPeriod;
     const double once = 2.0 * inSeconds(beforeEdge) + stimulus.length() + std::min(stimulus.length(), longestReturn);
     plan.longest = approachLimit + ofSeconds(once * m_plan.repeat);
@@ -294,7 +301,7 @@ Task<void> ExperimentRun::drive()
         co_return fail(started.error());
     auto going = goTo(m_trial.stimulus.from);
     co_await std::move(going);
-    const double period = 1.0 / m_device.family().trials->rate;
+    const double period = 1.0 / rate();
     for (int i = 0; i < m_plan.repeat && !isOver(); ++i) {
         auto following = followOnce(ditherOf(i, m_plan.repeat, period));
         co_await std::move(following);

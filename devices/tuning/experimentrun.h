@@ -35,6 +35,7 @@ private:
     [[nodiscard]] Task<void> followOnce(double dither);
     [[nodiscard]] Task<void> putBack();
     [[nodiscard]] GuardPlan guardPlan() const;
+    [[nodiscard]] double rate() const;
     [[nodiscard]] SetPoint setPointAt(double target) const;
     void aim(double target);
     void note(const std::string &text) const;

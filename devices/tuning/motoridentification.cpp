@@ -2,6 +2,7 @@
 #include "tuning/motoridentification.h"
 
 #include "model/family.h"
+#include "tuning/currentidentification.h"
 #include "tuning/gainscale.h"
 #include "tuning/pushidentification.h"
 #include "tuning/twopointidentification.h"
@@ -14,8 +15,10 @@ std::unique_ptr<MotorIdentification> identificationOf(const Family &family, Mode
         return nullptr;
     if (family.trials->raw.cycle > 0.0 && loop == Mode::Position)
         return std::make_unique<TwoPointIdentification>();
-    if (family.trials->nudge > 0.0 || loop == Mode::Current || !loopUnits(family, loop))
+    if (family.trials->nudge > 0.0 || !loopUnits(family, loop))
         return nullptr;
+    if (loop == Mode::Current)
+        return std::make_unique<CurrentIdentification>();
     return std::make_unique<PushIdentification>();
 }
 

@@ -27,7 +27,8 @@ public:
     [[nodiscard]] virtual Task<void> identify(AutotuneRun &run) = 0;
 };
 
-/// The way that fits a loop of a family: pushes of duty; steps with gains tried against each other where it has no duty command.
+/// The way that fits a loop of a family: pushes of duty; steps with gains tried against each other where it has no duty command;
+/// short pushes that tell its resistance for a current loop.
 /// nullptr where there is none.
 [[nodiscard]] std::unique_ptr<MotorIdentification> identificationOf(const Family &family, Mode loop);
 

@@ -29,19 +29,20 @@ struct Reading {
     std::vector<Metrics> runs;
 };
 
-Reading readSteps(const TrialRecorder &recorder, std::string_view key, const Spans &spans, std::optional<double> target)
+Reading readSteps(const TrialRecorder &recorder, std::string_view key, const Spans &spans, std::optional<double> target,
+    double leastMove)
 {
     Reading reading;
     std::vector<Trace> traces;
     for (const auto &[edge, end] : spans) {
         const Trace whole = recorder.trace(key, edge).part(-beforeStep, inSeconds(end - edge));
-        reading.runs.push_back(readResponse(whole, target, leastCounts).metrics);
+        reading.runs.push_back(readResponse(whole, target, leastMove).metrics);
         traces.push_back(whole);
     }
     if (traces.empty())
         return reading;
     const auto repeats = static_cast<int>(traces.size());
-    reading.response = readResponse(merged(traces), target, leastCounts, repeats);
+    reading.response = readResponse(merged(traces), target, leastMove, repeats);
     return reading;
 }
 
@@ -166,8 +167,9 @@ void measure(Trial &trial, const TrialRecorder &recorder, const Spans &holds, co
     const bool open = trial.mode == Mode::Duty;
     const bool steps = !trial.stimulus.edges().empty();
     const auto target = [open](double value) { return open ? std::nullopt : std::optional(value); };
-    Reading reading = readSteps(recorder, key, holds, target(trial.stimulus.to));
-    const Reading back = readSteps(recorder, key, returns, target(trial.stimulus.from));
+    const double leastMove = trial.mode == Mode::Current ? 0.0 : leastCounts;
+    Reading reading = readSteps(recorder, key, holds, target(trial.stimulus.to), leastMove);
+    const Reading back = readSteps(recorder, key, returns, target(trial.stimulus.from), leastMove);
     const double limit = trial.envelope.duty.value_or(1.0);
     for (std::size_t i = 0; i < holds.size(); ++i) {
         const double hold = inSeconds(holds[i].second - holds[i].first);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/quadquad2drv/calibrations.h"
 #include "families/quadquad2drv/simulatoraxis.h"
+#include "model/motormodel.h"
 #include "tests/tuning/experimentbench.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/autotune.h"
@@ -119,6 +120,42 @@ TEST(Autotune, ProvesAPositionLoop)
     print(*report);
     EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
     EXPECT_LE(report->measured.overshoot.value_or(1.0), 0.05);
+}
+
+TEST(Autotune, ProvesTheCurrentLoopOfEachDmc60c)
+{
+    for (const int number : {5, 7}) {
+        ExperimentBench bench("sim:can", "dmc60c", number);
+        const auto report = tune(bench, planOf(Mode::Current));
+        ASSERT_TRUE(report) << report.error().text();
+        print(*report);
+        for (const Gate &gate : report->gates)
+            std::printf("  %s: %s\n", gate.name.c_str(), gate.detail.c_str());
+        EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+        EXPECT_LE(report->measured.overshoot.value_or(1.0), 0.05);
+        const MotorParameters &motor = *motorByName(number == 5 ? "cim" : "775pro");
+        const MotorSupply supply;
+        const double gain = supply.voltage / (motor.resistance + supply.bridgeResistance);
+        EXPECT_NEAR(report->plant.gain, gain, 0.03 * gain);
+        EXPECT_TRUE(report->stopped);
+        EXPECT_LE(report->seconds, 60.0); // A13
+        for (const ScaledGains::Row &row : report->proposed.rows)
+            EXPECT_EQ(rawOf(bench, row.key), row.raw) << row.key;
+    }
+}
+
+TEST(Autotune, ACurrentLimitThatIsTooLowForACurrentLoopIsSaidAndNothingIsWritten)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 7);
+    const std::int64_t p = rawOf(bench, "slot0.p");
+    TunePlan plan = planOf(Mode::Current);
+    plan.limits.current = 2.0;
+    const auto report = tune(bench, plan);
+    const std::string why = report ? report->evidence : report.error().text();
+    std::printf("  %s\n", why.c_str());
+    EXPECT_FALSE(report && report->result == TuneResult::Kept);
+    EXPECT_NE(why.find(" A"), std::string::npos);
+    EXPECT_EQ(rawOf(bench, "slot0.p"), p);
 }
 
 TEST(Autotune, ProposesWithoutWritingAnything)
