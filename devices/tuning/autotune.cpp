@@ -5,6 +5,7 @@
 #include "tuning/autotunerun.h"
 #include "tuning/gains.h"
 #include "tuning/motoridentification.h"
+#include "tuning/scalecalibration.h"
 #include "tuning/seconds.h"
 #include "tuning/verdict.h"
 
@@ -32,6 +33,12 @@ Task<void> model(AutotuneRun &run, const TunePlan &plan)
 /// Ends with what the report says; an error is why the motor was refused.
 Task<void> perform(AutotuneRun &run, const TunePlan &plan)
 {
+    if (!checkScales(run.device(), plan.loop)) {
+        auto finding = findScales(run);
+        co_await std::move(finding);
+    }
+    if (run.isOver())
+        co_return {};
     auto modelling = model(run, plan);
     co_await std::move(modelling);
     if (run.isOver())
@@ -81,7 +88,7 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
 {
     if (auto possible = checkTuning(device.family(), plan); !possible)
         co_return fail(possible.error());
-    if (auto known = checkScales(device, plan.loop); !known)
+    if (auto known = checkScales(device, plan.loop); !known && !scaleExperimentOf(device.family()))
         co_return fail(known.error());
     const Instant begin = device.clock().now();
     AutotuneRun run(device, stream, plan, surroundings);

@@ -99,9 +99,9 @@ Task<Trial> AutotuneRun::push(Push push)
     return run(std::move(plan));
 }
 
-void AutotuneRun::end(Guard guard, std::string evidence)
+void AutotuneRun::end(std::string_view reason, std::string evidence)
 {
-    m_report.stopReason = toString(guard);
+    m_report.stopReason = reason;
     m_report.evidence = std::move(evidence);
 }
 
@@ -123,14 +123,22 @@ Task<void> AutotuneRun::recall()
     m_report.plant = *m_plan.known;
     m_report.scale = m_plan.scale;
     const auto position = axisChannel(m_device, "position", m_plan.axis);
-    const auto last = position ? m_device.telemetry()->latest(*position) : std::nullopt;
-    if (m_plan.loop == Mode::Position && !last)
+    if (m_plan.loop == Mode::Position && !(position && m_device.telemetry()->latest(*position)))
         co_return fail(Fault::Timeout, m_device.selector() + " has not told where it stands", "wait until it is heard");
-    m_start = m_here = last && !m_device.family().capabilities.zeroPosition ? last->value : 0.0;
-    m_placed = true;
+    lookWhere();
     auto reading = readEnvelope();
     co_await std::move(reading);
     co_return {};
+}
+
+void AutotuneRun::lookWhere()
+{
+    const auto position = axisChannel(m_device, "position", m_plan.axis);
+    const auto last = position ? m_device.telemetry()->latest(*position) : std::nullopt;
+    const bool counted = m_device.family().capabilities.zeroPosition; // each experiment from its own start
+    m_here = last && !counted ? last->value : 0.0;
+    if (!std::exchange(m_placed, true))
+        m_start = m_here;
 }
 
 /// From where the motor stands.

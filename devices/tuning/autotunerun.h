@@ -35,8 +35,12 @@ public:
     [[nodiscard]] Task<void> readEnvelope();
     /// Refused with the gate that it did not pass.
     [[nodiscard]] Result<void> take(Finding finding);
-    /// Ends the tuning for this reason.
-    void end(Guard guard, std::string evidence);
+    /// Ends the tuning for this reason: a guard's name, "link", "interrupted".
+    void end(std::string_view reason, std::string evidence);
+    /// Something else than run() moves the motor now; lookWhere() afterwards.
+    void setMoved() { m_moved = true; }
+    /// Where the motor stands, as it was told last: travel counts from the first such place.
+    void lookWhere();
     /// The last experiment ended by a guard, and that was to be expected.
     void forgive() { m_report.stopReason.clear(); }
     void note(const std::string &text) const;
@@ -57,6 +61,11 @@ public:
     [[nodiscard]] const TunePlan &plan() const { return m_plan; }
     [[nodiscard]] const Envelope &envelope() const { return m_envelope; }
     [[nodiscard]] Device &device() const { return m_device; }
+    [[nodiscard]] SetPointStream &stream() const { return m_stream; }
+    /// nullptr: nobody can interrupt.
+    [[nodiscard]] Interruption *interruption() const { return m_around.interruption; }
+    /// Counts, where the motor is.
+    [[nodiscard]] double place() const { return m_here; }
 
 private:
     [[nodiscard]] Result<Proposal> proposalFor(Aim aim) const;

@@ -56,7 +56,7 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
         if (!stuck)
             break;
         if (duty >= most) {
-            run.end(Guard::NoMotion,
+            run.end(toString(Guard::NoMotion),
                 "the motor did not turn at up to " + percentText(most) + " duty: stalled, or the encoder is dead");
             break;
         }

@@ -226,7 +226,7 @@ Task<void> TwoPointIdentification::settle(AutotuneRun &run)
         }
         const auto fit = m_runs.empty() ? std::nullopt : fitStep(m_runs.front());
         if (!fit) {
-            run.end(Guard::NoMotion, "the motor did not follow a step: stalled, or the encoder is dead");
+            run.end(toString(Guard::NoMotion), "the motor did not follow a step: stalled, or the encoder is dead");
             co_return {};
         }
         m_seconds = std::clamp(swings / (std::min(fit->zeta, 1.0) * fit->omega), 0.5, 1.5);

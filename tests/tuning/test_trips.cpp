@@ -395,9 +395,9 @@ TEST(Trips, OfALeaseThatNobodyRenewsComeDuringEveryProfile)
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Dmc60c, EveryGuard, testing::ValuesIn(ofDmc60c()), [](const auto &row) { return std::to_string(row.index); });
-INSTANTIATE_TEST_SUITE_P(
-    Others, EveryGuard, testing::ValuesIn(ofTheOthers()), [](const auto &row) { return std::to_string(row.index); });
+    A10_Dmc60c, EveryGuard, testing::ValuesIn(ofDmc60c()), [](const auto &row) { return std::to_string(row.index); });
+INSTANTIATE_TEST_SUITE_P(A10_Others, EveryGuard, testing::ValuesIn(ofTheOthers()),
+    [](const auto &row) { return std::to_string(row.index); });
 
 } // namespace
 } // namespace mb::tuning

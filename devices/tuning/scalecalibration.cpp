@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/scalecalibration.h"
+
+#include "model/family.h"
+#include "model/progress.h"
+#include "tuning/autotunerun.h"
+#include "tuning/direction.h"
+#include "tuning/envelope.h"
+#include "tuning/trialrecorder.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+constexpr std::string_view scaleKeyOfExperiments = "gain-scales";
+constexpr Duration longestSearch = std::chrono::seconds(240);
+constexpr Duration sampleTime = std::chrono::milliseconds(10);
+
+/// What it does now becomes a line for people.
+class NotingProgress final : public Progress {
+public:
+    explicit NotingProgress(const AutotuneRun &run)
+        : m_run(run)
+    {
+    }
+    void step(const std::string &what, int, int) override { m_run.note(what); }
+    void part(int, PartState) override { }
+    void log(Severity severity, const std::string &text) override
+    {
+        if (severity != Severity::Info)
+            m_run.note(text);
+    }
+
+private:
+    const AutotuneRun &m_run;
+};
+
+/// The user may end what moves now.
+class Interruptible {
+public:
+    Interruptible(Interruption *interruption, SetPointStream &stream)
+        : m_interruption(interruption)
+    {
+        if (m_interruption)
+            m_interruption->setStream(&stream);
+    }
+    Interruptible(const Interruptible &) = delete;
+    Interruptible &operator=(const Interruptible &) = delete;
+    ~Interruptible()
+    {
+        if (m_interruption)
+            m_interruption->setStream(nullptr);
+    }
+    [[nodiscard]] bool isRequested() const { return m_interruption && m_interruption->isRequested(); }
+
+private:
+    Interruption *m_interruption;
+};
+
+GuardPlan guardsOf(const AutotuneRun &run)
+{
+    const TrialTraits &traits = *run.device().family().trials;
+    GuardPlan plan;
+    plan.envelope = run.envelope();
+    plan.origin = run.place();
+    plan.hottest = traits.hottest;
+    plan.lowestBus = traits.lowestBus;
+    plan.highestBus = traits.highestBus;
+    plan.telemetry = sampleTime;
+    plan.command = run.device().family().capabilities.commandPeriod;
+    plan.longest = longestSearch;
+    return plan;
+}
+
+} // namespace
+
+const Experiment *scaleExperimentOf(const Family &family)
+{
+    const auto found = std::find_if(family.experiments.begin(), family.experiments.end(),
+        [](const Experiment &known) { return known.key == scaleKeyOfExperiments && known.run; });
+    return found == family.experiments.end() ? nullptr : &*found;
+}
+
+Task<void> findScales(AutotuneRun &run)
+{
+    Device &device = run.device();
+    const Experiment &experiment = *scaleExperimentOf(device.family());
+    if (auto allowed = device.mayMove(); !allowed)
+        co_return fail(allowed.error());
+    run.lookWhere();
+    auto reading = run.readEnvelope();
+    co_await std::move(reading);
+    ExperimentOptions options;
+    options.axis = run.plan().axis;
+    options.power = std::min(experiment.power, run.envelope().duty.value_or(experiment.power));
+    NotingProgress progress(run);
+    run.note("the scale of its gains is not known yet, and is found first: one to two minutes, with "
+        + numberText(std::round(100.0 * options.power)) + " % of its power at most");
+    TrialRecorder recorder(device, run.stream(), Mode::Velocity, options.axis);
+    recorder.guard(guardsOf(run));
+    run.setMoved();
+    const Interruptible user(run.interruption(), run.stream());
+    auto searching = experiment.run(device, run.stream(), options, progress);
+    const Result<ExperimentReport> found = co_await std::move(searching).attempt();
+    recorder.unguard();
+    auto stopping = confirmStop(device);
+    run.report().stopped = co_await std::move(stopping);
+    run.lookWhere();
+    if (recorder.trip())
+        run.end(toString(recorder.trip()->guard), recorder.trip()->detail);
+    else if (user.isRequested())
+        run.end("interrupted", "the user stopped it");
+    else if (!found && found.error().fault == Fault::LinkLost)
+        run.end(toString(Guard::Link), found.error().detail);
+    else if (!found)
+        co_return fail(found.error());
+    co_return {};
+}
+
+} // namespace mb::tuning

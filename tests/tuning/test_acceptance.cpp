@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The criteria of acceptance that need whole tunings; those of pure parts stand with their parts, under the same name.
+#include "families/quadquad2drv/calibrations.h"
+#include "families/quadquad2drv/simulatoraxis.h"
+#include "tests/tuning/tuningbench.h"
+#include "tuning/autotune.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace mb::tuning {
+namespace {
+
+using test::ExperimentBench;
+using test::planOf;
+using test::print;
+using test::tune;
+
+/// Where a trial's position came to stand at the end of its first hold, and the farthest beyond its target, counts.
+struct Rest {
+    double residual = 0.0;
+    double beyond = 0.0;
+    double late = 0.0; ///< s after the profile's end until it stays within 2 % of the way
+};
+
+Rest restOf(const Trial &trial, double ramp)
+{
+    const Trace &position = trial.signal("position")->trace;
+    const double from = trial.stimulus.from;
+    const double to = trial.stimulus.to;
+    const double sign = to > from ? 1.0 : -1.0;
+    Rest rest;
+    for (std::size_t i = 0; i < position.size() && position.t[i] <= trial.holds.front().to; ++i) {
+        rest.beyond = std::max(rest.beyond, sign * (position.y[i] - to));
+        rest.residual = std::abs(position.y[i] - to);
+        if (rest.residual > 0.02 * std::abs(to - from))
+            rest.late = position.t[i] - ramp;
+    }
+    return rest;
+}
+
+TEST(Acceptance, A04_TheVelocityLoopOfADmc60cHardlyOvershootsAndSettlesInTime)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 5);
+    const auto report = tune(bench, planOf(Mode::Velocity));
+    ASSERT_TRUE(report) << report.error().text();
+    ASSERT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    const Metrics &measured = report->measured;
+    ASSERT_TRUE(measured.overshoot && measured.settle && measured.sse);
+    std::printf("A4 dmc60c 5: overshoot %.1f %%, settled in %.1f delays, rests %.2f %% away\n",
+        100.0 * *measured.overshoot, *measured.settle / report->plant.delay, 100.0 * *measured.sse);
+    EXPECT_LE(*measured.overshoot, 0.05);
+    EXPECT_LE(*measured.settle, 8.0 * report->plant.delay);
+    EXPECT_LE(std::abs(*measured.sse), 0.002);
+}
+
+TEST(Acceptance, A05_ProfiledMovesOfATunedPositionLoopComeToRestAtTheirTarget)
+{
+    for (const int number : {5, 7}) {
+        ExperimentBench bench("sim:can", "dmc60c", number);
+        TunePlan plan = planOf(Mode::Position);
+        plan.slot = 1;
+        const auto report = tune(bench, plan);
+        ASSERT_TRUE(report) << report.error().text();
+        ASSERT_EQ(report->result, TuneResult::Kept) << report->evidence;
+        ExperimentPlan move;
+        move.mode = Mode::Position;
+        move.slot = 1;
+        move.profile = Profile::Ramp;
+        move.from = report->proof.back().signal("position")->trace.y.back();
+        move.to = *move.from + 40'000.0;
+        move.seconds = 1.5;
+        const auto trial = bench.run(move);
+        ASSERT_TRUE(trial) << trial.error().text();
+        ASSERT_EQ(trial->reason, "done") << trial->detail;
+        const Rest rest = restOf(*trial, *move.seconds);
+        const double omega = 1.0 / report->design->response;
+        std::printf(
+            "A5 dmc60c %d: beyond %.0f counts of 40000 (%.2f %%), residual %.0f counts, settled %.1f/omega after "
+            "its profile\n",
+            number, rest.beyond, rest.beyond / 400.0, rest.residual, rest.late * omega);
+        EXPECT_LE(rest.beyond, 400.0);
+        EXPECT_LE(rest.residual, 6.0);
+        EXPECT_LE(rest.late * omega, 7.0);
+    }
+}
+
+TEST(Acceptance, A07_AnUncalibratedBoardFindsItsScalesAndIsTunedInOneGo)
+{
+    using namespace quadquad2drv;
+    using namespace quadquad2drv::simulation;
+    ExperimentBench bench("sim:spi", "quadquad2drv", 0);
+    ASSERT_LE(bench.device->profile().calibrated(calibration::velocityP), 0.0);
+    for (const auto &[key, value] : {std::pair("ch2.limit.power", 0.8), std::pair("history.length", 8.0)}) {
+        const ParameterChange change = bench.change(key, value);
+        ASSERT_TRUE(test::run(bench.bench.clock, bench.device->write(change.index, change.raw))) << key;
+    }
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.axis = 2;
+    plan.keep = true;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    print(*report);
+    const double p = bench.device->profile().calibrated(calibration::velocityP) / gain::velocityP - 1.0;
+    const double i = bench.device->profile().calibrated(calibration::velocityI) / gain::velocityI - 1.0;
+    std::printf("A7 sP %+.2f %%, sI %+.2f %%\n", 100.0 * p, 100.0 * i);
+    EXPECT_LE(std::abs(p), 0.01);
+    EXPECT_LE(std::abs(i), 0.05);
+    EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    EXPECT_FALSE(bench.simulator()->isOutputOn());
+}
+
+TEST(Acceptance, A07_TheUserAndTheLimitsHoldWhileTheScalesAreFound)
+{
+    {
+        ExperimentBench bench("sim:spi", "quadquad2drv", 0);
+        Timer timer(bench.bench.clock);
+        timer.startIn(std::chrono::seconds(8), [&bench] { bench.interruption.interrupt(); });
+        const auto report = tune(bench, planOf(Mode::Velocity));
+        ASSERT_TRUE(report) << report.error().text();
+        EXPECT_EQ(report->result, TuneResult::Stopped);
+        EXPECT_EQ(report->stopReason, "interrupted");
+        EXPECT_TRUE(report->stopped);
+    }
+    ExperimentBench bench("sim:spi", "quadquad2drv", 0);
+    TunePlan plan = planOf(Mode::Velocity);
+    plan.limits.travel = 800.0;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    std::printf("  %s: %s\n", report->stopReason.c_str(), report->evidence.c_str());
+    EXPECT_EQ(report->stopReason, "travel");
+    EXPECT_TRUE(report->stopped);
+    EXPECT_LE(bench.device->profile().calibrated(quadquad2drv::calibration::velocityP), 0.0);
+    EXPECT_FALSE(bench.simulator()->isOutputOn());
+}
+
+TEST(Acceptance, A11_ABlockUpdatedVelocityHardlyOvershootsBecauseItsFilterIsFound)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 6, "dmc60c:6,motor=cim,load=9,velocity=block");
+    const auto report = tune(bench, planOf(Mode::Velocity));
+    ASSERT_TRUE(report) << report.error().text();
+    print(*report);
+    EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    ASSERT_TRUE(report->motor && report->motor->filter);
+    EXPECT_EQ(report->motor->filter->kind, VelocityFilter::Kind::Block);
+    PlantModel blind = report->plant;
+    blind.delay -= report->motor->filter->delay;
+    LoopBounds bounds;
+    bounds.period = bench.device->family().loop->cycle;
+    const Design naive = design(Mode::Velocity, blind, responseOf(Mode::Velocity, Aim::Normal, blind), bounds);
+    const Prediction without
+        = predictStep(Mode::Velocity, report->plant, naive.gains, 0.0, 100'000.0, 3.0, 1.0, bounds.period);
+    std::printf("A11 overshoot %.1f %% with the filter found, %.1f %% would be without\n",
+        100.0 * report->measured.overshoot.value_or(1.0), 100.0 * without.metrics.overshoot.value_or(0.0));
+    EXPECT_LE(report->measured.overshoot.value_or(1.0), 0.06);
+    EXPECT_GE(without.metrics.overshoot.value_or(0.0), 0.2);
+}
+
+TEST(Acceptance, A12_ThePositionLoopOfAnAbstractDcIsDampedByANegativeD)
+{
+    ExperimentBench bench("sim:can", "abstractdc", 3);
+    TunePlan plan = planOf(Mode::Position);
+    plan.keep = true;
+    const auto report = tune(bench, plan);
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    double raw = 0.0;
+    for (const ScaledGains::Row &row : report->proposed.rows)
+        raw = row.key == "position.d" ? row.number : raw;
+    std::printf(
+        "A12 abstractdc 3: raw D %.0f, overshoot %.1f %%\n", raw, 100.0 * report->measured.overshoot.value_or(1.0));
+    EXPECT_GT(report->design->gains.d, 0.0);
+    EXPECT_LT(raw, 0.0);
+    EXPECT_LE(report->measured.overshoot.value_or(1.0), 0.01);
+}
+
+struct Timed {
+    std::string_view link;
+    std::string_view family;
+    int address = 0;
+    Mode loop = Mode::Velocity;
+};
+
+TEST(Acceptance, A13_ATuningTakesAMinuteAtMost)
+{
+    double worst = 0.0;
+    for (const Timed &unit :
+        {Timed{"sim:can", "dmc60c", 5, Mode::Velocity}, Timed{"sim:can", "dmc60c", 5, Mode::Position},
+            Timed{"sim:can", "dmc60c", 5, Mode::Current}, Timed{"sim:can", "abstractdc", 3, Mode::Velocity},
+            Timed{"sim:can", "abstractdc", 3, Mode::Position}, Timed{"sim:serial", "supermodified", 4, Mode::Position},
+            Timed{"sim:serial", "supermodified", 5, Mode::Position}}) {
+        ExperimentBench bench(unit.link, unit.family, unit.address);
+        TunePlan plan = planOf(unit.loop);
+        plan.keep = unit.family == "abstractdc";
+        const auto report = tune(bench, plan);
+        ASSERT_TRUE(report) << report.error().text();
+        std::printf("A13 %s %d %s: %s in %.1f s of device time, tau %.0f ms\n", std::string(unit.family).c_str(),
+            unit.address, std::string(toString(unit.loop)).c_str(), std::string(toString(report->result)).c_str(),
+            report->seconds, 1e3 * report->plant.tau);
+        worst = std::max(worst, report->seconds);
+    }
+    EXPECT_LE(worst, 60.0);
+}
+
+} // namespace
+} // namespace mb::tuning
