@@ -57,7 +57,7 @@ QString filterWords(const std::optional<VelocityFilter> &filter)
     return {};
 }
 
-QString modelHtml(const TuneReport &report)
+QString modelHtml(const TuneReport &report, const Report &whole)
 {
     HtmlTable table(QStringLiteral("lrrl"),
         {ReportText::tr("Model"), ReportText::tr("Value"), QStringLiteral("±"), ReportText::tr("Unit")});
@@ -68,7 +68,7 @@ QString modelHtml(const TuneReport &report)
     const auto error = [&motor](double of) { return motor ? std::optional(of) : std::nullopt; };
     const MotorFound found = motor.value_or(MotorFound());
     add(ReportText::tr("Gain K"), report.plant.gain, error(found.line.gainError),
-        report.loop == Mode::Current ? ReportText::tr("A per duty") : ReportText::tr("counts/s per duty"));
+        whole.phrase ? whole.phrase(found.unit) : qt(found.unit));
     add(ReportText::tr("Lag τ"), 1e3 * report.plant.tau, error(1e3 * found.pushes.tauError), QStringLiteral("ms"));
     add(ReportText::tr("Dead time θ of the loop"), 1e3 * report.plant.delay, error(1e3 * found.pushes.delayError),
         QStringLiteral("ms"));
@@ -241,7 +241,7 @@ QString tuningHtml(const KeptTuning &kept, const ReportUnit &unit, const Report 
     html += paragraph(verdictHtml(report) + QStringLiteral(": ")
         + escaped(whole.phrase ? whole.phrase(report.evidence) : qt(report.evidence)));
     if (report.plant.gain > 0.0)
-        html += beside(modelHtml(report), proofHtml(report));
+        html += beside(modelHtml(report, whole), proofHtml(report));
     html += figureBlock(stepSvg(report));
     html += gainsHtml(report, unit, whole);
     if (const QString chosen = chosenWords(report); !chosen.isEmpty())

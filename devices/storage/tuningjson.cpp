@@ -35,6 +35,9 @@ const Numbers<VelocityFilter> filterNumbers{
 const Numbers<Margins> marginNumbers{
     {"ms", &Margins::ms}, {"gain", &Margins::gain}, {"phase", &Margins::phase}, {"crossover", &Margins::crossover}};
 
+const Numbers<TriedScale> scaleNumbers{{"p", &TriedScale::p}, {"d", &TriedScale::d}, {"cycle", &TriedScale::cycle},
+    {"strongest", &TriedScale::strongest}, {"quickest", &TriedScale::quickest}};
+
 template <class T> QJsonObject numbersToJson(const T &value, const Numbers<T> &numbers)
 {
     QJsonObject object;
@@ -187,7 +190,7 @@ QJsonValue toJson(const std::optional<MotorFound> &motor)
     }
     return QJsonObject{{QStringLiteral("pushes"), numbersToJson(motor->pushes, pushNumbers)},
         {QStringLiteral("line"), numbersToJson(motor->line, lineNumbers)}, {QStringLiteral("filter"), filter},
-        {QStringLiteral("supply"), motor->supply}};
+        {QStringLiteral("supply"), motor->supply}, {QStringLiteral("unit"), qt(motor->unit)}};
 }
 
 std::optional<MotorFound> motorFrom(const QJsonValue &value)
@@ -198,6 +201,7 @@ std::optional<MotorFound> motorFrom(const QJsonValue &value)
     MotorFound motor;
     motor.pushes = numbersFrom(object.value(QStringLiteral("pushes")).toObject(), pushNumbers);
     motor.line = numbersFrom(object.value(QStringLiteral("line")).toObject(), lineNumbers);
+    motor.unit = object.value(QStringLiteral("unit")).toString(qt(motor.unit)).toStdString();
     motor.supply = object.value(QStringLiteral("supply")).toDouble();
     if (const QJsonValue filter = object.value(QStringLiteral("filter")); filter.isObject()) {
         motor.filter = numbersFrom(filter.toObject(), filterNumbers);
@@ -273,6 +277,8 @@ QJsonObject toJson(const TuneReport &report)
         {QStringLiteral("proposed"), toJson(report.proposed)}, {QStringLiteral("before"), beforeToJson(report)},
         {QStringLiteral("measured"), toJson(report.measured)}, {QStringLiteral("trials"), numbersOf(report.trials)},
         {QStringLiteral("proof"), proofToJson(report)}};
+    if (report.scale)
+        object.insert(QStringLiteral("scale"), numbersToJson(*report.scale, scaleNumbers));
     if (report.design)
         object.insert(QStringLiteral("design"), toJson(*report.design));
     if (report.margins)
@@ -303,6 +309,8 @@ void readTuning(const QJsonObject &object, TuneReport &report)
         report.trials.push_back(static_cast<std::int64_t>(value.toDouble()));
     for (const QJsonValue &value : object.value(QStringLiteral("proof")).toArray())
         report.proof.emplace_back().number = static_cast<std::int64_t>(value.toDouble());
+    if (const QJsonValue value = object.value(QStringLiteral("scale")); value.isObject())
+        report.scale = numbersFrom(value.toObject(), scaleNumbers);
     if (const QJsonValue value = object.value(QStringLiteral("design")); value.isObject())
         report.design = designFrom(value.toObject());
     if (const QJsonValue value = object.value(QStringLiteral("margins")); value.isObject())

@@ -6,6 +6,7 @@
 #include "tuning/figures.h"
 #include "tuning/gains.h"
 #include "tuning/proof.h"
+#include "tuning/proposals.h"
 #include "tuning/seconds.h"
 
 #include <algorithm>
@@ -16,18 +17,10 @@ namespace mb::tuning {
 namespace {
 
 constexpr int proofRepeats = 2;
-constexpr double proofSettles = 4.0;       ///< predicted times to settle that a proof holds its step
-constexpr double currentOfStall = 0.1;     ///< that a proof of a current loop asks for
-constexpr double currentOfLimit = 0.3;     ///< and at most
-constexpr double leastCurrent = 0.08;      ///< s that it is held
-constexpr double longestCurrent = 0.2;     ///< s
-constexpr double longestPrediction = 30.0; ///< s
-constexpr double notableRest = 0.02;       ///< of the step
-constexpr double integralShare = 0.1;      ///< weight of the integral where friction must be overcome by it
-constexpr double usualMs = 1.6;            ///< largest sensitivity, of the model
-constexpr double usualMsOff = 1.9;         ///< and of a motor that is not quite as it says
-constexpr double briskMs = 1.7;
-constexpr double briskMsOff = 2.3;
+constexpr double proofSettles = 4.0;   ///< predicted times to settle that a proof holds its step
+constexpr double leastCurrent = 0.08;  ///< s that it is held
+constexpr double longestCurrent = 0.2; ///< s
+constexpr double notableRest = 0.02;   ///< of the step
 
 std::string whole(double number)
 {
@@ -156,49 +149,10 @@ Task<void> AutotuneRun::readEnvelope()
 /// The plan's own response and damping take the place of its aim's.
 Result<Proposal> AutotuneRun::proposalFor(Aim aim) const
 {
-    const Family &family = m_device.family();
-    const PlantModel &plant = m_report.plant;
     const bool asked = aim == m_plan.aim;
-    const bool brisk = aim == Aim::Brisk && !(asked && m_plan.ms);
-    const double ms = (asked ? m_plan.ms : std::nullopt).value_or(brisk ? briskMs : usualMs);
-    const double response = (asked ? m_plan.response : std::nullopt).value_or(responseOf(m_plan.loop, aim, plant));
-    Proposal proposal;
-    proposal.aim = aim;
-    proposal.design = design(m_plan.loop, plant, std::max(response, m_report.scale ? m_report.scale->quickest : 0.0),
-        boundsOf(), ms, ms * (brisk ? briskMsOff / briskMs : usualMsOff / usualMs));
-    auto scaled = scaleGains(m_device, m_plan.loop, m_plan.axis, m_plan.slot, proposal.design.gains, m_report.scale);
-    if (!scaled)
-        return fail(scaled.error());
-    proposal.gains = std::move(*scaled);
-    if (m_plan.loop == Mode::Position)
-        addFrictionHelp(family, m_plan.axis, m_plan.slot, plant, proposal.gains);
-    const ContinuousGains &gains = proposal.gains.made;
-    proposal.margins = marginsOf(m_plan.loop, plant, gains);
-    proposal.step = m_plan.loop == Mode::Current
-        ? std::min(currentOfStall * plant.gain, currentOfLimit * m_envelope.current.value_or(plant.gain))
-        : proofStep(m_plan.loop, plant, gains, m_envelope);
-    const double seconds = m_plan.loop == Mode::Current
-        ? longestCurrent
-        : std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestPrediction);
-    proposal.predicted = predictStep(m_plan.loop, plant, gains, 0.0, proposal.step, seconds,
-        m_envelope.duty.value_or(1.0), std::clamp(cycle(), 1e-4, 0.02));
-    return proposal;
-}
-
-double AutotuneRun::cycle() const
-{
-    return m_report.scale ? m_report.scale->cycle : m_device.family().loop->cycle;
-}
-
-LoopBounds AutotuneRun::boundsOf() const
-{
-    LoopBounds bounds;
-    bounds.period = cycle();
-    if (m_report.scale)
-        bounds.derivativeShare = m_report.scale->strongest * m_report.scale->d / bounds.period;
-    else if (m_plan.loop == Mode::Position && !hasFrictionHelp(m_device.family()))
-        bounds.integralWeight = integralShare;
-    return bounds;
+    return tuning::proposalFor({m_device.family(), m_device.profile(), m_plan.loop, m_plan.axis, m_plan.slot,
+                                   m_report.plant, m_envelope, m_report.scale},
+        {aim, asked ? m_plan.response : std::nullopt, asked ? m_plan.ms : std::nullopt});
 }
 
 Result<void> AutotuneRun::propose()

@@ -69,8 +69,6 @@ public:
 
 private:
     [[nodiscard]] Result<Proposal> proposalFor(Aim aim) const;
-    [[nodiscard]] LoopBounds boundsOf() const;
-    [[nodiscard]] double cycle() const;
     [[nodiscard]] double proofTarget(double sign) const;
     [[nodiscard]] std::vector<ParameterChange> inProvingSlot() const;
 

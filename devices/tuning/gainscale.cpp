@@ -30,9 +30,9 @@ std::string scaleKey(Mode loop, std::string_view gain)
 }
 
 /// Of a device whose scales are calibrated; 0 for what is not known.
-double calibratedScale(const Device &device, Mode loop, std::string_view gain)
+double calibratedScale(const DeviceProfile &profile, Mode loop, std::string_view gain)
 {
-    const double one = device.profile().calibrated(scaleKey(loop, gain));
+    const double one = profile.calibrated(scaleKey(loop, gain));
     return one > 0.0 ? 1.0 / one : 0.0;
 }
 
@@ -42,14 +42,14 @@ std::array<Term, 4> termsOf(const TriedScale &tried)
         {"d", &ContinuousGains::d, 1.0 / tried.d}, {"f", &ContinuousGains::f, 0.0}}};
 }
 
-std::array<Term, 4> termsOf(const Device &device, Mode loop, double units)
+std::array<Term, 4> termsOf(const Family &family, const DeviceProfile &profile, Mode loop, double units)
 {
-    const LoopScale &scale = *device.family().loop;
+    const LoopScale &scale = *family.loop;
     if (scale.calibrated) {
         const double full = scale.fullDuty;
-        return {{{"p", &ContinuousGains::p, full * calibratedScale(device, loop, "p")},
-            {"i", &ContinuousGains::i, full * scale.period * calibratedScale(device, loop, "i")},
-            {"d", &ContinuousGains::d, full / scale.period * calibratedScale(device, loop, "d")},
+        return {{{"p", &ContinuousGains::p, full * calibratedScale(profile, loop, "p")},
+            {"i", &ContinuousGains::i, full * scale.period * calibratedScale(profile, loop, "i")},
+            {"d", &ContinuousGains::d, full / scale.period * calibratedScale(profile, loop, "d")},
             {"f", &ContinuousGains::f, 0.0}}};
     }
     const double p = scale.fullDuty / units;
@@ -124,11 +124,16 @@ std::optional<double> loopUnits(const Family &family, Mode loop)
 
 Result<void> checkScales(const Device &device, Mode loop)
 {
-    if (!device.family().loop || !device.family().loop->calibrated)
+    return checkScales(device.family(), device.profile(), loop);
+}
+
+Result<void> checkScales(const Family &family, const DeviceProfile &profile, Mode loop)
+{
+    if (!family.loop || !family.loop->calibrated)
         return {};
-    for (const Calibration &row : device.family().calibrations) {
+    for (const Calibration &row : family.calibrations) {
         const bool ofThisLoop = row.key.starts_with(std::string(toString(loop)) + '.') && row.key.ends_with(".scale");
-        if (ofThisLoop && device.profile().calibrated(row.key) <= 0.0)
+        if (ofThisLoop && profile.calibrated(row.key) <= 0.0)
             return fail(Fault::OutOfRange,
                 "what a raw gain of this board puts out is not known (" + std::string(row.key) + ")",
                 "find its gain scales first: Overview, Gain scales");
@@ -139,16 +144,21 @@ Result<void> checkScales(const Device &device, Mode loop)
 Result<ScaledGains> scaleGains(const Device &device, Mode loop, int axis, int slot, const ContinuousGains &gains,
     const std::optional<TriedScale> &tried)
 {
-    const Family &family = device.family();
+    return scaleGains(device.family(), device.profile(), loop, axis, slot, gains, tried);
+}
+
+Result<ScaledGains> scaleGains(const Family &family, const DeviceProfile &profile, Mode loop, int axis, int slot,
+    const ContinuousGains &gains, const std::optional<TriedScale> &tried)
+{
     const LoopGains *const parameters = loopOf(family, loop);
     const auto units = loopUnits(family, loop);
     if (!parameters || (!units && !tried))
         return fail(Fault::Unsupported,
             "what a gain of " + std::string(family.title) + " means in this loop is not known",
             "tune it by hand with 'motorbenchctl step'");
-    if (auto known = checkScales(device, loop); !known)
+    if (auto known = checkScales(family, profile, loop); !known)
         return fail(known.error());
-    const auto terms = tried ? termsOf(*tried) : termsOf(device, loop, *units);
+    const auto terms = tried ? termsOf(*tried) : termsOf(family, profile, loop, *units);
     const auto keyOf = [&](std::string_view name) {
         return gainKey(family, std::string(parameters->prefix) + std::string(name), axis, slot);
     };

@@ -36,8 +36,13 @@ struct TriedScale {
 [[nodiscard]] Result<ScaledGains> scaleGains(const Device &device, Mode loop, int axis, int slot,
     const ContinuousGains &gains, const std::optional<TriedScale> &tried = {});
 
+/// The same by what is known of a device: for those that have none.
+[[nodiscard]] Result<ScaledGains> scaleGains(const Family &family, const DeviceProfile &profile, Mode loop, int axis,
+    int slot, const ContinuousGains &gains, const std::optional<TriedScale> &tried = {});
+
 /// OutOfRange, with what finds them out, where a gain of this loop has a scale that must be calibrated and was not.
 [[nodiscard]] Result<void> checkScales(const Device &device, Mode loop);
+[[nodiscard]] Result<void> checkScales(const Family &family, const DeviceProfile &profile, Mode loop);
 
 /// Units of the loop's own arithmetic for 1 count/s, count or A; nothing where the family's scale is not known.
 [[nodiscard]] std::optional<double> loopUnits(const Family &family, Mode loop);

@@ -52,6 +52,7 @@ protected:
         report.simulated = true;
         report.evidence = "the steps did what was predicted";
         report.plant = {105'000.0, 0.168, 0.052, 0.021};
+        report.scale = TriedScale{1e-4, 2e-5, 1e-3, 40.0, 0.05};
         MotorFound motor;
         motor.pushes.tauError = 0.002;
         motor.line.gainError = 120.0;
@@ -111,6 +112,7 @@ TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
     EXPECT_TRUE(back.simulated);
     EXPECT_EQ(back.evidence, kept.evidence);
     EXPECT_EQ(back.plant, kept.plant);
+    EXPECT_EQ(back.scale, kept.scale);
     ASSERT_TRUE(back.motor && back.motor->filter);
     EXPECT_EQ(back.motor->filter->kind, VelocityFilter::Kind::Block);
     EXPECT_DOUBLE_EQ(back.motor->line.gainError, 120.0);

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/proposals.h"
+
+#include "model/family.h"
+#include "tuning/proof.h"
+
+#include <algorithm>
+
+namespace mb::tuning {
+namespace {
+
+constexpr double integralShare = 0.1; ///< weight of the integral where friction must be overcome by it
+constexpr double usualMs = 1.6;       ///< largest sensitivity, of the model
+constexpr double usualMsOff = 1.9;    ///< and of a motor that is not quite as it says
+constexpr double briskMs = 1.7;
+constexpr double briskMsOff = 2.3;
+constexpr double currentOfStall = 0.1;     ///< that a proof of a current loop asks for
+constexpr double currentOfLimit = 0.3;     ///< and at most
+constexpr double currentPrediction = 0.2;  ///< s
+constexpr double longestPrediction = 30.0; ///< s
+
+double cycleOf(const ProposalBasis &basis)
+{
+    if (basis.scale)
+        return basis.scale->cycle;
+    return basis.family.loop ? basis.family.loop->cycle : 0.0;
+}
+
+LoopBounds boundsOf(const ProposalBasis &basis)
+{
+    LoopBounds bounds;
+    bounds.period = cycleOf(basis);
+    if (basis.scale)
+        bounds.derivativeShare = basis.scale->strongest * basis.scale->d / bounds.period;
+    else if (basis.loop == Mode::Position && !hasFrictionHelp(basis.family))
+        bounds.integralWeight = integralShare;
+    return bounds;
+}
+
+} // namespace
+
+MsBounds msBoundsOf(const ProposalWish &wish)
+{
+    const bool brisk = wish.aim == Aim::Brisk && !wish.ms;
+    const double model = wish.ms.value_or(brisk ? briskMs : usualMs);
+    return {model, model * (brisk ? briskMsOff / briskMs : usualMsOff / usualMs)};
+}
+
+double predictionPeriod(const ProposalBasis &basis)
+{
+    return std::clamp(cycleOf(basis), 1e-4, 0.02);
+}
+
+Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wish)
+{
+    const Family &family = basis.family;
+    const PlantModel &plant = basis.plant;
+    const MsBounds ms = msBoundsOf(wish);
+    const double response = wish.response.value_or(responseOf(basis.loop, wish.aim, plant));
+    Proposal proposal;
+    proposal.aim = wish.aim;
+    proposal.design = design(basis.loop, plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
+        boundsOf(basis), ms.model, ms.off);
+    auto scaled
+        = scaleGains(family, basis.profile, basis.loop, basis.axis, basis.slot, proposal.design.gains, basis.scale);
+    if (!scaled)
+        return fail(scaled.error());
+    proposal.gains = std::move(*scaled);
+    if (basis.loop == Mode::Position)
+        addFrictionHelp(family, basis.axis, basis.slot, plant, proposal.gains);
+    const ContinuousGains &gains = proposal.gains.made;
+    proposal.margins = marginsOf(basis.loop, plant, gains);
+    proposal.step = basis.loop == Mode::Current
+        ? std::min(currentOfStall * plant.gain, currentOfLimit * basis.envelope.current.value_or(plant.gain))
+        : proofStep(basis.loop, plant, gains, basis.envelope);
+    const double seconds = basis.loop == Mode::Current
+        ? currentPrediction
+        : std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestPrediction);
+    proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds,
+        basis.envelope.duty.value_or(1.0), predictionPeriod(basis));
+    return proposal;
+}
+
+} // namespace mb::tuning

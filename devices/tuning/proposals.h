@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/autotune.h"
+
+namespace mb {
+struct DeviceProfile;
+}
+
+namespace mb::tuning {
+
+/// What gains of a loop are designed on. No device is asked and nothing moves: the window designs with it while somebody drags a
+/// slider. Family and profile outlive it.
+struct ProposalBasis {
+    const Family &family;
+    const DeviceProfile &profile; ///< its calibrations, where the family's scales need them
+    Mode loop = Mode::Velocity;
+    int axis = 1;
+    int slot = 0;
+    PlantModel plant;
+    Envelope envelope;               ///< in force: what the step may use
+    std::optional<TriedScale> scale; ///< of its gains, where they had to be tried
+};
+
+/// What one set is to be like: an aim, or numbers in its place.
+struct ProposalWish {
+    Aim aim = Aim::Normal;
+    std::optional<double> response; ///< s
+    std::optional<double> ms;       ///< largest sensitivity on the model
+};
+
+/// Largest sensitivity that is allowed: on the model, and where its gain is 20 % and its delay 30 % more than thought.
+struct MsBounds {
+    double model = 0.0;
+    double off = 0.0;
+};
+[[nodiscard]] MsBounds msBoundsOf(const ProposalWish &wish);
+
+/// s, between the points that predictStep() computes for this loop.
+[[nodiscard]] double predictionPeriod(const ProposalBasis &basis);
+
+/// Gains for it, rounded to what the device stores, their margins and the step that they would make. Pure; under 16 ms. OutOfRange or
+/// Unsupported where the device cannot have such gains.
+[[nodiscard]] Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wish);
+
+} // namespace mb::tuning

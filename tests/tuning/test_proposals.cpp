@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/tuning/tuningbench.h"
+#include "tuning/frequencyresponse.h"
+#include "tuning/proposals.h"
+#include "tuning/uncertainty.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+
+namespace mb::tuning {
+namespace {
+
+using test::ExperimentBench;
+
+const PlantModel slow{1'285'000.0, 0.26, 0.0507, 0.002};
+
+ProposalBasis basisOf(const ExperimentBench &bench, Mode loop = Mode::Velocity)
+{
+    Envelope envelope;
+    envelope.duty = 1.0;
+    envelope.speed = 1'500'000.0;
+    envelope.travel = 2e7;
+    return {bench.device->family(), bench.device->profile(), loop, 1, 0, slow, envelope, {}};
+}
+
+TEST(Proposals, AreThoseOfTheEngineWithoutADevice)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 7);
+    TunePlan plan;
+    plan.propose = true;
+    const auto report = test::run(bench.bench.clock,
+        autotune(*bench.device, bench.bench.session.stream(*bench.device), plan, bench.surroundings));
+    ASSERT_TRUE(report) << report.error().text();
+    ASSERT_EQ(report->proposals.size(), 3U);
+    ProposalBasis basis = basisOf(bench);
+    basis.plant = report->plant;
+    for (const Proposal &proposed : report->proposals) {
+        const auto again = proposalFor(basis, {proposed.aim, {}, {}});
+        ASSERT_TRUE(again) << again.error().text();
+        EXPECT_EQ(again->gains.made, proposed.gains.made);
+        EXPECT_EQ(again->predicted.measured, proposed.predicted.measured);
+    }
+    for (const int slot : {0, 1}) {
+        basis.slot = slot;
+        EXPECT_EQ(proposalFor(basis, {})->gains.rows.front().key, slot == 0 ? "slot0.p" : "slot1.p");
+    }
+}
+
+TEST(Proposals, TheSlidersAreFollowedUntilABoundHoldsThemAndSaysSo)
+{
+    const ExperimentBench bench;
+    const ProposalBasis basis = basisOf(bench);
+    double before = 0.0;
+    for (const double response : {0.4, 0.2, 0.1}) {
+        const auto asked = proposalFor(basis, {Aim::Normal, response, 1.6});
+        ASSERT_TRUE(asked);
+        EXPECT_DOUBLE_EQ(asked->design.response, response);
+        EXPECT_TRUE(asked->design.bounds.empty());
+        EXPECT_GT(asked->gains.made.p, before);
+        before = asked->gains.made.p;
+    }
+    const auto quick = proposalFor(basis, {Aim::Normal, 0.005, 1.3});
+    ASSERT_TRUE(quick);
+    EXPECT_GT(quick->design.response, 0.02);
+    EXPECT_EQ(quick->design.bounds, (std::vector<std::string_view>{"margin"}));
+    EXPECT_LE(quick->margins.ms, 1.31);
+    const auto lively = proposalFor(basis, {Aim::Normal, 0.005, 2.0});
+    EXPECT_LT(lively->design.response, quick->design.response);
+    const auto noisy = proposalFor(basisOf(bench, Mode::Position), {Aim::Normal, 0.0005, 2.0});
+    EXPECT_TRUE(!noisy || !noisy->design.bounds.empty());
+}
+
+TEST(Proposals, OneIsDesignedAndItsBandDrawnBetweenTwoFrames)
+{
+    const ExperimentBench bench;
+    const ProposalBasis basis = basisOf(bench);
+    std::vector<double> milliseconds;
+    for (int i = 0; i < 40; ++i) {
+        const std::clock_t begin = std::clock();
+        const auto proposal = proposalFor(basis, {Aim::Normal, 0.01 + 0.005 * i, 1.2 + 0.02 * i});
+        ASSERT_TRUE(proposal);
+        const PredictionBand band = bandOf(proposal->predicted, Mode::Velocity, slow, {5000.0, 0.001, 0.0005},
+            proposal->gains.made, proposal->step, 1.0, predictionPeriod(basis));
+        ASSERT_FALSE(band.low.isEmpty());
+        milliseconds.push_back(1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    }
+    std::sort(milliseconds.begin(), milliseconds.end());
+    std::printf("a proposal with its band: median %.1f ms, at most %.1f ms of processor time (to reach: 16 ms)\n",
+        milliseconds[20], milliseconds.back());
+    EXPECT_LE(milliseconds[20], 16.0);
+}
+
+TEST(PredictionBands, HoldEveryStepOfAPlantInsideItsErrors)
+{
+    const ExperimentBench bench;
+    const ProposalBasis basis = basisOf(bench);
+    const auto proposal = proposalFor(basis, {});
+    ASSERT_TRUE(proposal);
+    const PlantErrors errors{100'000.0, 0.03, 0.01};
+    const PredictionBand band = bandOf(proposal->predicted, Mode::Velocity, slow, errors, proposal->gains.made,
+        proposal->step, 1.0, predictionPeriod(basis));
+    ASSERT_EQ(band.low.size(), proposal->predicted.measured.size());
+    double widest = 0.0;
+    for (std::size_t i = 0; i < band.low.size(); ++i) {
+        EXPECT_LE(band.low.y[i], proposal->predicted.measured.y[i]);
+        EXPECT_GE(band.high.y[i], proposal->predicted.measured.y[i]);
+        widest = std::max(widest, band.high.y[i] - band.low.y[i]);
+    }
+    EXPECT_GT(widest, 0.1 * proposal->step);
+    const PredictionBand none = bandOf(proposal->predicted, Mode::Velocity, slow, {}, proposal->gains.made,
+        proposal->step, 1.0, predictionPeriod(basis));
+    EXPECT_EQ(none.low.y, none.high.y);
+}
+
+} // namespace
+} // namespace mb::tuning
