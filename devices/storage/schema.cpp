@@ -65,7 +65,42 @@ CREATE TABLE tuning (
 CREATE INDEX tuning_unit ON tuning (unit);
 )";
 
-constexpr std::array versions{firstSchema, secondSchema};
+/// Snapshots of units, and every write to them.
+constexpr const char *thirdSchema = R"(
+CREATE TABLE snapshot (
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    time REAL NOT NULL,
+    unit TEXT NOT NULL,
+    device TEXT NOT NULL,
+    family TEXT NOT NULL,
+    serial TEXT NOT NULL,
+    firmware TEXT NOT NULL,
+    name TEXT NOT NULL,
+    occasion TEXT NOT NULL,
+    count INTEGER NOT NULL,
+    file TEXT NOT NULL);
+CREATE INDEX snapshot_unit ON snapshot (unit);
+CREATE TABLE change (
+    id INTEGER PRIMARY KEY AUTOINCREMENT,
+    time REAL NOT NULL,
+    unit TEXT NOT NULL,
+    device TEXT NOT NULL,
+    person TEXT NOT NULL,
+    origin TEXT NOT NULL,
+    purpose TEXT NOT NULL,
+    of INTEGER);
+CREATE INDEX change_unit ON change (unit);
+CREATE TABLE changed_value (
+    change INTEGER NOT NULL REFERENCES change (id) ON DELETE CASCADE,
+    place INTEGER NOT NULL,
+    key TEXT NOT NULL,
+    before INTEGER,
+    after INTEGER NOT NULL,
+    proof TEXT NOT NULL,
+    PRIMARY KEY (change, place)) WITHOUT ROWID;
+)";
+
+constexpr std::array versions{firstSchema, secondSchema, thirdSchema};
 
 } // namespace
 

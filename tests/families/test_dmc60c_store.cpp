@@ -84,5 +84,19 @@ TEST_F(Dmc60cFlash, FailsWhenTheDeviceRestartsBeforeTheProof)
     EXPECT_EQ(result.error().fault, Fault::BadCheck);
 }
 
+TEST(Dmc60cFlashProof, ADeviceThatRestartedWritesTheNextChangeAtOnceSoTheNextTwoWantTwoWrites)
+{
+    FlashProof proof;
+    proof.setBaseline(7);
+    proof.changed(Instant(30s));
+    proof.restarted();
+    EXPECT_FALSE(proof.isPending());
+    proof.setBaseline(7);
+    proof.changed(Instant(31s));
+    proof.changed(Instant(32s));
+    EXPECT_FALSE(proof.isProvedBy(8, Instant(32s)));
+    EXPECT_TRUE(proof.isProvedBy(9, Instant(48s)));
+}
+
 } // namespace
 } // namespace mb::dmc60c

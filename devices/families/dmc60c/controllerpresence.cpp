@@ -114,7 +114,7 @@ void Controller::restarted()
 {
     m_restarted = true;
     m_flashLost = m_flashLost || m_flash.isPending();
-    m_flash.settle();
+    m_flash.restarted();
     for (StatusStream *stream : {&m_general, &m_encoder, &m_analog})
         stream->restart();
     parameters().forgetAll();

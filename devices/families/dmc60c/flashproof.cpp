@@ -50,4 +50,10 @@ void FlashProof::settle()
     m_between.reset();
 }
 
+void FlashProof::restarted()
+{
+    settle();
+    m_everChanged = false; // so that it writes the next change at once, however young the last one is
+}
+
 } // namespace mb::dmc60c

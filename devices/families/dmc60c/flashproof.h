@@ -31,6 +31,8 @@ public:
     [[nodiscard]] bool hasAdvanced(std::uint32_t sequence) const { return m_baseline && sequence != *m_baseline; }
     /// Proved, or given up: nothing is pending.
     void settle();
+    /// The device began anew: nothing is pending, and it does not know when anything changed last.
+    void restarted();
 
 private:
     bool m_pending = false;

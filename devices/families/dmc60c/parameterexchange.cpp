@@ -44,6 +44,13 @@ Task<ParamResponse> ParameterExchange::run(CanFrame request, int device, std::ui
         if (frame) {
             if (attempt == 0) // a later answer may belong to an earlier try
                 measured(m_clock.now() - sentAt);
+            // A unit that was busy with its flash answers every try once it is back. None of these answers may be taken for
+            // that of the next question about this parameter.
+            for (int late = 0; late < attempt; ++late) {
+                const Result<CanFrame> another = co_await inbox.next(shortest);
+                if (!another)
+                    break;
+            }
             co_return *decodeParamResponse(*frame);
         }
         last = frame.error();

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "settings/settingslog.h"
+
+#include <map>
+#include <optional>
+#include <span>
+
+namespace mb {
+struct Family;
+}
+
+namespace mb::settings {
+
+/// What the history of one unit says.
+struct HistoryView {
+    std::optional<SettingsChange> undo; ///< which change the next undo takes back; nothing: there is none
+    std::optional<SettingsChange> redo; ///< which one a redo does again
+    /// What each parameter must be now, by key, raw: where the last word about it was seen to be true. A parameter whose last
+    /// word is open is not in it.
+    std::map<std::string, std::int64_t> values;
+};
+
+/// Reads the changes of one unit, oldest first. A change that undid or redid another one moves it; any other one makes an end
+/// to redoing. A change of which nothing is known that could be put back is passed over, and so are parameters that must
+/// never be part of an undo (TrialTraits::never).
+[[nodiscard]] HistoryView viewOf(const Family &family, std::span<const SettingsChange> changes);
+
+/// Those values of a change that were or may have been written, whose value before is known, and that undoing would change.
+[[nodiscard]] std::vector<ValueChange> undoable(const Family &family, const SettingsChange &change);
+
+} // namespace mb::settings

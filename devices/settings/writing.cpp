@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings/writing.h"
+
+#include "model/family.h"
+#include "settings/history.h"
+#include "settings/unit.h"
+
+#include <algorithm>
+
+namespace mb::settings {
+namespace {
+
+SettingsChange changeOf(const Device &device, const Order &order)
+{
+    SettingsChange change;
+    change.unit = unitOf(device).key;
+    change.device = device.selector();
+    change.origin = order.origin;
+    change.purpose = order.purpose;
+    change.of = order.of;
+    return change;
+}
+
+std::optional<std::int64_t> knownOf(const Device &device, ParameterIndex index)
+{
+    const ParameterStore::Entry &entry = device.parameters().entry(index);
+    return entry.state == ParameterState::Failed ? std::nullopt : entry.raw;
+}
+
+/// Asked afresh: another program may have written since.
+Task<std::vector<ValueChange>> valuesBefore(Device &device, std::vector<ParameterChange> changes)
+{
+    std::vector<ValueChange> values;
+    bool silent = false;
+    for (const ParameterChange &change : changes) {
+        const Parameter &parameter = device.parameters().parameter(change.index);
+        if (parameter.access != Access::WriteOnly && !silent) {
+            auto reading = device.read(change.index);
+            const Result<std::int64_t> raw = co_await std::move(reading).attempt();
+            silent = !raw && (raw.error().fault == Fault::Timeout || raw.error().fault == Fault::LinkLost);
+        }
+        values.push_back({std::string(parameter.key), knownOf(device, change.index), change.raw, Proof::Open});
+    }
+    co_return values;
+}
+
+bool changedNothing(Fault fault)
+{
+    return fault == Fault::Refused || fault == Fault::OutOfRange || fault == Fault::Unsupported
+        || fault == Fault::Unsafe || fault == Fault::Usage;
+}
+
+ValueChange judged(const Device &device, ValueChange value, const TransferOutcome &outcome)
+{
+    if (outcome.raw) {
+        value.proof = outcome.verified.value_or(false) ? Proof::Equal : Proof::Blind;
+        return value;
+    }
+    const Fault fault = outcome.raw.error().fault;
+    if (fault == Fault::BadCheck) {
+        value.proof = Proof::Differs;
+        value.after = knownOf(device, outcome.index).value_or(value.after);
+    } else if (changedNothing(fault)) {
+        value.proof = Proof::Refused;
+    }
+    return value;
+}
+
+/// Of those that were tried.
+std::vector<ValueChange> judged(
+    const Device &device, const std::vector<ValueChange> &begun, const std::vector<TransferOutcome> &outcomes)
+{
+    std::vector<ValueChange> values;
+    for (const TransferOutcome &outcome : outcomes) {
+        const std::string_view key = device.parameters().parameter(outcome.index).key;
+        const auto found
+            = std::find_if(begun.begin(), begun.end(), [key](const ValueChange &value) { return value.key == key; });
+        if (found != begun.end())
+            values.push_back(judged(device, *found, outcome));
+    }
+    return values;
+}
+
+void notKept(Progress &progress, const Error &error)
+{
+    progress.log(Severity::Caution, "the history does not have this write: " + error.text());
+}
+
+std::vector<ParameterChange> writesOf(const Family &family, const std::vector<ValueChange> &values,
+    std::optional<std::int64_t> (*raw)(const ValueChange &))
+{
+    std::vector<ParameterChange> writes;
+    for (const ValueChange &value : values) {
+        const auto index = findParameter(family.parameters, value.key);
+        if (const auto wanted = raw(value); index && wanted)
+            writes.push_back({*index, *wanted});
+    }
+    return writes;
+}
+
+Task<void> writeAll(
+    Device &device, std::vector<ParameterChange> writes, Order order, SettingsLog &log, Progress &progress)
+{
+    auto writing = writeKept(device, std::move(writes), order, &log, progress);
+    const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
+    if (!outcomes.empty() && !outcomes.back().raw)
+        co_return fail(outcomes.back().raw.error());
+    co_return {};
+}
+
+Task<HistoryView> historyOf(const Device &device, SettingsLog &log)
+{
+    auto asking = log.changesOf(unitOf(device).key);
+    const std::vector<SettingsChange> changes = co_await std::move(asking);
+    co_return viewOf(device.family(), changes);
+}
+
+} // namespace
+
+Task<std::vector<TransferOutcome>> writeKept(
+    Device &device, std::vector<ParameterChange> changes, Order order, SettingsLog *log, Progress &progress)
+{
+    std::optional<std::int64_t> number;
+    SettingsChange change = changeOf(device, order);
+    if (log && !changes.empty()) {
+        auto looking = valuesBefore(device, changes);
+        change.values = co_await std::move(looking);
+        auto beginning = log->begin(change);
+        const Result<std::int64_t> begun = co_await std::move(beginning).attempt();
+        if (begun)
+            number = *begun;
+        else
+            notKept(progress, begun.error());
+    }
+    auto writing = writeParameters(device, std::move(changes), progress);
+    std::vector<TransferOutcome> outcomes = co_await std::move(writing);
+    if (number) {
+        auto completing = log->complete(*number, judged(device, change.values, outcomes));
+        if (const auto completed = co_await std::move(completing).attempt(); !completed)
+            notKept(progress, completed.error());
+    }
+    co_return outcomes;
+}
+
+Task<void> keepWritten(const Device &device, std::vector<ValueChange> values, Origin origin, SettingsLog &log)
+{
+    std::erase_if(values, [](const ValueChange &value) { return value.before == value.after; });
+    if (values.empty())
+        co_return {};
+    SettingsChange change = changeOf(device, {origin});
+    change.values = values;
+    auto beginning = log.begin(std::move(change));
+    const std::int64_t number = co_await std::move(beginning);
+    auto completing = log.complete(number, std::move(values));
+    co_await std::move(completing);
+    co_return {};
+}
+
+Task<SettingsChange> undo(Device &device, Origin origin, SettingsLog &log, Progress &progress)
+{
+    auto looking = historyOf(device, log);
+    const HistoryView history = co_await std::move(looking);
+    if (!history.undo)
+        co_return fail(Fault::Refused, "the history of " + device.selector() + " has nothing to undo");
+    std::vector<ParameterChange> writes = writesOf(device.family(), undoable(device.family(), *history.undo),
+        [](const ValueChange &value) { return value.before; });
+    std::reverse(writes.begin(), writes.end());
+    auto writing = writeAll(device, std::move(writes), {origin, Purpose::Undo, history.undo->number}, log, progress);
+    co_await std::move(writing);
+    co_return *history.undo;
+}
+
+Task<SettingsChange> redo(Device &device, Origin origin, SettingsLog &log, Progress &progress)
+{
+    auto looking = historyOf(device, log);
+    const HistoryView history = co_await std::move(looking);
+    if (!history.redo)
+        co_return fail(Fault::Refused, "the history of " + device.selector() + " has nothing to do again");
+    std::vector<ParameterChange> writes = writesOf(device.family(), undoable(device.family(), *history.redo),
+        [](const ValueChange &value) { return std::optional(value.after); });
+    auto writing = writeAll(device, std::move(writes), {origin, Purpose::Redo, history.redo->number}, log, progress);
+    co_await std::move(writing);
+    co_return *history.redo;
+}
+
+Task<int> noticeForeign(const Device &device, SettingsLog &log)
+{
+    auto looking = historyOf(device, log);
+    const HistoryView history = co_await std::move(looking);
+    std::vector<ValueChange> values;
+    for (const auto &[key, raw] : history.values) {
+        const auto index = findParameter(device.family().parameters, key);
+        const auto known = index ? knownOf(device, *index) : std::nullopt;
+        if (known && *known != raw && device.parameters().parameter(*index).nature == Nature::Setting)
+            values.push_back({key, raw, *known, Proof::Equal});
+    }
+    const int count = static_cast<int>(values.size());
+    auto keeping = keepWritten(device, std::move(values), Origin::Elsewhere, log);
+    co_await std::move(keeping);
+    co_return count;
+}
+
+} // namespace mb::settings

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/parametertransfer.h"
+#include "settings/settingslog.h"
+
+namespace mb::settings {
+
+struct Order {
+    Origin origin = Origin::Window;
+    Purpose purpose = Purpose::Write;
+    std::optional<std::int64_t> of{}; ///< SettingsChange::of
+};
+
+/// writeParameters() that is in the history: what is there is read first where it can be, the change is on the disk before the
+/// first value is written, and what came of each value after the last. A disk that fails costs the entry, never the write; the
+/// progress says so. `log` may be nullptr: nothing is kept then.
+[[nodiscard]] Task<std::vector<TransferOutcome>> writeKept(
+    Device &device, std::vector<ParameterChange> changes, Order order, SettingsLog *log, Progress &progress);
+
+/// Keeps what something else has written, such as a tuning: values before and now, as it told them. Nothing where they are equal.
+[[nodiscard]] Task<void> keepWritten(
+    const Device &device, std::vector<ValueChange> values, Origin origin, SettingsLog &log);
+
+/// Writes what was there before the last change that can be undone, and reads it back: a change of its own. Refused where there
+/// is none; BadCheck, or the cause, where a value did not come back: then the change can still be undone.
+/// Yields the change that it undid.
+[[nodiscard]] Task<SettingsChange> undo(Device &device, Origin origin, SettingsLog &log, Progress &progress);
+/// Writes again what the last undo took back.
+[[nodiscard]] Task<SettingsChange> redo(Device &device, Origin origin, SettingsLog &log, Progress &progress);
+
+/// What is known of the device by now, against the history: parameters that are not what they were left as go into it as
+/// changed elsewhere. Yields how many. Nothing is asked of the device.
+[[nodiscard]] Task<int> noticeForeign(const Device &device, SettingsLog &log);
+
+} // namespace mb::settings

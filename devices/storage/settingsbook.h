@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/clock.h"
+#include "settings/settingslog.h"
+#include "storage/database.h"
+
+namespace mb {
+
+/// Snapshots of units and every write to them, kept for good. Thread of the database, which outlives it. Fails with OutOfRange
+/// and the cause on a full disk, or a file that cannot be written; nothing was changed then.
+class SettingsBook final : public settings::SettingsLog {
+public:
+    /// The clock gives the time of day; `person` is the name of the account that writes are kept under.
+    SettingsBook(Database &database, const Clock &clock, std::string person);
+
+    [[nodiscard]] Task<settings::ParameterSnapshot> keep(settings::ParameterSnapshot snapshot) override;
+    [[nodiscard]] Task<std::int64_t> begin(settings::SettingsChange change) override;
+    [[nodiscard]] Task<void> complete(std::int64_t number, std::vector<settings::ValueChange> values) override;
+    [[nodiscard]] Task<std::vector<settings::SettingsChange>> changesOf(std::string unit) override;
+
+    /// Without their files, ordered by unit and then by age, oldest first; of one unit, if it is named.
+    [[nodiscard]] Result<std::vector<settings::ParameterSnapshot>> snapshots(const std::string &unit = {});
+    /// One with its file: a number, or else the newest of this name. Of one unit, where it is named; else a name that several
+    /// units have is OutOfRange, and so is what is not there.
+    [[nodiscard]] Result<settings::ParameterSnapshot> find(
+        const std::string &nameOrNumber, const std::string &unit = {});
+    /// All changes of all units, or of one, oldest first.
+    [[nodiscard]] Result<std::vector<settings::SettingsChange>> changes(const std::string &unit);
+
+private:
+    [[nodiscard]] double now() const;
+    [[nodiscard]] Result<std::vector<settings::ParameterSnapshot>> read(
+        const std::string &columns, const std::string &rest, const QVariantList &values);
+    [[nodiscard]] Result<void> addValues(std::int64_t number, const std::vector<settings::ValueChange> &values);
+
+    Database &m_database;
+    const Clock &m_clock;
+    std::string m_person;
+};
+
+} // namespace mb

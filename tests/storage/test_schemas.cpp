@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A file that every released schema has left behind is opened, and nothing in it is lost.
+#include "async/virtualclock.h"
+#include "storage/settingsbook.h"
+#include "storage/trialbook.h"
+#include "support/simulatedsession.h"
+#include "support/sourcetree.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QTemporaryDir>
+
+namespace mb {
+namespace {
+
+class Schemas : public testing::TestWithParam<int> {
+protected:
+    Schemas()
+    {
+        if (!QCoreApplication::instance()) {
+            static int count = 1;
+            static char name[] = "test_storage";
+            static char *arguments[] = {name, nullptr};
+            static QCoreApplication application(count, arguments);
+        }
+    }
+    QTemporaryDir folder;
+    std::string path = folder.path().toStdString() + "/motorbench.db";
+    VirtualClock clock;
+};
+
+TEST_P(Schemas, AFileOfAnOlderVersionIsBroughtUpToDateAndKeepsEverything)
+{
+    const std::string kept = inSourceTree("tests/storage/schemas/version-" + std::to_string(GetParam()) + ".db");
+    ASSERT_TRUE(QFile::copy(QString::fromStdString(kept), QString::fromStdString(path))) << kept;
+    QFile::setPermissions(QString::fromStdString(path), QFile::ReadOwner | QFile::WriteOwner);
+    const auto opened = Database::open(path);
+    ASSERT_TRUE(opened) << opened.error().text();
+    TrialBook trials(**opened, clock);
+    const auto rows = trials.list();
+    ASSERT_TRUE(rows) << rows.error().text();
+    ASSERT_EQ(rows->size(), 1U);
+    EXPECT_EQ(rows->front().note, "kept by schema 1");
+    EXPECT_TRUE(rows->front().trial.metrics.rise);
+    EXPECT_EQ(trials.signals(1)->size(), 1U);
+    EXPECT_EQ(test::run(clock, trials.owedTo("simulated dmc60c 2103001"))->size(), 1U);
+    SettingsBook settings(**opened, clock, "anna");
+    EXPECT_TRUE(settings.snapshots());
+    EXPECT_TRUE(test::run(clock, settings.keep({})));
+}
+
+INSTANTIATE_TEST_SUITE_P(Kept, Schemas, testing::Values(1, 2));
+
+} // namespace
+} // namespace mb
