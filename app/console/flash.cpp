@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/notebook.h"
 #include "app/console/progressline.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
@@ -36,6 +37,9 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
     const auto erases = [](const UpdateRoute &route) { return route.erasesSettings; };
     if (options.eraseSettings && std::none_of(family.routes.begin(), family.routes.end(), erases))
         return fail(Fault::Unsupported, std::string(family.key) + " has no settings that an update could erase");
+    if (family.routes.empty() && !options.via.empty())
+        return fail(Fault::Unsupported, "a " + std::string(family.title) + " is updated over its own link",
+            "leave the other way in out");
     if (family.routes.empty())
         return {};
     std::string ways;
@@ -210,6 +214,12 @@ Task<int> flash(Console &console, Arguments arguments)
         co_return fail(plan.error());
     auto connecting = connect(console, plan->target);
     Device *const device = co_await std::move(connecting);
+    if (!arguments.options.dryRun) {
+        Notebook notebook(console);
+        auto keeping = notebook.keepBefore(*device, settings::Occasion::Update);
+        co_await std::move(keeping);
+        console.begin(); // till now it was only asked
+    }
     const Instant start = console.clock().now();
     UpdateReport report;
     {

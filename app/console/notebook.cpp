@@ -1,41 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/notebook.h"
 
+#include "app/console/progressline.h"
+#include "app/console/question.h"
+#include "app/folders/account.h"
 #include "app/folders/userfolders.h"
+#include "settings/snapshots.h"
 #include "tuning/owedgains.h"
 
-#include <unistd.h>
-
-#include <iostream>
-
 namespace mb::console {
-namespace {
-
-/// Yes only from somebody who sits at a terminal and says so.
-bool isAgreedTo(const std::string &question)
-{
-    if (::isatty(STDIN_FILENO) != 1 || ::isatty(STDERR_FILENO) != 1)
-        return false;
-    std::cerr << question << " [y/N] " << std::flush;
-    std::string answer;
-    std::getline(std::cin, answer);
-    return answer == "y" || answer == "Y" || answer == "yes";
-}
-
-} // namespace
 
 Notebook::Notebook(Console &console)
     : m_console(console)
 {
     auto opened = Database::open(databaseFile());
     if (!opened) {
-        console.note("trials are not kept: " + opened.error().detail);
+        console.note("nothing is kept of this: " + opened.error().detail);
         return;
     }
     m_database = std::move(*opened);
     if (!m_database->remark().empty())
         complain(m_database->remark());
     m_book = std::make_unique<TrialBook>(*m_database, console.clock());
+    m_settings = std::make_unique<SettingsBook>(*m_database, console.clock(), accountName());
+}
+
+Task<void> Notebook::keepBefore(Device &device, settings::Occasion occasion)
+{
+    if (!m_settings || device.identity().state == DeviceState::Bootloader)
+        co_return {};
+    ProgressLine progress(m_console);
+    auto taking = settings::takeSnapshot(device, occasion, {}, *m_settings, progress);
+    const auto taken = co_await std::move(taking).attempt();
+    if (taken)
+        m_console.note("snapshot " + std::to_string(taken->number) + ", " + taken->name + ", has "
+            + std::to_string(taken->count) + " values of " + device.selector());
+    else
+        m_console.note("no snapshot of what was there: " + taken.error().text());
+    co_return {};
 }
 
 Task<void> Notebook::settleOwed(Device &device, bool agreed)

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/namedsettings.h"
+#include "app/console/notebook.h"
 #include "app/console/parameterrows.h"
 #include "app/console/progressline.h"
+#include "app/console/question.h"
 #include "app/console/table.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "settings/unit.h"
+#include "settings/writing.h"
 
 #include <QJsonArray>
 
@@ -13,13 +18,12 @@
 namespace mb::console {
 namespace {
 
-constexpr std::int64_t mostBytes = 1 << 20;
-
 struct Arguments {
     std::string device;
     std::string file;
     bool dryRun = false;
-    bool unitValues = false;
+    std::vector<std::string> unitValues; ///< keys
+    bool yes = false;
 };
 
 struct Change {
@@ -27,15 +31,14 @@ struct Change {
     std::string_view result = "would write";
 };
 
-Result<ParameterFile> load(const std::string &path, const Family &family)
+Result<ParameterFile> parsed(const std::string &name, const Result<QByteArray> &bytes, const Family &family)
 {
-    const auto bytes = loadFile(path, mostBytes);
     if (!bytes)
         return fail(bytes.error());
     auto file = parseParameterFile(*bytes, family);
     if (!file)
         return fail(
-            Fault::OutOfRange, path + ": " + file.error().text(), "save one with 'motorbenchctl get DEVICE --file F'");
+            Fault::OutOfRange, name + ": " + file.error().text(), "save one with 'motorbenchctl get DEVICE --file F'");
     return file;
 }
 
@@ -94,28 +97,53 @@ std::vector<Change> lostChanges(const Device &device)
     return changes;
 }
 
-/// Nothing where no file was named, which only boards that keep nothing allow.
-Result<std::optional<ParameterFile>> loadNamed(const std::string &path, const Family &family)
+/// What can be said of it before the device is asked. Nothing where no file was named, which only boards that keep nothing allow.
+Result<std::optional<NamedSettings>> nameSource(
+    const Console &console, const Arguments &arguments, const Family &family)
 {
-    if (path.empty() && family.capabilities.keepsSettings)
+    for (const std::string &key : arguments.unitValues) {
+        if (const auto index = parseKey(family, key); !index)
+            return fail(index.error());
+    }
+    if (arguments.file.empty() && family.capabilities.keepsSettings)
         return fail(Fault::Usage, "a " + std::string(family.title) + " keeps its settings itself",
             "name a FILE that 'motorbenchctl get DEVICE --file F' saved");
-    if (path.empty())
-        return std::optional<ParameterFile>();
-    auto file = load(path, family);
-    if (!file)
-        return fail(file.error());
-    return std::optional<ParameterFile>(std::move(*file));
+    if (arguments.file.empty())
+        return std::optional<NamedSettings>();
+    auto named = parseSettings(console, arguments.file);
+    if (!named)
+        return fail(named.error());
+    if (named->kind != NamedSettings::Kind::File && named->kind != NamedSettings::Kind::Snapshot)
+        return fail(Fault::Usage, "'" + arguments.file + "' is neither a file nor a snapshot",
+            "save what is there first, 'motorbenchctl snapshot DEVICE'");
+    return std::optional(std::move(*named));
+}
+
+/// A snapshot of a place may be of another unit, which nobody can know but the user.
+Result<void> mayPutBack(const Device &device, const NamedSettings &named, const Arguments &arguments)
+{
+    const settings::Unit unit = settings::unitOf(device);
+    if (named.kind != NamedSettings::Kind::Snapshot || unit.by != settings::Unit::By::Place || arguments.dryRun
+        || arguments.yes)
+        return {};
+    const std::string cause
+        = device.selector() + " has no serial number: the snapshot is of " + std::string(settings::caveatOf(unit.by));
+    if (isAgreedTo(cause + "; write it?"))
+        return {};
+    return fail(Fault::Usage, cause, "look at --dry-run first, and write it with --yes if it is the same unit");
 }
 
 /// Writes what differs; yields the first error, after which the rest stays unchanged.
-Task<std::optional<Error>> write(Console &console, Device &device, std::vector<Change> &changes)
+Task<std::optional<Error>> write(Console &console, Device &device, Notebook &notebook, std::vector<Change> &changes)
 {
+    auto keeping = notebook.keepBefore(device, settings::Occasion::Restore);
+    co_await std::move(keeping);
     std::vector<ParameterChange> writes;
     for (const Change &change : changes)
         writes.push_back({change.difference.index, change.difference.to});
     ProgressLine progress(console);
-    auto writing = writeParameters(device, writes, progress);
+    auto writing = settings::writeKept(
+        device, writes, {settings::Origin::Console, settings::Purpose::Restore}, notebook.settings(), progress);
     const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
     for (std::size_t i = 0; i < changes.size(); ++i)
         changes[i].result = i >= outcomes.size() ? "unchanged" : outcomes[i].raw ? "written" : "failed";
@@ -143,11 +171,13 @@ Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterF
             + (device.identity().serial.empty() ? "without a serial number" : device.identity().serial));
     std::vector<Change> changes;
     for (const ParameterDifference &difference : differences(device, file)) {
-        if (!difference.ofAnotherUnit || arguments.unitValues)
+        const std::string key(device.parameters().parameter(difference.index).key);
+        if (!difference.ofAnotherUnit
+            || std::find(arguments.unitValues.begin(), arguments.unitValues.end(), key) != arguments.unitValues.end())
             changes.push_back({difference});
         else
-            console.note(std::string(device.parameters().parameter(difference.index).key)
-                + " belongs to the unit that the file was saved from, left out; --unit-values writes it as well");
+            console.note(key + " belongs to the unit that the file was saved from, left out; --unit-values " + key
+                + " writes it as well");
     }
     co_return changes;
 }
@@ -157,21 +187,40 @@ Task<int> restore(Console &console, Arguments arguments)
     const auto target = parseTarget(console, arguments.device);
     if (!target)
         co_return fail(target.error());
-    const auto file = loadNamed(arguments.file, *target->family);
-    if (!file)
-        co_return fail(file.error());
+    const auto source = nameSource(console, arguments, *target->family);
+    if (!source)
+        co_return fail(source.error());
+    std::optional<ParameterFile> file;
+    if (*source && (*source)->kind == NamedSettings::Kind::File) {
+        auto loaded = parsed(arguments.file, loadSettings(**source, nullptr, {}), *target->family);
+        if (!loaded)
+            co_return fail(loaded.error());
+        file = std::move(*loaded);
+    }
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     if (auto ready = needsApplication(*device); !ready)
         co_return fail(ready.error());
-    std::vector<Change> changes = *file ? std::vector<Change>() : lostChanges(*device);
-    if (*file) {
-        auto comparing = changesOf(console, *device, **file, arguments);
+    console.onlyAsk();
+    Notebook notebook(console);
+    if (*source && !file) {
+        const std::string unit = settings::unitOf(*device).key;
+        auto loaded = parsed(arguments.file, loadSettings(**source, notebook.settings(), unit), *target->family);
+        if (!loaded)
+            co_return fail(loaded.error());
+        file = std::move(*loaded);
+        if (auto agreed = mayPutBack(*device, **source, arguments); !agreed)
+            co_return fail(agreed.error());
+    }
+    console.begin();
+    std::vector<Change> changes = file ? std::vector<Change>() : lostChanges(*device);
+    if (file) {
+        auto comparing = changesOf(console, *device, *file, arguments);
         changes = co_await std::move(comparing);
     }
     std::optional<Error> error;
     if (!arguments.dryRun && !changes.empty()) {
-        auto writing = write(console, *device, changes);
+        auto writing = write(console, *device, notebook, changes);
         error = co_await std::move(writing);
     }
     show(console, *device, changes);
@@ -187,10 +236,16 @@ Job declareRestore(CLI::App &arguments)
     const auto a = std::make_shared<Arguments>();
     arguments.add_option("device", a->device, "LINK/FAMILY:ADDRESS")->required();
     arguments.add_option("file", a->file,
-        "A file that 'get --file' saved; without it, on boards that keep nothing, what was last written to them");
+        "A file that 'get --file' saved, or snapshot:NAME, snapshot:NUMBER; without it, on boards that keep nothing, "
+        "what was last written to them");
     arguments.add_flag("--dry-run", a->dryRun, "Show the difference, write nothing");
-    arguments.add_flag("--unit-values", a->unitValues,
-        "Also what belongs to the one unit that the file was saved from, such as its calibration or node id");
+    arguments
+        .add_option("--unit-values", a->unitValues,
+            "Also these keys, which belong to the one unit that the file was saved from: its calibration, its node id")
+        ->delimiter(',')
+        ->expected(1)
+        ->allow_extra_args(false);
+    arguments.add_flag("--yes", a->yes, "Write a snapshot of this place although it may be of another unit");
     return [a](Console &console) { return restore(console, *a); };
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/assignments.h"
+#include "app/console/notebook.h"
 #include "app/console/parameterrows.h"
 #include "app/console/progressline.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "settings/writing.h"
 
 #include <algorithm>
 #include <memory>
@@ -63,6 +65,7 @@ Task<int> set(Console &console, Arguments arguments)
     const auto changes = parseAssignments(*target->family, arguments.assignments);
     if (!changes)
         co_return fail(changes.error());
+    Notebook notebook(console); // before the device is found: what is refused at once must not come after an answer
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     if (auto ready = needsApplication(*device); !ready)
@@ -70,14 +73,15 @@ Task<int> set(Console &console, Arguments arguments)
     std::vector<TransferOutcome> outcomes;
     {
         ProgressLine progress(console);
-        auto writing = writeParameters(*device, *changes, progress);
+        auto writing
+            = settings::writeKept(*device, *changes, {settings::Origin::Console}, notebook.settings(), progress);
         outcomes = co_await std::move(writing);
     }
     std::optional<Error> error = firstError(*device, outcomes);
     if (error && outcomes.size() > 1)
         error->detail += " (written before it: " + std::to_string(outcomes.size() - 1) + ')';
     if (error && error->fault != Fault::BadCheck)
-        co_return fail(*error);
+        co_return console.fails(*error); // judged now: what is polled meanwhile was not sent by this verb
     if (arguments.store && !error) {
         auto storing = store(console, *device);
         error = co_await std::move(storing);

@@ -6,6 +6,7 @@
 #include "app/console/tunetext.h"
 #include "app/console/verb.h"
 #include "async/sleep.h"
+#include "settings/writing.h"
 #include "tuning/autotune.h"
 
 #include <memory>
@@ -181,10 +182,18 @@ Task<int> performOn(Console &console, Stage &stage, Plan plan)
     Notebook notebook(console);
     auto settling = notebook.settleOwed(*device, plan.yes);
     co_await std::move(settling);
+    if (!plan.tuning.propose) {
+        auto keeping = notebook.keepBefore(*device, settings::Occasion::Tuning);
+        co_await std::move(keeping);
+    }
     auto tuning = tuneOn(console, stage.session(), *device, plan, notebook);
     Result<TuneReport> report = co_await std::move(tuning).attempt();
     if (!report)
         co_return fail(report.error());
+    if (report->result == TuneResult::Kept && notebook.settings()) {
+        auto noting = settings::keepReplaced(*device, report->before, settings::Origin::Tuning, *notebook.settings());
+        (void)co_await std::move(noting).attempt();
+    }
     if (plan.store && report->result == TuneResult::Kept) {
         auto storing = storeGains(console, *device, *report);
         co_await std::move(storing);

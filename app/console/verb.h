@@ -27,6 +27,9 @@ struct Verb {
 [[nodiscard]] Job declareGet(CLI::App &arguments);
 [[nodiscard]] Job declareSet(CLI::App &arguments);
 [[nodiscard]] Job declareRestore(CLI::App &arguments);
+[[nodiscard]] Job declareSnapshot(CLI::App &arguments);
+[[nodiscard]] Job declareSnapshots(CLI::App &arguments);
+[[nodiscard]] Job declareDiff(CLI::App &arguments);
 [[nodiscard]] Job declareWatch(CLI::App &arguments);
 [[nodiscard]] Job declareDrive(CLI::App &arguments);
 [[nodiscard]] Job declareFlash(CLI::App &arguments);

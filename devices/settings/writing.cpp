@@ -115,6 +115,21 @@ Task<HistoryView> historyOf(const Device &device, SettingsLog &log)
     co_return viewOf(device.family(), changes);
 }
 
+/// What something else has written. Nothing where nothing differs.
+Task<void> keepWritten(const Device &device, std::vector<ValueChange> values, Origin origin, SettingsLog &log)
+{
+    std::erase_if(values, [](const ValueChange &value) { return value.before == value.after; });
+    if (values.empty())
+        co_return {};
+    SettingsChange change = changeOf(device, {origin});
+    change.values = values;
+    auto beginning = log.begin(std::move(change));
+    const std::int64_t number = co_await std::move(beginning);
+    auto completing = log.complete(number, std::move(values));
+    co_await std::move(completing);
+    co_return {};
+}
+
 } // namespace
 
 Task<std::vector<TransferOutcome>> writeKept(
@@ -142,17 +157,22 @@ Task<std::vector<TransferOutcome>> writeKept(
     co_return outcomes;
 }
 
-Task<void> keepWritten(const Device &device, std::vector<ValueChange> values, Origin origin, SettingsLog &log)
+Task<void> keepReplaced(const Device &device, std::vector<std::pair<std::string, std::optional<double>>> before,
+    Origin origin, SettingsLog &log)
 {
-    std::erase_if(values, [](const ValueChange &value) { return value.before == value.after; });
-    if (values.empty())
-        co_return {};
-    SettingsChange change = changeOf(device, {origin});
-    change.values = values;
-    auto beginning = log.begin(std::move(change));
-    const std::int64_t number = co_await std::move(beginning);
-    auto completing = log.complete(number, std::move(values));
-    co_await std::move(completing);
+    std::vector<ValueChange> values;
+    for (const auto &[key, number] : before) {
+        const auto index = findParameter(device.family().parameters, key);
+        const auto now = index ? knownOf(device, *index) : std::nullopt;
+        if (!now)
+            continue;
+        const Parameter &parameter = device.parameters().parameter(*index);
+        const Result<std::int64_t> raw = number ? toRaw(parameter, *number) : fail(Fault::OutOfRange);
+        const Proof proof = parameter.access == Access::WriteOnly ? Proof::Blind : Proof::Equal;
+        values.push_back({key, raw ? std::optional(*raw) : std::nullopt, *now, proof});
+    }
+    auto keeping = keepWritten(device, std::move(values), origin, log);
+    co_await std::move(keeping);
     co_return {};
 }
 

@@ -18,9 +18,10 @@ struct Order {
 [[nodiscard]] Task<std::vector<TransferOutcome>> writeKept(
     Device &device, std::vector<ParameterChange> changes, Order order, SettingsLog *log, Progress &progress);
 
-/// Keeps what something else has written, such as a tuning: values before and now, as it told them. Nothing where they are equal.
-[[nodiscard]] Task<void> keepWritten(
-    const Device &device, std::vector<ValueChange> values, Origin origin, SettingsLog &log);
+/// Keeps what something else has replaced, such as a tuning: by key, the numbers that were there before, in the unit of the
+/// parameter; what is there now is known of the device.
+[[nodiscard]] Task<void> keepReplaced(const Device &device,
+    std::vector<std::pair<std::string, std::optional<double>>> before, Origin origin, SettingsLog &log);
 
 /// Writes what was there before the last change that can be undone, and reads it back: a change of its own. Refused where there
 /// is none; BadCheck, or the cause, where a value did not come back: then the change can still be undone.

@@ -198,7 +198,7 @@ class Hostile(ContractTest):
         self.assertNotIn("current.adc_multiplier", [row["key"] for row in run.objects()[0]["changes"]])
         self.assertIn("of another unit", run.err)
         self.assertIn("current.adc_multiplier belongs", run.err)
-        asked = self.run_one("restore", CIM, path, "--dry-run", "--unit-values")
+        asked = self.run_one("restore", CIM, path, "--dry-run", "--unit-values", "current.adc_multiplier")
         self.assertIn("current.adc_multiplier", [row["key"] for row in asked["changes"]])
 
     def test_bash_completes_from_the_tables_of_the_program(self):

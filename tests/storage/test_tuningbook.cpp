@@ -2,10 +2,12 @@
 #include "async/virtualclock.h"
 #include "storage/trialbook.h"
 #include "support/simulatedsession.h"
+#include "support/sourcetree.h"
 
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QTemporaryDir>
 
 #include <chrono>
@@ -138,20 +140,14 @@ TEST_F(KeptTunings, ATuningComesBackWithItsModelProposalsAndProof)
 
 TEST_F(KeptTunings, ANotebookOfTheFirstSchemaKeepsItsTrialsAndTakesTunings)
 {
-    {
-        const auto database = open();
-        TrialBook book(*database, clock);
-        Trial trial;
-        trial.unit = "dmc60c 7";
-        ASSERT_TRUE(test::run(clock, book.begin(trial)));
-        ASSERT_TRUE(database->run("DROP TABLE tuning")); // as the first version left it
-        ASSERT_TRUE(database->run("PRAGMA user_version = 1"));
-    }
+    const std::string kept = inSourceTree("tests/storage/schemas/version-1.db");
+    ASSERT_TRUE(QFile::copy(QString::fromStdString(kept), QString::fromStdString(path)));
+    QFile::setPermissions(QString::fromStdString(path), QFile::ReadOwner | QFile::WriteOwner);
     ASSERT_TRUE(open());
     const auto database = open(); // which is of the newest version by now
     ASSERT_TRUE(database);
     TrialBook book(*database, clock);
-    EXPECT_EQ(book.listOf("dmc60c 7")->size(), 1U);
+    EXPECT_EQ(book.listOf("simulated dmc60c 210334E719F1")->size(), 1U);
     ASSERT_TRUE(test::run(clock, book.keepTuning(report())));
     EXPECT_EQ(book.tuningsOf("dmc60c 7")->size(), 1U);
 }

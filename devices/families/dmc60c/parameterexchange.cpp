@@ -46,8 +46,9 @@ Task<ParamResponse> ParameterExchange::run(CanFrame request, int device, std::ui
                 measured(m_clock.now() - sentAt);
             // A unit that was busy with its flash answers every try once it is back. None of these answers may be taken for
             // that of the next question about this parameter.
+            const Duration between = m_roundTrip ? std::min<Duration>(shortest, 4 * *m_roundTrip) : shortest;
             for (int late = 0; late < attempt; ++late) {
-                const Result<CanFrame> another = co_await inbox.next(shortest);
+                const Result<CanFrame> another = co_await inbox.next(between);
                 if (!another)
                     break;
             }

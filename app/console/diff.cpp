@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/namedsettings.h"
+#include "app/console/notebook.h"
+#include "app/console/parameterrows.h"
+#include "app/console/progressline.h"
+#include "app/console/table.h"
+#include "app/console/verb.h"
+#include "model/parameterfile.h"
+#include "settings/comparison.h"
+#include "settings/unit.h"
+
+#include <QJsonArray>
+
+#include <array>
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+using settings::Side;
+using settings::SideDifference;
+using Kind = NamedSettings::Kind;
+
+/// One side while it is being found out.
+struct Part {
+    NamedSettings named;
+    const Family *family = nullptr;
+    std::string unit; ///< Unit::key of a device
+    QByteArray file;  ///< of a file or snapshot
+    std::optional<Side> side;
+};
+
+Task<void> readDevice(Console &console, Part &part)
+{
+    auto connecting = connect(console, *part.named.target);
+    Device *const device = co_await std::move(connecting);
+    console.onlyAsk();
+    if (auto ready = needsApplication(*device); !ready)
+        co_return fail(ready.error());
+    ProgressLine progress(console);
+    auto reading = readParameters(*device, readable(*device), progress);
+    const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
+    if (const auto error = firstError(*device, outcomes))
+        co_return fail(*error);
+    part.family = &device->family();
+    part.unit = settings::unitOf(*device).key;
+    part.side = settings::sideOf(*device);
+    co_return {};
+}
+
+/// A file or a snapshot, which says itself for which family it is.
+Result<void> load(Console &console, Part &part, Notebook &notebook, const std::string &unit)
+{
+    auto file = loadSettings(part.named, notebook.settings(), unit);
+    if (!file)
+        return fail(file.error());
+    const auto family = familyOf(*file);
+    if (!family)
+        return fail(Fault::OutOfRange, part.named.text + " is no parameter file",
+            "save one with 'motorbenchctl get DEVICE --file F'");
+    const auto known = parseFamily(console.families(), *family);
+    if (!known)
+        return fail(known.error().about(part.named.text));
+    part.family = *known;
+    part.file = std::move(*file);
+    return {};
+}
+
+/// When both families are known.
+Result<void> settle(Part &part, const Family &family)
+{
+    if (part.side)
+        return {};
+    auto side = part.named.kind == Kind::Defaults ? Result<Side>(settings::defaultsOf(family))
+                                                  : settings::sideOf(part.file, family);
+    if (!side)
+        return fail(side.error().about(part.named.text));
+    part.side = std::move(*side);
+    return {};
+}
+
+QJsonValue toJson(const Parameter &parameter, const ParameterStore::Entry &entry)
+{
+    return parameterToJson(parameter, entry).value(QStringLiteral("value"));
+}
+
+std::string shown(const Parameter &parameter, const ParameterStore::Entry &entry)
+{
+    return shownValue(parameter, entry.raw) + (entry.state == ParameterState::Assumed ? " (assumed)" : "");
+}
+
+void show(Console &console, const Family &family, const std::vector<SideDifference> &differences)
+{
+    QJsonArray rows;
+    Table table({"KEY", "A", "B", "NOTE"});
+    for (const SideDifference &difference : differences) {
+        const Parameter &parameter = family.parameters[difference.index.value];
+        rows.append(QJsonObject{
+            {QStringLiteral("key"), qt(parameter.key)},
+            {QStringLiteral("a"), toJson(parameter, difference.a)},
+            {QStringLiteral("b"), toJson(parameter, difference.b)},
+            {QStringLiteral("unit"), qt(parameter.unit)},
+            {QStringLiteral("belongs_to_unit"), parameter.belongsToUnit},
+        });
+        table.add({std::string(parameter.key), shown(parameter, difference.a), shown(parameter, difference.b),
+            parameter.belongsToUnit ? "belongs to its unit" : ""});
+    }
+    if (console.json())
+        console.out().json({{QStringLiteral("differences"), rows}});
+    else if (differences.empty())
+        console.out().line("no differences");
+    else
+        table.print(console.out());
+}
+
+Result<void> areAlike(const std::array<Part, 2> &parts)
+{
+    if (!parts[0].family || !parts[1].family || parts[0].family == parts[1].family)
+        return {};
+    return fail(Fault::Usage,
+        "a " + std::string(parts[0].family->title) + " and a " + std::string(parts[1].family->title)
+            + " have different parameters",
+        "compare two of one family");
+}
+
+/// What can be wrong before anything is asked: whatever is no device, in as far as no device is needed to find it.
+Task<void> gather(Console &console, std::array<Part, 2> &parts, Notebook &notebook)
+{
+    for (Part &part : parts) {
+        if (part.named.kind == Kind::Device)
+            part.family = part.named.target->family;
+        const Part &other = &part == parts.data() ? parts[1] : parts[0];
+        if (part.named.kind == Kind::File || (part.named.kind == Kind::Snapshot && other.named.kind != Kind::Device)) {
+            if (auto loaded = load(console, part, notebook, {}); !loaded)
+                co_return loaded;
+        }
+    }
+    if (auto alike = areAlike(parts); !alike)
+        co_return alike;
+    for (Part &part : parts) {
+        if (part.named.kind == Kind::Device) {
+            auto reading = readDevice(console, part);
+            co_await std::move(reading);
+        }
+    }
+    for (Part &part : parts) {
+        const Part &other = &part == parts.data() ? parts[1] : parts[0];
+        if (part.named.kind == Kind::Snapshot && other.named.kind == Kind::Device) {
+            if (auto loaded = load(console, part, notebook, other.unit); !loaded)
+                co_return loaded;
+        }
+    }
+    co_return {};
+}
+
+Task<int> diff(Console &console, std::string a, std::string b)
+{
+    std::array<Part, 2> parts;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        auto named = parseSettings(console, i == 0 ? a : b);
+        if (!named)
+            co_return fail(named.error());
+        parts.at(i).named = std::move(*named);
+    }
+    if (parts[0].named.kind == Kind::Defaults && parts[1].named.kind == Kind::Defaults)
+        co_return fail(Fault::Usage, "the defaults of no family cannot be compared", "name a device, file or snapshot");
+    Notebook notebook(console);
+    auto gathering = gather(console, parts, notebook);
+    co_await std::move(gathering);
+    if (auto alike = areAlike(parts); !alike)
+        co_return fail(alike.error());
+    const Family *const family = parts[0].family ? parts[0].family : parts[1].family;
+    for (Part &part : parts) {
+        if (auto settled = settle(part, *family); !settled)
+            co_return fail(settled.error());
+    }
+    const std::vector<SideDifference> differences = settings::compare(*parts[0].side, *parts[1].side);
+    show(console, *family, differences);
+    co_return differences.empty() ? exitDone : exitDevice;
+}
+
+} // namespace
+
+Job declareDiff(CLI::App &arguments)
+{
+    const auto a = std::make_shared<std::string>();
+    const auto b = std::make_shared<std::string>();
+    arguments.add_option("a", *a, "A device, a file, snapshot:NAME, snapshot:NUMBER or defaults")->required();
+    arguments.add_option("b", *b, "Another one of these")->required();
+    return [a, b](Console &console) { return diff(console, *a, *b); };
+}
+
+} // namespace mb::console

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/namedsettings.h"
+
+#include "app/console/notebook.h"
+#include "model/parameterfile.h"
+#include "model/registry.h"
+
+namespace mb::console {
+namespace {
+
+constexpr std::string_view snapshotScheme = "snapshot:";
+constexpr std::int64_t mostBytes = 1 << 20;
+
+/// A path may have a colon behind its last slash, too: only a known family makes it a device.
+bool looksLikeDevice(const Console &console, const std::string &text)
+{
+    const auto selector = DeviceSelector::parse(text);
+    return selector && findFamily(console.families(), selector->family);
+}
+
+} // namespace
+
+Result<NamedSettings> parseSettings(const Console &console, const std::string &text)
+{
+    using Kind = NamedSettings::Kind;
+    if (text == "defaults")
+        return NamedSettings{Kind::Defaults, text, std::nullopt};
+    if (text.starts_with(snapshotScheme)) {
+        const std::string name = text.substr(snapshotScheme.size());
+        if (name.empty())
+            return fail(Fault::Usage, "a snapshot is named after the colon", "such as \"snapshot:as found\"");
+        return NamedSettings{Kind::Snapshot, name, std::nullopt};
+    }
+    if (!looksLikeDevice(console, text))
+        return NamedSettings{Kind::File, text, std::nullopt};
+    auto target = parseTarget(console, text);
+    if (!target)
+        return fail(target.error());
+    return NamedSettings{Kind::Device, text, std::move(*target)};
+}
+
+Result<QByteArray> loadSettings(const NamedSettings &named, SettingsBook *book, const std::string &unit)
+{
+    if (named.kind == NamedSettings::Kind::File)
+        return loadFile(named.text, mostBytes);
+    if (!book)
+        return fail(Fault::Usage, "the file of snapshots cannot be opened", "see the note above");
+    const auto snapshot = book->find(named.text, unit);
+    if (!snapshot)
+        return fail(Fault::Usage, snapshot.error().detail, snapshot.error().remedy);
+    return QByteArray::fromStdString(snapshot->file);
+}
+
+} // namespace mb::console

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings/snapshots.h"
+#include "app/console/notebook.h"
+#include "app/console/progressline.h"
+#include "app/console/table.h"
+#include "app/console/target.h"
+#include "app/console/verb.h"
+#include "app/folders/userfolders.h"
+#include "settings/unit.h"
+
+#include <QDateTime>
+#include <QJsonArray>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <set>
+
+namespace mb::console {
+namespace {
+
+using settings::ParameterSnapshot;
+
+constexpr std::size_t longestName = 200;
+
+QJsonObject toJson(const ParameterSnapshot &snapshot)
+{
+    return {
+        {QStringLiteral("snapshot"), static_cast<qint64>(snapshot.number)},
+        {QStringLiteral("device"), qt(snapshot.device)},
+        {QStringLiteral("serial"), textOrNull(snapshot.serial)},
+        {QStringLiteral("name"), qt(snapshot.name)},
+        {QStringLiteral("time"), snapshot.time},
+        {QStringLiteral("count"), snapshot.count},
+    };
+}
+
+std::string timeOf(const ParameterSnapshot &snapshot)
+{
+    return QDateTime::fromMSecsSinceEpoch(std::llround(snapshot.time * 1e3)).toString(Qt::ISODate).toStdString();
+}
+
+/// What there is to say of the unit for people.
+std::string whose(const ParameterSnapshot &snapshot)
+{
+    const std::string_view caveat = settings::caveatOf(settings::byOf(snapshot.unit));
+    return caveat.empty() ? snapshot.serial : std::string(caveat);
+}
+
+Task<int> snapshot(Console &console, std::string device, std::string name)
+{
+    const auto target = parseTarget(console, device);
+    if (!target)
+        co_return fail(target.error());
+    if (name.size() > longestName)
+        co_return fail(Fault::Usage, "--name: a name has at most " + std::to_string(longestName) + " bytes");
+    auto connecting = connect(console, *target);
+    Device *const found = co_await std::move(connecting);
+    if (auto ready = needsApplication(*found); !ready)
+        co_return fail(ready.error());
+    Notebook notebook(console);
+    if (!notebook.settings())
+        co_return fail(
+            Fault::Usage, databaseFile() + " cannot be written, so nothing can be kept", "see to its rights");
+    ProgressLine progress(console);
+    auto taking = settings::takeSnapshot(*found, settings::Occasion::Hand, name, *notebook.settings(), progress);
+    const ParameterSnapshot taken = co_await std::move(taking);
+    if (console.json())
+        console.out().json(toJson(taken));
+    else
+        console.out().line("snapshot " + std::to_string(taken.number) + ", " + taken.name + ": "
+            + std::to_string(taken.count) + " values of " + taken.device
+            + (whose(taken).empty() ? "" : ", " + whose(taken)));
+    co_return exitDone;
+}
+
+/// Those of the units that were ever seen there, wherever the snapshots were taken.
+void keepThoseOf(const std::string &device, std::vector<ParameterSnapshot> &snapshots)
+{
+    std::set<std::string> units;
+    for (const ParameterSnapshot &each : snapshots) {
+        if (each.device == device)
+            units.insert(each.unit);
+    }
+    std::erase_if(snapshots, [&units](const ParameterSnapshot &each) { return !units.contains(each.unit); });
+}
+
+Task<int> snapshots(Console &console, std::string device)
+{
+    std::string selector;
+    if (!device.empty()) {
+        const auto target = parseTarget(console, device);
+        if (!target)
+            co_return fail(target.error());
+        selector = target->selector.text();
+    }
+    Notebook notebook(console);
+    auto all = notebook.settings() ? notebook.settings()->snapshots() : std::vector<ParameterSnapshot>();
+    if (!all)
+        co_return fail(all.error());
+    if (!selector.empty())
+        keepThoseOf(selector, *all);
+    QJsonArray rows;
+    Table table({"SNAPSHOT", "TIME", "SERIAL", "DEVICE", "NAME", "VALUES"});
+    for (const ParameterSnapshot &each : *all) {
+        rows.append(toJson(each));
+        table.add({std::to_string(each.number), timeOf(each), whose(each), each.device, each.name,
+            std::to_string(each.count)});
+    }
+    if (console.json())
+        console.out().json({{QStringLiteral("snapshots"), rows}});
+    else if (all->empty())
+        console.out().line("none is kept; 'motorbenchctl snapshot DEVICE' takes one");
+    else
+        table.print(console.out());
+    co_return exitDone;
+}
+
+} // namespace
+
+Job declareSnapshot(CLI::App &arguments)
+{
+    const auto device = std::make_shared<std::string>();
+    const auto name = std::make_shared<std::string>();
+    arguments.add_option("device", *device, "LINK/FAMILY:ADDRESS")->required();
+    arguments.add_option("--name", *name, "What it is called; \"by hand\" otherwise");
+    return [device, name](Console &console) { return snapshot(console, *device, *name); };
+}
+
+Job declareSnapshots(CLI::App &arguments)
+{
+    const auto device = std::make_shared<std::string>();
+    arguments.add_option("device", *device, "LINK/FAMILY:ADDRESS: units that were seen there; all otherwise");
+    return [device](Console &console) { return snapshots(console, *device); };
+}
+
+} // namespace mb::console

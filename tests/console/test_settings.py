@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""test_settings.py PROGRAM: snapshots, differences and what restores them, on the simulated bench and, across runs, on a simulated line."""
+import json
+import os
+import signal
+import sqlite3
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import contract
+from contract import CIM, ContractTest, Run
+
+LIVELY = "sim:can/dmc60c:7"
+SNAPSHOT = {"snapshot", "device", "serial", "name", "time", "count"}
+DIFFERENCE = {"key", "a", "b", "unit", "belongs_to_unit"}
+
+
+class Snapshots(ContractTest):
+    def test_one_is_taken_named_and_listed_by_its_unit(self):
+        taken = self.run_one("snapshot", CIM, "--name", "limits for the demo")
+        self.assertEqual(set(taken), SNAPSHOT)
+        self.assertEqual((taken["device"], taken["name"], taken["count"]), (CIM, "limits for the demo", 55))
+        self.assertTrue(taken["serial"])
+        rows = self.run_one("snapshots", CIM)["snapshots"]
+        self.assertIn(taken, rows)
+        self.assertEqual(set(rows[0]), SNAPSHOT)
+        self.assertNotIn(taken, self.run_one("snapshots", LIVELY)["snapshots"])
+        self.assertIn("limits for the demo", self.run_text("snapshots"))
+
+    def test_a_unit_without_a_serial_number_is_this_place(self):
+        taken = self.run_one("snapshot", "sim:serial/supermodified:4")
+        self.assertIsNone(taken["serial"])
+        self.assertEqual(taken["name"], "by hand")
+        self.assertIn("this place, not this unit", self.run_text("snapshots"))
+
+    def test_a_unit_in_its_bootloader_has_nothing_to_keep(self):
+        run = Run(["snapshot", contract.EMPTY])
+        self.assertEqual((run.status, run.out), (1, ""), run.err)
+
+
+class Saving(ContractTest):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def saved(self, device, **values):
+        path = os.path.join(self.folder.name, "saved.json")
+        self.run_text("get", device, "--file", path)
+        with open(path, encoding="utf-8") as file:
+            text = json.load(file)
+        for key, value in values.items():
+            text["parameters"][key.replace("__", ".")].update(value=value, raw=None)
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump(text, file)
+        return path
+
+
+class Diff(Saving):
+    def differences(self, a, b):
+        rows = self.run_one("diff", a, b, status=1)["differences"]
+        for row in rows:
+            self.assertEqual(set(row), DIFFERENCE)
+        return {row["key"]: row for row in rows}
+
+    def test_a_device_is_like_its_own_snapshot_and_file(self):
+        taken = self.run_one("snapshot", CIM, "--name", "mine")
+        for other in (CIM, "snapshot:mine", f"snapshot:{taken['snapshot']}", self.saved(CIM)):
+            self.assertEqual(self.run_one("diff", CIM, other), {"differences": []})
+
+    def test_what_differs_is_listed_with_both_values(self):
+        rows = self.differences(CIM, self.saved(CIM, slot0__p=0.5, current_limit__enabled=True))
+        self.assertEqual(set(rows), {"slot0.p", "current_limit.enabled"})
+        self.assertEqual(rows["slot0.p"]["b"], 0.5)
+        self.assertEqual((rows["current_limit.enabled"]["a"], rows["current_limit.enabled"]["b"]), (False, True))
+
+    def test_defaults_and_another_device_are_sides_too(self):
+        self.assertEqual(self.differences("defaults", CIM)["slot0.p"]["a"], 0)
+        self.assertIn("slot0.p", self.differences(CIM, LIVELY))
+
+    def test_what_belongs_to_one_unit_is_marked(self):
+        rows = self.differences("sim:serial/supermodified:4", "sim:serial/supermodified:5")
+        self.assertTrue(rows["node.id"]["belongs_to_unit"])
+        rows = self.differences(CIM, self.saved(CIM, current__adc_multiplier=0.03))
+        self.assertTrue(rows["current.adc_multiplier"]["belongs_to_unit"])
+
+    def test_wrong_words_are_refused(self):
+        self.assert_error(2, "diff", "defaults", "defaults")
+        self.assert_error(2, "diff", CIM, "snapshot:never taken", says="never taken")
+        self.assert_error(2, "diff", "snapshot:", CIM)
+        self.assert_error(2, "diff", CIM, "/no/such/file.json")
+        self.assert_error(2, "diff", CIM, "sim:serial/supermodified:4", says="different parameters")
+
+
+class Restore(Saving):
+    def test_a_snapshot_is_taken_before_values_are_written(self):
+        run = Run(["--json", "restore", CIM, self.saved(CIM, slot0__p=0.5)])
+        self.assertEqual(run.status, 0, run.err)
+        self.assertEqual([row["result"] for row in run.objects()[0]["changes"]], ["written"])
+        self.assertIn("before restore", run.err)
+        self.assertEqual(self.run_one("snapshots", CIM)["snapshots"][-1]["name"], "before restore")
+
+    def test_the_history_has_what_set_and_restore_wrote(self):
+        self.run_one("set", CIM, "slot1.p=0.25")
+        self.run_one("restore", CIM, self.saved(CIM, slot1__d=0.5))
+        database = sqlite3.connect(os.path.join(contract.DATA.name, "motorbench", "motorbench.db"))
+        self.addCleanup(database.close)
+        rows = database.execute("SELECT origin, purpose, key, before IS NOT NULL, after, proof FROM change, changed_value "
+                                "WHERE change = id ORDER BY id DESC LIMIT 2").fetchall()
+        self.assertEqual(rows, [("console", "restore", "slot1.d", 1, 32768, "equal"), ("console", "write", "slot1.p", 1, 16384, "equal")])
+
+    def test_a_place_is_put_back_only_by_who_says_so(self):
+        place = "sim:serial/supermodified:4"
+        number = self.run_one("snapshot", place)["snapshot"]
+        self.assert_error(2, "restore", place, f"snapshot:{number}", says="this place, not this unit")
+        self.assertEqual(self.run_one("restore", place, f"snapshot:{number}", "--yes"), {"changes": []})
+
+    def test_values_of_one_unit_are_asked_for_one_by_one(self):
+        path = self.saved(LIVELY, current__adc_multiplier=0.03)
+        keys = lambda *more: [row["key"] for row in self.run_one("restore", CIM, path, "--dry-run", *more)["changes"]]
+        self.assertNotIn("current.adc_multiplier", keys())
+        self.assertIn("current.adc_multiplier", keys("--unit-values", "current.adc_multiplier"))
+        self.assert_error(2, "restore", CIM, path, "--unit-values", "no.such.key")
+
+
+class Line(ContractTest):
+    """One unit that keeps its state between runs."""
+
+    def test_a_snapshot_brings_back_in_a_later_run_what_was_there(self):
+        with tempfile.TemporaryDirectory() as folder:
+            port = os.path.join(folder, "tty")
+            bench = subprocess.Popen([contract.PROGRAM, "simulate", "--on", f"pty:{port}", "supermodified:4"],
+                                     stdout=subprocess.PIPE, text=True)
+            try:
+                self.assertTrue(json.loads(bench.stdout.readline())["ready"])
+                device = f"serial:{port}?baud=57600/supermodified:4"
+                before = self.run_one("get", device, "gain.p")["parameters"]["gain.p"]["value"]
+                self.run_one("snapshot", device, "--name", "as it was")
+                self.run_one("set", device, f"gain.p={before + 5}")
+                self.assertEqual([row["key"] for row in self.run_one("diff", device, "snapshot:as it was", status=1)["differences"]],
+                                 ["gain.p"])
+                changes = self.run_one("restore", device, "snapshot:as it was", "--yes")["changes"]
+                self.assertEqual([(row["key"], row["to"], row["result"]) for row in changes], [("gain.p", before, "written")])
+                self.assertEqual(self.run_one("diff", device, "snapshot:as it was"), {"differences": []})
+            finally:
+                bench.send_signal(signal.SIGINT)
+                bench.wait(timeout=30)
+                bench.stdout.close()
+
+
+if __name__ == "__main__":
+    contract.PROGRAM = sys.argv[1]
+    unittest.main(argv=[sys.argv[0], "-v", *sys.argv[2:]])
