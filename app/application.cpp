@@ -12,9 +12,12 @@
 #include "widgets/plots/recorder.h"
 
 #include <QCommandLineParser>
+#include <QFileInfo>
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QStandardPaths>
+
+#include <utility>
 
 namespace mb {
 namespace {
@@ -22,6 +25,9 @@ namespace {
 void declare(QCommandLineParser &parser)
 {
     const auto tr = [](const char *text) { return QCoreApplication::translate("Options", text); };
+    parser.addPositionalArgument(QStringLiteral("file"),
+        tr(QT_TRANSLATE_NOOP("Options", "A recording to open: frames (.log, .asc) or samples (.mcap, .csv).")),
+        QStringLiteral("[FILE...]"));
     parser.setApplicationDescription(
         tr(QT_TRANSLATE_NOOP("Options", "Tune and service brushed-DC motor controllers.")));
     parser.addOptions({
@@ -58,7 +64,8 @@ Result<void> checkOptions(const Options &options)
 {
     if (!options.theme.isEmpty() && options.theme != QLatin1String("dark") && options.theme != QLatin1String("light"))
         return fail(Fault::OutOfRange, "--theme takes dark or light");
-    if (!(options.fontScale >= 0.5 && options.fontScale <= 3.0)) // not a number is out of range too
+    if (options.fontScale
+        && !(*options.fontScale >= 0.5 && *options.fontScale <= 3.0)) // not a number is out of range too
         return fail(Fault::OutOfRange, "--font-scale takes 0.5 to 3");
     if (!options.language.isEmpty() && options.language != QLatin1String("en")
         && options.language != QLatin1String("de"))
@@ -82,10 +89,13 @@ Result<Options> Options::parse(const QStringList &arguments)
     declare(parser);
     if (!parser.parse(arguments))
         return fail(Fault::OutOfRange, parser.errorText().toStdString());
-    if (!parser.positionalArguments().isEmpty())
-        return fail(
-            Fault::OutOfRange, "unknown argument '" + parser.positionalArguments().constFirst().toStdString() + "'");
     Options options;
+    options.files = parser.positionalArguments();
+    for (const QString &file : std::as_const(options.files)) {
+        if (!QFileInfo(file).isFile())
+            return fail(Fault::OutOfRange, "there is no file '" + file.toStdString() + "'",
+                "give a recording, or --help for what else there is");
+    }
     options.demo = parser.isSet(QStringLiteral("demo")) || parser.isSet(QStringLiteral("tour"));
     options.tour = parser.value(QStringLiteral("tour"));
     if (parser.isSet(QStringLiteral("tour")) && options.tour.isEmpty())
@@ -120,8 +130,16 @@ Application::Application(QApplication &qt, const Options &options)
     , m_options(options)
     , m_settings(!options.demo)
 {
-    translate(options.language);
-    dress(options.theme.isEmpty() ? m_settings.theme() : options.theme, options.fontScale);
+    m_systemFont = QApplication::font();
+    Look look = m_settings.look();
+    if (!options.theme.isEmpty())
+        look.theme = options.theme;
+    if (!options.language.isEmpty())
+        look.language = options.language;
+    if (options.fontScale)
+        look.fontScale = *options.fontScale;
+    translate(look.language);
+    dress(look);
     m_engine = std::make_unique<Engine>(families(), !options.demo);
     if (!options.demo)
         m_engine->post([](EngineCore &core) {
@@ -129,29 +147,62 @@ Application::Application(QApplication &qt, const Options &options)
             core.keepTranscripts(transcriptFolder());
             core.session().keepScans(scanFolder());
         });
-    m_window = std::make_unique<MainWindow>(*m_engine, *m_theme, m_settings);
+    makeWindow();
     if (const QStringList sides = options.size.split(QLatin1Char('x')); sides.size() == 2)
         m_window->resize(sides[0].toInt(), sides[1].toInt());
     else if (options.tour.isEmpty()) // whose pictures are larger than a screen that is not there
         m_window->resize(m_window->size().boundedTo(m_window->screen()->availableSize()));
-    setUpPlots();
-    setUpLimits();
     qt.installEventFilter(&m_stopKeys);
-    QObject::connect(&m_stopKeys, &StopKeys::stopPressed, m_window.get(),
-        [this](const QString &key) { m_window->arming().stopAll(key); });
+    QObject::connect(
+        &m_stopKeys, &StopKeys::stopPressed, &qt, [this](const QString &key) { m_window->arming().stopAll(key); });
 }
 
 Application::~Application() = default;
 
+void Application::makeWindow()
+{
+    m_window = std::make_unique<MainWindow>(*m_engine, *m_theme, m_settings);
+    setUpPlots();
+    setUpLimits();
+    QObject::connect(m_window.get(), &MainWindow::lookChosen, &m_qt, [this] { followLook(); });
+}
+
+/// Language and sizes are in every widget: the window is made anew, on the same page with the same device. The engine and what it
+/// records go on. Nothing may move meanwhile, because arming belongs to the window.
+void Application::followLook()
+{
+    if (m_window->arming().state() != LampState::Safe && m_window->arming().state() != LampState::Stopped) {
+        m_engine->report(Severity::Caution, {},
+            MainWindow::tr("The preferences hold once nothing is armed any more: choose them again then."));
+        return;
+    }
+    const PageId page = m_window->shownPage();
+    const DeviceId device = m_window->selection().device();
+    const QByteArray geometry = m_window->saveGeometry();
+    translate(m_settings.look().language);
+    dress(m_settings.look());
+    QApplication::setQuitOnLastWindowClosed(false);
+    const std::unique_ptr<MainWindow> before = std::move(m_window);
+    makeWindow();
+    m_window->restoreGeometry(geometry);
+    m_window->selection().select(device);
+    m_window->showPage(page);
+    m_window->show();
+    before->hide();
+    QApplication::setQuitOnLastWindowClosed(true);
+}
+
 /// The recording begins with the program, not with a wish.
 void Application::setUpPlots()
 {
-    QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
-    if (m_options.demo) {
-        m_demoFolder = std::make_unique<QTemporaryDir>();
-        folder = m_demoFolder->path();
+    if (!m_recorder) {
+        QString folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+        if (m_options.demo) {
+            m_demoFolder = std::make_unique<QTemporaryDir>();
+            folder = m_demoFolder->path();
+        }
+        m_recorder = std::make_unique<Recorder>(*m_engine, folder + QStringLiteral("/recordings"));
     }
-    m_recorder = std::make_unique<Recorder>(*m_engine, folder + QStringLiteral("/recordings"));
     QObject::connect(m_window.get(), &MainWindow::pageMade, m_recorder.get(), [this](PageId id, QWidget *page) {
         auto *plots = qobject_cast<PlotsPage *>(page);
         if (id != PageId::Plots || !plots)
@@ -183,6 +234,8 @@ void Application::setUpLimits()
 
 void Application::translate(const QString &language)
 {
+    for (QTranslator *translator : {&m_translator, &m_qtTranslator})
+        QCoreApplication::removeTranslator(translator);
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
     const QString folder = QStringLiteral(":/translations");
     if (m_translator.load(locale, QStringLiteral("motorbench"), QStringLiteral("_"), folder)) {
@@ -195,16 +248,22 @@ void Application::translate(const QString &language)
     }
 }
 
-void Application::dress(const QString &theme, double fontScale)
+void Application::dress(const Look &look)
 {
-    QFont font = QApplication::font();
+    QFont font = m_systemFont;
     if (QGuiApplication::platformName() == QLatin1String("offscreen"))
         font.setPointSizeF(10.0); // no desktop has said what it likes
-    font.setPointSizeF(font.pointSizeF() * fontScale);
+    font.setPointSizeF(font.pointSizeF() * look.fontScale);
     QApplication::setFont(font);
-    const bool dark = theme.isEmpty() || theme == QLatin1String("dark");
+    const bool dark = look.theme.isEmpty() || look.theme == QLatin1String("dark");
     const double size = font.pointSizeF() > 0.0 ? font.pointSizeF() : 10.0;
-    m_theme = std::make_unique<ThemeSource>(dark ? darkTheme(size) : lightTheme(size));
+    Theme theme = dark ? darkTheme(size) : lightTheme(size);
+    theme.reducedMotion = look.reducedMotion;
+    if (m_theme) {
+        m_theme->setTheme(theme);
+        return;
+    }
+    m_theme = std::make_unique<ThemeSource>(theme);
     applyTheme(m_qt, m_theme->theme());
     QObject::connect(m_theme.get(), &ThemeSource::changed, &m_qt, [this] { applyTheme(m_qt, m_theme->theme()); });
 }
@@ -226,6 +285,8 @@ void Application::start()
 {
     openLinks();
     m_window->show();
+    for (const QString &file : std::as_const(m_options.files))
+        m_window->openFile(file);
     if (!m_options.tour.isEmpty()) {
         m_tour = std::make_unique<Tour>(*m_engine, *m_window, *m_theme, m_options.tour);
         m_tour->start();

@@ -20,16 +20,17 @@ class Tour;
 /// What the command line asked for.
 struct Options {
     bool demo = false;
-    QString tour;           ///< folder for pictures; empty: no tour
-    QString theme;          ///< "dark", "light" or empty
-    QString language;       ///< "de", "en" or empty for the system's
-    QString size;           ///< "1280x800" or empty
-    double fontScale = 1.0; ///< of the system's font
-    QStringList links;      ///< opened at the start
-    QString plot;           ///< a recording to draw into a picture, without a window; empty: none
-    QString report;         ///< HTML of a report to print into a PDF, without a window; empty: none
-    QString out;            ///< where that picture goes: png, svg or pdf; or that PDF
-    bool json = false;      ///< what it says on standard output is JSON
+    QString tour;                    ///< folder for pictures; empty: no tour
+    QString theme;                   ///< "dark", "light" or empty
+    QString language;                ///< "de", "en" or empty for the system's
+    QString size;                    ///< "1280x800" or empty
+    std::optional<double> fontScale; ///< of the system's font; empty: as it was chosen
+    QStringList links;               ///< opened at the start
+    QString plot;                    ///< a recording to draw into a picture, without a window; empty: none
+    QString report;                  ///< HTML of a report to print into a PDF, without a window; empty: none
+    QString out;                     ///< where that picture goes: png, svg or pdf; or that PDF
+    QStringList files;               ///< recordings to open
+    bool json = false;               ///< what it says on standard output is JSON
 
     /// It is asked for a file and nothing else.
     [[nodiscard]] bool hasNoWindow() const { return !plot.isEmpty() || !report.isEmpty(); }
@@ -50,13 +51,16 @@ public:
 
 private:
     void translate(const QString &language);
-    void dress(const QString &theme, double fontScale);
+    void dress(const Look &look);
     void openLinks();
+    void makeWindow();
     void setUpPlots();
     void setUpLimits();
+    void followLook();
 
     QApplication &m_qt;
     Options m_options;
+    QFont m_systemFont;
     QTranslator m_translator;
     QTranslator m_qtTranslator;
     Settings m_settings;

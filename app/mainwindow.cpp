@@ -4,7 +4,9 @@
 #include "app/closing.h"
 #include "app/conditions.h"
 #include "app/footprint.h"
+#include "app/windowmenu.h"
 #include "widgets/common/banner.h"
+#include "widgets/common/commandpalette.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/common/icons.h"
@@ -13,7 +15,6 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/segmented.h"
-#include "widgets/connection/deviceactions.h"
 #include "widgets/connection/deviceline.h"
 #include "widgets/connection/devicetree.h"
 #include "widgets/connection/inspector.h"
@@ -32,7 +33,6 @@
 #include <QCloseEvent>
 #include <QDateTime>
 #include <QDockWidget>
-#include <QMenu>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStackedWidget>
@@ -124,16 +124,7 @@ void MainWindow::buildHeader()
     column->addWidget(m_header);
     column->addWidget(strip);
     setMenuWidget(top);
-    auto *menu = new QMenu(this);
-    menu->addAction(tr("Add link…"), this, &MainWindow::addLink);
-    menu->addAction(tr("Open recording…"), this, &MainWindow::openRecording, QKeySequence::Open);
-    menu->addAction(tr("Open the simulated bench"), this, &MainWindow::openSimulation);
-    menu->addSeparator();
-    menu->addAction(
-        tr("Switch between dark and light"), this, &MainWindow::switchTheme, QKeySequence(QStringLiteral("Ctrl+T")));
-    menu->addSeparator();
-    menu->addAction(tr("Quit"), this, &QWidget::close, QKeySequence::Quit);
-    m_header->setMenu(menu);
+    buildMenu();
     connect(&m_header->lamp(), &Lamp::armRequested, this, [this] { m_arming->arm(m_selection.device()); });
     connect(&m_header->lamp(), &Lamp::disarmRequested, m_arming, &Arming::disarm);
     connect(&m_header->stopButton(), &StopButton::stopPressed, this, [this] { m_arming->stopAll(tr("button")); });
@@ -143,13 +134,27 @@ void MainWindow::buildHeader()
     connect(m_header, &HeaderBar::noticesActivated, this, [this] { showPage(PageId::Log); });
 }
 
+void MainWindow::buildMenu()
+{
+    m_menu = new WindowMenu(m_workbench, m_theme, m_settings, *this);
+    m_header->setMenu(&m_menu->menu());
+    connect(m_menu, &WindowMenu::framesOpened, this, [this](const QString &address) {
+        showPage(PageId::Bus);
+        qobject_cast<BusPage *>(page(PageId::Bus))->showLink(address.toStdString());
+    });
+    connect(m_menu, &WindowMenu::commandsRequested, this, &MainWindow::listCommands);
+    connect(m_menu, &WindowMenu::keysRequested, this, &MainWindow::listKeys);
+    // the window itself may be another one then
+    connect(m_menu, &WindowMenu::lookChosen, this, &MainWindow::lookChosen, Qt::QueuedConnection);
+}
+
 void MainWindow::buildDevices()
 {
     auto *tree = new DeviceTree(m_workbench, m_selection, m_theme, this);
     m_devices = makeDock(*this, QStringLiteral("devicesDock"), tr("Devices"), tree, Qt::LeftDockWidgetArea);
     connect(tree, &DeviceTree::collapseRequested, m_devices, &QWidget::hide);
-    connect(tree, &DeviceTree::addLinkRequested, this, &MainWindow::addLink);
-    connect(tree, &DeviceTree::simulateRequested, this, &MainWindow::openSimulation);
+    connect(tree, &DeviceTree::addLinkRequested, m_menu, &WindowMenu::addLink);
+    connect(tree, &DeviceTree::simulateRequested, m_menu, &WindowMenu::openSimulation);
     connect(tree, &DeviceTree::plotRequested, this, [this](const std::vector<Signal> &wanted) {
         showPage(PageId::Plots);
         qobject_cast<PlotsPage *>(page(PageId::Plots))->addSignals(wanted);
@@ -210,9 +215,9 @@ void MainWindow::buildPages()
 QWidget *MainWindow::makeOverview(QWidget *parent)
 {
     auto *overview = new OverviewPage(m_workbench, m_selection, m_theme, parent);
-    connect(overview, &OverviewPage::simulateRequested, this, &MainWindow::openSimulation);
-    connect(overview, &OverviewPage::addLinkRequested, this, &MainWindow::addLink);
-    connect(overview, &OverviewPage::openRecordingRequested, this, &MainWindow::openRecording);
+    connect(overview, &OverviewPage::simulateRequested, m_menu, &WindowMenu::openSimulation);
+    connect(overview, &OverviewPage::addLinkRequested, m_menu, &WindowMenu::addLink);
+    connect(overview, &OverviewPage::openRecordingRequested, m_menu, &WindowMenu::openRecording);
     connect(overview, &OverviewPage::updateRequested, this, [this] { showPage(PageId::Firmware); });
     return overview;
 }
@@ -271,6 +276,8 @@ void MainWindow::buildActions()
         {Qt::Key_F9}, tr("shows or hides the devices"), [this] { m_devices->setVisible(!m_devices->isVisible()); });
     m_keys->add({Qt::Key_F10}, tr("shows or hides the inspector"),
         [this] { m_inspector->setVisible(!m_inspector->isVisible()); });
+    m_keys->note({QKeySequence(QStringLiteral("Ctrl+K"))}, tr("lists everything that can be done, by name"));
+    m_keys->note({QKeySequence(QStringLiteral("Ctrl+,"))}, tr("shows the preferences"));
     m_keys->note({QKeySequence(QStringLiteral("Ctrl+T"))}, tr("switches between dark and light"));
     m_keys->note({QKeySequence::Open}, tr("opens a recording"));
     m_keys->note({QKeySequence::Quit}, tr("quits"));
@@ -286,6 +293,23 @@ void MainWindow::listKeys()
     QWidget *const shown = page(static_cast<PageId>(m_tabs->currentIndex()));
     const auto *ofPage = shown->findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly);
     showKeys(*this, m_tabs->tabText(m_tabs->currentIndex()), {ofPage, m_keys});
+}
+
+/// Keys of the window and of every page, the menu, and the buttons of the page that is shown.
+void MainWindow::listCommands()
+{
+    std::vector<Command> commands;
+    const int shown = m_tabs->currentIndex();
+    addButtons(commands, m_tabs->tabText(shown), *page(static_cast<PageId>(shown)));
+    for (int i = 0; i < m_tabs->count(); ++i) {
+        const auto id = static_cast<PageId>(i);
+        const auto *keys = page(id)->findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly);
+        if (keys && m_tabs->isTabEnabled(i))
+            addCommands(commands, m_tabs->tabText(i), *keys, [this, id] { showPage(id); });
+    }
+    addCommands(commands, tr("Window"), *m_keys, [] {});
+    addCommands(commands, tr("Menu"), m_menu->menu());
+    (new CommandPalette(std::move(commands), this))->open();
 }
 
 QWidget *MainWindow::page(PageId id)
@@ -335,6 +359,16 @@ void MainWindow::showPage(PageId id)
     followPages();
 }
 
+PageId MainWindow::shownPage() const
+{
+    return static_cast<PageId>(m_tabs->currentIndex());
+}
+
+void MainWindow::openFile(const QString &path)
+{
+    m_menu->openFile(path);
+}
+
 void MainWindow::followPages()
 {
     m_pages->setCurrentIndex(m_tabs->currentIndex());
@@ -369,35 +403,6 @@ void MainWindow::resizeEvent(QResizeEvent *event)
     if (event->size().height() != event->oldSize().height())
         followLine();
     followInspector();
-}
-
-void MainWindow::addLink()
-{
-    askAddLink(m_workbench, *this, [this](const QString &address) { m_settings.addLink(address); });
-}
-
-/// It is not opened again at the next start: it was there to be looked at.
-void MainWindow::openRecording()
-{
-    askOpenRecording(m_workbench, *this, [this](const QString &address) {
-        showPage(PageId::Bus);
-        qobject_cast<BusPage *>(page(PageId::Bus))->showLink(address.toStdString());
-    });
-}
-
-void MainWindow::openSimulation()
-{
-    LinkAddress address;
-    address.scheme = "sim";
-    m_workbench.openLink(address, {});
-}
-
-void MainWindow::switchTheme()
-{
-    const bool dark = !m_theme.theme().dark;
-    const double size = m_theme.theme().bodyPointSize;
-    m_theme.setTheme(dark ? darkTheme(size) : lightTheme(size));
-    m_settings.setTheme(dark ? QStringLiteral("dark") : QStringLiteral("light"));
 }
 
 void MainWindow::follow()

@@ -27,6 +27,7 @@ class HeaderBar;
 class LiveStateBar;
 class PageKeys;
 class PageTabs;
+class WindowMenu;
 
 /// The pages, in the order of their tabs.
 enum class PageId { Overview, Parameters, Tune, Design, Plots, Firmware, Bus, Log };
@@ -44,9 +45,14 @@ public:
     /// Pages are made when they are asked for first, the others once the window has been painted.
     [[nodiscard]] QWidget *page(PageId id);
     void showPage(PageId id);
+    [[nodiscard]] PageId shownPage() const;
+    /// A recording, as the menu opens it.
+    void openFile(const QString &path);
 
 Q_SIGNALS:
     void pageMade(mb::PageId id, QWidget *page);
+    /// Somebody wants another language, theme or size: they are in the settings.
+    void lookChosen();
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -56,6 +62,7 @@ protected:
 
 private:
     void buildHeader();
+    void buildMenu();
     void buildDevices();
     void buildPages();
     void buildInspector();
@@ -64,15 +71,12 @@ private:
     void addPage(const QString &title, std::function<QWidget *(QWidget *)> make);
     QWidget *makeOverview(QWidget *parent);
     void makePages(int from);
-    void addLink();
-    void openRecording();
-    void openSimulation();
-    void switchTheme();
     void follow();
     void followLinks(const Snapshot &shot);
     void followPages();
     void followLine();
     void listKeys();
+    void listCommands();
     void followInspector();
     void showNotice(const Notice &notice);
     void showFootprint();
@@ -85,6 +89,7 @@ private:
     Arming *m_arming = nullptr;
     Closing *m_closing = nullptr;
     HeaderBar *m_header = nullptr;
+    WindowMenu *m_menu = nullptr;
     DemoStripe *m_stripe = nullptr;
     QDockWidget *m_devices = nullptr;
     QDockWidget *m_inspector = nullptr;

@@ -6,10 +6,10 @@
 #include "model/parameterfile.h"
 #include "recording/loadrecording.h"
 #include "widgets/common/devicetext.h"
-#include "widgets/plots/displayunits.h"
 #include "widgets/plots/picturefile.h"
-#include "widgets/plots/plotboard.h"
 #include "widgets/plots/qcustomplotkeywords.h"
+#include "widgets/plots/recordedtraces.h"
+#include "widgets/plots/telemetrysource.h"
 
 #include <QFileInfo>
 #include <QJsonDocument>
@@ -22,27 +22,6 @@ namespace {
 
 constexpr double pictureScale = 2.0;
 constexpr QSize usualSize{1280, 800};
-
-void addTraces(PlotStack &stack, const LoadedRecording &recording)
-{
-    QStringList panes;
-    std::vector<TraceLook> used;
-    for (std::uint16_t i = 0; i < recording.table.size(); ++i) {
-        const Channel &row = recording.table[i];
-        if (recording.telemetry->size({i}) == 0)
-            continue;
-        const ShownUnit unit = shownUnit(row.quantity, row.unit, {});
-        if (!panes.contains(unit.text))
-            panes << unit.text;
-        const auto source
-            = std::make_shared<TelemetrySource>(recording.telemetry, ChannelIndex{i}, TelemetrySource::Foot::WhenLossy);
-        source->setScale(unit.scale);
-        TraceStyle style{qt(row.label), unit.text, roleOf(row.quantity), static_cast<int>(panes.indexOf(unit.text))};
-        chooseColour(style, used);
-        used.push_back(style.look());
-        stack.addTrace(style, source);
-    }
-}
 
 void say(const Options &options, const LoadedRecording &recording, int traces)
 {
@@ -80,23 +59,17 @@ int plotFile(const Options &options)
         return refuse({Fault::OutOfRange, recording.error().text(),
                           "give an .mcap or .csv that this program wrote, or the output of watch"},
             options.json);
-    const ThemeSource theme(options.theme == QLatin1String("light") ? lightTheme(10.0 * options.fontScale)
-                                                                    : darkTheme(10.0 * options.fontScale));
+    const double points = 10.0 * options.fontScale.value_or(1.0);
+    const ThemeSource theme(options.theme == QLatin1String("light") ? lightTheme(points) : darkTheme(points));
     QFont font = QApplication::font();
-    font.setPointSizeF(10.0 * options.fontScale);
+    font.setPointSizeF(points);
     QApplication::setFont(font);
     PlotStack stack(theme);
     const QStringList sides = options.size.split(QLatin1Char('x'));
     const QSize size = sides.size() == 2 ? QSize(sides[0].toInt(), sides[1].toInt()) : usualSize;
     stack.resize(size);
-    addTraces(stack, **recording);
-    const auto from = plotKey((*recording)->first);
+    showRecording(stack, **recording);
     const auto to = plotKey((*recording)->last);
-    if ((*recording)->hasClock)
-        stack.setClock(0.0);
-    if ((*recording)->simulated)
-        stack.setWatermark(QStringLiteral("DEMO"));
-    stack.setRange(from, to > from ? to : from + 1.0);
     stack.show();
     stack.refresh(to);
     stack.refresh(to); // the first one has found out how wide the labels are

@@ -4,7 +4,15 @@
 #include <QSettings>
 #include <QVariant>
 
+#include <algorithm>
+
 namespace mb {
+namespace {
+
+constexpr double smallestFont = 0.5;
+constexpr double largestFont = 3.0;
+
+} // namespace
 
 Settings::Settings(bool remembers)
 {
@@ -16,13 +24,15 @@ Settings::~Settings() = default;
 
 QVariant Settings::value(const QString &key) const
 {
-    return m_store ? m_store->value(key) : QVariant();
+    return m_store ? m_store->value(key) : m_values.value(key);
 }
 
 void Settings::setValue(const QString &key, const QVariant &value)
 {
     if (m_store)
         m_store->setValue(key, value);
+    else
+        m_values[key] = value;
 }
 
 QString Settings::theme() const
@@ -33,6 +43,25 @@ QString Settings::theme() const
 void Settings::setTheme(const QString &theme)
 {
     setValue(QStringLiteral("theme"), theme);
+}
+
+Look Settings::look() const
+{
+    Look look;
+    look.theme = theme();
+    look.language = value(QStringLiteral("language")).toString();
+    const QVariant scale = value(QStringLiteral("font-scale"));
+    look.fontScale = scale.isValid() ? std::clamp(scale.toDouble(), smallestFont, largestFont) : 1.0;
+    look.reducedMotion = value(QStringLiteral("reduced-motion")).toBool();
+    return look;
+}
+
+void Settings::setLook(const Look &look)
+{
+    setTheme(look.theme);
+    setValue(QStringLiteral("language"), look.language);
+    setValue(QStringLiteral("font-scale"), look.fontScale);
+    setValue(QStringLiteral("reduced-motion"), look.reducedMotion);
 }
 
 QByteArray Settings::geometry() const

@@ -4,6 +4,7 @@
 #include <QByteArray>
 #include <QStringList>
 #include <QVariant>
+#include <QVariantMap>
 
 #include <memory>
 
@@ -11,7 +12,21 @@ class QSettings;
 
 namespace mb {
 
-/// What the program remembers between runs. A demo or a test keeps nothing: make it without a store.
+/// How the program looks and speaks.
+struct Look {
+    QString theme;              ///< "dark" or "light"
+    QString language;           ///< "en", "de"; empty: the desktop's
+    double fontScale = 1.0;     ///< of the desktop's font, 0.5 to 3
+    bool reducedMotion = false; ///< nothing moves but data
+
+    friend bool operator==(const Look &a, const Look &b)
+    {
+        return a.theme == b.theme && a.language == b.language && a.fontScale == b.fontScale
+            && a.reducedMotion == b.reducedMotion;
+    }
+};
+
+/// What the program remembers between runs. A demo or a test keeps nothing beyond its own end: make it without a store.
 class Settings {
 public:
     /// The user's own settings, or none at all.
@@ -21,6 +36,8 @@ public:
     /// "dark", "light"; empty until chosen.
     [[nodiscard]] QString theme() const;
     void setTheme(const QString &theme);
+    [[nodiscard]] Look look() const;
+    void setLook(const Look &look);
     [[nodiscard]] QByteArray geometry() const;
     void setGeometry(const QByteArray &geometry);
     /// Addresses that the user added by hand, opened again at the next start.
@@ -33,6 +50,7 @@ private:
     void setValue(const QString &key, const QVariant &value);
 
     std::unique_ptr<QSettings> m_store;
+    QVariantMap m_values; ///< without a store
 };
 
 } // namespace mb

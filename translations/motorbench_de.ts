@@ -146,18 +146,6 @@
         <translation>Position 0 ist hier; der Motor ist aus</translation>
     </message>
     <message>
-        <source>Open a recording</source>
-        <translation>Aufnahme öffnen</translation>
-    </message>
-    <message>
-        <source>candump and Vector ASC logs (*.log *.asc *.txt)</source>
-        <translation>candump- und Vector-ASC-Protokolle (*.log *.asc *.txt)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
-    </message>
-    <message>
         <source>%1 cannot be opened: a link address has no place for the question mark in it. Rename it.</source>
         <translation>%1 lässt sich nicht öffnen: die Adresse einer Verbindung kann das Fragezeichen darin nicht aufnehmen. Datei umbenennen.</translation>
     </message>
@@ -902,6 +890,25 @@
     </message>
 </context>
 <context>
+    <name>mb::About</name>
+    <message>
+        <source>About MotorBench</source>
+        <translation>Über MotorBench</translation>
+    </message>
+    <message>
+        <source>Tunes and services brushed-DC motor controllers. Free software under the GNU General Public License, version 3 or later, without any warranty.</source>
+        <translation>Stimmt Regler für Gleichstrommotoren ab und wartet sie. Freie Software unter der GNU General Public License, Version 3 oder später, ohne jede Gewähr.</translation>
+    </message>
+    <message>
+        <source>Versions and licences</source>
+        <translation>Versionen und Lizenzen</translation>
+    </message>
+    <message>
+        <source>Copy versions</source>
+        <translation>Versionen kopieren</translation>
+    </message>
+</context>
+<context>
     <name>mb::AdvicePanel</name>
     <message>
         <source>Why it did that</source>
@@ -1536,6 +1543,26 @@
     <message>
         <source>Close anyway</source>
         <translation>Trotzdem schließen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::CommandPalette</name>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Schreiben, was geschehen soll</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>page: command</comment>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3287,22 +3314,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>MotorBench</translation>
     </message>
     <message>
-        <source>Add link…</source>
-        <translation>Verbindung hinzufügen…</translation>
-    </message>
-    <message>
-        <source>Open the simulated bench</source>
-        <translation>Simulierten Prüfstand öffnen</translation>
-    </message>
-    <message>
-        <source>Switch between dark and light</source>
-        <translation>Zwischen dunkel und hell wechseln</translation>
-    </message>
-    <message>
-        <source>Quit</source>
-        <translation>Beenden</translation>
-    </message>
-    <message>
         <source>button</source>
         <translation>Schaltfläche</translation>
     </message>
@@ -3375,10 +3386,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>REC %1</translation>
     </message>
     <message>
-        <source>Open recording…</source>
-        <translation>Aufnahme öffnen…</translation>
-    </message>
-    <message>
         <source>%1: %2 frames received, %3 sent, %4 dropped, %5 errors</source>
         <translation>%1: %2 Frames empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
     </message>
@@ -3425,6 +3432,26 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Design</source>
         <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>The preferences hold once nothing is armed any more: choose them again then.</source>
+        <translation>Die Einstellungen gelten, wenn nichts mehr scharf ist: dann noch einmal wählen.</translation>
+    </message>
+    <message>
+        <source>lists everything that can be done, by name</source>
+        <translation>listet alles, was getan werden kann, nach Namen</translation>
+    </message>
+    <message>
+        <source>shows the preferences</source>
+        <translation>zeigt die Einstellungen</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Menu</source>
+        <translation>Menü</translation>
     </message>
 </context>
 <context>
@@ -4879,6 +4906,65 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
 </context>
 <context>
+    <name>mb::Preferences</name>
+    <message>
+        <source>as the desktop</source>
+        <translation>wie der Desktop</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>dark</source>
+        <translation>dunkel</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>hell</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Nothing moves but data</source>
+        <translation>Nichts bewegt sich außer Daten</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Text size</source>
+        <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Notebook, recordings</source>
+        <translation>Versuchsbuch, Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>Settings, layouts</source>
+        <translation>Einstellungen, Anordnungen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open the folder: %1</source>
+        <translation>Den Ordner öffnen: %1</translation>
+    </message>
+</context>
+<context>
     <name>mb::ProfilePanel</name>
     <message>
         <source>What only you know</source>
@@ -5831,6 +5917,69 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>What the maker does not tell of the bootloader, with the likely values</source>
         <translation>Was der Hersteller über den Bootloader nicht mitteilt, mit den wahrscheinlichen Werten</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SamplesWindow</name>
+    <message>
+        <source>%1 s, %2 samples, %3 lost</source>
+        <translation>%1 s, %2 Messwerte, %3 verloren</translation>
+    </message>
+    <message>
+        <source>; the end of the file is missing</source>
+        <translation>; das Ende der Datei fehlt</translation>
+    </message>
+    <message>
+        <source>%1 (recorded samples)</source>
+        <translation>%1 (aufgezeichnete Messwerte)</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Liest %1</translation>
+    </message>
+    <message>
+        <source>Fit time and value</source>
+        <translation>Zeit und Wert einpassen</translation>
+    </message>
+    <message>
+        <source>Cursors</source>
+        <translation>Cursor</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Ausgeben</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>Recorded samples</source>
+        <translation>Aufgezeichnete Messwerte</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>shows everything</source>
+        <translation>zeigt alles</translation>
+    </message>
+    <message>
+        <source>shows or hides the cursors</source>
+        <translation>zeigt oder verbirgt die Cursor</translation>
+    </message>
+    <message>
+        <source>closes this window</source>
+        <translation>schließt dieses Fenster</translation>
+    </message>
+    <message>
+        <source>shows these keys</source>
+        <translation>zeigt diese Tasten</translation>
+    </message>
+    <message>
+        <source>%1: no samples</source>
+        <translation>%1: keine Messwerte</translation>
     </message>
 </context>
 <context>
@@ -7486,6 +7635,65 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>1  Identify: pushes with a part of the duty, both ways. No gain is changed.</source>
         <translation>1  Vermessen: Stöße mit einem Teil des Tastgrads in beide Richtungen. Kein Faktor wird geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::WindowMenu</name>
+    <message>
+        <source>Add link…</source>
+        <translation>Verbindung hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Aufzeichnung öffnen …</translation>
+    </message>
+    <message>
+        <source>Open the simulated bench</source>
+        <translation>Den simulierten Prüfstand öffnen</translation>
+    </message>
+    <message>
+        <source>Commands…</source>
+        <translation>Befehle …</translation>
+    </message>
+    <message>
+        <source>Switch between dark and light</source>
+        <translation>Zwischen dunkel und hell wechseln</translation>
+    </message>
+    <message>
+        <source>Preferences…</source>
+        <translation>Einstellungen …</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>About MotorBench</source>
+        <translation>Über MotorBench</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Open a recording</source>
+        <translation>Eine Aufzeichnung öffnen</translation>
+    </message>
+    <message>
+        <source>All recordings (*.log *.asc *.txt *.mcap *.csv)</source>
+        <translation>Alle Aufzeichnungen (*.log *.asc *.txt *.mcap *.csv)</translation>
+    </message>
+    <message>
+        <source>Frames: candump and Vector ASC logs (*.log *.asc *.txt)</source>
+        <translation>Rahmen: Logs von candump und Vector ASC (*.log *.asc *.txt)</translation>
+    </message>
+    <message>
+        <source>Samples: MCAP, CSV (*.mcap *.csv)</source>
+        <translation>Messwerte: MCAP, CSV (*.mcap *.csv)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
     </message>
 </context>
 <context>

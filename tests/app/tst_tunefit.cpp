@@ -59,7 +59,7 @@ void TuneFitTest::nothingIsCut()
     const QWidget &viewport = *page.parentWidget();
     QCOMPARE(page.size(), viewport.size()); // no scroll bars
     const auto *run = page.findChild<QPushButton *>(QStringLiteral("run"));
-    QVERIFY(page.rect().contains(QRect(run->mapTo(&page, QPoint()), run->size())));
+    QTRY_VERIFY_WITH_TIMEOUT(page.rect().contains(QRect(run->mapTo(&page, QPoint()), run->size())), patience);
     const QSize plot = page.trials().plot().size();
     const double share = 1.0 * plot.width() * plot.height() / (page.width() * page.height());
     qInfo("%s: page %d x %d, plot %d x %d, %.0f %%", QTest::currentDataTag(), page.width(), page.height(), plot.width(),

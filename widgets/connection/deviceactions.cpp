@@ -7,7 +7,6 @@
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QFile>
-#include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
 
@@ -158,18 +157,6 @@ void askAddLink(Workbench &workbench, QWidget &parent, std::function<void(const 
                     opened(whole);
             });
     });
-    dialog->open();
-}
-
-void askOpenRecording(Workbench &workbench, QWidget &parent, std::function<void(const QString &)> opened)
-{
-    auto *dialog = new QFileDialog(&parent, DeviceActions::tr("Open a recording"));
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilters(
-        {DeviceActions::tr("candump and Vector ASC logs (*.log *.asc *.txt)"), DeviceActions::tr("All files (*)")});
-    QObject::connect(dialog, &QFileDialog::fileSelected, &workbench,
-        [&workbench, opened = std::move(opened)](const QString &path) { openRecording(workbench, path, opened); });
     dialog->open();
 }
 

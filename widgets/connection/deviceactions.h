@@ -20,9 +20,7 @@ void askRenumber(Workbench &workbench, DeviceId device, QWidget &parent);
 /// Asks for a link address, with those that can be opened to choose from, and opens it.
 /// `opened` gets the address once it is open, so that it can be remembered.
 void askAddLink(Workbench &workbench, QWidget &parent, std::function<void(const QString &)> opened);
-/// Asks for a candump or Vector ASC log and opens it as a link. `opened` gets its address once it is open.
-void askOpenRecording(Workbench &workbench, QWidget &parent, std::function<void(const QString &)> opened);
-/// The same without asking. What is wrong with the file is reported once, by the engine.
+/// Opens a candump or Vector ASC log as a link; `opened` gets its address once it is open. What is wrong with the file is reported once, by the engine.
 void openRecording(Workbench &workbench, const QString &path, const std::function<void(const QString &)> &opened);
 
 } // namespace mb

@@ -17,7 +17,7 @@ namespace {
 constexpr std::int64_t largestFile = 1'000'000;
 
 const QLatin1String kindKey("motorbench");
-const QLatin1String kind("experiment limits");
+const QLatin1String fileKind("experiment limits");
 const QLatin1String unitsKey("units");
 const QLatin1String enteredKey("entered");
 const QLatin1String namedKey("named");
@@ -58,7 +58,7 @@ Result<void> EnvelopeBook::open(const QString &file)
     if (!bytes)
         return fail(Fault::OutOfRange, bytes.error().detail, "remove it, or make it readable");
     const QJsonObject all = QJsonDocument::fromJson(*bytes).object();
-    if (all.value(kindKey).toString() != kind)
+    if (all.value(kindKey).toString() != fileKind)
         return fail(Fault::OutOfRange, file.toStdString() + " holds no limits of experiments", "remove it");
     const QJsonObject units = all.value(unitsKey).toObject();
     for (auto unit = units.begin(); unit != units.end(); ++unit) {
@@ -86,7 +86,7 @@ Result<void> EnvelopeBook::write() const
     }
     QDir().mkpath(QFileInfo(m_file).path());
     return saveFile(
-        m_file.toStdString(), QJsonDocument(QJsonObject{{kindKey, QString(kind)}, {unitsKey, units}}).toJson());
+        m_file.toStdString(), QJsonDocument(QJsonObject{{kindKey, QString(fileKind)}, {unitsKey, units}}).toJson());
 }
 
 Envelope EnvelopeBook::entered(const std::string &unit) const

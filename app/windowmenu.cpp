@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/windowmenu.h"
+
+#include "app/about.h"
+#include "app/preferences.h"
+#include "widgets/connection/deviceactions.h"
+#include "widgets/plots/sampleswindow.h"
+
+#include <QFileDialog>
+#include <QMenu>
+
+namespace mb {
+
+WindowMenu::WindowMenu(Workbench &workbench, ThemeSource &theme, Settings &settings, QWidget &window)
+    : QObject(&window)
+    , m_workbench(workbench)
+    , m_theme(theme)
+    , m_settings(settings)
+    , m_window(window)
+    , m_menu(new QMenu(&window))
+{
+    m_menu->addAction(tr("Add link…"), this, &WindowMenu::addLink);
+    m_menu->addAction(tr("Open recording…"), this, &WindowMenu::openRecording, QKeySequence::Open);
+    m_menu->addAction(tr("Open the simulated bench"), this, &WindowMenu::openSimulation);
+    m_menu->addSeparator();
+    m_menu->addAction(tr("Commands…"), this, &WindowMenu::commandsRequested, QKeySequence(QStringLiteral("Ctrl+K")));
+    m_menu->addAction(
+        tr("Switch between dark and light"), this, &WindowMenu::switchTheme, QKeySequence(QStringLiteral("Ctrl+T")));
+    m_menu->addAction(tr("Preferences…"), this, &WindowMenu::askPreferences, QKeySequence(QStringLiteral("Ctrl+,")));
+    m_menu->addSeparator();
+    m_menu->addAction(tr("Keys"), this, &WindowMenu::keysRequested);
+    m_menu->addAction(tr("About MotorBench"), this, [this] {
+        auto *about = new About(&m_window);
+        about->setAttribute(Qt::WA_DeleteOnClose);
+        about->show();
+    });
+    m_menu->addAction(tr("Quit"), &m_window, &QWidget::close, QKeySequence::Quit);
+}
+
+void WindowMenu::addLink()
+{
+    askAddLink(m_workbench, m_window, [this](const QString &address) { m_settings.addLink(address); });
+}
+
+void WindowMenu::openRecording()
+{
+    auto *dialog = new QFileDialog(&m_window, tr("Open a recording"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters({tr("All recordings (*.log *.asc *.txt *.mcap *.csv)"),
+        tr("Frames: candump and Vector ASC logs (*.log *.asc *.txt)"), tr("Samples: MCAP, CSV (*.mcap *.csv)"),
+        tr("All files (*)")});
+    connect(dialog, &QFileDialog::fileSelected, this, &WindowMenu::openFile);
+    dialog->open();
+}
+
+void WindowMenu::openFile(const QString &path)
+{
+    if (SamplesWindow::isFor(path)) {
+        (new SamplesWindow(path, m_theme, &m_window))->show();
+        return;
+    }
+    mb::openRecording(m_workbench, path, [this](const QString &address) { Q_EMIT framesOpened(address); });
+}
+
+void WindowMenu::openSimulation()
+{
+    LinkAddress address;
+    address.scheme = "sim";
+    m_workbench.openLink(address, {});
+}
+
+void WindowMenu::switchTheme()
+{
+    Theme next
+        = m_theme.theme().dark ? lightTheme(m_theme.theme().bodyPointSize) : darkTheme(m_theme.theme().bodyPointSize);
+    next.reducedMotion = m_theme.theme().reducedMotion;
+    m_theme.setTheme(next);
+    m_settings.setTheme(next.dark ? QStringLiteral("dark") : QStringLiteral("light"));
+}
+
+void WindowMenu::askPreferences()
+{
+    Look look = m_settings.look();
+    look.theme = m_theme.theme().dark ? QStringLiteral("dark") : QStringLiteral("light");
+    auto *dialog = new Preferences(look, &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, look] {
+        if (dialog->look() == look)
+            return;
+        m_settings.setLook(dialog->look());
+        Q_EMIT lookChosen();
+    });
+    dialog->open();
+}
+
+} // namespace mb

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What belongs to the program rather than to a device: preferences, the list of commands, files that are opened, About.
+#include "windowbench.h"
+
+#include "app/about.h"
+#include "app/preferences.h"
+#include "support/windowtests.h"
+#include "widgets/common/segmented.h"
+#include "widgets/plots/sampleswindow.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+#include <cmath>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+/// A picture of it for people, where a folder is named.
+void keepPicture(QWidget &widget, const QString &name)
+{
+    const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES");
+    if (!folder.isEmpty())
+        widget.grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
+}
+
+QString firstTab(WindowBench &bench)
+{
+    return bench.part<PageTabs>().tabText(0);
+}
+
+void choosePreference(WindowBench &bench, int place, const QString &code)
+{
+    QTest::keyClick(&bench.window(), Qt::Key_Comma, Qt::ControlModifier);
+    auto *dialog = bench.window().findChild<Preferences *>();
+    QVERIFY(dialog);
+    keepPicture(*dialog, QStringLiteral("preferences"));
+    auto *box = dialog->findChildren<QComboBox *>().at(place);
+    box->setCurrentIndex(box->findData(code));
+    dialog->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Ok)->click();
+}
+
+} // namespace
+
+class ProgramTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice();
+    void nothingChangesWhileAMotorIsArmed();
+    void aCommandIsFoundByItsNameAndRun();
+    void recordedSamplesOpenInAWindowOfTheirOwn();
+    void aFileThatIsNoRecordingSaysWhy();
+    void aFileThatIsNotThereIsRefusedBeforeThereIsAWindow();
+    void aboutTellsTheVersionsOfEverything();
+};
+
+void ProgramTest::anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    bench.window().showPage(PageId::Parameters);
+    QCOMPARE(firstTab(bench), QStringLiteral("Overview"));
+    const QWidget *before = &bench.window();
+    choosePreference(bench, 1, QStringLiteral("de"));
+    QTRY_COMPARE_WITH_TIMEOUT(firstTab(bench), QStringLiteral("Übersicht"), patience);
+    QVERIFY(&bench.window() != before);
+    QVERIFY(bench.window().isVisible());
+    QCOMPARE(bench.window().shownPage(), PageId::Parameters);
+    QCOMPARE(bench.window().selection().device(), bench.device(WindowBench::tuned)->id);
+    QCOMPARE(bench.engine().snapshot().devices.size() >= WindowBench::benchSize, true); // nothing was closed
+    bench.window().close(); // the new one answers like the old one
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.window().isVisible(), patience);
+}
+
+void ProgramTest::nothingChangesWhileAMotorIsArmed()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    bench.arming().arm(bench.window().selection().device());
+    QTRY_VERIFY_WITH_TIMEOUT(bench.arming().state() == LampState::Armed, patience);
+    const QWidget *before = &bench.window();
+    choosePreference(bench, 1, QStringLiteral("de"));
+    QTest::qWait(0);
+    QCoreApplication::processEvents();
+    QCOMPARE(static_cast<const QWidget *>(&bench.window()), before);
+    QCOMPARE(firstTab(bench), QStringLiteral("Overview"));
+    QCOMPARE(bench.arming().state(), LampState::Armed);
+}
+
+void ProgramTest::aCommandIsFoundByItsNameAndRun()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    QTest::keyClick(&bench.window(), Qt::Key_K, Qt::ControlModifier);
+    auto *palette = bench.window().findChild<QDialog *>(QStringLiteral("commands"));
+    QTRY_VERIFY_WITH_TIMEOUT(palette && palette->isVisible(), patience);
+    auto *text = palette->findChild<QLineEdit *>();
+    keepPicture(*palette, QStringLiteral("commands"));
+    QVERIFY(palette->findChild<QListWidget *>()->count() > 40);
+    text->setText(QStringLiteral("shows page plots"));
+    QTest::keyClick(text, Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(bench.window().shownPage(), PageId::Plots, patience);
+}
+
+void ProgramTest::recordedSamplesOpenInAWindowOfTheirOwn()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("run.csv"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("time_s,speed (counts/s),current (A)\n");
+    for (int i = 0; i < 200; ++i)
+        file.write(
+            QByteArray::number(i * 0.01) + ',' + QByteArray::number(i * 10) + ',' + QByteArray::number(i % 7) + '\n');
+    file.close();
+    WindowBench bench;
+    bench.window().openFile(path);
+    auto *samples = bench.window().findChild<SamplesWindow *>();
+    QVERIFY(samples && samples->isVisible());
+    QTRY_VERIFY_WITH_TIMEOUT(samples->isLoaded(), patience);
+    QCOMPARE(samples->stack().traceCount(), 2);
+    QVERIFY(samples->stack().range().second > 1.9);
+    auto *channels = samples->findChild<QListWidget *>();
+    QCOMPARE(channels->count(), 2);
+    QVERIFY(QTest::qWaitForWindowExposed(samples));
+    samples->stack().refresh(2.0);
+    samples->stack().refresh(2.0);
+    keepPicture(*samples, QStringLiteral("samples"));
+    for (int i = 0; i < 2; ++i) {
+        QCOMPARE(channels->item(i)->checkState(), Qt::Checked);
+        QVERIFY(!std::isnan(samples->stack().valueAt(channels->item(i)->data(Qt::UserRole).toInt(), 1.0)));
+    }
+    channels->item(0)->setCheckState(Qt::Unchecked); // one that is not seen is not counted
+    samples->stack().refresh(2.0);
+    QVERIFY(std::isnan(samples->stack().valueAt(channels->item(0)->data(Qt::UserRole).toInt(), 1.0)));
+    QVERIFY(!std::isnan(samples->stack().valueAt(channels->item(1)->data(Qt::UserRole).toInt(), 1.0)));
+    samples->close();
+    QTRY_VERIFY_WITH_TIMEOUT(!bench.window().findChild<SamplesWindow *>(), patience);
+    QVERIFY(bench.window().isVisible());
+}
+
+void ProgramTest::aFileThatIsNoRecordingSaysWhy()
+{
+    QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("wrong.mcap"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("this is no container");
+    file.close();
+    WindowBench bench;
+    bench.window().openFile(path);
+    auto *samples = bench.window().findChild<SamplesWindow *>();
+    QTRY_VERIFY_WITH_TIMEOUT(!samples->failure().isEmpty(), patience);
+    QVERIFY(samples->failure().contains(QStringLiteral("wrong.mcap")));
+    QVERIFY(!samples->isLoaded());
+    QCOMPARE(samples->stack().traceCount(), 0);
+}
+
+void ProgramTest::aFileThatIsNotThereIsRefusedBeforeThereIsAWindow()
+{
+    const auto options = Options::parse({QStringLiteral("motorbench"), QStringLiteral("nowhere.mcap")});
+    QVERIFY(!options);
+    QVERIFY(options.error().text().find("nowhere.mcap") != std::string::npos);
+}
+
+void ProgramTest::aboutTellsTheVersionsOfEverything()
+{
+    WindowBench bench;
+    About about(&bench.window());
+    about.show();
+    keepPicture(about, QStringLiteral("about"));
+    const QString text = about.findChild<QPlainTextEdit *>()->toPlainText();
+    for (const char *word : {"MotorBench", "Qt 5", "QCustomPlot 2", "kernel", "dmc60c", "quadquad2drv", "GPL-3.0"})
+        QVERIFY2(text.contains(QLatin1String(word)), word);
+}
+
+MB_WINDOW_TEST(ProgramTest);
+#include "tst_program.moc"
