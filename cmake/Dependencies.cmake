@@ -7,6 +7,7 @@ set_package_properties(Threads PROPERTIES TYPE REQUIRED PURPOSE "The engine thre
 find_package(PkgConfig REQUIRED)
 set_package_properties(PkgConfig PROPERTIES TYPE REQUIRED PURPOSE "Finds what has no CMake files of its own")
 pkg_check_modules(GPIOD REQUIRED IMPORTED_TARGET libgpiod<2) # 1.6: ready and reset line of SPI boards
+pkg_check_modules(MOSQUITTO REQUIRED IMPORTED_TARGET libmosquitto) # `watch --to mqtt://`: samples to a broker
 
 find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets PrintSupport Svg Sql SerialPort SerialBus DBus LinguistTools)
 set_package_properties(Qt5 PROPERTIES TYPE REQUIRED

@@ -8,10 +8,22 @@
 #include <cstdio>
 
 namespace mb::console {
+namespace {
 
-SampleStream::SampleStream(Console &console, Device &device, Watched watched)
+/// What follows the link in its selector: a link's own slashes would be levels of a topic.
+std::string nameOf(const Device &device)
+{
+    const std::string whole = device.selector();
+    return whole.substr(whole.rfind('/') + 1);
+}
+
+} // namespace
+
+SampleStream::SampleStream(Console &console, Device &device, Watched watched, Publisher *publisher)
     : m_console(console)
     , m_device(device)
+    , m_publisher(publisher)
+    , m_name(publisher ? nameOf(device) : std::string())
     , m_driven(watched.driven)
     , m_time(device.clock(), device.link().address())
     , m_start(device.clock().now())
@@ -25,7 +37,7 @@ SampleStream::SampleStream(Console &console, Device &device, Watched watched)
     device.telemetry()->commit();
     device.link().recount();
     m_lostBefore = lostSoFar();
-    if (!console.json())
+    if (!console.json() && !publisher)
         console.out().line("t,channel,value,unit");
     m_samples = device.telemetry()->samples().add([this](const Sample &sample) { print(sample); });
     m_stateChanged = device.statesChanged().add([this](Instant time) { printStates(time); });
@@ -56,6 +68,10 @@ void SampleStream::print(const Sample &sample)
 void SampleStream::print(
     Instant time, std::string_view key, double value, std::string_view unit, const QJsonValue &json)
 {
+    if (m_publisher) {
+        m_publisher->publish(m_name, key, m_time.seconds(time), value, unit);
+        return;
+    }
     if (m_console.json()) {
         m_console.out().json({
             {QStringLiteral("t"), m_time.seconds(time)},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/console.h"
+#include "app/console/publisher.h"
 
 #include <string>
 #include <vector>
@@ -20,8 +21,8 @@ struct Watched {
 /// and faults that begin or end are notes, without --json.
 class SampleStream {
 public:
-    /// Nothing named: all channels.
-    SampleStream(Console &console, Device &device, Watched watched);
+    /// Nothing named: all channels. With a publisher the samples go there instead of standard output.
+    SampleStream(Console &console, Device &device, Watched watched, Publisher *publisher = nullptr);
 
     [[nodiscard]] std::uint64_t count() const { return m_count; }
     /// Samples known missing, and frames that the link knows missing.
@@ -37,6 +38,8 @@ private:
 
     Console &m_console;
     Device &m_device;
+    Publisher *m_publisher;
+    std::string m_name; ///< FAMILY:ADDRESS, for a publisher
     bool m_driven;
     TimeOrigin m_time;
     Instant m_start; ///< what was measured before is not part of it

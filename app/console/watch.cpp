@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/console/ending.h"
+#include "app/console/publisher.h"
 #include "app/console/reopening.h"
 #include "app/console/samplestream.h"
 #include "app/console/target.h"
@@ -17,6 +18,7 @@ struct Arguments {
     std::vector<std::string> channels;
     std::string seconds;
     std::string rate;
+    std::string to;
 };
 
 struct Plan {
@@ -24,6 +26,7 @@ struct Plan {
     Watched watched; ///< nothing: all channels
     std::optional<Duration> time;
     double rate = 0.0; ///< 0: as it is
+    std::optional<PublishAddress> to{};
 };
 
 Result<Plan> check(const Console &console, const Arguments &arguments)
@@ -38,6 +41,12 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
     if (!time)
         return fail(time.error());
     Plan plan{std::move(*target), std::move(*watched), *time, 0.0};
+    if (!arguments.to.empty()) {
+        auto address = PublishAddress::parse(arguments.to);
+        if (!address)
+            return fail(address.error());
+        plan.to = std::move(*address);
+    }
     if (arguments.rate.empty())
         return plan;
     const auto rate = parseNumber("--rate", arguments.rate, 0.01, fastest);
@@ -66,8 +75,10 @@ Task<std::optional<Error>> setRates(Device &device, Watched watched, double rate
     co_return error;
 }
 
-void summarize(Console &console, const SampleStream &samples, double seconds)
+void summarize(Console &console, const SampleStream &samples, const Publisher *publisher, double seconds)
 {
+    if (publisher && publisher->dropped() > 0)
+        console.note(std::to_string(publisher->dropped()) + " samples could not be sent");
     if (console.json()) {
         const QJsonObject summary{
             {QStringLiteral("samples"), static_cast<qint64>(samples.count())},
@@ -82,16 +93,18 @@ void summarize(Console &console, const SampleStream &samples, double seconds)
 }
 
 /// From the first sample to the summary.
-Task<int> stream(Console &console, Device &device, Plan plan, Ending &ending)
+Task<int> stream(Console &console, Device &device, Plan plan, Publisher *publisher, Ending &ending)
 {
     std::optional<Error> error;
     {
-        SampleStream samples(console, device, plan.watched);
+        SampleStream samples(console, device, plan.watched, publisher);
         const Instant start = device.clock().now();
         ending.after(plan.time);
         co_await ending.wait();
+        if (publisher)
+            publisher->finish();
         const auto took = std::chrono::duration_cast<std::chrono::milliseconds>(device.clock().now() - start);
-        summarize(console, samples, static_cast<double>(took.count()) / 1000.0);
+        summarize(console, samples, publisher, static_cast<double>(took.count()) / 1000.0);
     }
     if (ending.cause() == Ending::Cause::LinkLost)
         error = Error::fromPhrase(Fault::LinkLost, ending.reason());
@@ -124,6 +137,13 @@ Task<int> watch(Console &console, Arguments arguments)
     auto plan = check(console, arguments);
     if (!plan)
         co_return fail(plan.error());
+    std::unique_ptr<Publisher> publisher;
+    if (plan->to) {
+        auto opened = Publisher::open(*plan->to);
+        if (!opened)
+            co_return fail(opened.error());
+        publisher = std::move(*opened);
+    }
     Ending ending(console);
     auto connecting = connect(console, plan->target);
     Device *const device = co_await std::move(connecting);
@@ -140,7 +160,7 @@ Task<int> watch(Console &console, Arguments arguments)
         }
     }
     const Reopening reopening(console, device->link(), [device, plan = *plan] { return raiseAgain(*device, plan); });
-    auto streaming = stream(console, *device, *plan, ending);
+    auto streaming = stream(console, *device, *plan, publisher.get(), ending);
     co_return co_await std::move(streaming);
 }
 
@@ -154,6 +174,8 @@ Job declareWatch(CLI::App &arguments)
         ->allow_extra_args(false);
     arguments.add_option("--for", a->seconds, "Seconds; until a signal otherwise");
     arguments.add_option("--rate", a->rate, "Samples per second; what the device sends otherwise");
+    arguments.add_option(
+        "--to", a->to, "Send the samples to mqtt://HOST/TOPIC or udp://HOST:PORT instead of printing them");
     return [a](Console &console) { return watch(console, *a); };
 }
 

@@ -10,6 +10,7 @@ from hostile import Hostile  # noqa: F401
 from test_devices import DeviceVerbs  # noqa: F401
 from test_motion import Motion  # noqa: F401
 from test_plot import Plot  # noqa: F401
+from test_publish import Mqtt, Udp  # noqa: F401
 from test_serial import SerialTest  # noqa: F401
 from test_supermodified import SupermodifiedTest  # noqa: F401
 from test_traffic import Replay, Traffic  # noqa: F401

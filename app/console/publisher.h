@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/result.h"
+
+#include <QByteArray>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+namespace mb::console {
+
+/// Where samples go instead of standard output: `mqtt://HOST[:PORT]/TOPIC` or `udp://HOST:PORT`.
+struct PublishAddress {
+    std::string scheme; ///< "mqtt" or "udp"
+    std::string host;
+    int port = 0;
+    std::string topic; ///< mqtt only
+
+    /// OutOfRange for anything else, with what is taken.
+    [[nodiscard]] static Result<PublishAddress> parse(const std::string &text);
+};
+
+/// Sends samples to another program as they come; never waits, never listens, and counts what did not go. One thread.
+class Publisher {
+public:
+    virtual ~Publisher() = default;
+
+    /// Resolves the host and, with mqtt, waits up to 5 s for the broker to take us. LinkLost with cause and remedy otherwise.
+    [[nodiscard]] static Result<std::unique_ptr<Publisher>> open(const PublishAddress &address);
+
+    /// One sample: `device` is FAMILY:ADDRESS, `seconds` as in the lines of `watch`.
+    void publish(
+        const std::string &device, std::string_view channel, double seconds, double value, std::string_view unit);
+    /// Samples that did not go: no broker, nobody at the address, or no room to send.
+    [[nodiscard]] std::uint64_t dropped() const { return m_dropped; }
+    /// Sends what is still waiting, for 2 s at most.
+    virtual void finish() { }
+
+protected:
+    /// False when it was not sent.
+    [[nodiscard]] virtual bool send(
+        const std::string &device, std::string_view channel, double seconds, double value, std::string_view unit)
+        = 0;
+
+private:
+    std::uint64_t m_dropped = 0;
+};
+
+} // namespace mb::console
