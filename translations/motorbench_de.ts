@@ -1845,6 +1845,14 @@
         <source>writes a report of what is shown</source>
         <translation>schreibt einen Bericht über das, was zu sehen ist</translation>
     </message>
+    <message>
+        <source>Current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
 </context>
 <context>
     <name>mb::DeviceCard</name>
@@ -5636,14 +5644,6 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>Gain K</source>
         <translation>Verstärkung K</translation>
-    </message>
-    <message>
-        <source>A per duty</source>
-        <translation>A je Tastgrad</translation>
-    </message>
-    <message>
-        <source>counts/s per duty</source>
-        <translation>counts/s je Tastgrad</translation>
     </message>
     <message>
         <source>Lag τ</source>

@@ -43,6 +43,7 @@ private:
     bool m_swung = false;   ///< the last step was ended because the loop swung itself up
     bool m_grown = false;   ///< the steps were made larger because friction took much of them
     std::vector<LoopRun> m_runs;
+    std::vector<LoopRun> m_creeping; ///< slower than the model needs: they tell what friction holds
     std::vector<Trial> m_trials;
 };
 

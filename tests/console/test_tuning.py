@@ -109,7 +109,23 @@ class Tune(ContractTest):
         self.assertIsNone(row["measured"])
         self.assertEqual(self.run_one("get", LIVELY), before)
 
+    def test_a_position_loop_without_a_duty_command_is_tuned_by_trying_its_gains(self):
+        row = self.run_one("tune", "sim:serial/supermodified:5", "--loop", "position")
+        self.assertLessEqual(TUNE, row.keys())
+        self.assertEqual(row["result"], "kept", row["evidence"])
+        self.assertLessEqual(row["measured"]["overshoot"], 0.05)
+        self.assertEqual(set(row["gains"]), {"gain.p", "gain.i", "gain.d"})
+        self.assertIn("counts/s per", row["model"]["unit"])
+
+    def test_a_current_loop_is_tuned(self):
+        row = self.run_one("tune", CIM, "--loop", "current")
+        self.assertEqual(row["result"], "kept", row["evidence"])
+        self.assertEqual(row["model"]["unit"], "A per duty")
+        self.assertLessEqual(row["measured"]["overshoot"], 0.05)
+
     def test_what_cannot_be_tuned_is_refused_before_anything_moves(self):
+        self.assert_error(2, "tune", "sim:can/abstractdc:3", "--loop", "current")
+        self.assert_error(2, "tune", "sim:serial/supermodified:4", "--loop", "velocity")
         self.assert_error(2, "tune", CIM, "--loop", "sideways")
         self.assert_error(2, "tune", CIM, "--loop", "velocity", "--aim", "reckless")
         self.assert_error(2, "tune", CIM, "--loop", "velocity", "--propose", "--store")

@@ -81,6 +81,7 @@ private Q_SLOTS:
     void nothingIsOrderedBeforeItIsArmed();
     void identifyingProposesAndWritesNothing();
     void theChosenSetIsProvenFromTheModelThatIsKnown();
+    void aCurrentLoopIsDesignedInAmpereAndATriedScaleGoesWithItsModel();
     void aProofKeepsTheModelItStandsOn();
     void whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown();
     void cardsAreChosenByKeysAndShowTheirOwnLoop();
@@ -134,6 +135,27 @@ void TestDesignPage::theChosenSetIsProvenFromTheModelThatIsKnown()
     QVERIFY(plan.known == std::optional(identified().plant));
     QVERIFY(plan.aim == Aim::Brisk);
     QVERIFY(!plan.propose);
+}
+
+void TestDesignPage::aCurrentLoopIsDesignedInAmpereAndATriedScaleGoesWithItsModel()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->chooseLoop(Mode::Current);
+    bench.page->identify();
+    QVERIFY(bench.workbench.tunings[0].plan.loop == Mode::Current);
+    TuneReport report = identified();
+    report.loop = Mode::Current;
+    report.motor->unit = "A per duty";
+    report.motor->line.gain = 126.0;
+    report.scale = TriedScale{1e-3, 1e-5, 1e-3, 9000.0, 0.02};
+    bench.finish(report);
+    bench.page->prove();
+    QVERIFY(bench.workbench.tunings[1].plan.scale == report.scale);
+    bool told = false;
+    for (const QLabel *label : bench.page->findChildren<QLabel *>())
+        told = told || label->text() == QStringLiteral("A per duty");
+    QVERIFY(told);
 }
 
 void TestDesignPage::aProofKeepsTheModelItStandsOn()

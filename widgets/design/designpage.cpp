@@ -34,7 +34,7 @@ namespace {
 
 constexpr int modelWidth = 344;
 constexpr int stepsWidth = 236;
-constexpr std::array designedLoops{Mode::Velocity, Mode::Position};
+constexpr std::array designedLoops{Mode::Velocity, Mode::Position, Mode::Current};
 constexpr double checkedDuty = 0.15;
 constexpr double checkedSeconds = 0.6;
 constexpr double shownSettles = 4.0;   ///< predicted times to settle that a step is drawn for
@@ -66,6 +66,13 @@ double shortestHold(const std::vector<tuning::Trial> &trials)
             shortest = std::min(shortest, hold.to - hold.from);
     }
     return shortest;
+}
+
+TraceRole roleOf(Mode loop)
+{
+    if (loop == Mode::Current)
+        return TraceRole::Current;
+    return loop == Mode::Velocity ? TraceRole::Velocity : TraceRole::Position;
 }
 
 } // namespace
@@ -115,7 +122,7 @@ QWidget *DesignPage::buildCommands()
     row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
     row->setSpacing(theme.u(8));
     m_status = new StatusLine(m_theme, bar);
-    m_loops = new Segmented(tr("Loop"), {tr("Velocity"), tr("Position")}, bar);
+    m_loops = new Segmented(tr("Loop"), {tr("Velocity"), tr("Position"), tr("Current")}, bar);
     m_identify = new CommandButton(m_theme, tr("Identify"), bar);
     m_identify->setKeyHint(QStringLiteral("Shift+F6"));
     m_autotune = new CommandButton(m_theme, tr("Autotune"), bar);
@@ -376,7 +383,8 @@ void DesignPage::followDevice(const DeviceView &view, const QString &whyNot)
     const PageStatus now
         = whyNot.isEmpty() ? status() : PageStatus{GlyphState::Warning, tr("Not by itself"), whyNot, false};
     m_status->say(now);
-    m_loops->setCurrent(m_loop == Mode::Velocity ? 0 : 1);
+    m_loops->setCurrent(
+        static_cast<int>(std::find(designedLoops.begin(), designedLoops.end(), m_loop) - designedLoops.begin()));
     m_identify->setEnabled(now.mayRun);
     m_autotune->setEnabled(now.mayRun);
     m_prove->setEnabled(now.mayRun && chosen());
@@ -456,7 +464,7 @@ void DesignPage::showStep(const tuning::Proposal &proposal)
         for (const tuning::Trial &trial : proven->proof) {
             const double sign = trial.stimulus.to < trial.stimulus.from ? -1.0 : 1.0;
             TraceLook look;
-            look.role = m_loop == Mode::Velocity ? TraceRole::Velocity : TraceRole::Position;
+            look.role = roleOf(m_loop);
             look.dash = sign > 0.0 ? TraceDash::Solid : TraceDash::Long;
             curves.push_back(curveOf(sign > 0.0 ? tr("measured, forwards") : tr("measured, backwards"), look,
                 trial.folded(tuning::measuredOf(trial.mode)), trial.stimulus.from, sign, end));
@@ -468,7 +476,11 @@ void DesignPage::showStep(const tuning::Proposal &proposal)
                       .arg(formatNumber(*measured.overshoot * 100.0, 1),
                           measured.settle ? formatDuration(*measured.settle) : QString(UnknownMark));
     }
-    m_step->setAxes(tr("s"), m_loop == Mode::Velocity ? tr("counts/s") : tr("counts"), false);
+    m_step->setAxes(tr("s"),
+        m_loop == Mode::Current        ? tr("A")
+            : m_loop == Mode::Velocity ? tr("counts/s")
+                                       : tr("counts"),
+        false);
     m_step->setCurves(curves);
     m_step->setNote(note);
     m_step->fit();

@@ -102,7 +102,8 @@ void ModelPanel::setReport(const tuning::TuneReport *report)
         = std::all_of(report->gates.begin(), report->gates.end(), [](const tuning::Gate &gate) { return gate.passed; });
     m_glyph->setState(good ? GlyphState::Done : GlyphState::Warning);
     m_verdict->setText(good ? tr("good fit") : tr("not believed"));
-    addFigure(0, tr("gain K"), motor.line.gain, motor.line.gainError, 4, tr("counts/s"));
+    addFigure(0, tr("gain K"), motor.line.gain, motor.line.gainError, 4,
+        motor.unit == tuning::MotorFound().unit ? tr("counts/s") : tableText(motor.unit));
     addFigure(1, tr("lag τ"), 1e3 * motor.pushes.tau, 1e3 * motor.pushes.tauError, 3, tr("ms"));
     addFigure(2, tr("dead time θ"), 1e3 * report->plant.delay, 1e3 * motor.pushes.delayError, 3, tr("ms"));
     addFigure(3, tr("friction kS"), 100.0 * motor.line.friction, 100.0 * motor.line.frictionError, 3, tr("% duty"));
