@@ -146,6 +146,8 @@ Task<void> TwoPointIdentification::begin(AutotuneRun &run)
         if (run.report().stopReason != toString(Guard::NoMotion))
             break;
     }
+    if (run.report().stopReason == toString(Guard::NoMotion))
+        run.report().evidence += "; where it is neither, its gain.p is too small for so short a way";
     if (run.report().stopReason == toString(Guard::Oscillation))
         run.forgive(); // the gains that swing are what is to be replaced
     co_return {};

@@ -83,9 +83,13 @@ TEST(TwoPointTuning, TunesSupermodifiedNodesOfBothScales)
 {
     for (const int node : {4, 5}) {
         ExperimentBench bench("sim:serial", "supermodified", node);
+        Simulator &other = *bench.bench.simulator("supermodified:" + std::to_string(9 - node));
+        const double stood = other.position();
         const auto report = test::tune(bench, test::planOf(Mode::Position));
         ASSERT_TRUE(report) << report.error().text();
         test::print(*report);
+        EXPECT_EQ(other.position(), stood) << "the other node has moved";
+        EXPECT_FALSE(other.isOutputOn());
         EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
         EXPECT_LE(report->measured.overshoot.value_or(1.0), 0.05);
         EXPECT_TRUE(report->stopped);
