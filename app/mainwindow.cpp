@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mainwindow.h"
 
+#include "app/armkey.h"
 #include "app/closing.h"
 #include "app/conditions.h"
 #include "app/footprint.h"
+#include "app/linkchips.h"
 #include "app/windowmenu.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/commandpalette.h"
@@ -25,7 +27,6 @@
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/monitor/buspage.h"
 #include "widgets/monitor/logpage.h"
-#include "widgets/monitor/recordstrip.h"
 #include "widgets/parameters/parameterspage.h"
 #include "widgets/plots/plotspage.h"
 
@@ -41,7 +42,6 @@
 #include <QWindow>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 
 namespace mb {
@@ -65,20 +65,6 @@ QDockWidget *makeDock(
     dock->setFeatures(QDockWidget::DockWidgetClosable);
     window.addDockWidget(area, dock);
     return dock;
-}
-
-/// Of the recording of frames that runs longest; empty when none does.
-QString recordingTime(const Snapshot &shot)
-{
-    std::optional<Instant> since;
-    for (const LinkView &link : shot.links) {
-        if (link.recording && isRunning(*link.recording))
-            since = std::min(since.value_or(Instant::max()), link.recording->since);
-    }
-    if (!since)
-        return {};
-    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(shot.time - *since).count();
-    return MainWindow::tr("REC %1").arg(formatClock(std::max<qint64>(seconds, 0)));
 }
 
 } // namespace
@@ -266,6 +252,9 @@ void MainWindow::buildActions()
     m_keys = new PageKeys(*this);
     m_keys->note({Qt::Key_Escape, Qt::Key_Pause}, tr("stop every motor"));
     m_keys->note({Qt::Key_Space}, tr("stops every motor, unless words can be typed where the focus is"));
+    m_keys->note(
+        {QKeySequence(QStringLiteral("Ctrl+Shift+F12"))}, tr("held for 1 s: arms; let go early it does nothing"));
+    qApp->installEventFilter(new ArmKey(m_header->lamp(), *this));
     m_keys->add({Qt::Key_F1}, tr("shows these keys"), [this] { listKeys(); });
     for (int i = 0; i < m_tabs->count(); ++i) {
         const QKeySequence key(QStringLiteral("Ctrl+%1").arg(i + 1));
@@ -426,30 +415,10 @@ void MainWindow::followLinks(const Snapshot &shot)
     bool simulated = false;
     QStringList recordings;
     for (const LinkView &link : shot.links) {
-        LinkStatus chip;
-        chip.name = QString::fromStdString(link.name);
-        const bool open = link.state == LinkState::Open;
-        chip.healthy = open && link.counters.lost == 0 && link.diagnosis.isHealthy();
-        chip.state = open ? chip.healthy ? GlyphState::Online : GlyphState::Warning : GlyphState::Fault;
-        if (!open)
-            chip.word = tr("lost");
-        else
-            chip.load = link.load;
-        chip.lost = static_cast<qint64>(samplesOn(shot, link.address).lost);
-        const QString counts = link.kind == LinkKind::Can ? tr("%1: %2 frames received, %3 sent, %4 dropped, %5 errors")
-                                                          : tr("%1: %2 bytes received, %3 sent, %4 dropped, %5 errors");
-        chip.tooltip = open ? counts.arg(chip.name)
-                                  .arg(link.counters.rx)
-                                  .arg(link.counters.tx)
-                                  .arg(link.counters.lost)
-                                  .arg(link.counters.errors)
-                            : tableText(link.reason);
-        if (!link.diagnosis.isHealthy())
-            chip.tooltip = tableText(link.diagnosis.text()) + QLatin1Char('\n') + chip.tooltip;
-        chips.push_back(chip);
+        chips.push_back(chipOf(link, shot));
         simulated = simulated || link.simulated;
         if (link.replay)
-            recordings += chip.name;
+            recordings += qt(link.name);
     }
     m_header->setLinks(chips);
     m_header->setRecording(recordingTime(shot));

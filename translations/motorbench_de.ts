@@ -3461,6 +3461,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>Menu</source>
         <translation>Menü</translation>
     </message>
+    <message>
+        <source>held for 1 s: arms; let go early it does nothing</source>
+        <translation>1 s gehalten: schaltet scharf; zu früh losgelassen geschieht nichts</translation>
+    </message>
 </context>
 <context>
     <name>mb::MetricsPanel</name>

@@ -7,7 +7,9 @@
 #include "widgets/control/tunepage.h"
 #include "widgets/parameters/parameterspage.h"
 
+#include <QDialog>
 #include <QLineEdit>
+#include <QSignalSpy>
 #include <QWindow>
 
 using namespace mb;
@@ -28,6 +30,10 @@ private Q_SLOTS:
     void nothingMovesUnarmed();
     void holdingTheLampArms();
     void lettingTheLampGoEarlyDoesNotArm();
+    void holdingTheArmKeysArms();
+    void lettingAnyOfTheArmKeysGoEarlyDoesNothing_data();
+    void lettingAnyOfTheArmKeysGoEarlyDoesNothing();
+    void theArmKeysDoNothingBehindADialogOrWhileArmed();
     void aUnitInItsBootloaderCannotBeArmed();
 
 private:
@@ -182,6 +188,61 @@ void StopTest::lettingTheLampGoEarlyDoesNotArm()
     QTest::mouseRelease(&lamp, Qt::LeftButton);
     QCOMPARE(lamp.holdProgress(), 0.0);
     QCOMPARE(m_bench->arming().state(), LampState::Safe);
+}
+
+void StopTest::holdingTheArmKeysArms()
+{
+    Lamp &lamp = m_bench->part<Lamp>();
+    lamp.setHoldMilliseconds(50);
+    QTest::keyPress(&m_bench->window(), Qt::Key_F12, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(m_bench->arming().state(), LampState::Armed, patience);
+    QTest::keyRelease(&m_bench->window(), Qt::Key_F12, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(m_bench->arming().state(), LampState::Armed);
+}
+
+void StopTest::lettingAnyOfTheArmKeysGoEarlyDoesNothing_data()
+{
+    QTest::addColumn<int>("key");
+    QTest::newRow("F12") << static_cast<int>(Qt::Key_F12);
+    QTest::newRow("Ctrl") << static_cast<int>(Qt::Key_Control);
+    QTest::newRow("Shift") << static_cast<int>(Qt::Key_Shift);
+}
+
+void StopTest::lettingAnyOfTheArmKeysGoEarlyDoesNothing()
+{
+    QFETCH(int, key);
+    Lamp &lamp = m_bench->part<Lamp>();
+    lamp.setHoldMilliseconds(60'000);
+    QSignalSpy holding(&lamp, &Lamp::holdingChanged);
+    QSignalSpy asked(&lamp, &Lamp::armRequested);
+    QTest::keyPress(&m_bench->window(), Qt::Key_F12, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(holding.count(), 1);
+    QTest::keyRelease(&m_bench->window(), static_cast<Qt::Key>(key), Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(holding.count(), 2);
+    QCOMPARE(asked.count(), 0);
+    QCOMPARE(m_bench->arming().state(), LampState::Safe);
+}
+
+void StopTest::theArmKeysDoNothingBehindADialogOrWhileArmed()
+{
+    Lamp &lamp = m_bench->part<Lamp>();
+    QSignalSpy holding(&lamp, &Lamp::holdingChanged);
+    {
+        QDialog dialog(&m_bench->window());
+        dialog.setModal(true);
+        dialog.show();
+        QTest::keyPress(&m_bench->window(), Qt::Key_F12, Qt::ControlModifier | Qt::ShiftModifier);
+        QTest::keyRelease(&m_bench->window(), Qt::Key_F12, Qt::ControlModifier | Qt::ShiftModifier);
+    }
+    QTest::keyPress(&m_bench->window(), Qt::Key_F12, Qt::ControlModifier); // two of three
+    QTest::keyPress(&m_bench->window(), Qt::Key_F12, Qt::ControlModifier | Qt::ShiftModifier | Qt::AltModifier);
+    QCOMPARE(holding.count(), 0);
+    m_bench->arming().arm(m_bench->device(WindowBench::tuned)->id);
+    QTRY_COMPARE_WITH_TIMEOUT(m_bench->arming().state(), LampState::Armed, patience);
+    QApplication::setActiveWindow(&m_bench->window());
+    QTest::keyPress(&m_bench->window(), Qt::Key_F12, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(holding.count(), 0);
+    QCOMPARE(m_bench->arming().state(), LampState::Armed);
 }
 
 void StopTest::aUnitInItsBootloaderCannotBeArmed()

@@ -103,6 +103,12 @@ void Lamp::press()
         beginHold();
 }
 
+void Lamp::hold()
+{
+    if (!m_holding && !live() && m_status.state != LampState::MayTurn && m_status.armable)
+        beginHold();
+}
+
 void Lamp::beginHold()
 {
     m_holding = true;
@@ -134,7 +140,7 @@ void Lamp::mousePressEvent(QMouseEvent *event)
 void Lamp::mouseReleaseEvent(QMouseEvent *event)
 {
     if (event->button() == Qt::LeftButton)
-        endHold(holdProgress() >= 1.0);
+        letGo();
 }
 
 void Lamp::mouseMoveEvent(QMouseEvent *event)

@@ -26,7 +26,7 @@ struct LampStatus {
 };
 
 /// The arming lamp: held for a second it fills from the left and then asks for arming; let go early, nothing happens.
-/// No key arms and Tab never comes here. An assistive "press" starts the same filling, a second one cancels it.
+/// It takes no key itself (a key that is held comes by hold()), and Tab never comes here. An assistive "press" starts the same filling, a second one cancels it.
 class Lamp : public QAbstractButton {
     Q_OBJECT
     Q_PROPERTY(int holdMilliseconds READ holdMilliseconds WRITE setHoldMilliseconds)
@@ -39,6 +39,10 @@ public:
     double holdProgress() const;
     int holdMilliseconds() const { return m_hold; }
     void setHoldMilliseconds(int milliseconds) { m_hold = milliseconds; }
+    /// Begins a hold as the mouse does; nothing while it is held, armed or moving, or nothing can be armed.
+    void hold();
+    /// Ends a hold; before its time nothing happens.
+    void letGo() { endHold(holdProgress() >= 1.0); }
     QSize sizeHint() const override;
     /// Word above, detail below: what a narrow window leaves of it.
     QSize minimumSizeHint() const override;

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/linkchips.h"
+
+#include "app/mainwindow.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/common/losses.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/monitor/recordstrip.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace mb {
+
+LinkStatus chipOf(const LinkView &link, const Snapshot &shot)
+{
+    LinkStatus chip;
+    chip.name = qt(link.name);
+    const bool open = link.state == LinkState::Open;
+    chip.healthy = open && link.counters.lost == 0 && link.diagnosis.isHealthy();
+    chip.state = open ? chip.healthy ? GlyphState::Online : GlyphState::Warning : GlyphState::Fault;
+    if (!open)
+        chip.word = MainWindow::tr("lost");
+    else
+        chip.load = link.load;
+    chip.lost = static_cast<qint64>(samplesOn(shot, link.address).lost);
+    const QString counts = link.kind == LinkKind::Can
+        ? MainWindow::tr("%1: %2 frames received, %3 sent, %4 dropped, %5 errors")
+        : MainWindow::tr("%1: %2 bytes received, %3 sent, %4 dropped, %5 errors");
+    chip.tooltip = open ? counts.arg(chip.name)
+                              .arg(link.counters.rx)
+                              .arg(link.counters.tx)
+                              .arg(link.counters.lost)
+                              .arg(link.counters.errors)
+                        : tableText(link.reason);
+    if (!link.diagnosis.isHealthy())
+        chip.tooltip = tableText(link.diagnosis.text()) + QLatin1Char('\n') + chip.tooltip;
+    return chip;
+}
+
+QString recordingTime(const Snapshot &shot)
+{
+    std::optional<Instant> since;
+    for (const LinkView &link : shot.links) {
+        if (link.recording && isRunning(*link.recording))
+            since = std::min(since.value_or(Instant::max()), link.recording->since);
+    }
+    if (!since)
+        return {};
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(shot.time - *since).count();
+    return MainWindow::tr("REC %1").arg(formatClock(std::max<qint64>(seconds, 0)));
+}
+
+} // namespace mb
