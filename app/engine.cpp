@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine.h"
 
+#include "app/folders/account.h"
 #include "app/folders/userfolders.h"
 #include "app/guardian/client/guardianclient.h"
+#include "app/settingsdesk.h"
 #include "app/sleep/logindinhibitor.h"
 #include "app/sleep/sleepguard.h"
 #include "app/trialdesk.h"
@@ -41,6 +43,7 @@ struct Engine::Room {
         : engine(owner)
         , workers(owner.m_toEngine)
         , journal(owner.m_store, owner.m_toEngine)
+        , settingsLog(owner.m_store, owner.m_toEngine)
         , core(clock, families, opensByItself, &guardian)
         , sleepGuard(core.session(), clock, inhibitor)
         , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
@@ -59,6 +62,7 @@ struct Engine::Room {
         });
         core.setBackground(&workers);
         core.setJournal(&journal);
+        core.setSettingsLog(&settingsLog);
         core.session().keepHistoriesIn(store);
         core.session().setStopGate(&engine.m_stopLane.isPressed());
         changed = core.session().changed().add([this] { engine.m_stopLane.follow(core.session()); });
@@ -106,6 +110,7 @@ struct Engine::Room {
     GuardianClient guardian;
     WorkerThreads workers;
     StoredJournal journal;
+    StoredSettings settingsLog;
     EngineCore core;
     bool isListing = false;
     LogindInhibitor inhibitor;
@@ -148,8 +153,9 @@ private:
 Engine::Engine(std::span<const Family *const> families, bool opensByItself, QObject *parent)
     : Workbench(parent)
     , m_arrivals(std::make_unique<QSocketNotifier>(m_toWindow.descriptor(), QSocketNotifier::Read))
-    , m_store(databaseFile(), m_clock)
+    , m_store(databaseFile(), m_clock, accountName())
     , m_notebook(std::make_unique<TrialDesk>(m_store, m_toWindow))
+    , m_archive(std::make_unique<SettingsDesk>(m_store, m_toWindow))
     , m_thread(std::make_unique<Loop>(*this, families, opensByItself))
 {
     connect(m_arrivals.get(), &QSocketNotifier::activated, this, [this] { m_toWindow.drain(); });
@@ -231,6 +237,29 @@ void Engine::writeParameters(DeviceId device, std::vector<ParameterChange> chang
 {
     post([device, changes = std::move(changes), back = comeBack(std::move(finished))](
              EngineCore &core) { core.writeParameters(device, changes, back); });
+}
+
+void Engine::restoreParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished)
+{
+    post([device, changes = std::move(changes), back = comeBack(std::move(finished))](
+             EngineCore &core) { core.restoreParameters(device, changes, back); });
+}
+
+void Engine::undoWrite(DeviceId device, bool again, Finished finished)
+{
+    post([device, again, back = comeBack(std::move(finished))](
+             EngineCore &core) { core.undoWrite(device, again, back); });
+}
+
+void Engine::takeSnapshot(DeviceId device, const QString &name, Finished finished)
+{
+    post([device, name = name.toStdString(), back = comeBack(std::move(finished))](
+             EngineCore &core) { core.takeSnapshot(device, name, back); });
+}
+
+SettingsArchive &Engine::settings()
+{
+    return *m_archive;
 }
 
 void Engine::storeParameters(DeviceId device, Finished finished)

@@ -36,6 +36,10 @@ public:
     void cancelScan(const std::string &link) override;
     void readParameters(DeviceId device) override;
     void writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) override;
+    void restoreParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) override;
+    void undoWrite(DeviceId device, bool again, Finished finished) override;
+    void takeSnapshot(DeviceId device, const QString &name, Finished finished) override;
+    [[nodiscard]] SettingsArchive &settings() override;
     void storeParameters(DeviceId device, Finished finished) override;
     void rewriteSettings(DeviceId device, Finished finished) override;
     void experiment(
@@ -104,6 +108,7 @@ private:
     std::map<DeviceId, std::vector<tuning::OwedGains>> m_owedGains;
     TrialStore m_store;
     std::unique_ptr<TrialNotebook> m_notebook;
+    std::unique_ptr<SettingsArchive> m_archive;
     Room *m_room = nullptr; ///< the engine thread's; touched only there
     std::unique_ptr<Loop> m_thread;
 };

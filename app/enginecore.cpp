@@ -128,6 +128,7 @@ void EngineCore::look()
     m_awaited.look([this](const LinkAddress &address) { openAwaited(address); });
     refreshRestarted();
     lookForOwed();
+    meetUnits();
     if (!isQuiet() || m_clock.now() - m_lastScan < rescanPeriod)
         return;
     for (Link *link : m_session.links()) {
@@ -146,6 +147,7 @@ void EngineCore::refreshRestarted()
         notice(Severity::Caution, labelOf(*device),
             "the unit restarted: what is volatile was lost, its parameters are read again");
         device->parameters().forgetAll();
+        m_met.erase(id);
         beginSimple(
             id, "Look at the restarted unit", [](Device &unit, Progress &) { return unit.refresh(); },
             [this, id](const Result<void> &result) {
@@ -198,32 +200,6 @@ void EngineCore::readParameters(DeviceId id)
                 running.operation->log(Severity::Good, "all " + std::to_string(outcomes->size()) + " read");
         },
         {});
-}
-
-void EngineCore::writeParameters(DeviceId id, std::vector<ParameterChange> changes, Finished finished)
-{
-    std::vector<ParameterStore::Entry> before;
-    if (const Device *device = m_session.find(id))
-        before.assign(device->parameters().entries().begin(), device->parameters().entries().end());
-    begin<std::vector<TransferOutcome>>(
-        id, "Write parameters",
-        [changes](Device &device, Progress &progress) { return mb::writeParameters(device, changes, progress); },
-        [this, id, finished, before](Running &, const Result<std::vector<TransferOutcome>> &outcomes) {
-            const Device *device = m_session.find(id);
-            if (device && outcomes)
-                noteWrites(*device, before, *outcomes);
-            Result<void> result;
-            if (!outcomes)
-                result = fail(outcomes.error());
-            else if (!outcomes->empty() && !outcomes->back().raw)
-                result = fail(outcomes->back().raw.error());
-            if (device && result)
-                notice(Severity::Good, labelOf(*device), proofOf(*outcomes));
-            else if (device)
-                notice(Severity::Danger, labelOf(*device), result.error().text());
-            answer(finished, result);
-        },
-        finished);
 }
 
 void EngineCore::storeParameters(DeviceId id, Finished finished)
@@ -377,9 +353,10 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
     }
     begin<UpdateReport>(
         id, updateTitle,
-        [image, options](Device &device, Progress &progress) {
+        [this, image, options](Device &device, Progress &progress) {
             device.setBusy("firmware update");
-            return device.family().update(device, *image, options, progress);
+            return after<UpdateReport>(keptBefore(device, settings::Occasion::Update, progress),
+                device.family().update(device, *image, options, progress));
         },
         [this, id, image](Running &running, Result<UpdateReport> report) {
             Device *device = m_session.find(id);

@@ -8,6 +8,7 @@
 #include "model/trafficrecorder.h"
 #include "model/transcript.h"
 #include "model/unknownframes.h"
+#include "settings/settingslog.h"
 #include "transport/linkcatalog.h"
 #include "tuning/autotune.h"
 
@@ -57,6 +58,13 @@ public:
 
     void readParameters(DeviceId id);
     void writeParameters(DeviceId id, std::vector<ParameterChange> changes, Finished finished);
+    /// The same for values that were kept: a snapshot of what is there is taken first.
+    void restoreParameters(DeviceId id, std::vector<ParameterChange> changes, Finished finished);
+    /// From now on snapshots are kept and every write is in the history. The log outlives this.
+    void setSettingsLog(settings::SettingsLog *log) { m_settingsLog = log; }
+    /// Writes what was there before the last write that can be undone; or `again` what was undone last.
+    void undoWrite(DeviceId id, bool again, Finished finished);
+    void takeSnapshot(DeviceId id, const std::string &name, Finished finished);
     void storeParameters(DeviceId id, Finished finished);
     void rewriteSettings(DeviceId id, const Finished &finished);
     void experiment(DeviceId id, const std::string &key, const ExperimentOptions &options, const Finished &finished);
@@ -115,6 +123,7 @@ private:
         std::uint64_t shown = 0;
         bool isExperiment = false;                            ///< STOP ends it, whatever it is doing
         std::shared_ptr<tuning::Interruption> interruption{}; ///< of a trial, which puts back what it changed
+        bool yields = false; ///< it began by itself and is done again later: an order ends it
     };
     /// A link that is being opened, and who waits for it.
     struct Opening {
@@ -176,6 +185,11 @@ private:
     template <class T>
     void runMoving(DeviceId id, const char *title, const MovingStory<T> &story,
         const std::function<Notable(const T &)> &judge, const std::function<void(Result<T>)> &finished);
+    void write(DeviceId id, std::vector<ParameterChange> changes, settings::Purpose purpose, Finished finished);
+    [[nodiscard]] Task<void> keptBefore(Device &device, settings::Occasion occasion, Progress &progress);
+    void meetUnits();
+    void met(DeviceId id, const Running &running, const Result<settings::ParameterSnapshot> &taken);
+    void makeWay(DeviceId id);
     void wishAgain(DeviceId id);
     void lookAgain(DeviceId id);
     void lookForOwed();
@@ -256,6 +270,8 @@ private:
     std::set<DeviceId> m_mayTurn; ///< told so
     tuning::ExperimentJournal *m_journal = nullptr;
     tuning::DirectionBook m_directions;
+    settings::SettingsLog *m_settingsLog = nullptr;
+    std::map<DeviceId, std::string> m_met;       ///< units that a snapshot was taken of when they were found
     std::map<DeviceId, std::string> m_lookedFor; ///< units whose owed gains were asked for, and who they were
     std::map<DeviceId, Instant> m_lookAgain;     ///< when what was put back must be stored
     std::map<DeviceId, std::vector<tuning::OwedGains>> m_owed;

@@ -29,19 +29,6 @@ constexpr Duration transcriptLimit = std::chrono::seconds(30);
 
 } // namespace
 
-/// Of writes that all went well: what is known of them.
-std::string EngineCore::proofOf(const std::vector<TransferOutcome> &outcomes)
-{
-    const auto blind = std::count_if(
-        outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return !outcome.verified; });
-    const std::string all = std::to_string(outcomes.size());
-    if (blind == 0)
-        return all + " written, read back and equal";
-    if (static_cast<std::size_t>(blind) == outcomes.size())
-        return all + " written; they cannot be read back";
-    return all + " written; " + std::to_string(blind) + " of them cannot be read back";
-}
-
 /// What was said to a bootloader and what it answered, for whoever has to find out why it failed.
 void EngineCore::saveTranscript(const Running &running, const Device &device)
 {
@@ -126,20 +113,6 @@ void EngineCore::experiment(
         finished);
     if (running)
         running->isExperiment = true;
-}
-
-/// Which key went from what to what. A value that was not known stays a question mark.
-void EngineCore::noteWrites(const Device &device, const std::vector<ParameterStore::Entry> &before,
-    const std::vector<TransferOutcome> &outcomes)
-{
-    for (const TransferOutcome &outcome : outcomes) {
-        if (!outcome.raw)
-            continue;
-        const Parameter &row = device.family().parameters[outcome.index.value];
-        const auto &old = before.size() > outcome.index.value ? before[outcome.index.value].raw : std::nullopt;
-        notice(Severity::Info, labelOf(device),
-            std::string(row.key) + ": " + (old ? toText(row, *old) : "?") + " -> " + toText(row, *outcome.raw));
-    }
 }
 
 std::string EngineCore::labelOf(const Device &device) const

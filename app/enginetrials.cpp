@@ -2,6 +2,8 @@
 // Experiments on loops, and what they owe to units.
 #include "app/enginework.h"
 #include "model/family.h"
+#include "settings/snapshots.h"
+#include "settings/writing.h"
 #include "tuning/owedgains.h"
 #include "tuning/verdict.h"
 
@@ -27,6 +29,23 @@ Task<void> settle(tuning::ExperimentJournal &journal, std::int64_t trial)
     auto settling = journal.settle(trial);
     co_await std::move(settling);
     co_return {};
+}
+
+/// With a snapshot before it, and what it has replaced in the history.
+Task<tuning::TuneReport> tuneKept(
+    Device &device, tuning::TunePlan plan, settings::SettingsLog *log, Task<tuning::TuneReport> story)
+{
+    if (log && !plan.propose) {
+        NoProgress unseen;
+        auto taking = settings::takeSnapshot(device, settings::Occasion::Tuning, {}, *log, unseen);
+        (void)co_await std::move(taking).attempt();
+    }
+    tuning::TuneReport report = co_await std::move(story);
+    if (log && report.result == tuning::TuneResult::Kept) {
+        auto noting = settings::keepReplaced(device, report.before, settings::Origin::Tuning, *log);
+        (void)co_await std::move(noting).attempt();
+    }
+    co_return report;
 }
 
 std::string nameOf(const Trial &trial)
@@ -90,8 +109,8 @@ void EngineCore::runTuning(DeviceId id, const tuning::TunePlan &plan, const Tuni
     using tuning::TuneResult;
     runMoving<tuning::TuneReport>(
         id, tuningTitle,
-        [plan](Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
-            return tuning::autotune(device, stream, plan, std::move(around));
+        [this, plan](Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
+            return tuneKept(device, plan, m_settingsLog, tuning::autotune(device, stream, plan, std::move(around)));
         },
         [](const tuning::TuneReport &report) {
             const bool good = report.result == TuneResult::Kept || report.result == TuneResult::Proposed;

@@ -6,6 +6,7 @@
 #include "widgets/common/losses.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/firmware/firmwarepage.h"
+#include "widgets/parameters/parameterspage.h"
 #include "widgets/plots/picturefile.h"
 
 #include <QApplication>
@@ -159,6 +160,13 @@ void Tour::planParameters()
         });
     pause(std::chrono::milliseconds(300));
     picture(QStringLiteral("parameters"));
+    const auto showHistory = [this](bool on) {
+        return [this, on] { qobject_cast<ParametersPage *>(m_window.page(PageId::Parameters))->showHistory(on); };
+    };
+    add(QStringLiteral("history"), showHistory(true), [] { return true; });
+    pause(std::chrono::milliseconds(500));
+    picture(QStringLiteral("history"));
+    add(QStringLiteral("values"), showHistory(false), [] { return true; });
 }
 
 void Tour::planMotion()

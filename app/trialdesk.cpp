@@ -20,8 +20,8 @@ template <class T>
 void TrialDesk::ask(std::function<Result<T>(TrialBook &)> question, std::function<void(Result<T>)> answered)
 {
     m_store.post([home = &m_home, question = std::move(question), answered = std::move(answered)](
-                     const Result<TrialBook *> &book) {
-        auto result = std::make_shared<Result<T>>(book ? question(**book) : Result<T>(fail(book.error())));
+                     const Result<Books *> &books) {
+        auto result = std::make_shared<Result<T>>(books ? question((*books)->trials) : Result<T>(fail(books.error())));
         home->post([answered, result] {
             if (answered)
                 answered(std::move(*result));

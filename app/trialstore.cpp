@@ -18,9 +18,10 @@ template <class T> Result<T> done(Task<T> task)
 
 } // namespace
 
-TrialStore::TrialStore(std::string path, const Clock &clock)
+TrialStore::TrialStore(std::string path, const Clock &clock, std::string person)
     : m_path(std::move(path))
     , m_clock(clock)
+    , m_person(std::move(person))
     , m_thread([this] { run(); })
 {
 }
@@ -47,7 +48,7 @@ void TrialStore::post(Work work)
 void TrialStore::run()
 {
     std::unique_ptr<Database> database;
-    std::optional<TrialBook> book;
+    std::unique_ptr<Books> books;
     Error failure;
     std::unique_lock lock(m_mutex);
     while (true) {
@@ -57,30 +58,32 @@ void TrialStore::run()
         const Work work = std::move(m_waiting.front());
         m_waiting.pop_front();
         lock.unlock();
-        if (!book) { // a disk that was full may have room by now
+        if (!books) { // a disk that was full may have room by now
             auto opened = Database::open(m_path);
             if (opened) {
                 database = std::move(*opened);
-                book.emplace(*database, m_clock);
+                books.reset(new Books{{*database, m_clock}, {*database, m_clock, m_person}});
             } else {
                 failure = opened.error();
             }
         }
-        work(book ? Result<TrialBook *>(&*book) : Result<TrialBook *>(fail(failure)));
+        work(books ? Result<Books *>(books.get()) : Result<Books *>(fail(failure)));
         lock.lock();
     }
 }
 
-template <class T> Task<T> StoredJournal::ask(std::function<Task<T>(TrialBook &)> question)
+namespace {
+
+template <class T> Task<T> ask(TrialStore &store, Mailbox &home, std::function<Task<T>(Books &)> question)
 {
     struct Answer {
         Event come;
         std::optional<Result<T>> result;
     };
     const auto answer = std::make_shared<Answer>();
-    m_store.post([home = &m_home, answer, question](const Result<TrialBook *> &book) {
-        auto result = std::make_shared<Result<T>>(book ? done(question(**book)) : Result<T>(fail(book.error())));
-        home->post([answer, result] {
+    store.post([to = &home, answer, question](const Result<Books *> &books) {
+        auto result = std::make_shared<Result<T>>(books ? done(question(**books)) : Result<T>(fail(books.error())));
+        to->post([answer, result] {
             answer->result = std::move(*result);
             answer->come.set();
         });
@@ -89,35 +92,66 @@ template <class T> Task<T> StoredJournal::ask(std::function<Task<T>(TrialBook &)
     co_return std::move(*answer->result);
 }
 
+} // namespace
+
 Task<std::int64_t> StoredJournal::begin(tuning::Trial trial)
 {
-    return ask<std::int64_t>([trial = std::move(trial)](TrialBook &book) { return book.begin(trial); });
+    return ask<std::int64_t>(
+        m_store, m_home, [trial = std::move(trial)](Books &books) { return books.trials.begin(trial); });
 }
 
 Task<void> StoredJournal::owe(std::int64_t trial, std::string unit, std::vector<tuning::OwedValue> values)
 {
-    return ask<void>([trial, unit = std::move(unit), values = std::move(values)](
-                         TrialBook &book) { return book.owe(trial, unit, values); });
+    return ask<void>(m_store, m_home, [trial, unit = std::move(unit), values = std::move(values)](Books &books) {
+        return books.trials.owe(trial, unit, values);
+    });
 }
 
 Task<void> StoredJournal::settle(std::int64_t trial)
 {
-    return ask<void>([trial](TrialBook &book) { return book.settle(trial); });
+    return ask<void>(m_store, m_home, [trial](Books &books) { return books.trials.settle(trial); });
 }
 
 Task<void> StoredJournal::complete(std::int64_t number, tuning::Trial trial)
 {
-    return ask<void>([number, trial = std::move(trial)](TrialBook &book) { return book.complete(number, trial); });
+    return ask<void>(m_store, m_home,
+        [number, trial = std::move(trial)](Books &books) { return books.trials.complete(number, trial); });
 }
 
 Task<void> StoredJournal::keepTuning(tuning::TuneReport report)
 {
-    return ask<void>([report = std::move(report)](TrialBook &book) { return book.keepTuning(report); });
+    return ask<void>(
+        m_store, m_home, [report = std::move(report)](Books &books) { return books.trials.keepTuning(report); });
 }
 
 Task<std::vector<tuning::OwedGains>> StoredJournal::owedTo(std::string unit)
 {
-    return ask<std::vector<tuning::OwedGains>>([unit = std::move(unit)](TrialBook &book) { return book.owedTo(unit); });
+    return ask<std::vector<tuning::OwedGains>>(
+        m_store, m_home, [unit = std::move(unit)](Books &books) { return books.trials.owedTo(unit); });
+}
+
+Task<settings::ParameterSnapshot> StoredSettings::keep(settings::ParameterSnapshot snapshot)
+{
+    return ask<settings::ParameterSnapshot>(
+        m_store, m_home, [snapshot = std::move(snapshot)](Books &books) { return books.settings.keep(snapshot); });
+}
+
+Task<std::int64_t> StoredSettings::begin(settings::SettingsChange change)
+{
+    return ask<std::int64_t>(
+        m_store, m_home, [change = std::move(change)](Books &books) { return books.settings.begin(change); });
+}
+
+Task<void> StoredSettings::complete(std::int64_t number, std::vector<settings::ValueChange> values)
+{
+    return ask<void>(m_store, m_home,
+        [number, values = std::move(values)](Books &books) { return books.settings.complete(number, values); });
+}
+
+Task<std::vector<settings::SettingsChange>> StoredSettings::changesOf(std::string unit)
+{
+    return ask<std::vector<settings::SettingsChange>>(
+        m_store, m_home, [unit = std::move(unit)](Books &books) { return books.settings.changesOf(unit); });
 }
 
 } // namespace mb

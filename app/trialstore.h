@@ -3,6 +3,7 @@
 
 #include "async/clock.h"
 #include "async/mailbox.h"
+#include "storage/settingsbook.h"
 #include "storage/trialbook.h"
 
 #include <condition_variable>
@@ -13,15 +14,21 @@
 
 namespace mb {
 
-/// The notebook of trials in a thread of its own, so that no disk ever holds up engine or window. The file is opened with the
+/// What the user's file keeps: trials and tunings, snapshots and writes.
+struct Books {
+    TrialBook trials;
+    SettingsBook settings;
+};
+
+/// The user's file in a thread of its own, so that no disk ever holds up engine or window. The file is opened with the
 /// first order. Orders are done one after the other, those that wait at the end too.
 class TrialStore {
 public:
-    /// With the book, or why there is none. In the thread of the store.
-    using Work = std::function<void(const Result<TrialBook *> &)>;
+    /// With the books, or why there are none. In the thread of the store.
+    using Work = std::function<void(const Result<Books *> &)>;
 
-    /// The clock gives the time of day, from any thread.
-    TrialStore(std::string path, const Clock &clock);
+    /// The clock gives the time of day, from any thread; `person` is the account that writes are kept under.
+    TrialStore(std::string path, const Clock &clock, std::string person);
     TrialStore(const TrialStore &) = delete;
     TrialStore &operator=(const TrialStore &) = delete;
     /// Waits until all is done.
@@ -35,6 +42,7 @@ private:
 
     std::string m_path;
     const Clock &m_clock;
+    std::string m_person;
     std::mutex m_mutex;
     std::condition_variable m_wake;
     std::deque<Work> m_waiting;
@@ -58,8 +66,24 @@ public:
     [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override;
 
 private:
-    template <class T> [[nodiscard]] Task<T> ask(std::function<Task<T>(TrialBook &)> question);
+    TrialStore &m_store;
+    Mailbox &m_home;
+};
 
+/// The log of settings, in the same way.
+class StoredSettings final : public settings::SettingsLog {
+public:
+    StoredSettings(TrialStore &store, Mailbox &home)
+        : m_store(store)
+        , m_home(home)
+    {
+    }
+    [[nodiscard]] Task<settings::ParameterSnapshot> keep(settings::ParameterSnapshot snapshot) override;
+    [[nodiscard]] Task<std::int64_t> begin(settings::SettingsChange change) override;
+    [[nodiscard]] Task<void> complete(std::int64_t number, std::vector<settings::ValueChange> values) override;
+    [[nodiscard]] Task<std::vector<settings::SettingsChange>> changesOf(std::string unit) override;
+
+private:
     TrialStore &m_store;
     Mailbox &m_home;
 };

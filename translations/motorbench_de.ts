@@ -2928,6 +2928,97 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::HistoryPanel</name>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>State A</source>
+        <translation>Stand A</translation>
+    </message>
+    <message>
+        <source>State B</source>
+        <translation>Stand B</translation>
+    </message>
+    <message>
+        <source>Which parameters</source>
+        <translation>Welche Parameter</translation>
+    </message>
+    <message>
+        <source>Only differences</source>
+        <translation>Nur Unterschiede</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Restore what is ticked</source>
+        <translation>Angehaktes zurückschreiben</translation>
+    </message>
+    <message>
+        <source>Device, now</source>
+        <translation>Gerät, jetzt</translation>
+    </message>
+    <message>
+        <source>factory defaults</source>
+        <translation>Werkseinstellungen</translation>
+    </message>
+    <message>
+        <source>Only differences %1</source>
+        <translation>Nur Unterschiede %1</translation>
+    </message>
+    <message>
+        <source>All %1</source>
+        <translation>Alle %1</translation>
+    </message>
+    <message>
+        <source>belongs to one unit, not copied</source>
+        <translation>gehört zu einem Gerät, wird nicht übertragen</translation>
+    </message>
+    <message>
+        <source>assumed: it cannot be read</source>
+        <translation>angenommen: nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 ticked; a snapshot of what is there is taken first.</source>
+        <translation>%1 angehakt; was jetzt da ist, wird vorher festgehalten.</translation>
+    </message>
+    <message>
+        <source>Choose what the device has now as A to write values of B.</source>
+        <translation>Als A wählen, was das Gerät jetzt hat, um Werte von B zu schreiben.</translation>
+    </message>
+    <message>
+        <source>Restore %1</source>
+        <translation>%1 zurückschreiben</translation>
+    </message>
+</context>
+<context>
     <name>mb::IdModel</name>
     <message>
         <source>err</source>
@@ -4084,14 +4175,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Parameterdatei öffnen</translation>
     </message>
     <message>
-        <source>Undo the last edit</source>
-        <translation>Letzte Änderung rückgängig</translation>
-    </message>
-    <message>
-        <source>Redo the edit</source>
-        <translation>Änderung wiederholen</translation>
-    </message>
-    <message>
         <source>Read all</source>
         <translation>Alle lesen</translation>
     </message>
@@ -4300,12 +4383,52 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>schreibt, was vorgemerkt ist</translation>
     </message>
     <message>
-        <source>undoes the last edit</source>
-        <translation>nimmt die letzte Änderung zurück</translation>
-    </message>
-    <message>
         <source>makes it again</source>
         <translation>macht sie wieder</translation>
+    </message>
+    <message>
+        <source>Undo the last edit or write</source>
+        <translation>Letzte Änderung oder letztes Schreiben zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Redo the edit or write</source>
+        <translation>Änderung oder Schreiben wiederholen</translation>
+    </message>
+    <message>
+        <source>Snapshot</source>
+        <translation>Festhalten</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Strg+Umschalt+S</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Strg+H</translation>
+    </message>
+    <message>
+        <source>undoes the last edit, or else the last write to the unit</source>
+        <translation>nimmt die letzte Änderung zurück, sonst das letzte Schreiben ins Gerät</translation>
+    </message>
+    <message>
+        <source>takes a snapshot</source>
+        <translation>hält alle Werte fest</translation>
+    </message>
+    <message>
+        <source>shows the history of the unit, or its values</source>
+        <translation>zeigt den Verlauf des Geräts oder seine Werte</translation>
+    </message>
+    <message>
+        <source>Nothing is kept.</source>
+        <translation>Nichts wurde festgehalten.</translation>
+    </message>
+    <message>
+        <source>What was written before it is in force. Ctrl+Z takes it back.</source>
+        <translation>Was davor geschrieben wurde, gilt. Strg+Z nimmt es zurück.</translation>
     </message>
 </context>
 <context>
@@ -6581,6 +6704,60 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Stop every motor  Space, Esc, Pause</source>
         <translation>Alle Motoren stoppen  Leertaste, Esc, Pause</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TimelineList</name>
+    <message>
+        <source>window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>console</source>
+        <translation>Konsole</translation>
+    </message>
+    <message>
+        <source>autotune</source>
+        <translation>Autotune</translation>
+    </message>
+    <message>
+        <source>recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>elsewhere</source>
+        <translation>anderswo</translation>
+    </message>
+    <message>
+        <source>States of this unit</source>
+        <translation>Stände dieses Geräts</translation>
+    </message>
+    <message>
+        <source>Today, %1</source>
+        <translation>Heute, %1</translation>
+    </message>
+    <message>
+        <source>like A</source>
+        <translation>wie A</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n differ from A</source>
+        <translation>
+            <numerusform>%n anders als A</numerusform>
+            <numerusform>%n anders als A</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>undone: %1</source>
+        <translation>zurückgenommen: %1</translation>
+    </message>
+    <message>
+        <source>done again: %1</source>
+        <translation>wiederholt: %1</translation>
     </message>
 </context>
 <context>
@@ -10485,6 +10662,30 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the guardian tried to stop the motor because this program was held up, without an answer</source>
         <translation>der Wächter hat versucht, den Motor zu stoppen, weil dieses Programm aufgehalten wurde, ohne Antwort</translation>
+    </message>
+    <message>
+        <source>by hand</source>
+        <translation>von Hand</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>wie vorgefunden</translation>
+    </message>
+    <message>
+        <source>before restore</source>
+        <translation>vor dem Zurückschreiben</translation>
+    </message>
+    <message>
+        <source>before import</source>
+        <translation>vor dem Import</translation>
+    </message>
+    <message>
+        <source>before tuning</source>
+        <translation>vor dem Abstimmen</translation>
+    </message>
+    <message>
+        <source>before update</source>
+        <translation>vor dem Update</translation>
     </message>
 </context>
 </TS>

@@ -39,6 +39,16 @@
     </message>
 </context>
 <context>
+    <name>mb::TimelineList</name>
+    <message numerus="yes">
+        <source>%n differ from A</source>
+        <translation>
+            <numerusform>%n differs from A</numerusform>
+            <numerusform>%n differ from A</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::TrialList</name>
     <message numerus="yes">
         <source>%n, every run is kept</source>

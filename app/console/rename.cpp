@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/notebook.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "app/folders/userfolders.h"
+#include "settings/unit.h"
 
 #include <memory>
 
@@ -15,6 +18,36 @@ struct Arguments {
     std::string name;
 };
 
+void show(Console &console, const Device &device, const std::string &old, const std::string &name, bool verified,
+    const std::string &proof)
+{
+    if (console.json()) {
+        console.out().json({
+            {QStringLiteral("device"), qt(device.selector())},
+            {QStringLiteral("old"), textOrNull(old)},
+            {QStringLiteral("new"), qt(name)},
+            {QStringLiteral("verified"), verified},
+        });
+    } else {
+        console.out().line("name '" + old + "' → '" + name + "', " + (verified ? proof : "not verified"));
+    }
+}
+
+/// Of a unit that stores no name: what it is called is kept on this computer.
+Result<int> tag(Console &console, const Device &device, const std::string &name)
+{
+    Notebook notebook(console);
+    if (!notebook.settings())
+        return fail(Fault::Usage, databaseFile() + " cannot be written, so no name can be kept", "see to its rights");
+    const std::string place = settings::unitOf(device).key;
+    const std::string old(settings::tagIn(notebook.settings()->resolved(place)));
+    if (auto kept = notebook.settings()->setTag(place, name); !kept)
+        return fail(kept.error());
+    const bool verified = settings::tagIn(notebook.settings()->resolved(place)) == name;
+    show(console, device, old, name, verified, "kept on this computer");
+    return exitDone;
+}
+
 Task<int> rename(Console &console, Arguments arguments)
 {
     const auto target = parseTarget(console, arguments.device);
@@ -25,11 +58,10 @@ Task<int> rename(Console &console, Arguments arguments)
         co_return fail(Fault::OutOfRange,
             "a name has 1 to " + std::to_string(longest) + " characters, this one has " + std::to_string(length),
             "choose another");
-    if (!target->family->capabilities.rename)
-        co_return fail(Fault::Unsupported, std::string(target->family->key) + " stores no name",
-            "tell units apart by their number");
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
+    if (!target->family->capabilities.rename)
+        co_return tag(console, *device, arguments.name);
     if (length > usual)
         console.note("a name above " + std::to_string(usual) + " characters is cut short by some tools");
     const std::string old = device->identity().name;
@@ -38,17 +70,7 @@ Task<int> rename(Console &console, Arguments arguments)
     auto refreshing = device->refresh();
     co_await std::move(refreshing);
     const bool verified = device->identity().name == arguments.name;
-    if (console.json()) {
-        console.out().json({
-            {QStringLiteral("device"), qt(device->selector())},
-            {QStringLiteral("old"), textOrNull(old)},
-            {QStringLiteral("new"), qt(arguments.name)},
-            {QStringLiteral("verified"), verified},
-        });
-    } else {
-        console.out().line(
-            "name '" + old + "' → '" + arguments.name + '\'' + (verified ? ", read back" : ", not verified"));
-    }
+    show(console, *device, old, arguments.name, verified, "read back");
     if (verified)
         co_return exitDone;
     co_return fail(Fault::BadCheck, "the device now calls itself '" + device->identity().name + '\'', "try again");

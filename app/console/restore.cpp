@@ -120,17 +120,19 @@ Result<std::optional<NamedSettings>> nameSource(
 }
 
 /// A snapshot of a place may be of another unit, which nobody can know but the user.
-Result<void> mayPutBack(const Device &device, const NamedSettings &named, const Arguments &arguments)
+Result<void> mayPutBack(
+    const Device &device, SettingsBook &book, const NamedSettings &named, const Arguments &arguments)
 {
-    const settings::Unit unit = settings::unitOf(device);
-    if (named.kind != NamedSettings::Kind::Snapshot || unit.by != settings::Unit::By::Place || arguments.dryRun
+    const settings::Unit::By by = settings::byOf(book.resolved(settings::unitOf(device).key));
+    if (named.kind != NamedSettings::Kind::Snapshot || by != settings::Unit::By::Place || arguments.dryRun
         || arguments.yes)
         return {};
     const std::string cause
-        = device.selector() + " has no serial number: the snapshot is of " + std::string(settings::caveatOf(unit.by));
+        = device.selector() + " has no serial number: the snapshot is of " + std::string(settings::caveatOf(by));
     if (isAgreedTo(cause + "; write it?"))
         return {};
-    return fail(Fault::Usage, cause, "look at --dry-run first, and write it with --yes if it is the same unit");
+    return fail(Fault::Usage, cause,
+        "look at --dry-run first; --yes writes it, and 'motorbenchctl rename' gives the unit a name of its own");
 }
 
 /// Writes what differs; yields the first error, after which the rest stays unchanged.
@@ -209,7 +211,7 @@ Task<int> restore(Console &console, Arguments arguments)
         if (!loaded)
             co_return fail(loaded.error());
         file = std::move(*loaded);
-        if (auto agreed = mayPutBack(*device, **source, arguments); !agreed)
+        if (auto agreed = mayPutBack(*device, *notebook.settings(), **source, arguments); !agreed)
             co_return fail(agreed.error());
     }
     console.begin();

@@ -44,6 +44,9 @@ std::string timeOf(const ParameterSnapshot &snapshot)
 std::string whose(const ParameterSnapshot &snapshot)
 {
     const std::string_view caveat = settings::caveatOf(settings::byOf(snapshot.unit));
+    const std::string_view tag = settings::tagIn(snapshot.unit);
+    if (!tag.empty())
+        return std::string(tag);
     return caveat.empty() ? snapshot.serial : std::string(caveat);
 }
 

@@ -13,11 +13,12 @@ namespace {
 /// A scan reports a unit before it has read its texts: those of the same session are still true.
 Identity merged(const Identity &known, Identity seen)
 {
-    if (seen.session != known.session || !seen.descriptors.empty())
+    if (seen.session != known.session)
         return seen;
     seen.name = seen.name.empty() ? known.name : seen.name;
-    seen.serial = seen.serial.empty() ? known.serial : seen.serial;
-    seen.descriptors = known.descriptors;
+    seen.serial = seen.serial.empty() ? known.serial : seen.serial; // descriptors come one after the other
+    if (seen.descriptors.empty())
+        seen.descriptors = known.descriptors;
     return seen;
 }
 

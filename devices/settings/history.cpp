@@ -84,4 +84,18 @@ HistoryView viewOf(const Family &family, std::span<const SettingsChange> changes
     return view;
 }
 
+std::string textOf(const Family &family, const SettingsChange &change)
+{
+    std::string text;
+    for (const ValueChange &value : change.values) {
+        const auto index = findParameter(family.parameters, value.key);
+        if (!index || value.proof == Proof::Refused)
+            continue;
+        const Parameter &parameter = family.parameters[index->value];
+        text += (text.empty() ? "" : ", ") + value.key + ": " + (value.before ? toText(parameter, *value.before) : "?")
+            + " -> " + toText(parameter, value.after);
+    }
+    return text;
+}
+
 } // namespace mb::settings

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/settingslog.h"
 
+#include <QtGlobal>
+
 #include <array>
 
 namespace mb::settings {
@@ -8,8 +10,10 @@ namespace {
 
 /// In the order of the enumerators; the texts stand in databases.
 constexpr std::array<std::string_view, 6> occasions{"hand", "found", "restore", "import", "tuning", "update"};
-constexpr std::array<std::string_view, 6> names{
-    "by hand", "as found", "before restore", "before import", "before tuning", "before update"};
+constexpr std::array<std::string_view, 6> names{QT_TRANSLATE_NOOP("table", "by hand"),
+    QT_TRANSLATE_NOOP("table", "as found"), QT_TRANSLATE_NOOP("table", "before restore"),
+    QT_TRANSLATE_NOOP("table", "before import"), QT_TRANSLATE_NOOP("table", "before tuning"),
+    QT_TRANSLATE_NOOP("table", "before update")};
 constexpr std::array<std::string_view, 5> origins{"window", "console", "tune", "recipe", "elsewhere"};
 constexpr std::array<std::string_view, 5> purposes{"write", "restore", "undo", "redo", "revert"};
 constexpr std::array<std::string_view, 5> proofs{"open", "equal", "blind", "differs", "refused"};

@@ -100,7 +100,15 @@ CREATE TABLE changed_value (
     PRIMARY KEY (change, place)) WITHOUT ROWID;
 )";
 
-constexpr std::array versions{firstSchema, secondSchema, thirdSchema};
+/// What users call units that have no serial number, by the place where they are connected.
+constexpr const char *fourthSchema = R"(
+CREATE TABLE tag (
+    place TEXT PRIMARY KEY,
+    name TEXT NOT NULL,
+    time REAL NOT NULL) WITHOUT ROWID;
+)";
+
+constexpr std::array versions{firstSchema, secondSchema, thirdSchema, fourthSchema};
 
 } // namespace
 

@@ -2,6 +2,7 @@
 #include "storage/settingsbook.h"
 
 #include "model/qttext.h"
+#include "settings/unit.h"
 
 #include <QSqlQuery>
 #include <QVariant>
@@ -86,9 +87,30 @@ double SettingsBook::now() const
     return std::chrono::duration<double>(m_clock.now().time_since_epoch() + m_clock.unixOffset()).count();
 }
 
+std::string SettingsBook::resolved(const std::string &unit)
+{
+    if (settings::byOf(unit) != settings::Unit::By::Place)
+        return unit;
+    std::string tag;
+    (void)m_database.run(
+        "SELECT name FROM tag WHERE place = ?", {qt(unit)}, [&tag](const QSqlQuery &row) { tag = textAt(row, 0); });
+    return tag.empty() ? unit : settings::taggedKey(unit, tag);
+}
+
+Result<void> SettingsBook::setTag(const std::string &place, const std::string &tag)
+{
+    if (settings::byOf(place) != settings::Unit::By::Place)
+        return fail(Fault::OutOfRange, "a unit that has a serial number needs no tag");
+    if (tag.empty())
+        return m_database.run("DELETE FROM tag WHERE place = ?", {qt(place)});
+    return m_database.run(
+        "INSERT OR REPLACE INTO tag (place, name, time) VALUES (?, ?, ?)", {qt(place), qt(tag), now()});
+}
+
 Task<ParameterSnapshot> SettingsBook::keep(ParameterSnapshot snapshot)
 {
     snapshot.time = now();
+    snapshot.unit = resolved(snapshot.unit);
     const auto added = m_database.run(
         "INSERT INTO snapshot (time, unit, device, family, serial, firmware, name, occasion, count, file) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
@@ -107,7 +129,7 @@ Task<std::int64_t> SettingsBook::begin(SettingsChange change)
     const auto added = m_database.transact([&]() -> Result<void> {
         auto begun = m_database.run(
             "INSERT INTO change (time, unit, device, person, origin, purpose, of) VALUES (?, ?, ?, ?, ?, ?, ?)",
-            {now(), qt(change.unit), qt(change.device), qt(m_person), qt(toString(change.origin)),
+            {now(), qt(resolved(change.unit)), qt(change.device), qt(m_person), qt(toString(change.origin)),
                 qt(toString(change.purpose)), orNull(change.of)});
         if (!begun)
             return begun;
@@ -155,7 +177,7 @@ Result<std::vector<SettingsChange>> SettingsBook::changes(const std::string &uni
                                      "v.key, v.before, v.after, v.proof "
                                      "FROM change c LEFT JOIN changed_value v ON v.change = c.id "
                                      "WHERE c.unit = ? ORDER BY c.id, v.place",
-        {qt(unit)}, [&found](const QSqlQuery &row) {
+        {qt(resolved(unit))}, [&found](const QSqlQuery &row) {
             if (found.empty() || found.back().number != row.value(0).toLongLong())
                 found.push_back(changeOf(row));
             if (!row.value(8).isNull())
@@ -182,7 +204,7 @@ Result<std::vector<ParameterSnapshot>> SettingsBook::read(
 Result<std::vector<ParameterSnapshot>> SettingsBook::snapshots(const std::string &unit)
 {
     return unit.empty() ? read(listed, " ORDER BY unit, id", {})
-                        : read(listed, " WHERE unit = ? ORDER BY id", {qt(unit)});
+                        : read(listed, " WHERE unit = ? ORDER BY id", {qt(resolved(unit))});
 }
 
 Result<ParameterSnapshot> SettingsBook::find(const std::string &nameOrNumber, const std::string &unit)
@@ -191,8 +213,9 @@ Result<ParameterSnapshot> SettingsBook::find(const std::string &nameOrNumber, co
     const qint64 number = qt(nameOrNumber).toLongLong(&isNumber);
     auto found = isNumber ? read(whole, " WHERE id = ?", {number}) : std::vector<ParameterSnapshot>();
     if (found && found->empty())
-        found = unit.empty() ? read(whole, " WHERE name = ? ORDER BY id", {qt(nameOrNumber)})
-                             : read(whole, " WHERE name = ? AND unit = ? ORDER BY id", {qt(nameOrNumber), qt(unit)});
+        found = unit.empty()
+            ? read(whole, " WHERE name = ? ORDER BY id", {qt(nameOrNumber)})
+            : read(whole, " WHERE name = ? AND unit = ? ORDER BY id", {qt(nameOrNumber), qt(resolved(unit))});
     if (!found)
         return fail(found.error());
     if (found->empty())

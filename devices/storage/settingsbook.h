@@ -19,6 +19,12 @@ public:
     [[nodiscard]] Task<void> complete(std::int64_t number, std::vector<settings::ValueChange> values) override;
     [[nodiscard]] Task<std::vector<settings::SettingsChange>> changesOf(std::string unit) override;
 
+    /// The unit that stands at a place by now: what is kept under a place is kept under the tag of its unit, where it has one. Every
+    /// function here that takes a unit does that by itself.
+    [[nodiscard]] std::string resolved(const std::string &unit);
+    /// What the user calls the unit that is connected at this place (a key by place); empty: nothing any more. OutOfRange for a
+    /// unit that has a serial number.
+    [[nodiscard]] Result<void> setTag(const std::string &place, const std::string &tag);
     /// Without their files, ordered by unit and then by age, oldest first; of one unit, if it is named.
     [[nodiscard]] Result<std::vector<settings::ParameterSnapshot>> snapshots(const std::string &unit = {});
     /// One with its file: a number, or else the newest of this name. Of one unit, where it is named; else a name that several

@@ -124,6 +124,16 @@ class Restore(Saving):
         self.assert_error(2, "restore", CIM, path, "--unit-values", "no.such.key")
 
 
+class Tags(ContractTest):
+    def test_a_unit_that_stores_no_name_is_called_so_on_this_computer(self):
+        place = "sim:serial/supermodified:5"
+        self.assertEqual(self.run_one("rename", place, "left arm"), {"device": place, "old": None, "new": "left arm", "verified": True})
+        number = self.run_one("snapshot", place)["snapshot"]
+        self.assertIn("left arm", self.run_text("snapshots", place))
+        self.assertEqual(self.run_one("restore", place, f"snapshot:{number}"), {"changes": []})
+        self.assertEqual(self.run_one("rename", place, "right arm")["old"], "left arm")
+
+
 class Line(ContractTest):
     """One unit that keeps its state between runs."""
 

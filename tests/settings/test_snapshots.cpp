@@ -81,6 +81,27 @@ TEST_F(Snapshots, WhatCannotBeReadStaysMarkedAsAssumed)
     EXPECT_FALSE(d->raw);
 }
 
+TEST_F(Snapshots, AUnitWithATagIsThatUnitWhereverItStands)
+{
+    Device &drive = *bench.device(3, "abstractdc");
+    const std::string place = settings::unitOf(drive).key;
+    ASSERT_TRUE(snapshot(drive, "nobody's"));
+    ASSERT_TRUE(book->setTag(place, "lift: left 3"));
+    const auto tagged = snapshot(drive, "mine");
+    ASSERT_TRUE(tagged);
+    EXPECT_EQ(tagged->unit, "simulated tag abstractdc lift: left 3");
+    EXPECT_EQ(settings::tagIn(tagged->unit), "lift: left 3");
+    EXPECT_EQ(settings::caveatOf(settings::byOf(tagged->unit)), "");
+    EXPECT_EQ(book->snapshots(place)->size(), 1U);
+    EXPECT_FALSE(book->find("nobody's", place));
+    Device &other = *bench.device(4, "abstractdc");
+    ASSERT_TRUE(book->setTag(settings::unitOf(other).key, "lift: left 3")); // it was plugged in there
+    EXPECT_EQ(book->find("mine", settings::unitOf(other).key)->number, tagged->number);
+    ASSERT_TRUE(book->setTag(place, {}));
+    EXPECT_TRUE(book->find("nobody's", place));
+    EXPECT_FALSE(book->setTag(settings::unitOf(*bench.device(5)).key, "x"));
+}
+
 TEST_F(Snapshots, AUnitThatFallsSilentLeavesNone)
 {
     Device &five = *bench.device(5);

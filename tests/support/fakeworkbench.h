@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "fakearchive.h"
 #include "fakenotebook.h"
 #include "tuning/autotune.h"
 #include "tuning/experiment.h"
@@ -45,6 +46,7 @@ public:
     std::vector<Planned> plans;
     std::vector<Tuned> tunings;
     FakeNotebook book;
+    FakeArchive archive;
     std::map<DeviceId, std::vector<tuning::OwedGains>> owed;
     Snapshot shot;
     Instant time{std::chrono::seconds(1000)};
@@ -88,6 +90,21 @@ public:
         call.changes = std::move(changes);
         note(std::move(call), std::move(finished));
     }
+    void restoreParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) override
+    {
+        Call call{"restoreParameters", device};
+        call.changes = std::move(changes);
+        note(std::move(call), std::move(finished));
+    }
+    void undoWrite(DeviceId device, bool again, Finished finished) override
+    {
+        note({again ? "redoWrite" : "undoWrite", device}, std::move(finished));
+    }
+    void takeSnapshot(DeviceId device, const QString &name, Finished finished) override
+    {
+        note({"takeSnapshot", device, name.toStdString()}, std::move(finished));
+    }
+    SettingsArchive &settings() override { return archive; }
     void rewriteSettings(DeviceId device, Finished finished) override
     {
         note({"rewriteSettings", device}, std::move(finished));

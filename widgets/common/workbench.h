@@ -21,6 +21,7 @@ struct Trial;
 struct TunePlan;
 struct TuneReport;
 } // namespace tuning
+class SettingsArchive;
 class TrialNotebook;
 
 /// One line of the log of the window.
@@ -59,6 +60,15 @@ public:
     virtual void readParameters(DeviceId device) = 0;
     /// Writes with read-back; `finished` has the first error. An operation of the device.
     virtual void writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) = 0;
+    /// The same for values that were kept, in a snapshot for one: a snapshot of what is there is taken first.
+    virtual void restoreParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished) = 0;
+    /// Takes back the last write to the unit that can be undone, of any day, or does `again` what was undone last: a new write
+    /// with its own proof. An operation of the device.
+    virtual void undoWrite(DeviceId device, bool again, Finished finished) = 0;
+    /// Keeps everything that can be read under a name; an empty one is "by hand". An operation of the device.
+    virtual void takeSnapshot(DeviceId device, const QString &name, Finished finished) = 0;
+    /// Snapshots and writes of earlier.
+    [[nodiscard]] virtual SettingsArchive &settings() = 0;
     /// Writes what a reset took (DeviceProfile::lost) again. An operation of the device.
     virtual void rewriteSettings(DeviceId device, Finished finished) = 0;
     /// Finds out what the device does not tell (Family::experiments). An operation of the device; one that moves needs

@@ -78,17 +78,23 @@ QWidget *ParametersPage::buildHead()
     auto *row = new WrapLayout(head);
     row->setContentsMargins(t.u(12), t.u(8), t.u(12), t.u(4));
     m_status = new ReadStatus(m_theme, head);
-    m_undo = new IconButton(m_theme, Symbol::Undo, tr("Undo the last edit"), head);
+    m_undo = new IconButton(m_theme, Symbol::Undo, tr("Undo the last edit or write"), head);
     m_undo->setKeyHint(tr("Ctrl+Z"));
-    m_redo = new IconButton(m_theme, Symbol::Redo, tr("Redo the edit"), head);
+    m_redo = new IconButton(m_theme, Symbol::Redo, tr("Redo the edit or write"), head);
     m_redo->setKeyHint(tr("Ctrl+Y"));
     m_read = new CommandButton(m_theme, Symbol::Refresh, tr("Read all"), head);
     m_read->setKeyHint(QStringLiteral("F5"));
     m_import = new CommandButton(m_theme, Symbol::Import, tr("Import…"), head);
     m_export = new CommandButton(m_theme, Symbol::Export, tr("Export…"), head);
+    m_snapshot = new CommandButton(m_theme, Symbol::Camera, tr("Snapshot"), head);
+    m_snapshot->setKeyHint(tr("Ctrl+Shift+S"));
+    m_showHistory = new CommandButton(m_theme, Symbol::Clock, tr("History"), head);
+    m_showHistory->setKeyHint(tr("Ctrl+H"));
+    m_showHistory->setCheckable(true);
     row->addWidget(m_status);
     row->addSpring();
-    for (QWidget *widget : std::initializer_list<QWidget *>{m_undo, m_redo, m_read, m_import, m_export})
+    for (QWidget *widget :
+        std::initializer_list<QWidget *>{m_undo, m_redo, m_read, m_import, m_export, m_snapshot, m_showHistory})
         row->addWidget(widget);
     connect(m_undo, &QToolButton::clicked, this, [this] { undo(false); });
     connect(m_redo, &QToolButton::clicked, this, [this] { undo(true); });
@@ -147,7 +153,8 @@ QWidget *ParametersPage::buildTable()
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(buildHead());
-    column->addWidget(buildTools());
+    m_tools = buildTools();
+    column->addWidget(m_tools);
     column->addWidget(separatorLine(Qt::Horizontal, content));
     m_splitter = new QSplitter(Qt::Horizontal, content);
     m_splitter->setChildrenCollapsible(false);
@@ -165,6 +172,7 @@ QWidget *ParametersPage::buildTable()
     m_splitter->setStretchFactor(1, 0);
     m_panel->setMinimumWidth(m_theme.theme().u(panelWidth));
     column->addWidget(m_splitter, 1);
+    buildHistory(*content, *column);
     connect(m_view, &ParameterView::retryRequested, this, &ParametersPage::readAll);
     connect(m_view, &ParameterView::currentParameterChanged, this, &ParametersPage::refreshTexts);
     connect(m_panel, &ChangesPanel::writeRequested, this, &ParametersPage::write);
@@ -186,9 +194,13 @@ void ParametersPage::buildKeys()
         m_search->selectAll();
     });
     keys->add({QKeySequence(QStringLiteral("Ctrl+S"))}, tr("writes what is staged"), [this] { write(); });
-    keys->add({QKeySequence(QStringLiteral("Ctrl+Z"))}, tr("undoes the last edit"), [this] { undo(false); });
+    keys->add({QKeySequence(QStringLiteral("Ctrl+Z"))}, tr("undoes the last edit, or else the last write to the unit"),
+        [this] { undo(false); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
         tr("makes it again"), [this] { undo(true); });
+    keys->add({QKeySequence(QStringLiteral("Ctrl+Shift+S"))}, tr("takes a snapshot"), [this] { takeSnapshot(); });
+    keys->add({QKeySequence(QStringLiteral("Ctrl+H"))}, tr("shows the history of the unit, or its values"),
+        [this] { showHistory(!m_showHistory->isChecked()); });
 }
 
 void ParametersPage::setFilter()
@@ -207,7 +219,10 @@ void ParametersPage::undo(bool redo)
         return;
     m_view->commitField();
     QUndoStack &stack = m_model->edits()->undoStack();
-    redo ? stack.redo() : stack.undo();
+    if (redo ? stack.canRedo() : stack.canUndo() && !stack.isClean())
+        redo ? stack.redo() : stack.undo();
+    else
+        undoWrite(redo);
 }
 
 void ParametersPage::showEvent(QShowEvent *event)

@@ -13,6 +13,7 @@
 #include <memory>
 #include <set>
 
+class QBoxLayout;
 class QComboBox;
 class QSplitter;
 class QStackedWidget;
@@ -23,6 +24,7 @@ class BannerStack;
 class ChangesPanel;
 class CommandButton;
 class EmptyState;
+class HistoryPanel;
 class IconButton;
 class ParameterFoot;
 class ReadStatus;
@@ -41,6 +43,7 @@ public:
 
     [[nodiscard]] ParameterModel &model() { return *m_model; }
     [[nodiscard]] ParameterView &view() { return *m_view; }
+    [[nodiscard]] HistoryPanel &history() { return *m_history; }
 
     void readAll();
     /// Sends what is staged, ticked and legal, in the order of the panel.
@@ -53,6 +56,11 @@ public:
     void compareWith(const QString &path);
     /// Without a device: shows the file itself.
     void openFile(const QString &path);
+    /// What the unit has had, instead of the table.
+    void showHistory(bool on);
+    void takeSnapshot();
+    /// The last edit; where none is staged, the last write to the unit, by a new one.
+    void undo(bool redo);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -83,7 +91,10 @@ private:
     [[nodiscard]] std::optional<int> filterAxis() const;
     void comparisonChosen(int row);
     void setFilter();
-    void undo(bool redo);
+    // parameterspagehistory.cpp
+    void buildHistory(QWidget &content, QBoxLayout &column);
+    void undoWrite(bool again);
+    void restore(const QString &from);
     void act(const QString &key);
     void refuse(const char *key, DeviceId device, const QString &cause, const QString &remedy);
     void written(DeviceId device, const std::vector<ParameterChange> &sent, const Result<void> &result);
@@ -127,6 +138,10 @@ private:
     CommandButton *m_read = nullptr;
     CommandButton *m_import = nullptr;
     CommandButton *m_export = nullptr;
+    CommandButton *m_snapshot = nullptr;
+    CommandButton *m_showHistory = nullptr;
+    HistoryPanel *m_history = nullptr;
+    QWidget *m_tools = nullptr;
     SearchField *m_search = nullptr;
     Segmented *m_segments = nullptr;
     Segmented *m_axes = nullptr;     ///< of boards with several axes

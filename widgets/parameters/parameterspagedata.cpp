@@ -7,6 +7,7 @@
 #include "widgets/common/segmented.h"
 #include "widgets/parameters/axisparameters.h"
 #include "widgets/parameters/changespanel.h"
+#include "widgets/parameters/historypanel.h"
 #include "widgets/parameters/parameterfiles.h"
 #include "widgets/parameters/parameterfoot.h"
 #include "widgets/parameters/parameterspage.h"
@@ -102,6 +103,8 @@ void ParametersPage::showDevice(const DeviceView &device)
     const bool same = now == m_shown && m_model->edits() == &edits;
     const bool sameRows = m_model->edits() == &edits && now.axis == m_shown.axis && now.device == m_shown.device;
     m_shown = now;
+    if (m_history->isVisible())
+        m_history->showDevice(device);
     readOnce(device);
     if (same)
         return;
@@ -125,6 +128,7 @@ void ParametersPage::showDevice(const DeviceView &device)
 
 void ParametersPage::showEmpty()
 {
+    showHistory(false);
     if (m_model->edits()) {
         m_view->commitField();
         m_model->show(nullptr, nullptr, false);
@@ -185,9 +189,12 @@ void ParametersPage::refreshTexts()
         m_status->showDevice(*shown, operation, countParameters(*m_model));
     else
         m_status->showFile(m_fileName, qt(m_model->family()->title));
-    m_undo->setEnabled(edits->undoStack().canUndo());
-    m_redo->setEnabled(edits->undoStack().canRedo());
-    m_read->setEnabled(shown && shown->liveness.heard && !isUnderWay(operation));
+    const bool free = shown && shown->liveness.heard && !isUnderWay(operation);
+    m_undo->setEnabled(free || edits->undoStack().canUndo());
+    m_redo->setEnabled(free || edits->undoStack().canRedo());
+    m_read->setEnabled(free);
+    m_snapshot->setEnabled(free);
+    m_showHistory->setEnabled(shown != nullptr);
     m_import->setEnabled(shown != nullptr);
     m_export->setEnabled(shown
         && std::any_of(shown->parameters.begin(), shown->parameters.end(),

@@ -149,6 +149,7 @@ void StagedEdits::settle(const std::vector<ParameterChange> &sent)
         m_edits.erase(staged);
         Q_EMIT changed(change.index);
     }
+    m_undo.setClean(); // what was staged before it is written now
 }
 
 void StagedEdits::put(ParameterIndex index, const std::optional<QString> &text)

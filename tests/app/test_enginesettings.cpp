@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Snapshots, the history and undo as the engine's half does them. Virtual time.
+#include "app/enginecore.h"
+#include "async/virtualclock.h"
+#include "model/registry.h"
+#include "settings/unit.h"
+#include "storage/settingsbook.h"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+#include <QTemporaryDir>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using settings::Occasion;
+using settings::ParameterSnapshot;
+using settings::Purpose;
+
+class SettingsCore : public testing::Test {
+protected:
+    SettingsCore()
+    {
+        if (!QCoreApplication::instance()) {
+            static int count = 1;
+            static char name[] = "test_app";
+            static char *arguments[] = {name, nullptr};
+            static QCoreApplication application(count, arguments);
+        }
+        auto opened = Database::open(folder.path().toStdString() + "/motorbench.db");
+        EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
+        database = std::move(*opened);
+        book = std::make_unique<SettingsBook>(*database, clock, "anna");
+        noticed = core.noticed().add(
+            [this](Severity, const std::string &, const std::string &text) { notices.push_back(text); });
+        core.setSettingsLog(book.get());
+        core.openLink(*LinkAddress::parse("sim:can"), {});
+        EXPECT_TRUE(clock.runUntil([this] { return device(7) && device(7)->liveness().heard; }, 10s));
+    }
+    [[nodiscard]] Device *device(int address)
+    {
+        for (Device *one : core.session().devices()) {
+            if (one->identity().address == address && one->family().key == "dmc60c")
+                return one;
+        }
+        return nullptr;
+    }
+    [[nodiscard]] DeviceId id(int address = 7) { return core.session().idOf(*device(address)); }
+    [[nodiscard]] std::vector<ParameterSnapshot> snapshots(int address = 7)
+    {
+        return book->snapshots(settings::unitOf(*device(address)).key).value_or(std::vector<ParameterSnapshot>{});
+    }
+    [[nodiscard]] std::vector<settings::SettingsChange> changes()
+    {
+        return book->changes(settings::unitOf(*device(7)).key).value_or(std::vector<settings::SettingsChange>{});
+    }
+    [[nodiscard]] ParameterChange change(std::string_view key, std::int64_t raw)
+    {
+        return {*findParameter(device(7)->family().parameters, key), raw};
+    }
+    [[nodiscard]] std::optional<std::int64_t> known(std::string_view key)
+    {
+        return device(7)->parameters().entry(change(key, 0).index).raw;
+    }
+    [[nodiscard]] EngineCore::Finished heard()
+    {
+        answered.reset();
+        return [this](const Result<void> &result) { answered = result; };
+    }
+    Result<void> ends()
+    {
+        EXPECT_TRUE(clock.runUntil([this] { return answered.has_value(); }, 60s));
+        return answered.value_or(fail(Fault::Timeout));
+    }
+    Result<void> write(std::vector<ParameterChange> writes)
+    {
+        core.writeParameters(id(), std::move(writes), heard());
+        return ends();
+    }
+
+    QTemporaryDir folder;
+    VirtualClock clock;
+    std::unique_ptr<Database> database;
+    std::unique_ptr<SettingsBook> book;
+    EngineCore core{clock, families(), false};
+    Subscription noticed;
+    std::vector<std::string> notices;
+    std::optional<Result<void>> answered;
+};
+
+TEST_F(SettingsCore, EachUnitIsKeptAsItWasFoundOnceARun)
+{
+    clock.advance(10s);
+    for (const int address : {5, 7}) {
+        ASSERT_EQ(snapshots(address).size(), 1U) << address;
+        EXPECT_EQ(snapshots(address).front().name, "as found");
+        EXPECT_EQ(snapshots(address).front().occasion, Occasion::Found);
+        EXPECT_EQ(snapshots(address).front().count, 55);
+    }
+    EXPECT_TRUE(snapshots(9).empty()) << "it waits in its bootloader";
+}
+
+TEST_F(SettingsCore, AWriteIsUndoneAndDoneAgainByNewWrites)
+{
+    clock.advance(3s);
+    const auto old = known("slot0.p");
+    ASSERT_TRUE(write({change("slot0.p", 65536)}));
+    core.undoWrite(id(), false, heard());
+    ASSERT_TRUE(ends());
+    EXPECT_EQ(known("slot0.p"), old);
+    core.undoWrite(id(), true, heard());
+    ASSERT_TRUE(ends());
+    EXPECT_EQ(known("slot0.p"), 65536);
+    core.undoWrite(id(), true, heard());
+    EXPECT_FALSE(ends());
+    ASSERT_EQ(changes().size(), 3U);
+    EXPECT_EQ(changes()[1].purpose, Purpose::Undo);
+    EXPECT_EQ(changes()[2].purpose, Purpose::Redo);
+    EXPECT_EQ(changes()[0].origin, settings::Origin::Window);
+    EXPECT_TRUE(std::any_of(
+        notices.begin(), notices.end(), [](const std::string &text) { return text.starts_with("undone: slot0.p: "); }));
+}
+
+TEST_F(SettingsCore, ARestoreAndAWriteOfManyValuesKeepFirstWhatIsThere)
+{
+    clock.advance(3s);
+    core.restoreParameters(id(), {change("slot0.p", 65536)}, heard());
+    ASSERT_TRUE(ends());
+    EXPECT_EQ(snapshots().back().occasion, Occasion::Restore);
+    EXPECT_EQ(changes().back().purpose, Purpose::Restore);
+    std::vector<ParameterChange> many;
+    for (const char *key :
+        {"slot0.p", "slot0.i", "slot0.d", "slot0.f", "slot1.p", "slot1.i", "slot1.d", "slot1.f", "slot1.ramp"})
+        many.push_back(change(key, 5));
+    ASSERT_TRUE(write(many));
+    EXPECT_EQ(snapshots().back().occasion, Occasion::Import);
+    ASSERT_TRUE(write({change("slot0.p", 6)}));
+    EXPECT_EQ(snapshots().size(), 3U);
+}
+
+TEST_F(SettingsCore, ASnapshotIsTakenUnderItsName)
+{
+    clock.advance(3s);
+    core.takeSnapshot(id(), "limits for the demo", heard());
+    ASSERT_TRUE(ends());
+    EXPECT_EQ(snapshots().back().name, "limits for the demo");
+}
+
+TEST_F(SettingsCore, AnOrderDoesNotWaitForTheSnapshotThatBeganByItself)
+{
+    ASSERT_TRUE(clock.runUntil(
+        [this] {
+            const OperationView *operation = core.snapshot().operation(id());
+            return operation && operation->status.state == OperationStatus::State::Running;
+        },
+        10s));
+    EXPECT_TRUE(snapshots().empty());
+    EXPECT_TRUE(write({change("slot0.p", 65536)}));
+    clock.advance(5s);
+    ASSERT_EQ(snapshots().size(), 1U);
+    EXPECT_EQ(snapshots().front().name, "as found");
+}
+
+TEST_F(SettingsCore, AUnitIsTheSameWhileItIsScannedAgain)
+{
+    clock.advance(3s);
+    const std::string unit = settings::unitOf(*device(7)).key;
+    ASSERT_EQ(settings::byOf(unit), settings::Unit::By::Serial);
+    bool same = true;
+    const Subscription watching
+        = device(7)->changed().add([&] { same = same && settings::unitOf(*device(7)).key == unit; });
+    clock.advance(30s);
+    EXPECT_TRUE(same) << "its serial number was forgotten for a moment";
+    EXPECT_EQ(book->snapshots()->size(), 2U);
+}
+
+TEST_F(SettingsCore, WhatThePowerTookBeforeItWasStoredIsInTheHistory)
+{
+    clock.advance(30s);
+    ASSERT_TRUE(write({change("slot0.p", 65536), change("slot0.d", 4000)})); // the first one is stored at once
+    for (Simulator *unit : core.session().bench(*core.session().links().front())->simulators()) {
+        if (unit->name() == "dmc60c:7") {
+            unit->setPowered(false);
+            clock.advance(1s);
+            unit->setPowered(true);
+        }
+    }
+    clock.advance(5s);
+    const auto all = changes();
+    ASSERT_EQ(all.back().origin, settings::Origin::Elsewhere);
+    ASSERT_EQ(all.back().values.size(), 1U);
+    EXPECT_EQ(all.back().values[0].key, "slot0.d");
+    EXPECT_EQ(all.back().values[0].before, 4000);
+}
+
+} // namespace
+} // namespace mb

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a unit has had: its states against each other, undo of what was written, snapshots.
+#include "parameterbench.h"
+#include "support/windowtests.h"
+
+#include "model/parameterfile.h"
+#include "settings/unit.h"
+#include "widgets/parameters/historypanel.h"
+
+#include <QComboBox>
+#include <QTableWidget>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+/// A drive with two snapshots: as it was found, and with another P and another current scale.
+struct HistoryBench : ParameterBench {
+    HistoryBench()
+        : ParameterBench(linked())
+    {
+        const DeviceView &drive = workbench.device(0);
+        const std::string unit = settings::unitOf(drive.identity, *LinkAddress::parse(drive.link)).key;
+        SettingsTimeline &kept = workbench.archive.kept[unit];
+        kept.snapshots.push_back(snapshot(1, unit, "as found", drive));
+        DeviceView other = drive;
+        other.parameters[named("slot1.p").value].raw = rawOf("slot1.p", 2);
+        other.parameters[named("slot1.max_forward").value].raw = 20000;
+        other.parameters[named("current.adc_multiplier").value].raw = 2100;
+        other.parameters[named("encoder.position").value].raw = 4711;
+        kept.snapshots.push_back(snapshot(2, unit, "limits for the demo", other));
+        settings::SettingsChange change;
+        change.number = 1;
+        change.time = 150.0;
+        change.person = "anna";
+        change.origin = settings::Origin::Console;
+        change.values = {{"slot1.p", rawOf("slot1.p", 0), rawOf("slot1.p", 2), settings::Proof::Equal}};
+        kept.changes.push_back(change);
+        page->showHistory(true);
+        QTRY_COMPARE(boxOf("State B")->count(), 4);
+    }
+    static DeviceView linked()
+    {
+        DeviceView device = readDrive();
+        device.link = "socketcan:can0";
+        return device;
+    }
+    static settings::ParameterSnapshot snapshot(
+        std::int64_t number, const std::string &unit, const char *name, const DeviceView &of)
+    {
+        settings::ParameterSnapshot kept;
+        kept.number = number;
+        kept.time = 100.0 * static_cast<double>(number);
+        kept.unit = unit;
+        kept.family = "dmc60c";
+        kept.serial = of.identity.serial;
+        kept.name = name;
+        std::vector<ParameterIndex> all;
+        for (std::uint16_t i = 0; i < of.parameters.size(); ++i)
+            all.push_back({i});
+        kept.file
+            = QJsonDocument(parametersToJson(ParameterSource{*of.family, of.identity, of.selector, of.parameters}, all))
+                  .toJson()
+                  .toStdString();
+        return kept;
+    }
+    [[nodiscard]] QComboBox *boxOf(const char *name) const
+    {
+        for (QComboBox *box : page->history().findChildren<QComboBox *>()) {
+            if (box->accessibleName() == QLatin1String(name))
+                return box;
+        }
+        return nullptr;
+    }
+    [[nodiscard]] QTableWidget *table() const { return page->history().findChild<QTableWidget *>(); }
+    [[nodiscard]] QStringList column(int at) const
+    {
+        QStringList texts;
+        for (int row = 0; row < table()->rowCount(); ++row)
+            texts << table()->item(row, at)->text();
+        return texts;
+    }
+    [[nodiscard]] QString timeline() const
+    {
+        QStringList texts;
+        const auto *list = page->history().findChild<TimelineList *>();
+        for (int row = 0; row < list->count(); ++row)
+            texts << list->item(row)->text();
+        return texts.join(QLatin1Char('\n'));
+    }
+};
+
+} // namespace
+
+class TestHistory : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void theNewestStateIsComparedFirst();
+    void whatIsTickedIsRestored();
+    void theTimelineTellsWhoWroteWhatFromWhere();
+    void anyTwoStatesAreCompared();
+    void undoTakesBackAnEditAndElseTheLastWrite();
+    void aSnapshotIsTakenByItsKey();
+    void historyKeyShowsAndHidesIt();
+};
+
+void TestHistory::theNewestStateIsComparedFirst()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.column(1),
+        (QStringList{
+            QStringLiteral("current.adc_multiplier"), QStringLiteral("slot1.p"), QStringLiteral("slot1.max_forward")}));
+    QCOMPARE(bench.column(3).at(1), QStringLiteral("2"));
+    QVERIFY(bench.column(5).at(0).contains(QStringLiteral("not copied")));
+    QVERIFY(!bench.table()->item(0, 0)->flags().testFlag(Qt::ItemIsUserCheckable));
+}
+
+void TestHistory::whatIsTickedIsRestored()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.table()->rowCount(), 3);
+    bench.table()->item(2, 0)->setCheckState(Qt::Unchecked);
+    button(bench, QStringLiteral("Restore 1"))->click();
+    const auto calls = bench.workbench.callsOf("restoreParameters");
+    QCOMPARE(calls.size(), std::size_t{1});
+    QCOMPARE(calls[0].changes.size(), std::size_t{1});
+    QVERIFY(calls[0].changes[0].index == named("slot1.p"));
+    QCOMPARE(calls[0].changes[0].raw, rawOf("slot1.p", 2));
+    calls[0].finished(fail(Fault::BadCheck, "slot1.p was written as 2 but reads 1"));
+    QVERIFY(says(bench, QStringLiteral("slot1.p was written as 2 but reads 1")));
+}
+
+void TestHistory::theTimelineTellsWhoWroteWhatFromWhere()
+{
+    HistoryBench bench;
+    QTRY_VERIFY(bench.timeline().contains(QStringLiteral("limits for the demo")));
+    const QString text = bench.timeline();
+    QVERIFY2(text.contains(QStringLiteral("console, anna\nslot1.p: 0 → 2")), qPrintable(text));
+    QVERIFY(text.indexOf(QStringLiteral("limits for the demo")) < text.indexOf(QStringLiteral("console, anna")));
+    QVERIFY(text.indexOf(QStringLiteral("console, anna")) < text.indexOf(QStringLiteral("as found")));
+    QVERIFY(text.contains(QStringLiteral("3 differ from A")));
+    QVERIFY(text.contains(QStringLiteral("like A")));
+}
+
+void TestHistory::anyTwoStatesAreCompared()
+{
+    HistoryBench bench;
+    QTRY_COMPARE(bench.table()->rowCount(), 3);
+    QComboBox *a = bench.boxOf("State A");
+    a->setCurrentIndex(3); // the data sheet's
+    Q_EMIT a->activated(3);
+    QCOMPARE(bench.table()->rowCount(), 3);
+    QVERIFY(!button(bench, QStringLiteral("Restore 2"))->isEnabled());
+    QComboBox *b = bench.boxOf("State B");
+    b->setCurrentIndex(2);
+    Q_EMIT b->activated(2);
+    QCOMPARE(bench.table()->rowCount(), 0);
+}
+
+void TestHistory::undoTakesBackAnEditAndElseTheLastWrite()
+{
+    ParameterBench bench;
+    bench.stage("slot1.p", "2");
+    bench.page->undo(false);
+    QCOMPARE(bench.edits().count(), 0);
+    QVERIFY(bench.workbench.callsOf("undoWrite").empty());
+    bench.page->undo(true);
+    bench.page->write();
+    bench.workbench.callsOf("writeParameters")[0].finished({});
+    QTest::keyClick(bench.page.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(bench.workbench.callsOf("undoWrite").size(), std::size_t{1});
+    QCOMPARE(bench.edits().count(), 0);
+    QTest::keyClick(bench.page.get(), Qt::Key_Y, Qt::ControlModifier);
+    QCOMPARE(bench.workbench.callsOf("redoWrite").size(), std::size_t{1});
+    bench.workbench.callsOf("redoWrite")[0].finished(fail(Fault::Refused, "there is nothing to do again"));
+    QVERIFY(says(bench, QStringLiteral("there is nothing to do again")));
+}
+
+void TestHistory::aSnapshotIsTakenByItsKey()
+{
+    ParameterBench bench;
+    QTest::keyClick(bench.page.get(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(bench.workbench.callsOf("takeSnapshot").size(), std::size_t{1});
+    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+}
+
+void TestHistory::historyKeyShowsAndHidesIt()
+{
+    HistoryBench bench;
+    QVERIFY(bench.page->history().isVisible());
+    QVERIFY(!bench.view().isVisible());
+    QTest::keyClick(bench.page.get(), Qt::Key_H, Qt::ControlModifier);
+    QVERIFY(!bench.page->history().isVisible());
+    QVERIFY(bench.view().isVisible());
+}
+
+MB_WINDOW_TEST(TestHistory);
+#include "tst_history.moc"
