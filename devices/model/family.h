@@ -71,12 +71,14 @@ constexpr std::string_view countsPerRevolutionKey = "counts_per_revolution";
 
 /// What the gains of a loop that computes in integers mean (tuning.md 3.8): output = (P·e + I·Σe + D·Δe)/divisor.
 struct LoopScale {
-    double fullDuty = 0.0;          ///< output at 100 %
-    double period = 0.0;            ///< seconds that I and D count in: the period of the loop, or a unit of time
-    double cycle = 0.0;             ///< seconds between two passes of the loop
-    double integralStep = 0.0;      ///< output that one pass must add to the integral, or it adds nothing; 0: exact
-    double velocityTime = 1.0;      ///< velocities are counts per so many seconds
-    std::string_view velocityError; ///< English unit of a velocity error; widgets translate it
+    double fullDuty = 0.0;            ///< output at 100 %
+    double period = 0.0;              ///< seconds that I and D count in: the period of the loop, or a unit of time
+    double cycle = 0.0;               ///< seconds between two passes of the loop
+    double integralStep = 0.0;        ///< output that one pass must add to the integral, or it adds nothing; 0: exact
+    double velocityTime = 1.0;        ///< velocities are counts per so many seconds
+    double velocityWindow = 0.0;      ///< seconds over which its loop takes a velocity; 0: found out, or by the next
+    std::string_view velocityEdges{}; ///< parameter: it takes it over 4 × so many counts
+    std::string_view velocityError;   ///< English unit of a velocity error; widgets translate it
     std::string_view currentError;
     std::string_view time;           ///< English name of `period`: "loop", "ms"
     bool divided = false;            ///< each loop has a parameter `divisor`

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace mb {
 
@@ -61,6 +62,33 @@ constexpr std::array<MotorParameters, 6> table{
     row("n20", "Pololu N20 HPCB12 75.81:1", 1.0 * kgcm, 0.75, 0.08, 450, 75.81, 5.0e-3, 1.4e-8, 12),
 };
 
+constexpr double contactFrequency = 500.0; // rad/s, of rotor and load against each other's teeth
+constexpr double contactDamping = 0.3;
+constexpr double slipBreakaway = 2.5; // times the friction while moving
+constexpr double slipShare = 0.02;    // of the free speed
+
+constexpr MotorParameters withBacklash(MotorParameters motor, std::string_view name, double outputDegrees)
+{
+    motor.name = name;
+    motor.backlash = outputDegrees * std::numbers::pi / 180.0 * motor.gearRatio;
+    return motor;
+}
+
+constexpr MotorParameters withSlip(MotorParameters motor, std::string_view name)
+{
+    motor.name = name;
+    motor.breakaway = slipBreakaway * motor.friction;
+    motor.slipSpeed = slipShare * motor.rotorFreeSpeed();
+    return motor;
+}
+
+constexpr std::array<MotorParameters, 4> awkward{
+    withBacklash(table[0], "cim-backlash", 20.0),
+    withBacklash(table[3], "25d-backlash", 2.0),
+    withSlip(table[0], "cim-slip"),
+    withSlip(table[3], "25d-slip"),
+};
+
 } // namespace
 
 std::span<const MotorParameters> motors()
@@ -70,9 +98,13 @@ std::span<const MotorParameters> motors()
 
 const MotorParameters *motorByName(std::string_view name)
 {
-    const auto *const found
-        = std::find_if(table.begin(), table.end(), [name](const MotorParameters &motor) { return motor.name == name; });
-    return found == table.end() ? nullptr : found;
+    for (const std::span<const MotorParameters> known : {motors(), std::span<const MotorParameters>(awkward)}) {
+        for (const MotorParameters &motor : known) {
+            if (motor.name == name)
+                return &motor;
+        }
+    }
+    return nullptr;
 }
 
 /// Motor and source while the bridge conducts, constant over a step.
@@ -85,8 +117,50 @@ struct MotorModel::Circuit {
 MotorModel::MotorModel(const MotorParameters &parameters, double loadFactor, MotorSupply supply)
     : m_parameters(parameters)
     , m_supply(supply)
-    , m_inertia(parameters.inertia * std::max(loadFactor, 1.0))
+    , m_loadFactor(std::max(loadFactor, 1.0))
 {
+    setBacklash(parameters.backlash);
+}
+
+void MotorModel::setBacklash(double angle)
+{
+    m_parameters.backlash = m_loadFactor > 1.0 ? angle : 0.0;
+    m_inertia = m_parameters.inertia * (isTwoMasses() ? 1.0 : m_loadFactor);
+    m_load = isTwoMasses() ? 0.0 : m_weight;
+    m_loadSpeed = m_speed;
+    m_loadAngle = m_angle;
+}
+
+void MotorModel::setLoadTorque(double torque)
+{
+    m_weight = torque / m_parameters.gearRatio;
+    if (!isTwoMasses())
+        m_load = m_weight;
+}
+
+double MotorModel::frictionNow() const
+{
+    const MotorParameters &motor = m_parameters;
+    const double speed = motor.slipSpeed > 0.0 ? m_speed / motor.slipSpeed : 0.0;
+    const double more = motor.slipSpeed > 0.0 ? (motor.breakaway - motor.friction) * std::exp(-speed * speed) : 0.0;
+    return m_friction * (motor.friction + more);
+}
+
+/// The load turns freely within the backlash, and pushes back like a stiff spring that does not pull at its ends.
+void MotorModel::dragLoad(double seconds)
+{
+    const double inertia = m_parameters.inertia * (m_loadFactor - 1.0);
+    const double both = m_parameters.inertia * inertia / (m_parameters.inertia + inertia);
+    const double apart = m_angle - m_loadAngle;
+    const double beyond = apart - std::clamp(apart, -0.5 * m_parameters.backlash, 0.5 * m_parameters.backlash);
+    const double spring = both * contactFrequency * contactFrequency;
+    const double damper = 2.0 * contactDamping * contactFrequency * both;
+    double torque = beyond != 0.0 ? spring * beyond + damper * (m_speed - m_loadSpeed) : 0.0;
+    if (torque * beyond < 0.0)
+        torque = 0.0;
+    m_load = torque;
+    m_loadSpeed += seconds * (torque - m_weight) / inertia;
+    m_loadAngle += seconds * m_loadSpeed;
 }
 
 void MotorModel::step(double duty, Bridge bridge, double seconds)
@@ -105,6 +179,8 @@ void MotorModel::stepOnce(double duty, Bridge bridge, double seconds)
         coast(seconds);
     else
         drive(bridge == Bridge::Drive ? std::clamp(duty, -1.0, 1.0) : 0.0, seconds);
+    if (isTwoMasses())
+        dragLoad(seconds);
     heat(seconds);
 }
 
@@ -121,7 +197,7 @@ void MotorModel::drive(double duty, double seconds)
         m_current = steady + (m_current - steady) * std::exp(-circuit.resistance * seconds / m_parameters.inductance);
         return;
     }
-    const double friction = m_parameters.friction + m_parameters.torqueLoss * std::abs(torque);
+    const double friction = frictionNow() + m_parameters.torqueLoss * std::abs(torque);
     slip(circuit, directionOf(torque) * friction + m_load, seconds);
 }
 
@@ -175,7 +251,7 @@ void MotorModel::coast(double seconds)
         return;
     }
     const double b = m_parameters.viscosity;
-    const double steady = -(directionOf(0.0) * m_parameters.friction + m_load) / b;
+    const double steady = -(directionOf(0.0) * frictionNow() + m_load) / b;
     const double excess = m_speed - steady;
     const double left = std::exp(-b * seconds / m_inertia);
     m_angle += steady * seconds + excess * (1.0 - left) * m_inertia / b;
@@ -195,7 +271,8 @@ void MotorModel::heat(double seconds)
 
 bool MotorModel::isHeld(double torque) const
 {
-    return m_locked || (std::abs(m_speed) < restSpeed && std::abs(torque - m_load) <= m_parameters.breakaway);
+    return m_locked
+        || (std::abs(m_speed) < restSpeed && std::abs(torque - m_load) <= m_friction * m_parameters.breakaway);
 }
 
 double MotorModel::directionOf(double torque) const
@@ -241,6 +318,16 @@ bool MotorModel::disturb(std::string_view what, double value)
         setLocked(value != 0.0);
     else if (what == "bus-voltage")
         setSupplyVoltage(value);
+    else if (what == "bus-resistance")
+        m_supply.resistance = value;
+    else if (what == "friction")
+        m_friction = value;
+    else if (what == "backlash")
+        setBacklash(value);
+    else if (what == "encoder-counts")
+        m_parameters.countsPerTurn = static_cast<int>(value);
+    else if (what == "winding-temperature")
+        setTemperature(value);
     else if (what == "encoder-dead")
         setEncoderDead(value != 0.0);
     else if (what == "encoder-reversed")

@@ -41,6 +41,10 @@ struct MotorParameters {
     double torqueLoss = 0.0; ///< fraction of the torque
     double breakaway = 0.0;  ///< N·m at rest
 
+    // Of the motors that tests are meant to fail on:
+    double backlash = 0.0;  ///< rad of the rotor, between it and its load as a mass of its own; 0: one mass
+    double slipSpeed = 0.0; ///< rad/s in which friction falls from `breakaway` (Stribeck); 0: at the first move
+
     [[nodiscard]] constexpr double rotorFreeSpeed() const ///< rad/s
     {
         return freeSpeed * 2.0 * std::numbers::pi / 60.0 * gearRatio;
@@ -49,7 +53,8 @@ struct MotorParameters {
 
 /// cim, 775pro, rs775, 25d, 25dlp, n20.
 [[nodiscard]] std::span<const MotorParameters> motors();
-/// nullptr when there is no such motor.
+/// One of them, or one with what no model of a tuning has: cim-backlash, 25d-backlash (two masses), cim-slip, 25d-slip (friction
+/// that falls with speed). nullptr when there is no such motor.
 [[nodiscard]] const MotorParameters *motorByName(std::string_view name);
 
 /// Battery and bridge between the duty and the motor.
@@ -94,15 +99,18 @@ public:
 
     void setSupplyVoltage(double volts) { m_supply.voltage = volts; }
     /// N·m at the output, against positive rotation (a weight on a rope).
-    void setLoadTorque(double torque) { m_load = torque / m_parameters.gearRatio; }
+    void setLoadTorque(double torque);
+    /// rad of the rotor that its load is free in. The load is where the rotor is.
+    void setBacklash(double angle);
     /// Fault: the shaft cannot turn.
     void setLocked(bool locked) { m_locked = locked; }
     /// Fault: the encoder counts the other way round from here on.
     void setEncoderReversed(bool reversed);
     /// Fault: the encoder stays where it is.
     void setEncoderDead(bool dead);
-    /// What Simulator::disturb() can do to any motor: "load-torque" (N·m), "stall" (0 or 1), "bus-voltage" (V), "encoder-dead",
-    /// "encoder-reversed" (0 or 1); false for anything else.
+    /// What Simulator::disturb() can do to any motor: "load-torque" (N·m), "stall" (0 or 1), "bus-voltage" (V), "bus-resistance"
+    /// (Ohm, of battery and cables), "friction" (times what the motor has), "backlash" (rad of the rotor), "encoder-counts"
+    /// (of a rotor turn), "winding-temperature" (°C), "encoder-dead", "encoder-reversed" (0 or 1); false for anything else.
     bool disturb(std::string_view what, double value);
     void setTemperature(double celsius) { m_winding = m_housing = celsius; }
 
@@ -113,6 +121,10 @@ private:
     void drive(double duty, double seconds);
     void slip(const Circuit &circuit, double friction, double seconds);
     void coast(double seconds);
+    void dragLoad(double seconds);
+    [[nodiscard]] bool isTwoMasses() const { return m_parameters.backlash > 0.0; }
+    /// N·m, moving, without what grows with the torque.
+    [[nodiscard]] double frictionNow() const;
     void heat(double seconds);
     [[nodiscard]] bool isHeld(double torque) const;
     [[nodiscard]] double directionOf(double torque) const;
@@ -122,8 +134,13 @@ private:
 
     MotorParameters m_parameters;
     MotorSupply m_supply;
-    double m_inertia = 0.0;
-    double m_load = 0.0;
+    double m_loadFactor = 1.0;
+    double m_friction = 1.0; ///< times the motor's own
+    double m_inertia = 0.0;  ///< that the rotor is fixed to
+    double m_weight = 0.0;   ///< N·m on the load
+    double m_load = 0.0;     ///< N·m on the rotor: the weight, or what touches in the backlash
+    double m_loadSpeed = 0.0;
+    double m_loadAngle = 0.0;
     double m_duty = 0.0;
     double m_current = 0.0;
     double m_speed = 0.0;

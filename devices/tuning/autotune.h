@@ -52,6 +52,7 @@ struct TuneReport {
     std::optional<MotorFound> motor;
     PlantModel plant;                ///< of the loop, what the design stands on
     std::optional<TriedScale> scale; ///< of its gains, where they had to be tried
+    VelocityTaking taking;           ///< of a velocity loop
     std::vector<Gate> gates;
     std::vector<Proposal> proposals; ///< calm, normal, brisk, as far as the device can have them
     std::optional<Design> design;

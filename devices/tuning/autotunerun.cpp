@@ -151,12 +151,36 @@ Result<Proposal> AutotuneRun::proposalFor(Aim aim) const
 {
     const bool asked = aim == m_plan.aim;
     return tuning::proposalFor({m_device.family(), m_device.profile(), m_plan.loop, m_plan.axis, m_plan.slot,
-                                   m_report.plant, m_envelope, m_report.scale},
+                                   m_report.plant, m_envelope, m_report.scale, m_report.taking},
         {aim, asked ? m_plan.response : std::nullopt, asked ? m_plan.ms : std::nullopt});
+}
+
+VelocityTaking AutotuneRun::taking() const
+{
+    if (m_plan.loop != Mode::Velocity || m_report.scale)
+        return {};
+    const double speed = proofStep(Mode::Velocity, m_report.plant, {}, m_envelope);
+    return velocityTaking(m_device, speed, m_report.motor ? m_report.motor->filter : std::nullopt);
+}
+
+/// The error that the proof may end with, in the unit of the loop.
+double AutotuneRun::resting() const
+{
+    if (m_report.scale || m_plan.loop == Mode::Current)
+        return deadband(m_report.plant, m_report.proposed.made);
+    return restingError(m_device.family(), m_plan.loop, m_report.plant, m_report.proposed.made, proofSeconds());
+}
+
+double AutotuneRun::proofSeconds() const
+{
+    const double settles = proofSettles * m_report.predicted->metrics.settle.value_or(1.0);
+    return m_plan.loop == Mode::Current ? std::clamp(settles, leastCurrent, longestCurrent)
+                                        : std::clamp(settles, 0.8, 5.0);
 }
 
 Result<void> AutotuneRun::propose()
 {
+    m_report.taking = taking();
     for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk}) {
         auto proposal = proposalFor(aim);
         if (!proposal && aim == m_plan.aim)
@@ -210,16 +234,17 @@ Task<void> AutotuneRun::prove()
 {
     auto reading = readGains(m_device, m_plan.loop, m_plan.axis, m_plan.slot);
     m_report.before = co_await std::move(reading);
+    const bool unknown = std::any_of(
+        m_report.before.begin(), m_report.before.end(), [](const auto &gain) { return !gain.second.has_value(); });
+    const bool mayStay = m_plan.keep && unknown && m_provingSlot == m_plan.slot; // else they are put back
     for (const double sign : {1.0, -1.0}) {
         ExperimentPlan plan;
         plan.mode = m_plan.loop;
         plan.slot = m_provingSlot;
         plan.repeat = proofRepeats;
-        const double settles = proofSettles * m_report.predicted->metrics.settle.value_or(1.0);
-        plan.seconds = m_plan.loop == Mode::Current ? std::clamp(settles, leastCurrent, longestCurrent)
-                                                    : std::clamp(settles, 0.8, 5.0);
+        plan.seconds = proofSeconds();
         plan.gains = inProvingSlot();
-        plan.keep = m_plan.keep && m_provingSlot == m_plan.slot ? Keep::Always : Keep::Never;
+        plan.keep = mayStay ? Keep::Always : Keep::Never;
         plan.from = m_plan.loop == Mode::Position ? std::optional<double>() : 0.0;
         plan.to = proofTarget(sign);
         note("proving: a step of "
@@ -232,8 +257,7 @@ Task<void> AutotuneRun::prove()
             co_return {};
     }
     m_report.measured = worseOf(m_report.proof);
-    const std::string wrong = judgeProof(
-        m_report.measured, m_report.predicted->metrics, m_step, deadband(m_report.plant, m_report.proposed.made));
+    const std::string wrong = judgeProof(m_report.measured, m_report.predicted->metrics, m_step, resting());
     if (!wrong.empty()) {
         m_report.result = TuneResult::RolledBack;
         m_report.evidence = wrong;
@@ -250,10 +274,8 @@ Task<void> AutotuneRun::keep()
     m_report.evidence = std::string("the steps in both directions did what was predicted; the gains were written")
         + (can.readback ? " and read back" : ", which this family cannot read back");
     const bool tried = m_report.scale.has_value();
-    const double resting = tried ? deadband(m_report.plant, m_report.proposed.made)
-                                 : restingError(m_device.family(), m_report.plant, m_report.proposed.made);
-    if (resting > notableRest * m_step)
-        m_report.evidence += "; it may rest " + whole(resting) + " short of its target, less does not move its "
+    if (resting() > notableRest * m_step)
+        m_report.evidence += "; it may rest " + whole(resting()) + " short of its target, less does not move its "
             + (tried ? "motor" : "integral");
     if (std::any_of(m_report.proof.begin(), m_report.proof.end(),
             [](const Trial &trial) { return trial.has(flag::restartNeeded); }))

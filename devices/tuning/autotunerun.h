@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tuning/autotune.h"
+#include "tuning/proof.h"
 
 #include <optional>
 #include <string>
@@ -69,6 +70,9 @@ public:
 
 private:
     [[nodiscard]] Result<Proposal> proposalFor(Aim aim) const;
+    [[nodiscard]] VelocityTaking taking() const;
+    [[nodiscard]] double resting() const;
+    [[nodiscard]] double proofSeconds() const;
     [[nodiscard]] double proofTarget(double sign) const;
     [[nodiscard]] std::vector<ParameterChange> inProvingSlot() const;
 

@@ -169,8 +169,8 @@ Task<void> ExperimentRun::writeDown()
 double ExperimentRun::rate() const
 {
     const TrialTraits &traits = *m_device.family().trials;
-    return m_plan.rate.value_or(
-        m_plan.mode == Mode::Current && traits.currentRate > 0.0 ? traits.currentRate : traits.rate);
+    const double usual = m_around.rate > 0.0 ? m_around.rate : traits.rate;
+    return m_plan.rate.value_or(m_plan.mode == Mode::Current && traits.currentRate > 0.0 ? traits.currentRate : usual);
 }
 
 Task<void> ExperimentRun::raiseRates()

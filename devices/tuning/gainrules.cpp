@@ -31,12 +31,14 @@ ContinuousGains rule(Mode loop, const PlantModel &plant, double response, double
     return loop == Mode::Current ? currentRule(plant, response) : velocityRule(plant, response);
 }
 
-bool hasMargin(Mode loop, const PlantModel &plant, const ContinuousGains &gains, double mostMs, double mostMsOff)
+bool isNoisy(const ContinuousGains &gains, const LoopBounds &bounds)
 {
-    PlantModel off = plant;
-    off.gain *= offGain;
-    off.delay *= offDelay;
-    return marginsOf(loop, plant, gains).ms <= mostMs && marginsOf(loop, off, gains).ms <= mostMsOff;
+    return bounds.period > 0.0 && gains.d / bounds.period > bounds.derivativeShare * (1.0 + 1e-9); // of one count
+}
+
+bool isLikeARelay(const ContinuousGains &gains, const LoopBounds &bounds)
+{
+    return bounds.largestError > 0.0 && gains.p * bounds.largestError > bounds.strongestError;
 }
 
 } // namespace
@@ -98,24 +100,33 @@ double responseOf(Mode loop, Aim aim, const PlantModel &plant)
     return plant.delay * std::array<double, 3>{3.0, 1.5, 1.0}[step];
 }
 
+bool hasMargin(Mode loop, const PlantModel &plant, const ContinuousGains &gains, double mostMs, double mostMsOff)
+{
+    PlantModel off = plant;
+    off.gain *= offGain;
+    off.delay *= offDelay;
+    return marginsOf(loop, plant, gains).ms <= mostMs && marginsOf(loop, off, gains).ms <= mostMsOff;
+}
+
+bool isWithin(const ContinuousGains &gains, const LoopBounds &bounds)
+{
+    return !isNoisy(gains, bounds) && !isLikeARelay(gains, bounds);
+}
+
 Design design(
     Mode loop, const PlantModel &plant, double response, const LoopBounds &bounds, double mostMs, double mostMsOff)
 {
     Design result;
-    result.response = response;
+    result.response = result.asked = response;
     const auto bound = [&result](std::string_view name) {
         if (std::find(result.bounds.begin(), result.bounds.end(), name) == result.bounds.end())
             result.bounds.push_back(name);
     };
     for (int round = 0; round < mostRounds; ++round, result.response *= slower) {
         result.gains = rule(loop, plant, result.response, bounds.integralWeight);
-        const bool noisy
-            = bounds.period > 0.0 && result.gains.d / bounds.period > bounds.derivativeShare; // of one count
-        const bool relayLike
-            = bounds.largestError > 0.0 && result.gains.p * bounds.largestError > bounds.strongestError;
-        if (noisy)
+        if (isNoisy(result.gains, bounds))
             bound("derivative noise");
-        else if (relayLike)
+        else if (isLikeARelay(result.gains, bounds))
             bound("largest error");
         else if (!hasMargin(loop, plant, result.gains, mostMs, mostMsOff))
             bound("margin");

@@ -63,8 +63,14 @@ struct LoopBounds {
 struct Design {
     ContinuousGains gains;
     double response = 0.0;                ///< s, as it came out
+    double asked = 0.0;                   ///< s, as it was asked for
     std::vector<std::string_view> bounds; ///< "delay", "derivative noise", "largest error", "margin"; empty: none
 };
+/// The sensitivity peak is at most `mostMs` on the model, and `mostMsOff` with 20 % more gain and 30 % more delay.
+[[nodiscard]] bool hasMargin(
+    Mode loop, const PlantModel &plant, const ContinuousGains &gains, double mostMs, double mostMsOff);
+/// Neither one count nor the largest error makes more output than `bounds` allow.
+[[nodiscard]] bool isWithin(const ContinuousGains &gains, const LoopBounds &bounds);
 /// Within `bounds`, and with a sensitivity peak of `mostMs` at most on the model (and `mostMsOff` where the gain is 20 % and the
 /// delay 30 % more than thought): slower until they hold.
 [[nodiscard]] Design design(Mode loop, const PlantModel &plant, double response, const LoopBounds &bounds,

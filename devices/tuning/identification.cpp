@@ -9,28 +9,76 @@
 namespace mb::tuning {
 namespace {
 
-constexpr double edgeSearch = 0.15; ///< s around the order in which the device's own duty shows the edge
+constexpr double edgeSearch = 0.5;  ///< s after the order in which the device's own duty shows the edge
+constexpr double edgeBefore = 0.15; ///< s before it, by another clock
+constexpr double leastShare = 0.05; ///< of the duty ordered
+constexpr double wholeShare = 0.95;
 constexpr double beforePush = 0.05; ///< s of rest that a record begins with
 constexpr double mostCost = 3.0;
 constexpr double mostAsymmetry = 0.10;
 constexpr double leastCounts = 50.0;
 constexpr double mostFrictionShare = 0.7; ///< of the smallest push
+constexpr double mostOfDuty = 0.9;        ///< that friction may take, when it is told where a slow push began
 constexpr double nearLimit = 0.98;
 
-/// When the device's duty reached half of what was ordered; the order's own time where it tells no duty. A sample tells that
-/// the edge lay between it and the one before.
-double edgeOf(const Signal *duty, double ordered, double target)
+/// When a push began, and when its duty was all there.
+struct Edge {
+    double at = 0.0;
+    double whole = 0.0;
+};
+
+/// A push whose duty grows slowly is one that came at once, but later: by what was missing beyond friction (a share of the duty).
+double centre(const Trace &duty, double ordered, std::size_t whole, double target, double friction)
+{
+    const auto moving = [&](double y) { return std::clamp((y / target - friction) / (1.0 - friction), 0.0, 1.0); };
+    double missing = 0.0;
+    double before = ordered;
+    double last = 0.0;
+    for (std::size_t i = 0; i <= whole; ++i) {
+        if (duty.t[i] <= ordered)
+            continue;
+        const double now = moving(duty.y[i]);
+        missing += (1.0 - 0.5 * (last + now)) * (duty.t[i] - before);
+        before = duty.t[i];
+        last = now;
+    }
+    return ordered + missing;
+}
+
+/// When the order was carried out: at once, unless the device's own duty shows that it came later (its frame was lost, its
+/// output grows slowly) or, by the clock of the samples, sooner. A sample tells that the edge lay between it and the one before.
+Edge edgeOf(const Signal *duty, double ordered, double target, double friction)
 {
     if (!duty)
-        return ordered;
+        return {ordered, ordered};
     const Trace &trace = duty->trace;
-    for (std::size_t i = 1; i < trace.size(); ++i) {
-        if (trace.t[i] > ordered + edgeSearch)
-            break;
-        if (trace.t[i] >= ordered - edgeSearch && trace.y[i] / target >= 0.5 && trace.y[i - 1] / target < 0.5)
-            return 0.5 * (trace.t[i - 1] + trace.t[i]);
+    int between = 0;
+    std::optional<double> half;
+    for (std::size_t i = 1; i < trace.size() && trace.t[i] <= ordered + edgeSearch; ++i) {
+        const double share = trace.y[i] / target;
+        if (trace.t[i] < ordered - edgeBefore || share < leastShare)
+            continue;
+        if (!half && share >= 0.5)
+            half = std::clamp(ordered, trace.t[i - 1], trace.t[i]);
+        if (share >= wholeShare) {
+            if (between < 2)
+                return {half.value_or(ordered), half.value_or(ordered)};
+            return {centre(trace, ordered, i, target, friction), trace.t[i]};
+        }
+        ++between;
     }
-    return ordered;
+    return {half.value_or(ordered), half.value_or(ordered)};
+}
+
+/// While the duty still grows, nothing is fitted.
+Trace without(const Trace &trace, double from, double to)
+{
+    Trace rest;
+    for (std::size_t i = 0; i < trace.size(); ++i) {
+        if (trace.t[i] <= from || trace.t[i] >= to)
+            rest.add(trace.t[i], trace.y[i]);
+    }
+    return rest;
 }
 
 double meanOver(const Trace &trace, double from, double to, double otherwise)
@@ -51,9 +99,20 @@ double restVoltage(const Trial &trial)
     return bus ? meanOver(bus->trace, -1.0, 0.0, bus->trace.isEmpty() ? 0.0 : bus->trace.y.front()) : 0.0;
 }
 
+bool growsSlowly(const std::vector<Trial> &pushes)
+{
+    return std::any_of(pushes.begin(), pushes.end(), [](const Trial &trial) {
+        const Signal *const duty = trial.signal("duty");
+        return std::any_of(trial.holds.begin(), trial.holds.end(), [&](const Span &hold) {
+            const auto [at, whole] = edgeOf(duty, hold.from, trial.stimulus.to, 0.0);
+            return whole > at;
+        });
+    });
+}
+
 } // namespace
 
-std::vector<PushRecord> pushesOf(const Trial &trial)
+std::vector<PushRecord> pushesOf(const Trial &trial, double friction)
 {
     std::vector<PushRecord> records;
     const Signal *const position = trial.signal("position");
@@ -64,10 +123,11 @@ std::vector<PushRecord> pushesOf(const Trial &trial)
     for (const Span &hold : trial.holds) {
         if (!position || target == 0.0)
             break;
-        const double edge = edgeOf(duty, hold.from, target);
+        const auto [edge, whole] = edgeOf(duty, hold.from, target, std::min(friction / std::abs(target), mostOfDuty));
         PushRecord record;
-        record.position = position->trace.part(edge - beforePush, hold.to, edge);
-        record.duty = duty ? meanOver(duty->trace, edge + 0.01, hold.to, target) : target;
+        record.position = without(position->trace.part(std::min(edge, hold.from) - beforePush, hold.to, edge),
+            hold.from - edge, whole - edge);
+        record.duty = duty ? meanOver(duty->trace, whole + 0.01, hold.to, target) : target;
         if (bus && rest > 0.0)
             record.duty *= meanOver(bus->trace, 0.5 * (edge + hold.to), hold.to, rest) / rest;
         if (!record.position.isEmpty() && std::abs(record.position.y.back() - record.position.y.front()) >= leastCounts)
@@ -76,16 +136,11 @@ std::vector<PushRecord> pushesOf(const Trial &trial)
     return records;
 }
 
+/// Once without friction, and once more with what was found: where a duty grows slowly, it tells when the motor was free.
 Result<MotorFound> identify(const std::vector<Trial> &pushes)
 {
-    std::vector<PushRecord> records;
-    std::vector<double> duties;
     MotorFound found;
     for (const Trial &trial : pushes) {
-        for (PushRecord &record : pushesOf(trial)) {
-            duties.push_back(record.duty);
-            records.push_back(std::move(record));
-        }
         if (found.supply == 0.0)
             found.supply = restVoltage(trial);
         const Signal *const velocity = trial.signal("velocity");
@@ -93,14 +148,26 @@ Result<MotorFound> identify(const std::vector<Trial> &pushes)
         if (!found.filter && velocity && position)
             found.filter = fingerprint(position->trace, velocity->trace);
     }
-    const auto fit = fitPushes(records);
-    if (!fit)
-        return fail(fit.error());
-    found.pushes = *fit;
-    const auto line = fitGain(duties, fit->speeds);
-    if (!line)
-        return fail(line.error());
-    found.line = *line;
+    for (int pass = 0; pass < 2; ++pass) {
+        std::vector<PushRecord> records;
+        std::vector<double> duties;
+        for (const Trial &trial : pushes) {
+            for (PushRecord &record : pushesOf(trial, found.line.friction)) {
+                duties.push_back(record.duty);
+                records.push_back(std::move(record));
+            }
+        }
+        const auto fit = fitPushes(records);
+        if (!fit)
+            return fail(fit.error());
+        found.pushes = *fit;
+        const auto line = fitGain(duties, fit->speeds);
+        if (!line)
+            return fail(line.error());
+        found.line = *line;
+        if (!growsSlowly(pushes))
+            break;
+    }
     return found;
 }
 

@@ -27,8 +27,9 @@ struct Gate {
     std::string remedy{}; ///< what helps where it has not passed; empty: nothing is known
 };
 
-/// The pushes of trials in duty mode, each from its own edge. Trials that moved nothing give none.
-[[nodiscard]] std::vector<PushRecord> pushesOf(const Trial &trial);
+/// The pushes of trials in duty mode, each from its own edge. Trials that moved nothing give none. `friction`: duty that moves nothing,
+/// where it is known; it matters where a duty grows slowly.
+[[nodiscard]] std::vector<PushRecord> pushesOf(const Trial &trial, double friction = 0.0);
 
 /// Fits what the trials recorded: pushes of two sizes, both ways. OutOfRange where they do not tell it.
 [[nodiscard]] Result<MotorFound> identify(const std::vector<Trial> &pushes);

@@ -18,6 +18,9 @@ constexpr double longestFitTau = 1.5;
 constexpr double longestDelay = 0.08;
 constexpr int tauSteps = 60;
 constexpr int delaySteps = 33;
+constexpr double latestOrder = 0.15; ///< s
+constexpr double lateStep = 0.0005;
+constexpr double lateOrder = 0.008;
 constexpr double halfCount = 0.5;
 constexpr double stampError = 0.001; ///< s, of a busy computer's time stamps
 constexpr double startedShare = 0.1; ///< of the last speed: a ramp counts from there
@@ -116,6 +119,41 @@ Point2 refined(std::span<const Trace> traces, Point2 best)
         }
     }
     return best;
+}
+
+/// When this record alone begins, for a given τ.
+double ownDelay(const Trace &trace, double tau)
+{
+    double best = 0.0;
+    double least = -1.0;
+    for (double delay = 0.0; delay <= latestOrder; delay += lateStep) {
+        const double residual = project(trace, tau, delay).residual;
+        if (least < 0.0 || residual < least) {
+            least = residual;
+            best = delay;
+        }
+    }
+    return best;
+}
+
+/// Takes back what single records are later than the others: the frame of their order was lost, and the next one moved the motor.
+/// Whether there were any.
+bool align(std::vector<Trace> &traces, double tau)
+{
+    std::vector<double> delays;
+    for (const Trace &trace : traces)
+        delays.push_back(ownDelay(trace, tau));
+    const double usual = median(delays);
+    bool any = false;
+    for (std::size_t i = 0; i < traces.size(); ++i) {
+        const double late = delays[i] - usual;
+        if (late < lateOrder)
+            continue;
+        any = true;
+        for (double &t : traces[i].t)
+            t -= late;
+    }
+    return any;
 }
 
 /// Two standard errors of τ and delay from the curvature of the cost.
@@ -221,7 +259,9 @@ Result<PushFit> fitPushes(std::span<const PushRecord> records)
     }
     if (traces.empty())
         return fail(Fault::OutOfRange, "there is no push to fit");
-    const Point2 best = refined(traces, coarse(traces));
+    Point2 best = refined(traces, coarse(traces));
+    if (align(traces, best.tau))
+        best = refined(traces, coarse(traces));
     const auto [tauError, delayError] = uncertainty(traces, best, samples);
     PushFit fit{best.tau, best.delay, tauError, delayError, {}, 0.0};
     double expected = 0.0; // sum of squares that whole counts and late time stamps make

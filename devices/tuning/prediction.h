@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/gainrules.h"
 #include "tuning/metrics.h"
+#include "tuning/simulatedloop.h"
 
 namespace mb::tuning {
 
@@ -11,10 +11,13 @@ struct Prediction {
     Trace measured; ///< counts/s, counts or A
     Trace duty;
     Metrics metrics;
+    LoopShape shape{}; ///< of the loop that it is of
 };
 
-/// A step from `from` to `to`, held for `seconds`, with the output held within ±`mostDuty`, the integral frozen while it is, and
-/// the friction of the model. `period` of the device's loop, s.
+/// A step from `from` to `to`, held for `seconds`, with the friction of the model in a loop of this shape.
+[[nodiscard]] Prediction predictStep(Mode loop, const PlantModel &plant, const ContinuousGains &gains, double from,
+    double to, double seconds, const LoopShape &shape);
+/// In a loop of which only this is known.
 [[nodiscard]] Prediction predictStep(Mode loop, const PlantModel &plant, const ContinuousGains &gains, double from,
     double to, double seconds, double mostDuty = 1.0, double period = 0.0005);
 

@@ -17,12 +17,18 @@ constexpr double stepOfLimit = 0.6;
 constexpr double stepDuty = 0.5;   ///< that P alone makes of a position step, at its start
 constexpr double deadbands = 10.0; ///< that a position step is clear of friction by
 constexpr double helpOfFriction = 1.25;
-constexpr double goodEnough = 4.0; ///< counts
+constexpr double stillSeconds = 0.5; ///< share of a proof in which friction holds the motor before its target
+constexpr double windupOverFriction = 1.5;
+constexpr double leastWindup = 0.1; ///< duty
+constexpr double edgesOfOne = 4.0;  ///< of LoopScale::velocityEdges
+constexpr double goodEnough = 4.0;  ///< counts
+constexpr double goodSteps = 100.0; ///< of these a position step has at least
 constexpr double moreOvershoot = 0.05;
-constexpr double moreSettle = 2.0;   ///< times
-constexpr double laterSettle = 0.15; ///< s
-constexpr double mostNoise = 0.005;  ///< of the step, with which settling can still be measured
-constexpr double leastError = 0.02;  ///< of the step
+constexpr double mostOvershoot = 0.075; ///< whatever was predicted
+constexpr double moreSettle = 2.0;      ///< times
+constexpr double laterSettle = 0.15;    ///< s
+constexpr double mostNoise = 0.005;     ///< of the step, with which settling can still be measured
+constexpr double leastError = 0.02;     ///< of the step
 
 void addNumber(const Family &family, const std::string &key, double number, ScaledGains &into)
 {
@@ -35,14 +41,27 @@ void addNumber(const Family &family, const std::string &key, double number, Scal
     }
 }
 
+/// Of the gains of a position loop.
+bool hasName(const Family &family, std::string_view name)
+{
+    const LoopGains &loop = *loopOf(family, Mode::Position);
+    return std::find(loop.names.begin(), loop.names.end(), name) != loop.names.end();
+}
+
+/// Enough for friction and some load, not enough to fly past the target.
+double windupOf(const PlantModel &plant)
+{
+    return std::min(windupOverFriction * plant.friction + leastWindup, 1.0);
+}
+
 } // namespace
 
 double proofStep(Mode loop, const PlantModel &plant, const ContinuousGains &gains, const Envelope &envelope)
 {
     const double duty = envelope.duty.value_or(1.0);
     if (loop == Mode::Position) {
-        const double step
-            = std::max(gains.p > 0.0 ? stepDuty * duty / gains.p : 0.0, deadbands * deadband(plant, gains));
+        const double step = std::max({gains.p > 0.0 ? stepDuty * duty / gains.p : 0.0,
+            deadbands * deadband(plant, gains), goodSteps * goodEnough});
         return std::round(std::min(step, stepOfLimit * envelope.travel.value_or(step)));
     }
     const double free = plant.gain * std::max(duty - plant.friction, 0.0);
@@ -52,30 +71,74 @@ double proofStep(Mode loop, const PlantModel &plant, const ContinuousGains &gain
 
 bool hasFrictionHelp(const Family &family)
 {
-    const LoopGains &loop = *loopOf(family, Mode::Position);
-    return std::find(loop.names.begin(), loop.names.end(), "nominal_forward") != loop.names.end();
+    return hasName(family, "nominal_forward");
 }
 
-double restingError(const Family &family, const PlantModel &plant, const ContinuousGains &gains)
+double restingError(
+    const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains, double seconds)
 {
     const LoopScale &scale = *family.loop;
     if (gains.i <= 0.0)
         return deadband(plant, gains);
-    return scale.integralStep / scale.fullDuty / (gains.i * scale.cycle);
+    const double unmoved = scale.integralStep / scale.fullDuty / (gains.i * scale.cycle);
+    if (loop != Mode::Position)
+        return unmoved;
+    return std::max(unmoved, plant.friction / (gains.p + gains.i * stillSeconds * seconds));
 }
 
 void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel &plant, ScaledGains &into)
 {
-    if (!hasFrictionHelp(family))
-        return;
     const LoopGains &loop = *loopOf(family, Mode::Position);
-    const double push = std::round(helpOfFriction * plant.friction * family.loop->fullDuty);
     const auto key = [&](std::string_view name) {
         return gainKey(family, std::string(loop.prefix) + std::string(name), axis, slot);
     };
+    if (hasName(family, "windup"))
+        addNumber(family, key("windup"), std::round(windupOf(plant) * family.loop->fullDuty), into);
+    if (!hasFrictionHelp(family))
+        return;
+    const double push = std::round(helpOfFriction * plant.friction * family.loop->fullDuty);
     addNumber(family, key("nominal_forward"), push, into);
     addNumber(family, key("nominal_reverse"), -push, into);
     addNumber(family, key("allowable_error"), goodEnough, into);
+}
+
+VelocityTaking velocityTaking(const Device &device, double speed, const std::optional<VelocityFilter> &found)
+{
+    const LoopScale &scale = *device.family().loop;
+    double window = scale.velocityWindow;
+    const auto index = findParameter(device.family().parameters, scale.velocityEdges);
+    const auto edges = index ? device.parameters().entry(*index).raw : std::nullopt;
+    const double counts = edges ? edgesOfOne * static_cast<double>(*edges) : 0.0;
+    if (counts > 0.0 && speed != 0.0)
+        window = std::max(counts / std::abs(speed), scale.cycle);
+    if (window > 0.0)
+        return {window, 0.5 * window, counts};
+    if (!found)
+        return {};
+    return {found->kind == VelocityFilter::Kind::Rolling ? found->window : 0.0, found->delay, 0.0};
+}
+
+LoopShape shapeOf(
+    const Family &family, Mode loop, const PlantModel &plant, const Envelope &envelope, const VelocityTaking &taking)
+{
+    const LoopScale &scale = *family.loop;
+    LoopShape shape;
+    shape.period = scale.cycle;
+    shape.mostDuty = envelope.duty.value_or(1.0);
+    shape.outputStep = 1.0 / scale.fullDuty;
+    shape.integralStep = scale.integralStep / scale.fullDuty;
+    shape.isCounted = loop != Mode::Current;
+    if (loop == Mode::Velocity) {
+        shape.window = std::min(taking.window, 2.0 * plant.delay);
+        shape.windowCounts = taking.counts;
+    }
+    if (loop == Mode::Position && hasName(family, "windup"))
+        shape.integralMost = windupOf(plant);
+    if (loop == Mode::Position && hasFrictionHelp(family)) {
+        shape.leastOutput = helpOfFriction * plant.friction;
+        shape.goodEnough = goodEnough;
+    }
+    return shape;
 }
 
 Metrics worseOf(const std::vector<Trial> &trials)
@@ -98,7 +161,7 @@ std::string judgeProof(const Metrics &measured, const Metrics &predicted, double
 {
     if (!measured.rise || !measured.overshoot)
         return "the response could not be measured";
-    const double overshoot = predicted.overshoot.value_or(0.0) + moreOvershoot;
+    const double overshoot = std::min(predicted.overshoot.value_or(0.0) + moreOvershoot, mostOvershoot);
     if (*measured.overshoot > overshoot)
         return "it overshot by " + percentText(*measured.overshoot) + ", predicted were "
             + percentText(predicted.overshoot.value_or(0.0));

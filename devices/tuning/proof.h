@@ -2,7 +2,9 @@
 #pragma once
 
 #include "tuning/gainscale.h"
+#include "tuning/simulatedloop.h"
 #include "tuning/trial.h"
+#include "tuning/velocityfilter.h"
 
 #include <string>
 #include <vector>
@@ -15,15 +17,25 @@ namespace mb::tuning {
 
 /// The device has a least output that overcomes friction, and an error that is good enough.
 [[nodiscard]] bool hasFrictionHelp(const Family &family);
-/// Adds the least output that overcomes friction, and the error that is good enough, where the slot has them: a position loop
-/// without I comes to rest before its target otherwise.
+/// Adds the least output that overcomes friction, and the error that is good enough, or the bound of the integral, where the slot
+/// has them: a position loop comes to rest before its target otherwise.
 void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel &plant, ScaledGains &into);
+
+/// How a velocity loop takes its velocity at a speed, counts/s: as the family tells, else as it was found out.
+[[nodiscard]] VelocityTaking velocityTaking(
+    const Device &device, double speed, const std::optional<VelocityFilter> &found);
+
+/// The loop of a family as proposals run in it.
+[[nodiscard]] LoopShape shapeOf(
+    const Family &family, Mode loop, const PlantModel &plant, const Envelope &envelope, const VelocityTaking &taking);
 
 /// Of each metric the worse of the trials; nothing where one of them has none.
 [[nodiscard]] Metrics worseOf(const std::vector<Trial> &trials);
 
-/// The error at rest that this loop leaves, in the unit of the loop: where friction holds P, and below what moves the integral.
-[[nodiscard]] double restingError(const Family &family, const PlantModel &plant, const ContinuousGains &gains);
+/// The error that this loop leaves after so many seconds, in the unit of the loop: where friction holds P and what the integral
+/// of a position loop has become, and below what moves the integral at all.
+[[nodiscard]] double restingError(
+    const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains, double seconds);
 
 /// Empty when a proof did what was predicted; else what it did instead, with the numbers. `resting` error in the unit of the step.
 [[nodiscard]] std::string judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting);

@@ -2,6 +2,7 @@
 #include "tuning/proposals.h"
 
 #include "model/family.h"
+#include "tuning/gainsearch.h"
 #include "tuning/proof.h"
 
 #include <algorithm>
@@ -37,6 +38,16 @@ LoopBounds boundsOf(const ProposalBasis &basis)
     return bounds;
 }
 
+LoopShape shapeOf(const ProposalBasis &basis)
+{
+    if (basis.family.loop && !basis.scale && basis.loop != Mode::Current)
+        return tuning::shapeOf(basis.family, basis.loop, basis.plant, basis.envelope, basis.taking);
+    LoopShape plain;
+    plain.period = predictionPeriod(basis);
+    plain.mostDuty = basis.envelope.duty.value_or(1.0);
+    return plain;
+}
+
 } // namespace
 
 MsBounds msBoundsOf(const ProposalWish &wish)
@@ -48,7 +59,7 @@ MsBounds msBoundsOf(const ProposalWish &wish)
 
 double predictionPeriod(const ProposalBasis &basis)
 {
-    return std::clamp(cycleOf(basis), 1e-4, 0.02);
+    return std::clamp(cycleOf(basis), 1e-4, 0.025);
 }
 
 Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wish)
@@ -59,8 +70,13 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
     const double response = wish.response.value_or(responseOf(basis.loop, wish.aim, plant));
     Proposal proposal;
     proposal.aim = wish.aim;
+    SearchTask task{boundsOf(basis), ms.model, ms.off, 0.0, shapeOf(basis)};
     proposal.design = design(basis.loop, plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
-        boundsOf(basis), ms.model, ms.off);
+        task.bounds, ms.model, ms.off);
+    if (basis.loop != Mode::Current && !basis.scale && !wish.response && !wish.ms) {
+        task.step = proofStep(basis.loop, plant, proposal.design.gains, basis.envelope);
+        proposal.design = searched(basis.loop, plant, proposal.design, task);
+    }
     auto scaled
         = scaleGains(family, basis.profile, basis.loop, basis.axis, basis.slot, proposal.design.gains, basis.scale);
     if (!scaled)
@@ -76,8 +92,7 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
     const double seconds = basis.loop == Mode::Current
         ? currentPrediction
         : std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestPrediction);
-    proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds,
-        basis.envelope.duty.value_or(1.0), predictionPeriod(basis));
+    proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, task.shape);
     return proposal;
 }
 

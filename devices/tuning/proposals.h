@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tuning/autotune.h"
+#include "tuning/proof.h"
 
 namespace mb {
 struct DeviceProfile;
@@ -20,6 +21,7 @@ struct ProposalBasis {
     PlantModel plant;
     Envelope envelope;               ///< in force: what the step may use
     std::optional<TriedScale> scale; ///< of its gains, where they had to be tried
+    VelocityTaking taking{};         ///< of a velocity loop, where it is known
 };
 
 /// What one set is to be like: an aim, or numbers in its place.
@@ -39,7 +41,8 @@ struct MsBounds {
 /// s, between the points that predictStep() computes for this loop.
 [[nodiscard]] double predictionPeriod(const ProposalBasis &basis);
 
-/// Gains for it, rounded to what the device stores, their margins and the step that they would make. Pure; under 16 ms. OutOfRange or
+/// Gains for it, rounded to what the device stores, their margins and the step that they would make. Pure; under 16 ms for numbers.
+/// For an aim they are those of the rule, bettered by a search on the model (gainsearch.h): a tenth of a second. OutOfRange or
 /// Unsupported where the device cannot have such gains.
 [[nodiscard]] Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wish);
 

@@ -4,6 +4,7 @@
 #include "model/family.h"
 #include "tuning/autotunerun.h"
 #include "tuning/figures.h"
+#include "tuning/proof.h"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +15,9 @@ namespace {
 
 constexpr std::array<double, 3> probes{0.15, 0.25, 0.4}; ///< duty
 constexpr double probeSeconds = 0.6;
-constexpr double strongest = 0.4; ///< duty of the pushes
-constexpr double weaker = 0.6;    ///< of the strongest
+constexpr double strongest = 0.4;     ///< duty of the pushes
+constexpr double overBreakaway = 2.5; ///< times what moved the motor
+constexpr double weaker = 0.6;        ///< of the strongest
 constexpr double leastPush = 0.1;
 constexpr double taus = 8.0; ///< that a push lasts
 constexpr double leastTaus = 2.5;
@@ -80,7 +82,7 @@ Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
     co_await std::move(reading);
     const Envelope &envelope = run.envelope();
     const double gain = speedReserve * std::abs(fit->speeds.front() / seen.front().duty); // counts/s per duty, at most
-    m_duty = std::min(strongest, nearlyFull * envelope.duty.value_or(1.0));
+    m_duty = std::min(std::max(strongest, overBreakaway * seen.front().duty), nearlyFull * envelope.duty.value_or(1.0));
     if (envelope.speed)
         m_duty = std::min(m_duty, usableShare * *envelope.speed / gain);
     const double period = std::max(samplePeriod(seen.front().position), 1e-3);
@@ -121,8 +123,10 @@ Result<void> PushIdentification::conclude(AutotuneRun &run) const
     const double loop = run.device().family().loop->cycle;
     PlantModel plant{
         found->line.gain, found->pushes.tau, found->pushes.delay + loopDelays * loop, found->line.friction};
-    if (run.plan().loop == Mode::Velocity && found->filter)
-        plant.delay += found->filter->delay;
+    if (run.plan().loop == Mode::Velocity) {
+        const double speed = proofStep(Mode::Velocity, plant, {}, run.envelope());
+        plant.delay += velocityTaking(run.device(), speed, found->filter).delay;
+    }
     auto gates = judge(*found, m_pushes);
     return run.take({std::move(*found), plant, std::move(gates), std::nullopt});
 }

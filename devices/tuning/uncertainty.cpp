@@ -23,6 +23,9 @@ PlantErrors errorsOf(const std::optional<MotorFound> &motor)
 PredictionBand bandOf(const Prediction &predicted, Mode loop, const PlantModel &plant, const PlantErrors &errors,
     const ContinuousGains &gains, double to, double mostDuty, double period)
 {
+    LoopShape shape = predicted.shape;
+    shape.mostDuty = mostDuty;
+    shape.period = period;
     PredictionBand band{predicted.measured, predicted.measured};
     const double seconds = predicted.measured.isEmpty() ? 0.0 : predicted.measured.t.back() + period;
     for (int corner = 0; corner < 8; ++corner) {
@@ -31,7 +34,7 @@ PredictionBand bandOf(const Prediction &predicted, Mode loop, const PlantModel &
         other.gain = off(plant.gain, sign(0) * errors.gain);
         other.tau = off(plant.tau, sign(1) * errors.tau);
         other.delay = off(plant.delay, sign(2) * errors.delay);
-        const Trace moved = predictStep(loop, other, gains, 0.0, to, seconds, mostDuty, period).measured;
+        const Trace moved = predictStep(loop, other, gains, 0.0, to, seconds, shape).measured;
         for (std::size_t i = 0; i < std::min(moved.size(), band.low.size()); ++i) {
             band.low.y[i] = std::min(band.low.y[i], moved.y[i]);
             band.high.y[i] = std::max(band.high.y[i], moved.y[i]);

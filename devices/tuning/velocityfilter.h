@@ -22,6 +22,13 @@ struct VelocityFilter {
 };
 [[nodiscard]] std::string_view toString(VelocityFilter::Kind kind);
 
+/// How a loop takes its velocity, at the speed that it is designed for.
+struct VelocityTaking {
+    double window = 0.0; ///< s
+    double delay = 0.0;  ///< s, half of it and what it is late beyond
+    double counts = 0.0; ///< the window is as long as they take; 0: always the same
+};
+
 /// Compares what the device calls its velocity with its own positions (docs/tuning.md, "Velocity filter"). Counts and counts/s of
 /// the same clock while the speed changes, some seconds of it: a square wave of duty. Nothing where there are too few samples or
 /// the speed never changed.

@@ -103,6 +103,8 @@ class LossWatch {
 public:
     void add(Instant now, std::uint64_t samples, std::uint64_t lost);
     [[nodiscard]] double share() const { return m_share; }
+    /// More than 5 % of them, and more than chance makes of less: in a second of a slow wire one lost frame is 5 %.
+    [[nodiscard]] bool isMuch() const { return m_isMuch; }
 
 private:
     struct Count {
@@ -112,6 +114,7 @@ private:
     };
     std::deque<Count> m_counts;
     double m_share = 0.0;
+    bool m_isMuch = false;
 };
 
 } // namespace mb::tuning

@@ -310,3 +310,32 @@ TEST(MotorModel, EncoderFaultsDoNotTouchTheMotor)
     model.setEncoderDead(false);
     EXPECT_LT(model.counts(), dead);
 }
+
+TEST(MotorModel, WithBacklashTurnsFreelyUntilTheLoadIsTouched)
+{
+    MotorModel one(*motorByName("25d"), 5.0);
+    MotorModel two(*motorByName("25d-backlash"), 5.0);
+    run(one, 0.5, Bridge::Drive, 0.01);
+    run(two, 0.5, Bridge::Drive, 0.01);
+    EXPECT_GT(two.speed(), 3.0 * one.speed()) << "a fifth of the inertia";
+    run(one, 0.5, Bridge::Drive, 2.0);
+    run(two, 0.5, Bridge::Drive, 2.0);
+    EXPECT_NEAR(two.speed() / one.speed(), 1.0, 0.02) << "together they end at the same speed";
+    run(two, 0.0, Bridge::Brake, 2.0);
+    EXPECT_NEAR(two.speed(), 0.0, 0.1);
+}
+
+TEST(MotorModel, WithSlipHoldsFirmlyAndLetsGo)
+{
+    const MotorParameters &p = *motorByName("cim-slip");
+    const double volts = 2.0 * p.friction * p.resistance / p.constant; // less than it breaks away at
+    MotorModel held(p, 9.0);
+    run(held, volts / 12.0, Bridge::Drive, 0.5);
+    EXPECT_DOUBLE_EQ(held.speed(), 0.0);
+    MotorModel plain(*motorByName("cim"), 9.0);
+    run(plain, volts / 12.0, Bridge::Drive, 0.5);
+    EXPECT_GT(plain.speed(), 1.0);
+    run(held, 0.5, Bridge::Drive, 2.0);
+    run(plain, 0.5, Bridge::Drive, 2.0);
+    EXPECT_NEAR(held.speed() / plain.speed(), 1.0, 0.01) << "at speed they are the same";
+}

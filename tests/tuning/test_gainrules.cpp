@@ -137,8 +137,10 @@ TEST(Prediction, FrictionHoldsAProportionalPositionLoopShort)
 
 TEST(Prediction, TheOutputStaysWithinItsLimit)
 {
+    LoopShape half;
+    half.mostDuty = 0.5;
     const Prediction seen
-        = predictStep(Mode::Velocity, motor, velocityRule(motor, motor.delay), 0.0, 300'000.0, 2.0, 0.5);
+        = predictStep(Mode::Velocity, motor, velocityRule(motor, motor.delay), 0.0, 300'000.0, 2.0, half);
     for (const double duty : seen.duty.y)
         EXPECT_LE(std::abs(duty), 0.5);
 }

@@ -37,6 +37,7 @@ TEST(Proposals, AreThoseOfTheEngineWithoutADevice)
     ASSERT_EQ(report->proposals.size(), 3U);
     ProposalBasis basis = basisOf(bench);
     basis.plant = report->plant;
+    basis.taking = report->taking;
     for (const Proposal &proposed : report->proposals) {
         const auto again = proposalFor(basis, {proposed.aim, {}, {}});
         ASSERT_TRUE(again) << again.error().text();

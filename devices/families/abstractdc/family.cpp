@@ -74,6 +74,7 @@ constexpr LoopScale controlLoop{
     .cycle = 20.04e-3,
     .integralStep = 1.0,
     .velocityTime = 1.0,
+    .velocityWindow = 20.04e-3, // from pass to pass; its log is of the last velocity loop, not of now
     .velocityError = QT_TRANSLATE_NOOP("table", "count/s"),
     .currentError = QT_TRANSLATE_NOOP("table", "ADC count"),
     .time = QT_TRANSLATE_NOOP("table", "ms"),

@@ -99,10 +99,10 @@ std::size_t LogPoller::pollers() const
     return std::max<std::size_t>(1, static_cast<std::size_t>(others));
 }
 
-/// Programs at the other end of a link without a bit rate may be held up for longer than a drive ever is.
-int LogPoller::silentAfter() const
+/// Where one frame of fifty is lost, three on end without an answer are nothing special within a minute; five are.
+int LogPoller::silentAfter()
 {
-    return m_link.bitrate() > 0 ? 3 : 5;
+    return 5;
 }
 
 /// From the end of an answer to the next question.

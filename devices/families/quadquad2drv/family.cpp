@@ -44,6 +44,7 @@ constexpr LoopScale controlLoop{
     .period = 2e-3,
     .cycle = 2e-3,
     .velocityTime = 1.0,
+    .velocityEdges = "history.length",
     .velocityError = QT_TRANSLATE_NOOP("table", "count/s"),
     .currentError = {},
     .time = QT_TRANSLATE_NOOP("table", "loop"),

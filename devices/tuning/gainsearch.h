@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/simulatedloop.h"
+
+namespace mb::tuning {
+
+/// What the rules of gainrules.h do not know: the step that matters, and the loop that takes it.
+struct SearchTask {
+    LoopBounds bounds;
+    double mostMs = 1.6;
+    double mostMsOff = 1.9;
+    double step = 0.0; ///< from rest, in the unit of the loop
+    LoopShape shape;
+};
+
+/// Gains around those of a rule that make the integral of time times error of this step smallest, on the model: what friction,
+/// whole counts and the steps of an integral leave for the rule to lose. Not quicker than the rule was asked to be (P of a velocity
+/// loop, natural frequency of a position loop), within the same bounds, and hardly without overshoot, also of a motor
+/// that is 15 % slower than thought, or whose friction the integral carries already. `start` itself where nothing is better.
+[[nodiscard]] Design searched(Mode loop, const PlantModel &plant, const Design &start, const SearchTask &task);
+
+} // namespace mb::tuning

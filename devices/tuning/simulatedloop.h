@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/gainrules.h"
+
+#include <deque>
+
+namespace mb::tuning {
+
+/// What a device's loop is beside its gains. A loop without any of it is a continuous one.
+struct LoopShape {
+    double period = 0.0005; ///< s, of the loop
+    double mostDuty = 1.0;  ///< the output is held within ±
+    double window = 0.0;    ///< s, over which it takes its velocity: half of it is in the plant's delay; 0: at once
+    double windowCounts
+        = 0.0; ///< it takes it over so many counts instead, or as long as it waits for them; `window` is that at speed
+    double integralStep = 0.0; ///< duty; the integral grows in whole steps of it
+    double integralMost = 0.0; ///< duty, that it is held within ±; 0: nothing holds it
+    double outputStep = 0.0;   ///< duty; so does the output
+    double leastOutput = 0.0;  ///< duty, of any output while the error is more than `goodEnough`
+    double goodEnough = 0.0;   ///< within it the output is 0
+    bool isCounted = false;    ///< positions are whole counts
+};
+
+/// The motor of a model in a device's loop, from rest at a value: seconds of it in microseconds. The integral goes on
+/// while the output is at its end: few devices know better.
+class SimulatedLoop {
+public:
+    SimulatedLoop(
+        Mode loop, const PlantModel &plant, const ContinuousGains &gains, const LoopShape &shape, double from);
+
+    /// One pass of the loop, and the motor until the next one. Yields the duty.
+    double pass(double target);
+    /// Of the shaft: counts/s, counts, or A.
+    [[nodiscard]] double value() const { return m_integrates ? m_place : m_speed; }
+    /// As the loop measured it in the last pass.
+    [[nodiscard]] double measured() const { return m_measured; }
+
+private:
+    [[nodiscard]] double measure();
+    [[nodiscard]] double measureByCounts();
+    [[nodiscard]] double output(double target, double measured);
+    void turn(double duty);
+
+    bool m_integrates;
+    bool m_windowed;
+    PlantModel m_plant;
+    ContinuousGains m_gains;
+    LoopShape m_shape;
+    double m_kept; ///< of the speed, of one pass to the next
+    double m_speed;
+    double m_place;
+    double m_measured;
+    double m_integral = 0.0;
+    double m_lastError = 0.0; ///< it begins at rest
+    std::size_t m_lag = 0;    ///< passes
+    std::size_t m_span = 0;   ///< of the window
+    std::deque<double> m_late;
+};
+
+} // namespace mb::tuning

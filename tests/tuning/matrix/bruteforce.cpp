@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/tuning/matrix/bruteforce.h"
+
+#include "model/family.h"
+#include "tuning/gainscale.h"
+#include "tuning/margins.h"
+#include "tuning/proof.h"
+
+#include <cmath>
+
+namespace mb::test {
+namespace {
+
+using tuning::ContinuousGains;
+
+constexpr double mostMs = 1.7;
+constexpr double mostMsOff = 1.9;
+constexpr double moreGain = 1.2;
+constexpr double moreDelay = 1.3;
+constexpr double mostOvershoot = 0.05;
+constexpr double noiseShare = 0.1;
+
+/// Looks at gains, keeps the best.
+class Search {
+public:
+    Search(
+        StepProbe &probe, const Cell &cell, const tuning::PlantModel &truth, const std::vector<ParameterChange> &also)
+        : m_probe(probe)
+        , m_cell(cell)
+        , m_truth(truth)
+        , m_also(also)
+    {
+    }
+    void look(const ContinuousGains &gains)
+    {
+        if (!isWithinBounds(m_cell, m_truth, gains))
+            return;
+        const auto scaled = tuning::scaleGains(m_probe.device(), m_cell.loop, 1, 0, gains);
+        if (!scaled)
+            return;
+        std::vector<ParameterChange> changes = scaled->changes;
+        changes.insert(changes.end(), m_also.begin(), m_also.end());
+        const auto response = m_probe.run(changes);
+        if (!response || !response->isStable || response->overshoot > mostOvershoot)
+            return;
+        if (!best || response->itae < best->response.itae)
+            best = BestGains{gains, *response, 0};
+    }
+    /// Each gain a little up and down from the best, as long as that helps.
+    void refine(double factor)
+    {
+        bool better = true;
+        for (int round = 0; better && round < 4; ++round) {
+            better = false;
+            for (const auto gain : {&ContinuousGains::p, &ContinuousGains::i, &ContinuousGains::d}) {
+                for (const double by : {factor, 1.0 / factor}) {
+                    ContinuousGains tried = best->gains;
+                    tried.*gain *= by;
+                    const double before = best->response.itae;
+                    if (tried.*gain != 0.0)
+                        look(tried);
+                    better = better || best->response.itae < before;
+                }
+            }
+        }
+    }
+
+    std::optional<BestGains> best;
+
+private:
+    StepProbe &m_probe;
+    const Cell &m_cell;
+    tuning::PlantModel m_truth;
+    const std::vector<ParameterChange> &m_also;
+};
+
+double cycleOf(const Cell &cell)
+{
+    for (const Family *family : families()) {
+        if (family->key == cell.family && family->loop)
+            return family->loop->cycle;
+    }
+    return 1e-3;
+}
+
+void lookAtVelocities(Search &search, const tuning::PlantModel &truth)
+{
+    for (double response = 0.4; response <= 5.0; response *= 1.25) {
+        const double p = truth.tau / (truth.gain * truth.delay * (1.0 + response));
+        for (double share = 0.25; share <= 4.0; share *= 1.35)
+            search.look({p, p / (share * truth.tau), 0.0, 0.0});
+    }
+}
+
+void lookAtPositions(Search &search, const tuning::PlantModel &truth, bool withIntegral)
+{
+    const double slowest = std::min(0.03 / truth.delay, 0.4 / truth.tau);
+    for (double omega = slowest; omega <= 0.5 / truth.delay; omega *= 1.3) {
+        for (const double zeta : {0.6, 0.7, 0.8, 0.9, 1.0, 1.15, 1.3, 1.6}) {
+            if (!withIntegral)
+                search.look(tuning::positionRule(truth, omega, zeta));
+            for (const double alpha : {0.03, 0.06, 0.1, 0.2}) {
+                if (withIntegral)
+                    search.look(tuning::positionRuleWithIntegral(truth, omega, zeta, alpha));
+            }
+        }
+    }
+}
+
+} // namespace
+
+bool isWithinBounds(const Cell &cell, const tuning::PlantModel &truth, const ContinuousGains &gains)
+{
+    if (gains.p <= 0.0 || gains.d / cycleOf(cell) > noiseShare * 1.001)
+        return false;
+    tuning::PlantModel off = truth;
+    off.gain *= moreGain;
+    off.delay *= moreDelay;
+    return tuning::marginsOf(cell.loop, truth, gains).ms <= mostMs
+        && tuning::marginsOf(cell.loop, off, gains).ms <= mostMsOff;
+}
+
+std::optional<BestGains> bruteForce(
+    StepProbe &probe, const Cell &cell, const tuning::PlantModel &truth, const std::vector<ParameterChange> &also)
+{
+    const int before = probe.runs();
+    Search search(probe, cell, truth, also);
+    if (cell.loop == Mode::Velocity)
+        lookAtVelocities(search, truth);
+    else
+        lookAtPositions(search, truth, !tuning::hasFrictionHelp(probe.device().family()));
+    if (search.best) {
+        search.refine(1.1);
+        search.refine(1.04);
+        search.best->steps = probe.runs() - before;
+    }
+    return search.best;
+}
+
+} // namespace mb::test

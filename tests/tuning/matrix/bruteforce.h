@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/tuning/matrix/stepprobe.h"
+
+namespace mb::test {
+
+struct BestGains {
+    tuning::ContinuousGains gains;
+    ShaftResponse response;
+    int steps = 0; ///< that it took
+};
+
+/// The gains with the least ITAE on the unit itself, of those within the bounds of every proposal: sensitivity of the true linear
+/// model at most 1.7, and 1.9 with 20 % more gain and 30 % more delay, overshoot at most 5 %, one count at most 10 % of duty
+/// through D. PI in a velocity loop; PD or PID in a position loop, as the family's proposals have it. `also` is written with
+/// each (friction help). Nothing where none is within the bounds.
+[[nodiscard]] std::optional<BestGains> bruteForce(
+    StepProbe &probe, const Cell &cell, const tuning::PlantModel &truth, const std::vector<ParameterChange> &also);
+
+/// Within the bounds that do not need a step.
+[[nodiscard]] bool isWithinBounds(
+    const Cell &cell, const tuning::PlantModel &truth, const tuning::ContinuousGains &gains);
+
+} // namespace mb::test

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/tuning/matrix/matrixrow.h"
+
+#include "tests/tuning/matrix/groundtruth.h"
+#include "tests/tuning/matrix/publishedrules.h"
+#include "tuning/gainscale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace mb::test {
+namespace {
+
+using tuning::TuneReport;
+using tuning::TuneResult;
+
+constexpr double holdSettles = 4.0;
+constexpr double shortestHold = 0.6;
+constexpr double longestHold = 6.0;
+
+const tuning::Proposal *normalOf(const TuneReport &report)
+{
+    const auto found = std::find_if(report.proposals.begin(), report.proposals.end(),
+        [](const tuning::Proposal &proposal) { return proposal.aim == tuning::Aim::Normal; });
+    return found == report.proposals.end() ? nullptr : &*found;
+}
+
+/// What a proposal writes beside its gains.
+std::vector<ParameterChange> frictionHelp(const Device &device, const tuning::ScaledGains &gains)
+{
+    std::vector<ParameterChange> rest;
+    for (const ParameterChange &change : gains.changes) {
+        const std::string_view key = device.parameters().parameter(change.index).key;
+        if (key.find("nominal") != std::string_view::npos || key.find("allowable") != std::string_view::npos
+            || key.find("windup") != std::string_view::npos)
+            rest.push_back(change);
+    }
+    return rest;
+}
+
+std::optional<ShaftResponse> tryRule(
+    StepProbe &probe, const Cell &cell, const tuning::ContinuousGains &gains, const std::vector<ParameterChange> &also)
+{
+    const auto scaled = tuning::scaleGains(probe.device(), cell.loop, 1, 0, gains);
+    if (!scaled)
+        return std::nullopt;
+    std::vector<ParameterChange> changes = scaled->changes;
+    changes.insert(changes.end(), also.begin(), also.end());
+    return probe.run(changes);
+}
+
+void compareWithOthers(MatrixRow &row, const TuneReport &report, const std::vector<tuning::Trial> &trials, bool all)
+{
+    const Cell &cell = row.cell;
+    const double settle = report.predicted->metrics.settle.value_or(1.0);
+    const double seconds = std::clamp(holdSettles * settle, shortestHold, longestHold);
+    StepProbe probe(cell, row.step, seconds);
+    row.before = probe.run();
+    row.kept = probe.run(report.proposed.changes);
+    if (!all)
+        return;
+    const auto help = frictionHelp(probe.device(), report.proposed);
+    if (const auto best = bruteForce(probe, cell, row.truth, help)) {
+        row.best = best->response;
+        row.bestGains = best->gains;
+    }
+    const Ultimate ultimate = ultimateOf(cell.loop, row.truth);
+    row.zieglerNichols = tryRule(probe, cell, zieglerNichols(cell.loop, ultimate), help);
+    row.tyreusLuyben = tryRule(probe, cell, tyreusLuyben(cell.loop, ultimate), help);
+    if (const auto plant = regressed(trials, row.truth)) {
+        const auto response = tuning::responseOf(cell.loop, tuning::Aim::Normal, *plant);
+        row.regression = tryRule(probe, cell,
+            cell.loop == Mode::Position ? tuning::positionRule(*plant, 1.0 / response)
+                                        : tuning::velocityRule(*plant, response),
+            help);
+    }
+}
+
+std::string number(double value)
+{
+    std::array<char, 32> text{};
+    (void)std::snprintf(text.data(), text.size(), "%.5g", value);
+    return text.data();
+}
+
+std::string cells(const std::optional<ShaftResponse> &response)
+{
+    if (!response)
+        return "\t\t\t";
+    return '\t' + number(response->isStable ? response->itae : INFINITY) + '\t' + number(response->overshoot) + '\t'
+        + number(response->settle);
+}
+
+} // namespace
+
+Cell cellOf(const std::string &family, const std::string &motor, Mode loop, std::uint64_t seed, double rate)
+{
+    std::mt19937_64 random(seed * 7919U);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    Cell cell{family, motor, loop, seed, 0.6 + share(random), {}};
+    cell.around.rate = rate;
+    const auto kind = (seed - 1) % 4;
+    if (kind >= 1) {
+        cell.around.busResistance = 0.05;
+        cell.around.ripple = 0.01;
+    }
+    if (kind >= 2) {
+        cell.around.loss = family == "quadquad2drv" ? 0.0 : 0.02; // the wire of a board loses nothing
+        cell.around.friction = 1.3;
+    }
+    if (kind == 3)
+        cell.around.backlash = 4.0;
+    return cell;
+}
+
+MatrixRow tuneCell(const Cell &cell, Compare compare)
+{
+    MatrixRow row;
+    row.cell = cell;
+    MatrixUnit unit(cell);
+    const auto before = unit.gains();
+    tuning::TunePlan plan;
+    plan.loop = cell.loop;
+    plan.keep = true;
+    const auto report = unit.tune(plan);
+    if (!report) {
+        row.result = "failed";
+        row.reason = report.error().text();
+        return row;
+    }
+    row.result = toString(report->result);
+    row.seconds = report->seconds;
+    row.stopped = report->stopped;
+    row.found = report->plant;
+    row.measuredOvershoot = report->measured.overshoot.value_or(0.0);
+    if (const tuning::Proposal *const normal = normalOf(*report))
+        row.step = normal->step;
+    row.truth = groundTruth(cell, row.step);
+    if (report->predicted)
+        row.predictedOvershoot = report->predicted->metrics.overshoot.value_or(0.0);
+    if (report->result != TuneResult::Kept) {
+        row.reason = report->evidence;
+        const auto after = unit.gains();
+        for (std::size_t i = 0; i < before.size(); ++i) // of what was known
+            row.gainsAsBefore = row.gainsAsBefore && (!before[i].second || before[i].second == after[i].second);
+        return row;
+    }
+    row.keptGains = report->proposed.made;
+    row.isWithin = isWithinBounds(cell, row.truth, row.keptGains);
+    if (compare != Compare::Nothing)
+        compareWithOthers(row, *report, unit.journal().completed, compare == Compare::All);
+    return row;
+}
+
+std::string matrixHead()
+{
+    std::string head = "family\tloop\tmotor\tseed\trate\tload\tresult\tseconds\tdgain\tdtau\tddelay\tpredicted\tmeasure"
+                       "d\tas_before\t"
+                       "stopped\twithin\tstep";
+    for (const char *const who : {"kept", "before", "best", "zn", "tl", "sysid"})
+        head += std::string("\t") + who + "_itae\t" + who + "_os\t" + who + "_settle";
+    return head + "\tkept_p\tkept_i\tkept_d\tbest_p\tbest_i\tbest_d\treason";
+}
+
+std::string textOf(const MatrixRow &row)
+{
+    const Cell &cell = row.cell;
+    const auto off = [](double found, double truth) { return truth > 0.0 ? found / truth - 1.0 : 0.0; };
+    std::string text = cell.family + '\t' + std::string(toString(cell.loop)) + '\t' + cell.motor + '\t'
+        + std::to_string(cell.seed) + '\t' + number(cell.around.rate) + '\t' + number(cell.loadFactor) + '\t'
+        + row.result + '\t' + number(row.seconds) + '\t' + number(off(row.found.gain, row.truth.gain)) + '\t'
+        + number(off(row.found.tau, row.truth.tau)) + '\t' + number(row.found.delay - row.truth.delay) + '\t'
+        + number(row.predictedOvershoot) + '\t' + number(row.measuredOvershoot) + '\t' + (row.gainsAsBefore ? "1" : "0")
+        + '\t' + (row.stopped ? "1" : "0") + '\t' + (row.isWithin ? "1" : "0") + '\t' + number(row.step);
+    for (const auto *const response :
+        {&row.kept, &row.before, &row.best, &row.zieglerNichols, &row.tyreusLuyben, &row.regression})
+        text += cells(*response);
+    for (const auto *const gains : {&row.keptGains, &row.bestGains})
+        text += '\t' + number(gains->p) + '\t' + number(gains->i) + '\t' + number(gains->d);
+    return text + '\t' + row.reason;
+}
+
+} // namespace mb::test

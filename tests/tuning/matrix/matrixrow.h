@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/tuning/matrix/bruteforce.h"
+
+#include <map>
+
+namespace mb::test {
+
+/// What came of one tuning of the matrix.
+struct MatrixRow {
+    Cell cell;
+    std::string result; ///< of the tuning; "failed" where nothing moved
+    std::string reason; ///< of all but kept
+    tuning::PlantModel truth;
+    tuning::PlantModel found;
+    double predictedOvershoot = 0.0;
+    double measuredOvershoot = 0.0; ///< as the proof saw it
+    double seconds = 0.0;           ///< of the device
+    bool gainsAsBefore = true;      ///< of those that were not kept, where they can be read
+    bool stopped = true;
+    bool isWithin = false; ///< the kept gains hold the bounds of bruteForce() on the true model
+    double step = 0.0;
+    tuning::ContinuousGains keptGains;
+    tuning::ContinuousGains bestGains;
+    std::optional<ShaftResponse> kept;
+    std::optional<ShaftResponse> before;
+    std::optional<ShaftResponse> best;
+    std::optional<ShaftResponse> zieglerNichols;
+    std::optional<ShaftResponse> tyreusLuyben;
+    std::optional<ShaftResponse> regression;
+};
+
+/// What is tried beside a tuning: nothing, its own gains and those before, or also the best there are and those of published rules.
+enum class Compare { Nothing, Kept, All };
+[[nodiscard]] MatrixRow tuneCell(const Cell &cell, Compare compare);
+
+/// The conditions of a seed: load from 0.6 to 1.6 times, and of friction, backlash, a sagging supply, ripple and lost frames
+/// none, some or all.
+[[nodiscard]] Cell cellOf(
+    const std::string &family, const std::string &motor, Mode loop, std::uint64_t seed, double rate);
+
+/// One line of a table, its cells parted by tabs, and its head.
+[[nodiscard]] std::string matrixHead();
+[[nodiscard]] std::string textOf(const MatrixRow &row);
+
+} // namespace mb::test

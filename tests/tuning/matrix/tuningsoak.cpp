@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tunes every motor on every family by itself and compares what is kept with the best there is (scripts/soak tuning):
+//   tuningsoak [part=K/N] [seeds=4] [compare=0|1] [families=A,B] [motors=A,B] [loops=A,B] [rates=0,50]
+// One line a tuning as soon as it is done, parted by tabs; scripts/tuning-table makes the table of docs/tuning.md of them.
+#include "tests/tuning/matrix/matrixrow.h"
+
+#include <cstdio>
+#include <map>
+#include <sstream>
+
+namespace {
+
+using namespace mb;
+using namespace mb::test;
+
+struct LoopOfFamily {
+    const char *family;
+    Mode loop;
+    std::vector<double> rates; ///< samples per second that its wire reaches; 0: what it asks for by itself
+    bool isCompared = true;    ///< its true model is known (groundtruth.h)
+};
+
+/// What product.md names and autotune() can do.
+const std::vector<LoopOfFamily> &loops()
+{
+    static const std::vector<LoopOfFamily> all{
+        {"dmc60c", Mode::Velocity, {0.0, 100.0, 50.0}},
+        {"dmc60c", Mode::Position, {0.0, 100.0, 50.0}},
+        {"abstractdc", Mode::Velocity, {0.0, 50.0}},
+        {"abstractdc", Mode::Position, {0.0, 50.0}},
+        {"quadquad2drv", Mode::Velocity, {0.0, 50.0}},
+        {"quadquad2drv", Mode::Position, {0.0, 50.0}},
+        {"dmc60c", Mode::Current, {0.0}, false},
+        {"supermodified", Mode::Position, {0.0}, false},
+    };
+    return all;
+}
+
+struct Options {
+    std::map<std::string, std::string> given;
+
+    Options(int count, char **arguments)
+    {
+        for (int i = 1; i < count; ++i) {
+            const std::string text = arguments[i];
+            const auto at = text.find('=');
+            given[text.substr(0, at)] = at == std::string::npos ? "1" : text.substr(at + 1);
+        }
+    }
+    [[nodiscard]] std::string text(const std::string &key, const std::string &otherwise) const
+    {
+        const auto found = given.find(key);
+        return found == given.end() ? otherwise : found->second;
+    }
+    [[nodiscard]] std::vector<std::string> list(const std::string &key, const std::string &otherwise) const
+    {
+        std::vector<std::string> parts;
+        std::stringstream stream(text(key, otherwise));
+        for (std::string part; std::getline(stream, part, ',');)
+            parts.push_back(part);
+        return parts;
+    }
+    [[nodiscard]] bool has(const std::string &key, const std::string &value) const
+    {
+        if (!given.contains(key))
+            return true;
+        const auto all = list(key, "");
+        return std::find(all.begin(), all.end(), value) != all.end();
+    }
+};
+
+struct Planned {
+    Cell cell;
+    bool isCompared = true;
+};
+
+std::vector<Planned> cellsOf(const Options &options)
+{
+    std::vector<Planned> cells;
+    const std::uint64_t seeds = std::stoul(options.text("seeds", "4"));
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        for (const LoopOfFamily &row : loops()) {
+            if (!options.has("families", row.family) || !options.has("loops", std::string(toString(row.loop))))
+                continue;
+            for (const std::string &motor : options.list("motors", "cim,775pro,rs775,25d,25dlp,n20")) {
+                for (const double rate : row.rates) {
+                    if (options.has("rates", std::to_string(static_cast<int>(rate))))
+                        cells.push_back({cellOf(row.family, motor, row.loop, seed, rate), row.isCompared});
+                }
+            }
+        }
+    }
+    return cells;
+}
+
+} // namespace
+
+int main(int count, char **arguments)
+{
+    const Options options(count, arguments);
+    unsigned part = 1;
+    unsigned parts = 1;
+    if (std::sscanf(options.text("part", "1/1").c_str(), "%u/%u", &part, &parts) != 2 || part < 1 || part > parts)
+        return 2;
+    const bool compare = options.text("compare", "1") == "1";
+    if (part == 1)
+        std::printf("%s\n", matrixHead().c_str());
+    std::size_t at = 0;
+    for (const Planned &planned : cellsOf(options)) {
+        if (at++ % parts != part - 1)
+            continue;
+        const bool all = compare && planned.isCompared;
+        std::printf("%s\n", textOf(tuneCell(planned.cell, all ? Compare::All : Compare::Nothing)).c_str());
+        std::fflush(stdout);
+    }
+    return 0;
+}

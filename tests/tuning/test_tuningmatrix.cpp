@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The short form of scripts/soak tuning, motors that no model of a tuning fits, and what can be wrong with a drive.
+#include "model/family.h"
+#include "tests/tuning/matrix/matrixrow.h"
+#include "transport/canlink.h"
+#include "wire/canframe.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <ctime>
+
+namespace mb::test {
+namespace {
+
+using namespace std::chrono_literals;
+using tuning::TuneResult;
+
+constexpr std::array<const char *, 3> drives{"dmc60c", "abstractdc", "quadquad2drv"};
+
+/// What must hold of every tuning, whatever came of it.
+void expectHonest(const MatrixRow &row)
+{
+    EXPECT_TRUE(row.stopped) << textOf(row);
+    if (row.result == "kept") {
+        EXPECT_LE(row.measuredOvershoot, 0.075) << textOf(row);
+        return;
+    }
+    EXPECT_FALSE(row.reason.empty()) << textOf(row);
+    EXPECT_TRUE(row.gainsAsBefore) << textOf(row);
+}
+
+TEST(TuningMatrix, ThreeMotorsOnThreeDrivesAreTunedOrRefusedWithAReason)
+{
+    int kept = 0;
+    int all = 0;
+    double longest = 0.0;
+    const std::clock_t begin = std::clock();
+    for (const char *const drive : drives) {
+        for (const char *const motor : {"775pro", "25d", "n20"}) {
+            for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+                const Mode loop = seed <= 4 ? Mode::Velocity : Mode::Position;
+                const MatrixRow row = tuneCell(cellOf(drive, motor, loop, seed, 0.0), Compare::Nothing);
+                expectHonest(row);
+                ++all;
+                kept += row.result == "kept" ? 1 : 0;
+                longest = row.truth.tau <= 0.25 ? std::max(longest, row.seconds) : longest;
+                if (row.result != "kept")
+                    std::printf("  %s\n", textOf(row).c_str());
+            }
+        }
+    }
+    std::printf("%d of %d kept, at most %.1f s of the device (lags up to 0.25 s), %.1f s of processor time\n", kept,
+        all, longest, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    EXPECT_GE(kept, all * 95 / 100);
+}
+
+TEST(TuningMatrix, AMotorThatNoModelFitsIsRefusedOrStaysWithinTheBounds)
+{
+    for (const char *const drive : drives) {
+        for (const char *const motor : {"cim-backlash", "25d-backlash", "cim-slip", "25d-slip"}) {
+            for (const Mode loop : {Mode::Velocity, Mode::Position}) {
+                const MatrixRow row = tuneCell(cellOf(drive, motor, loop, 1, 0.0), Compare::Kept);
+                expectHonest(row);
+                std::printf("  %s %s %s: %s %s, overshoot %.3f\n", drive, motor, std::string(toString(loop)).c_str(),
+                    row.result.c_str(), row.reason.c_str(), row.measuredOvershoot);
+                if (row.kept) {
+                    EXPECT_TRUE(row.kept->isStable) << textOf(row);
+                }
+            }
+        }
+    }
+}
+
+struct Trouble {
+    const char *what;
+    double value;
+    Duration after; ///< of the begin
+    const char *reason;
+};
+
+/// Tunes with a trouble that begins after a while: ends with this word, and nothing is written.
+void expectEndsWith(const char *drive, const Trouble &trouble)
+{
+    MatrixUnit unit(cellOf(drive, "25d", Mode::Velocity, 1, 0.0));
+    const auto before = unit.gains();
+    Timer strikes(unit.clock());
+    strikes.startIn(trouble.after, [&unit, &trouble] {
+        if (std::string_view(trouble.what) == "power")
+            unit.simulator().setPowered(false);
+        else
+            EXPECT_TRUE(unit.simulator().disturb(trouble.what, trouble.value));
+    });
+    tuning::TunePlan plan;
+    plan.keep = true;
+    const auto report = unit.tune(plan);
+    ASSERT_TRUE(report) << drive << ' ' << trouble.what << ": " << report.error().text();
+    std::printf("  %-12s %-16s after %4.1f s: %s, %s: %s\n", drive, trouble.what,
+        std::chrono::duration<double>(trouble.after).count(), std::string(toString(report->result)).c_str(),
+        report->stopReason.c_str(), report->evidence.c_str());
+    EXPECT_EQ(report->result, TuneResult::Stopped) << drive << ' ' << trouble.what;
+    EXPECT_EQ(report->stopReason, trouble.reason) << drive << ' ' << trouble.what;
+    if (std::string_view(trouble.reason) == "link")
+        return; // nobody hears whether it stands
+    EXPECT_TRUE(report->stopped) << drive << ' ' << trouble.what;
+    EXPECT_FALSE(unit.simulator().isOutputOn())
+        << drive << ' ' << trouble.what; // without a sensor nobody sees it roll on
+    if (unit.device().family().capabilities.readback) {
+        EXPECT_EQ(unit.gains(), before) << drive << ' ' << trouble.what;
+    }
+}
+
+TEST(TuneTrouble, EveryFaultOfMotorAndCableEndsInItsWordOnEveryDrive)
+{
+    for (const char *const drive : drives) {
+        for (const Duration after : {Duration(1ms), Duration(6s)}) {
+            expectEndsWith(drive, {"encoder-reversed", 1.0, after, "wrong direction"});
+            expectEndsWith(drive, {"encoder-dead", 1.0, after, "no motion"});
+            expectEndsWith(drive, {"stall", 1.0, after, "no motion"});
+            expectEndsWith(drive, {"power", 0.0, after + 500ms, "link"});
+        }
+    }
+}
+
+TEST(TuneTrouble, ALimitSwitchInTheWayStopsADmc60c)
+{
+    expectEndsWith("dmc60c", {"forward-limit", 1.0, 1ms, "no motion"});
+    expectEndsWith("dmc60c", {"forward-limit", 1.0, 6s, "no motion"});
+}
+
+TEST(TuneTrouble, ALoadThatAlwaysPullsOneWayIsNamed)
+{
+    MatrixUnit unit(cellOf("dmc60c", "25d", Mode::Velocity, 1, 0.0));
+    ASSERT_TRUE(unit.simulator().disturb("load-torque", 0.25));
+    const auto report = unit.tune({});
+    ASSERT_TRUE(report) << report.error().text();
+    std::printf("  %s: %s\n", std::string(toString(report->result)).c_str(), report->evidence.c_str());
+    EXPECT_TRUE(report->result != TuneResult::Kept || report->motor->line.asymmetry() <= 0.1);
+    EXPECT_TRUE(report->stopped);
+}
+
+TEST(TuneTrouble, AnotherMasterEndsItAndTheGainsStay)
+{
+    MatrixUnit unit(cellOf("dmc60c", "cim", Mode::Velocity, 1, 0.0));
+    const auto before = unit.gains();
+    const auto other = unit.otherEnd();
+    ASSERT_TRUE(other->open());
+    Timer strikes(unit.clock());
+    strikes.startIn(
+        6s, [&other] { (void)dynamic_cast<CanLink &>(*other).send(*canFrameFromText("02060005#0000000010270000")); });
+    const auto report = unit.tune({});
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->result, TuneResult::Stopped) << report->evidence;
+    EXPECT_EQ(report->stopReason, "foreign master") << report->evidence;
+    EXPECT_EQ(unit.gains(), before);
+}
+
+} // namespace
+} // namespace mb::test
