@@ -46,6 +46,9 @@ class Layers(unittest.TestCase):
         self.expect_refusal("model", "PRIVATE", "one")
         self.expect_refusal("tuning", "PRIVATE", "one")
         self.expect_refusal("tuning", "PRIVATE", "Qt5::Sql")
+        for layer in ("report", "settings"):
+            self.expect_refusal(layer, "PRIVATE", "one")
+            self.expect_refusal(layer, "PRIVATE", "storage")
         self.expect_refusal("storage", "PRIVATE", "one")
         self.expect_refusal("devices", "PRIVATE", "widgets")
 
