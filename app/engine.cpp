@@ -298,6 +298,16 @@ void Engine::runTuning(DeviceId device, const tuning::TunePlan &plan, TuningFini
     post([device, plan, back](EngineCore &core) { core.runTuning(device, plan, back); });
 }
 
+void Engine::runSweep(
+    DeviceId device, const tuning::SweepPlan &plan, const tuning::PlantModel &plant, SweepFinished finished)
+{
+    const EngineCore::SweepFinished back
+        = [this, finished = std::move(finished)](Result<tuning::FrequencyResponse> response) {
+              m_toWindow.post([finished, response = std::move(response)] { finished(response); });
+          };
+    post([device, plan, plant, back](EngineCore &core) { core.runSweep(device, plan, plant, back); });
+}
+
 TrialNotebook &Engine::trials()
 {
     return *m_notebook;

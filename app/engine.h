@@ -47,6 +47,8 @@ public:
     void runTrial(
         DeviceId device, const tuning::ExperimentPlan &plan, TrialMeasured measured, TrialFinished finished) override;
     void runTuning(DeviceId device, const tuning::TunePlan &plan, TuningFinished finished) override;
+    void runSweep(DeviceId device, const tuning::SweepPlan &plan, const tuning::PlantModel &plant,
+        SweepFinished finished) override;
     [[nodiscard]] TrialNotebook &trials() override;
     [[nodiscard]] const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const override
     {

@@ -11,6 +11,7 @@
 #include "settings/settingslog.h"
 #include "transport/linkcatalog.h"
 #include "tuning/autotune.h"
+#include "tuning/frequencyresponse.h"
 
 #include <functional>
 #include <list>
@@ -79,6 +80,10 @@ public:
     using TuningFinished = std::function<void(Result<tuning::TuneReport>)>;
     /// A tuning by itself (tuning/autotune.h): an operation of the device, with everything of runTrial().
     void runTuning(DeviceId id, const tuning::TunePlan &plan, const TuningFinished &finished);
+    using SweepFinished = std::function<void(Result<tuning::FrequencyResponse>)>;
+    /// A frequency response (tuning/frequencyresponse.h): an operation like runTuning().
+    void runSweep(
+        DeviceId id, const tuning::SweepPlan &plan, const tuning::PlantModel &plant, const SweepFinished &finished);
     /// What earlier experiments owe to units that are here; it is looked for when a unit has told who it is.
     [[nodiscard]] const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const { return m_owed; }
     /// Puts back what a trial owes, or owes it no longer. Operations of the device.

@@ -16,6 +16,7 @@ using tuning::Trial;
 
 constexpr const char *trialTitle = "Experiment";
 constexpr const char *tuningTitle = "Autotune";
+constexpr const char *sweepTitle = "Frequency response";
 
 /// The interruption lives as long as the story that looks at it.
 template <class T> Task<T> keeping(std::shared_ptr<tuning::Interruption> interruption, Task<T> story)
@@ -116,6 +117,21 @@ void EngineCore::runTuning(DeviceId id, const tuning::TunePlan &plan, const Tuni
             const bool good = report.result == TuneResult::Kept || report.result == TuneResult::Proposed;
             return Notable{good ? Severity::Good : Severity::Danger,
                 "tuning " + std::string(toString(report.result)) + ": " + report.evidence};
+        },
+        finished);
+}
+
+void EngineCore::runSweep(
+    DeviceId id, const tuning::SweepPlan &plan, const tuning::PlantModel &plant, const SweepFinished &finished)
+{
+    runMoving<tuning::FrequencyResponse>(
+        id, sweepTitle,
+        [plan, plant](Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
+            return tuning::measureFrequencyResponse(device, stream, plan, plant, std::move(around));
+        },
+        [](const tuning::FrequencyResponse &response) {
+            return Notable{response.stopReason.empty() ? Severity::Good : Severity::Danger,
+                "frequency response: " + response.evidence};
         },
         finished);
 }

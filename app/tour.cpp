@@ -172,6 +172,7 @@ void Tour::planParameters()
 void Tour::planMotion()
 {
     planTrials();
+    planDesign();
     add(
         QStringLiteral("arm"),
         [this] {

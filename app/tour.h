@@ -32,6 +32,8 @@ private:
     void planParameters();
     void planMotion();
     void planTrials();
+    void planDesign();
+    void tellOvershoot() const;
     void tryGains(double p, double i);
     void planPlots();
     void planAxes();
@@ -65,6 +67,8 @@ private:
     Instant m_drivenAt{};
     QTimer m_poll;
     int m_pictures = 0;
+    double m_foundOvershoot = 0.0; ///< of the unit that has something to tune, share of its step
+    double m_tunedOvershoot = 0.0;
 };
 
 } // namespace mb

@@ -3,10 +3,12 @@
 
 #include "widgets/control/trialsview.h"
 #include "widgets/control/tunepage.h"
+#include "widgets/design/designpage.h"
 #include "widgets/parameters/editdesk.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 namespace mb {
 namespace {
@@ -16,6 +18,7 @@ constexpr double trialTarget = 60000.0; ///< counts/s
 constexpr double calmerP = 0.55;        ///< of what is stored
 constexpr double calmerI = 0.42;
 constexpr std::chrono::seconds trialTime{30};
+constexpr std::chrono::seconds tuningTime{180};
 
 } // namespace
 
@@ -68,11 +71,64 @@ void Tour::planTrials()
                 return !m_window.arming().isOnTrial() && page()->trials().b() && (first || page()->trials().a());
             },
             trialTime);
+        if (first)
+            add(
+                QStringLiteral("as it was found"),
+                [this, page] { m_foundOvershoot = page()->trials().b()->trial.metrics.overshoot.value_or(0.0); },
+                [] { return true; });
     }
     pause(std::chrono::milliseconds(600));
     picture(QStringLiteral("tune"));
     add(
         QStringLiteral("disarm"), [this] { m_window.arming().disarm(); }, [] { return true; });
+}
+
+/// One press, from whatever the unit has to gains that were proven on it, and the same step once more.
+void Tour::planDesign()
+{
+    const auto design = [this] { return qobject_cast<DesignPage *>(m_window.page(PageId::Design)); };
+    const auto tune = [this] { return qobject_cast<TunePage *>(m_window.page(PageId::Tune)); };
+    const auto arm = [this] {
+        add(
+            QStringLiteral("arm"), [this] { m_window.arming().arm(device(lively)->id); },
+            [this] { return m_window.arming().isArmed(device(lively)->id); });
+    };
+    add(
+        QStringLiteral("design"), [this] { m_window.showPage(PageId::Design); }, [] { return true; });
+    arm();
+    add(
+        QStringLiteral("autotune"), [design] { design()->autotune(); },
+        [this, design] {
+            return !m_window.arming().isOnTrial() && design()->report()
+                && design()->report()->result == tuning::TuneResult::Kept;
+        },
+        tuningTime);
+    pause(std::chrono::milliseconds(600));
+    picture(QStringLiteral("design"));
+    add(
+        QStringLiteral("back to tune"), [this] { m_window.showPage(PageId::Tune); }, [] { return true; });
+    arm();
+    pause(std::chrono::milliseconds(300));
+    add(
+        QStringLiteral("the same step"), [this] { tryGains(1.0, 1.0); },
+        [this, tune] { return !m_window.arming().isOnTrial() && tune()->trials().b(); }, trialTime);
+    pause(std::chrono::milliseconds(600));
+    picture(QStringLiteral("tuned"));
+    add(
+        QStringLiteral("tell"),
+        [this, tune] {
+            m_tunedOvershoot = tune()->trials().b()->trial.metrics.overshoot.value_or(0.0);
+            tellOvershoot();
+            m_window.arming().disarm();
+        },
+        [] { return true; });
+}
+
+void Tour::tellOvershoot() const
+{
+    std::printf("#%d overshoots by %.1f %% as it was found, by %.1f %% after one press\n", lively,
+        100.0 * m_foundOvershoot, 100.0 * m_tunedOvershoot);
+    std::fflush(stdout);
 }
 
 } // namespace mb

@@ -1138,6 +1138,73 @@
     </message>
 </context>
 <context>
+    <name>mb::BatteryDialog</name>
+    <message>
+        <source>Battery of steps</source>
+        <translation>Reihe von Sprüngen</translation>
+    </message>
+    <message>
+        <source>Run the battery</source>
+        <translation>Reihe starten</translation>
+    </message>
+    <message>
+        <source>Steps of the battery and the worst of each metric</source>
+        <translation>Sprünge der Reihe und das Schlechteste jedes Kennwerts</translation>
+    </message>
+    <message>
+        <source>Responses of the battery over each other</source>
+        <translation>Antworten der Reihe übereinander</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>share of the step</source>
+        <translation>Anteil des Sprungs</translation>
+    </message>
+    <message>
+        <source>Step, %1</source>
+        <translation>Sprung, %1</translation>
+    </message>
+    <message>
+        <source>%1 steps, both ways in turn, from %2 to %3 %4, with the gains in force. The motor turns; each step keeps inside the limits of the page.</source>
+        <translation>%1 Sprünge, abwechselnd in beide Richtungen, von %2 bis %3 %4, mit den geltenden Faktoren. Der Motor dreht; jeder Sprung bleibt in den Grenzen der Seite.</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2: to %3 %4. STOP ends it.</source>
+        <translation>Sprung %1 von %2: auf %3 %4. STOP beendet es.</translation>
+    </message>
+    <message>
+        <source>Ended: %1</source>
+        <translation>Beendet: %1</translation>
+    </message>
+    <message>
+        <source>Ended by: %1</source>
+        <translation>Beendet durch: %1</translation>
+    </message>
+    <message>
+        <source>Done: %1 trials in the notebook.</source>
+        <translation>Fertig: %1 Versuche im Notizbuch.</translation>
+    </message>
+    <message>
+        <source>Ended before all steps were run.</source>
+        <translation>Beendet, bevor alle Sprünge gelaufen sind.</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>schlechtester</translation>
+    </message>
+    <message>
+        <source>DEMO</source>
+        <translation>DEMO</translation>
+    </message>
+    <message>
+        <source>Arm the device first: hold the lamp for 1 s.</source>
+        <translation>Erst das Gerät scharf schalten: Lampe 1 s halten.</translation>
+    </message>
+</context>
+<context>
     <name>mb::BodePlot</name>
     <message>
         <source>unstable</source>
@@ -1186,6 +1253,10 @@
     <message>
         <source>motor ÷ gain</source>
         <translation>Motor ÷ Verstärkung</translation>
+    </message>
+    <message>
+        <source>motor ÷ gain, measured</source>
+        <translation>Motor ÷ Verstärkung, gemessen</translation>
     </message>
 </context>
 <context>
@@ -1722,10 +1793,6 @@
         <translation>Vorschläge</translation>
     </message>
     <message>
-        <source>Step, predicted and measured</source>
-        <translation>Sprung, vorhergesagt und gemessen</translation>
-    </message>
-    <message>
         <source>writes the chosen set and proves it</source>
         <translation>schreibt den gewählten Satz und beweist ihn</translation>
     </message>
@@ -1802,42 +1869,6 @@
         <translation>DEMO</translation>
     </message>
     <message>
-        <source>What the gains will do appears here, before they are written.</source>
-        <translation>Was die Faktoren tun werden, steht hier, bevor sie geschrieben sind.</translation>
-    </message>
-    <message>
-        <source>%1, predicted</source>
-        <translation>%1, vorhergesagt</translation>
-    </message>
-    <message>
-        <source>a step of %1</source>
-        <translation>ein Sprung von %1</translation>
-    </message>
-    <message>
-        <source>measured, forwards</source>
-        <translation>gemessen, vorwärts</translation>
-    </message>
-    <message>
-        <source>measured, backwards</source>
-        <translation>gemessen, rückwärts</translation>
-    </message>
-    <message>
-        <source>measured: %1 % over, settled after %2</source>
-        <translation>gemessen: %1 % Überschwingen, eingeschwungen nach %2</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>counts/s</source>
-        <translation>counts/s</translation>
-    </message>
-    <message>
-        <source>counts</source>
-        <translation>counts</translation>
-    </message>
-    <message>
         <source>the limits were not kept: %1</source>
         <translation>die Grenzen wurden nicht behalten: %1</translation>
     </message>
@@ -1846,12 +1877,51 @@
         <translation>schreibt einen Bericht über das, was zu sehen ist</translation>
     </message>
     <message>
+        <source>Gain slot</source>
+        <translation>Parametersatz</translation>
+    </message>
+    <message>
+        <source>slot 0</source>
+        <translation>Satz 0</translation>
+    </message>
+    <message>
+        <source>slot 1</source>
+        <translation>Satz 1</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigener</translation>
+    </message>
+    <message>
         <source>Current</source>
         <translation>Strom</translation>
+    </message>
+</context>
+<context>
+    <name>mb::DesignPlots</name>
+    <message>
+        <source>counts/s</source>
+        <translation>counts/s</translation>
     </message>
     <message>
         <source>A</source>
         <translation>A</translation>
+    </message>
+    <message>
+        <source>counts</source>
+        <translation>counts</translation>
+    </message>
+    <message>
+        <source>Step, predicted and measured</source>
+        <translation>Sprung, vorhergesagt und gemessen</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>What the gains will do appears here, before they are written.</source>
+        <translation>Was die Faktoren tun werden, steht hier, bevor sie geschrieben sind.</translation>
     </message>
 </context>
 <context>
@@ -3930,6 +4000,81 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Open recording…</source>
         <translation>Aufnahme öffnen…</translation>
+    </message>
+</context>
+<context>
+    <name>mb::OwnProposal</name>
+    <message>
+        <source>margin</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>derivative noise</source>
+        <translation>Rauschen des D-Anteils</translation>
+    </message>
+    <message>
+        <source>largest error</source>
+        <translation>größte Abweichung</translation>
+    </message>
+    <message>
+        <source>dead time</source>
+        <translation>Totzeit</translation>
+    </message>
+    <message>
+        <source>peak current</source>
+        <translation>Stromspitze</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigener</translation>
+    </message>
+    <message>
+        <source>by two sliders</source>
+        <translation>mit zwei Schiebern</translation>
+    </message>
+    <message>
+        <source>Own proposal</source>
+        <translation>Eigener Vorschlag</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>calm</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>brisk</source>
+        <translation>flott</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>robust</source>
+        <translation>robust</translation>
+    </message>
+    <message>
+        <source>lively</source>
+        <translation>lebhaft</translation>
+    </message>
+    <message>
+        <source>τc %1</source>
+        <translation>τc %1</translation>
+    </message>
+    <message>
+        <source>Ms ≤ %1</source>
+        <translation>Ms ≤ %1</translation>
+    </message>
+    <message>
+        <source>The device cannot have this set: %1</source>
+        <translation>Diesen Satz kann das Gerät nicht haben: %1</translation>
+    </message>
+    <message>
+        <source>Held at τc %1 by: %2</source>
+        <translation>Bei τc %1 gehalten durch: %2</translation>
     </message>
 </context>
 <context>
@@ -6570,6 +6715,29 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
+    <name>mb::StepText</name>
+    <message>
+        <source>%1, predicted</source>
+        <translation>%1, vorhergesagt</translation>
+    </message>
+    <message>
+        <source>a step of %1</source>
+        <translation>ein Sprung von %1</translation>
+    </message>
+    <message>
+        <source>measured, forwards</source>
+        <translation>gemessen, vorwärts</translation>
+    </message>
+    <message>
+        <source>measured, backwards</source>
+        <translation>gemessen, rückwärts</translation>
+    </message>
+    <message>
+        <source>measured: %1 % over, settled after %2</source>
+        <translation>gemessen: %1 % Überschwingen, eingeschwungen nach %2</translation>
+    </message>
+</context>
+<context>
     <name>mb::StepsPanel</name>
     <message>
         <source>Steps of the update</source>
@@ -6704,6 +6872,21 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Stop every motor  Space, Esc, Pause</source>
         <translation>Alle Motoren stoppen  Leertaste, Esc, Pause</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SweepPanel</name>
+    <message>
+        <source>%1 sines from %2 to %3 Hz, both ways in turn: duty %4 ± %5 %, at most %6 counts/s, %7 counts one way, %8.</source>
+        <translation>%1 Sinusse von %2 bis %3 Hz, abwechselnd in beide Richtungen: Tastgrad %4 ± %5 %, höchstens %6 counts/s, %7 counts in eine Richtung, %8.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>Measures the motor by sines and draws it over its model, as far as it may be trusted</source>
+        <translation>Misst den Motor mit Sinussen und zeichnet ihn über sein Modell, so weit ihm zu trauen ist</translation>
     </message>
 </context>
 <context>
@@ -7403,6 +7586,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>writes a report of the trials that are shown</source>
         <translation>schreibt einen Bericht über die gezeigten Versuche</translation>
+    </message>
+    <message>
+        <source>a battery of steps: several sizes, both ways, and the worst of them</source>
+        <translation>eine Reihe von Sprüngen: mehrere Größen, beide Richtungen und das Schlechteste davon</translation>
     </message>
 </context>
 <context>

@@ -203,8 +203,6 @@ std::optional<MotorFound> motorFrom(const QJsonValue &value)
     motor.line = numbersFrom(object.value(QStringLiteral("line")).toObject(), lineNumbers);
     motor.unit = object.value(QStringLiteral("unit")).toString(qt(motor.unit)).toStdString();
     motor.supply = object.value(QStringLiteral("supply")).toDouble();
-    if (const QJsonValue unit = object.value(QStringLiteral("unit")); unit.isString())
-        motor.unit = unit.toString().toStdString();
     if (const QJsonValue filter = object.value(QStringLiteral("filter")); filter.isObject()) {
         motor.filter = numbersFrom(filter.toObject(), filterNumbers);
         using Kind = VelocityFilter::Kind;

@@ -5,6 +5,7 @@
 #include "fakenotebook.h"
 #include "tuning/autotune.h"
 #include "tuning/experiment.h"
+#include "tuning/frequencyresponse.h"
 #include "widgets/common/workbench.h"
 
 #include <deque>
@@ -43,7 +44,13 @@ public:
         TuningFinished finished;
     };
 
+    struct Swept {
+        tuning::SweepPlan plan;
+        SweepFinished finished;
+    };
+
     std::vector<Planned> plans;
+    std::vector<Swept> sweeps;
     std::vector<Tuned> tunings;
     FakeNotebook book;
     FakeArchive archive;
@@ -127,6 +134,12 @@ public:
     {
         tunings.push_back({plan, std::move(finished)});
         note({"runTuning", device});
+    }
+    void runSweep(
+        DeviceId device, const tuning::SweepPlan &plan, const tuning::PlantModel &, SweepFinished finished) override
+    {
+        sweeps.push_back({plan, std::move(finished)});
+        note({"runSweep", device});
     }
     TrialNotebook &trials() override { return book; }
     const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const override { return owed; }

@@ -2,9 +2,12 @@
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/control/logslider.h"
 #include "widgets/design/bodeplot.h"
 #include "widgets/design/designpage.h"
+#include "widgets/design/ownproposal.h"
 #include "widgets/design/proposalcard.h"
+#include "widgets/design/sweeppanel.h"
 #include "widgets/plots/curveplot.h"
 
 #include <QLabel>
@@ -25,6 +28,9 @@ TuneReport identified()
     report.motor = MotorFound{};
     report.motor->line.gain = 350000.0;
     report.motor->pushes.tau = 0.12;
+    report.motor->line.gainError = 9000.0;
+    report.motor->pushes.tauError = 0.004;
+    report.motor->pushes.delayError = 0.002;
     report.plant = {350000.0, 0.12, 0.03, 0.02};
     report.gates = {{"fit", "the fit leaves 1.1 of what whole counts explain", true}};
     for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk}) {
@@ -70,6 +76,7 @@ struct DesignBench {
         const auto finished = workbench.tunings.back().finished;
         finished(report);
     }
+    [[nodiscard]] OwnProposal *own() { return page->findChild<OwnProposal *>(); }
     [[nodiscard]] QList<ProposalCard *> cards() { return page->findChildren<ProposalCard *>(); }
 };
 
@@ -83,6 +90,11 @@ private Q_SLOTS:
     void theChosenSetIsProvenFromTheModelThatIsKnown();
     void aCurrentLoopIsDesignedInAmpereAndATriedScaleGoesWithItsModel();
     void aProofKeepsTheModelItStandsOn();
+    void theSlidersDesignWithoutTheDeviceAndF5ProvesExactlyThat();
+    void whatHoldsTheSlidersBackIsSaid();
+    void anotherSlotHasTheSameProposalsUnderItsOwnKeys();
+    void thePredictedStepHasTheBandOfTheErrors();
+    void aFrequencyResponseIsAnnouncedMeasuredAndDrawnAsFarAsItIsTrusted();
     void whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown();
     void cardsAreChosenByKeysAndShowTheirOwnLoop();
     void theKeysOrder();
@@ -173,6 +185,109 @@ void TestDesignPage::aProofKeepsTheModelItStandsOn()
     QVERIFY(bench.page->report()->result == TuneResult::RolledBack);
     QVERIFY(bench.page->report()->motor);
     QCOMPARE(bench.cards().size(), 3);
+}
+
+void TestDesignPage::theSlidersDesignWithoutTheDeviceAndF5ProvesExactlyThat()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->identify();
+    QVERIFY(bench.own() && !bench.own()->isVisible());
+    bench.finish(identified());
+    QVERIFY(bench.own()->isVisible());
+    const double normal = bench.page->chosen()->gains.made.p;
+    auto *const speed = bench.own()->findChild<LogSlider *>();
+    QVERIFY(speed);
+    speed->setFocus();
+    for (int i = 0; i < 20; ++i)
+        QTest::keyClick(speed, Qt::Key_Right);
+    QVERIFY(bench.page->chosen()->gains.made.p > normal);
+    QCOMPARE(bench.workbench.tunings.size(), std::size_t(1));
+    const auto *const bode = bench.page->findChild<BodePlot *>();
+    QVERIFY2(bode && bode->findChildren<CurvePlot *>().front()->note() == marginText(bench.page->chosen()->margins),
+        "the plots follow");
+    bench.page->prove();
+    QCOMPARE(bench.workbench.tunings.size(), std::size_t(2));
+    const TunePlan &plan = bench.workbench.tunings.back().plan;
+    QCOMPARE(plan.response.value_or(0.0), bench.own()->response());
+    QCOMPARE(plan.ms.value_or(0.0), bench.own()->ms());
+    QVERIFY(plan.known.has_value());
+    bench.finish(identified());
+    bench.page->chooseAim(Aim::Calm);
+    bench.page->prove();
+    QVERIFY2(!bench.workbench.tunings.back().plan.response, "a card is an aim again");
+}
+
+void TestDesignPage::whatHoldsTheSlidersBackIsSaid()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    bench.page->chooseOwn(0.3, 1.6);
+    QVERIFY2(bench.own()->boundText().isEmpty(), qPrintable(bench.own()->boundText()));
+    bench.page->chooseOwn(0.005, 1.3);
+    QVERIFY2(bench.own()->boundText().contains(boundWord("margin")), qPrintable(bench.own()->boundText()));
+}
+
+void TestDesignPage::anotherSlotHasTheSameProposalsUnderItsOwnKeys()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    const auto first = bench.page->chosen()->design.gains;
+    bench.page->chooseSlot(1);
+    QCOMPARE(bench.cards().size(), 3);
+    QVERIFY(bench.page->chosen()->gains.rows.front().key.rfind("slot1.", 0) == 0);
+    QVERIFY(bench.page->chosen()->design.gains == first);
+    bench.page->prove();
+    QCOMPARE(bench.workbench.tunings.back().plan.slot, 1);
+}
+
+void TestDesignPage::thePredictedStepHasTheBandOfTheErrors()
+{
+    DesignBench bench;
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    const auto plots = bench.page->findChildren<CurvePlot *>();
+    const auto banded = std::find_if(plots.begin(), plots.end(),
+        [](const CurvePlot *plot) { return !plot->curves().empty() && !plot->curves().front().low.isEmpty(); });
+    QVERIFY(banded != plots.end());
+    const Curve &predicted = (*banded)->curves().front();
+    QCOMPARE(predicted.low.size(), predicted.x.size());
+    double widest = 0.0;
+    for (int i = 0; i < predicted.x.size(); ++i)
+        widest = std::max(widest, predicted.high[i] - predicted.low[i]);
+    QVERIFY(widest > 0.0);
+}
+
+void TestDesignPage::aFrequencyResponseIsAnnouncedMeasuredAndDrawnAsFarAsItIsTrusted()
+{
+    DesignBench bench;
+    auto *const sweep = bench.page->findChild<SweepPanel *>();
+    QVERIFY(sweep && !sweep->isVisible());
+    bench.arm();
+    bench.page->identify();
+    bench.finish(identified());
+    QVERIFY(sweep->isVisible());
+    QVERIFY2(sweep->announcement().contains(QStringLiteral("counts/s")), qPrintable(sweep->announcement()));
+    sweep->measure();
+    QCOMPARE(bench.workbench.sweeps.size(), std::size_t(1));
+    QVERIFY(bench.arming.isOnTrial());
+    sweep->measure();
+    QCOMPARE(bench.workbench.sweeps.size(), std::size_t(1));
+    FrequencyResponse response;
+    response.points = {{0.3, 340000.0, -10.0, 0.99, true}, {1.0, 280000.0, -37.0, 0.99, true},
+        {3.0, 90000.0, -70.0, 0.5, false}, {5.0, 90000.0, -80.0, 0.95, true}};
+    const auto finished = bench.workbench.sweeps.back().finished;
+    finished(response);
+    const auto &curves = bench.page->findChild<BodePlot *>()->magnitude().curves();
+    QCOMPARE(curves.size(), std::size_t(3));
+    QVERIFY(curves.back().points);
+    QCOMPARE(curves.back().x.size(), 2); // nothing beyond the first that is not to be trusted
+    QVERIFY(!bench.arming.isOnTrial());
 }
 
 void TestDesignPage::whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown()

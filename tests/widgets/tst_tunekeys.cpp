@@ -3,6 +3,7 @@
 #include "support/windowtests.h"
 #include "trialbench.h"
 #include "widgets/common/pagekeys.h"
+#include "widgets/control/batterydialog.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/jogpanel.h"
 #include "widgets/control/modepanel.h"
@@ -84,6 +85,12 @@ struct Check {
 const std::array checks{
     Check{"F5", [](KeyBench &b, const QKeySequence &k) { return ran(b, k, 1); }},
     Check{"Shift+F5", [](KeyBench &b, const QKeySequence &k) { return ran(b, k, 4); }},
+    Check{"F7",
+        [](KeyBench &b, const QKeySequence &k) {
+            b.press(k);
+            const auto *const battery = b.page->findChild<BatteryDialog *>();
+            return battery && battery->isVisible() && b.workbench.plans.size() == 2;
+        }},
     Check{"G",
         [](KeyBench &b, const QKeySequence &k) {
             b.press(k);

@@ -16,7 +16,10 @@ namespace mb {
 
 namespace tuning {
 struct ExperimentPlan;
+struct FrequencyResponse;
 struct OwedGains;
+struct PlantModel;
+struct SweepPlan;
 struct Trial;
 struct TunePlan;
 struct TuneReport;
@@ -88,6 +91,11 @@ public:
     /// Tunes a loop by itself (tuning/autotune.h), by several experiments in a row: an operation of the device like runTrial(),
     /// whose log tells each before it moves.
     virtual void runTuning(DeviceId device, const tuning::TunePlan &plan, TuningFinished finished) = 0;
+    using SweepFinished = std::function<void(const Result<tuning::FrequencyResponse> &)>;
+    /// A frequency response by sines one after the other (tuning/frequencyresponse.h): an operation like runTuning().
+    virtual void runSweep(
+        DeviceId device, const tuning::SweepPlan &plan, const tuning::PlantModel &plant, SweepFinished finished)
+        = 0;
     [[nodiscard]] virtual TrialNotebook &trials() = 0;
     /// Gains that an experiment before has changed in a unit that is here, and that nobody has put back for certain.
     [[nodiscard]] virtual const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const = 0;

@@ -3,6 +3,7 @@
 
 #include "tuning/autotune.h"
 #include "tuning/experiment.h"
+#include "tuning/frequencyresponse.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/control/trialwords.h"
@@ -265,6 +266,22 @@ void Arming::runTuning(const tuning::TunePlan &plan, Workbench::TuningFinished f
                 self->trialEnded(fail(report.error()), {}, {});
             if (finished)
                 finished(report);
+        });
+}
+
+void Arming::runSweep(const tuning::SweepPlan &plan, const tuning::PlantModel &plant, Workbench::SweepFinished finished)
+{
+    if (!beginTrial(Mode::Duty, plan.axis))
+        return;
+    m_workbench.runSweep(m_device, plan, plant,
+        [self = QPointer<Arming>(this), finished = std::move(finished)](
+            const Result<tuning::FrequencyResponse> &response) {
+            if (self && response)
+                self->trialEnded({}, response->stopReason.empty() ? "done" : response->stopReason, response->evidence);
+            else if (self)
+                self->trialEnded(fail(response.error()), {}, {});
+            if (finished)
+                finished(response);
         });
 }
 

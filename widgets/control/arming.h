@@ -42,6 +42,8 @@ public:
         const tuning::ExperimentPlan &plan, Workbench::TrialMeasured measured, Workbench::TrialFinished finished);
     /// Tunes a loop of the armed device by itself; everything of runTrial() holds.
     void runTuning(const tuning::TunePlan &plan, Workbench::TuningFinished finished);
+    /// The same with the sines of a frequency response.
+    void runSweep(const tuning::SweepPlan &plan, const tuning::PlantModel &plant, Workbench::SweepFinished finished);
     [[nodiscard]] bool isOnTrial() const { return m_onTrial; }
     /// Ends the motion and stays armed; a trial puts back what it changed first.
     void halt();

@@ -31,6 +31,8 @@ PageKeys *makeTuneKeys(TunePage &page)
     keys->add({Qt::Key_F5}, TuneKeys::tr("writes what is staged and runs"), [tune] { tune->run(); });
     keys->add({QKeySequence(QStringLiteral("Shift+F5"))}, TuneKeys::tr("the same, four times over"),
         [tune] { tune->runRepeated(4); });
+    keys->add({Qt::Key_F7}, TuneKeys::tr("a battery of steps: several sizes, both ways, and the worst of them"),
+        [tune] { tune->showBattery(); });
     keys->add({Qt::Key_G}, TuneKeys::tr("goes to the first gain"), [tune] { tune->gainsPanel().focusFirst(); });
     keys->add({Qt::Key_S}, TuneKeys::tr("swaps the gain slots; disarms"), [tune] { tune->modePanel().swapSlots(); });
     keys->add({Qt::Key_B}, TuneKeys::tr("flips trials A and B"), [tune] { tune->trials().flip(); });

@@ -23,6 +23,7 @@ class QStackedWidget;
 namespace mb {
 
 class AxesPanel;
+class BatteryDialog;
 class CommandButton;
 class EmptyState;
 class EnvelopePanel;
@@ -73,6 +74,8 @@ public:
     void undo(bool again);
     /// Has the device blink, where it can; nothing moves.
     void identify();
+    /// Opens the battery of steps up to the one that is chosen; F7 there runs it.
+    void showBattery();
     /// Asks for a file, and writes trials A and B into it, or all of the unit where none is shown.
     void writeReport();
     /// The live view stands still, or goes on; nothing where the experiments are shown.
@@ -218,6 +221,7 @@ private:
     TunePlot *m_plot = nullptr;
     Segmented *m_view = nullptr;
     StimulusBar *m_stimulus = nullptr;
+    BatteryDialog *m_battery = nullptr;
     ReportOrder *m_order = nullptr;
     EnvelopePanel *m_envelope = nullptr;
     QWidget *m_liveColumn = nullptr;

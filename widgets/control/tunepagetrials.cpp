@@ -5,6 +5,7 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/common/segmented.h"
 #include "widgets/control/axespanel.h"
+#include "widgets/control/batterydialog.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
 #include "widgets/control/gainunits.h"
@@ -241,6 +242,27 @@ void TunePage::useGains(const KeptTrial &kept)
     chosen->edits->stageAll(changes, tr("Gains of trial #%1").arg(kept.number));
     ++m_editRevision;
     follow();
+}
+
+/// With the gains in force: what is staged is no part of it.
+void TunePage::showBattery()
+{
+    const DeviceView *const view = device();
+    if (!view || isLive() || !choice() || !choice()->stimulus.to)
+        return;
+    ExperimentWish wish = wishOf(*view, m_axis);
+    wish.gains.clear();
+    if (!checkExperiment(*view, wish, choice()->units, m_workbench.presentOf(view->link)).good)
+        return;
+    if (!m_battery)
+        m_battery = new BatteryDialog(m_arming, m_theme, this);
+    const double here = present(*view, wish.mode, m_axis).value_or(0.0);
+    const std::string_view unit = unitOf(wish.mode);
+    m_battery->setBattery(tuning::batteryOf(planOf(*view, wish), here, view->family->capabilities.zeroPosition),
+        view->id, QString::fromUtf8(unit.data(), static_cast<int>(unit.size())));
+    m_battery->show();
+    m_battery->raise();
+    m_battery->activateWindow();
 }
 
 void TunePage::writeReport()

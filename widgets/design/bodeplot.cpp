@@ -102,11 +102,44 @@ void BodePlot::setLoop(
         tr("loop"), solid, middle, [&](double omega) { return tuning::openLoop(loop, plant, gains, omega); });
     const Response motor = responseOf(
         tr("motor ÷ gain"), dotted, middle, [&](double omega) { return tuning::openLoop(loop, unit, one, omega); });
-    m_magnitude->setCurves({ours.magnitude, motor.magnitude});
-    m_phase->setCurves({ours.phase, motor.phase});
+    std::vector<Curve> magnitude{ours.magnitude, motor.magnitude};
+    std::vector<Curve> phase{ours.phase, motor.phase};
+    addMeasured(loop, plant, magnitude, phase);
+    m_magnitude->setCurves(magnitude);
+    m_phase->setCurves(phase);
     m_magnitude->setNote(marginText(margins));
     m_magnitude->fit();
     m_phase->fit();
+}
+
+void BodePlot::setMeasured(std::vector<tuning::FrequencyPoint> points)
+{
+    m_measured = std::move(points);
+}
+
+/// Of a position loop the motor integrates its speed.
+void BodePlot::addMeasured(
+    Mode loop, const tuning::PlantModel &plant, std::vector<Curve> &magnitude, std::vector<Curve> &phase) const
+{
+    TraceLook look;
+    look.role = TraceRole::Position;
+    Curve size{tr("motor ÷ gain, measured"), look, {}, {}};
+    size.points = true;
+    Curve angle = size;
+    for (const tuning::FrequencyPoint &point : m_measured) {
+        if (!point.trusted)
+            break;
+        const double omega = 2.0 * std::numbers::pi * point.hertz;
+        const bool integrates = loop == Mode::Position;
+        size.x.append(point.hertz);
+        size.y.append(decibel(point.magnitude / plant.gain / (integrates ? omega : 1.0)));
+        angle.x.append(point.hertz);
+        angle.y.append(point.phase - (integrates ? 90.0 : 0.0) - omega * plant.delay * 180.0 / std::numbers::pi);
+    }
+    if (size.x.isEmpty())
+        return;
+    magnitude.push_back(size);
+    phase.push_back(angle);
 }
 
 void BodePlot::clear()

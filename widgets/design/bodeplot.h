@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "tuning/frequencyresponse.h"
 #include "tuning/margins.h"
 #include "widgets/common/theme.h"
 
@@ -9,6 +10,7 @@
 namespace mb {
 
 class CurvePlot;
+struct Curve;
 
 /// Magnitude and phase of a loop over the same frequencies, beside the motor alone, with crossover and margins in words.
 class BodePlot : public QWidget {
@@ -18,12 +20,19 @@ public:
 
     void setLoop(Mode loop, const tuning::PlantModel &plant, const tuning::ContinuousGains &gains,
         const tuning::Margins &margins);
+    /// What was measured of the motor, over its model: the points up to the first that may not be trusted, with the dead time of the
+    /// model. Empty: nothing was. Holds for the next setLoop().
+    void setMeasured(std::vector<tuning::FrequencyPoint> points);
     void clear();
     void setWatermark(const QString &text);
     [[nodiscard]] CurvePlot &magnitude() { return *m_magnitude; }
     [[nodiscard]] CurvePlot &phase() { return *m_phase; }
 
 private:
+    void addMeasured(
+        Mode loop, const tuning::PlantModel &plant, std::vector<Curve> &magnitude, std::vector<Curve> &phase) const;
+
+    std::vector<tuning::FrequencyPoint> m_measured;
     CurvePlot *m_magnitude = nullptr;
     CurvePlot *m_phase = nullptr;
 };

@@ -2,79 +2,41 @@
 #include "widgets/design/designpage.h"
 
 #include "tuning/envelope.h"
+#include "tuning/proposals.h"
 #include "tuning/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
-#include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/segmented.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/experimentplan.h"
-#include "widgets/design/bodeplot.h"
+#include "widgets/design/designplots.h"
 #include "widgets/design/modelpanel.h"
+#include "widgets/design/ownproposal.h"
 #include "widgets/design/proposalcard.h"
+#include "widgets/design/scrollcolumn.h"
+#include "widgets/design/sweeppanel.h"
 #include "widgets/design/tuningsteps.h"
-#include "widgets/plots/curveplot.h"
 #include "widgets/report/reportorder.h"
 
 #include <QHBoxLayout>
 #include <QPointer>
-#include <QScrollArea>
 #include <QStackedWidget>
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <utility>
 
 namespace mb {
 namespace {
 
 constexpr int modelWidth = 344;
-constexpr int stepsWidth = 236;
+constexpr int stepsWidth = 252;
 constexpr std::array designedLoops{Mode::Velocity, Mode::Position, Mode::Current};
 constexpr double checkedDuty = 0.15;
 constexpr double checkedSeconds = 0.6;
-constexpr double shownSettles = 4.0;   ///< predicted times to settle that a step is drawn for
-constexpr double shortestShown = 0.05; ///< s, of one of them
-
-bool isSame(const tuning::ScaledGains &a, const tuning::ScaledGains &b)
-{
-    return std::equal(a.rows.begin(), a.rows.end(), b.rows.begin(), b.rows.end(),
-        [](const auto &one, const auto &other) { return one.key == other.key && one.raw == other.raw; });
-}
-
-Curve curveOf(
-    const QString &name, const TraceLook &look, const tuning::Trace &whole, double origin, double sign, double end)
-{
-    Curve curve{name, look, {}, {}};
-    const tuning::Trace trace = whole.part(whole.isEmpty() ? 0.0 : whole.t.front(), end);
-    for (std::size_t i = 0; i < trace.size(); ++i) {
-        curve.x.append(trace.t[i]);
-        curve.y.append(sign * (trace.y[i] - origin));
-    }
-    return curve;
-}
-
-double shortestHold(const std::vector<tuning::Trial> &trials)
-{
-    double shortest = std::numeric_limits<double>::infinity();
-    for (const tuning::Trial &trial : trials) {
-        for (const tuning::Span &hold : trial.holds)
-            shortest = std::min(shortest, hold.to - hold.from);
-    }
-    return shortest;
-}
-
-TraceRole roleOf(Mode loop)
-{
-    if (loop == Mode::Current)
-        return TraceRole::Current;
-    return loop == Mode::Velocity ? TraceRole::Velocity : TraceRole::Position;
-}
-
 } // namespace
 
 DesignPage::DesignPage(
@@ -96,11 +58,10 @@ DesignPage::DesignPage(
     grid->addWidget(separatorLine(Qt::Horizontal, content), 1, 0, 1, 5);
     grid->addWidget(buildColumn(), 2, 0);
     grid->addWidget(separatorLine(Qt::Vertical, content), 2, 1);
-    grid->addWidget(buildPlots(), 2, 2);
+    m_plots = new DesignPlots(theme, content);
+    grid->addWidget(m_plots, 2, 2);
     grid->addWidget(separatorLine(Qt::Vertical, content), 2, 3);
-    m_steps = new TuningSteps(theme, content);
-    m_steps->setFixedWidth(theme.theme().u(stepsWidth));
-    grid->addWidget(m_steps, 2, 4);
+    grid->addWidget(buildSide(), 2, 4);
     grid->setColumnStretch(2, 1);
     grid->setRowStretch(2, 1);
     m_stack->addWidget(m_empty);
@@ -123,6 +84,7 @@ QWidget *DesignPage::buildCommands()
     row->setSpacing(theme.u(8));
     m_status = new StatusLine(m_theme, bar);
     m_loops = new Segmented(tr("Loop"), {tr("Velocity"), tr("Position"), tr("Current")}, bar);
+    m_slots = new Segmented(tr("Gain slot"), {tr("slot 0"), tr("slot 1")}, bar);
     m_identify = new CommandButton(m_theme, tr("Identify"), bar);
     m_identify->setKeyHint(QStringLiteral("Shift+F6"));
     m_autotune = new CommandButton(m_theme, tr("Autotune"), bar);
@@ -133,11 +95,13 @@ QWidget *DesignPage::buildCommands()
     m_prove->setKeyHint(QStringLiteral("F5"));
     row->addWidget(m_status, 1);
     row->addWidget(m_loops);
+    row->addWidget(m_slots);
     row->addWidget(m_identify);
     row->addWidget(m_autotune);
     row->addWidget(m_prove);
     connect(m_loops, &Segmented::currentChanged, this,
         [this](int index) { chooseLoop(designedLoops.at(static_cast<std::size_t>(index))); });
+    connect(m_slots, &Segmented::currentChanged, this, &DesignPage::chooseSlot);
     connect(m_identify, &QPushButton::clicked, this, &DesignPage::identify);
     connect(m_autotune, &QPushButton::clicked, this, &DesignPage::autotune);
     connect(m_prove, &QPushButton::clicked, this, &DesignPage::prove);
@@ -146,19 +110,8 @@ QWidget *DesignPage::buildCommands()
 
 QWidget *DesignPage::buildColumn()
 {
-    const Theme &theme = m_theme.theme();
-    auto *scroll = new QScrollArea(this);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setFixedWidth(theme.u(modelWidth));
-    auto *column = new QWidget(scroll);
-    column->setProperty("transparent", true);
-    auto *inner = new QVBoxLayout(column);
-    inner->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
-    inner->setSpacing(theme.u(10));
-    inner->setSizeConstraint(QLayout::SetMinimumSize); // it scrolls before anything is squeezed
+    auto *area = new ScrollColumn(m_theme.theme(), modelWidth, this);
+    QWidget *const column = area->content();
     m_model = new ModelPanel(m_theme, column);
     m_envelope = new EnvelopePanel(m_theme, column);
     connect(m_envelope, &EnvelopePanel::changed, this, &DesignPage::follow);
@@ -166,31 +119,36 @@ QWidget *DesignPage::buildColumn()
         m_workbench.report(Severity::Caution, {}, tr("the limits were not kept: %1").arg(cause));
     });
     m_cards = new QVBoxLayout;
-    m_cards->setSpacing(theme.u(8));
-    inner->addWidget(m_model);
-    inner->addWidget(separatorLine(Qt::Horizontal, column));
-    inner->addWidget(m_envelope);
-    inner->addWidget(separatorLine(Qt::Horizontal, column));
-    inner->addWidget(new SectionLabel(tr("Proposals"), column));
-    inner->addLayout(m_cards);
-    inner->addStretch(1);
-    scroll->setWidget(column);
-    return scroll;
+    m_cards->setSpacing(m_theme.theme().u(8));
+    area->rows().addWidget(m_model);
+    area->rows().addWidget(separatorLine(Qt::Horizontal, column));
+    area->rows().addWidget(m_envelope);
+    area->rows().addWidget(separatorLine(Qt::Horizontal, column));
+    area->rows().addWidget(new SectionLabel(tr("Proposals"), column));
+    area->rows().addLayout(m_cards);
+    area->rows().addStretch(1);
+    return area;
 }
 
-QWidget *DesignPage::buildPlots()
+/// What happens, the sliders, and the sines: in sight whatever the left column shows.
+QWidget *DesignPage::buildSide()
 {
-    auto *plots = new QWidget(this);
-    auto *column = new QVBoxLayout(plots);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    m_bode = new BodePlot(m_theme, plots);
-    m_step = new CurvePlot(m_theme, tr("Step, predicted and measured"), plots);
-    m_step->setLegendPlace(Qt::AlignBottom | Qt::AlignRight);
-    column->addWidget(m_bode, 7);
-    column->addWidget(separatorLine(Qt::Horizontal, plots));
-    column->addWidget(m_step, 4);
-    return plots;
+    auto *area = new ScrollColumn(m_theme.theme(), stepsWidth, this);
+    QWidget *const side = area->content();
+    m_steps = new TuningSteps(m_theme, side);
+    m_own = new OwnProposal(m_theme, side);
+    m_own->hide();
+    connect(m_own, &OwnProposal::wished, this, &DesignPage::ownWished);
+    connect(m_own, &Card::activated, this, &DesignPage::ownWished);
+    m_sweep = new SweepPanel(m_arming, m_theme, side);
+    connect(m_sweep, &SweepPanel::measured, this, [this](const tuning::FrequencyResponse &response) {
+        m_responses[{place().device, place().axis}] = response;
+        showChosen();
+    });
+    area->rows().addWidget(m_steps, 1);
+    area->rows().addWidget(m_own);
+    area->rows().addWidget(m_sweep);
+    return area;
 }
 
 void DesignPage::buildKeys()
@@ -219,20 +177,20 @@ const tuning::TuneReport *DesignPage::report() const
     return found == m_reports.end() ? nullptr : &found->second;
 }
 
-tuning::Aim DesignPage::aim() const
+DesignPage::Choice DesignPage::choice() const
 {
-    const auto found = m_aims.find(place());
-    return found == m_aims.end() ? tuning::Aim::Normal : found->second;
+    const auto found = m_choices.find(place());
+    return found == m_choices.end() ? Choice() : found->second;
 }
 
 const tuning::Proposal *DesignPage::chosen() const
 {
-    const tuning::TuneReport *const known = report();
-    if (!known)
-        return nullptr;
-    const auto found = std::find_if(known->proposals.begin(), known->proposals.end(),
-        [this](const tuning::Proposal &proposal) { return proposal.aim == aim(); });
-    return found == known->proposals.end() ? nullptr : &*found;
+    const Choice now = choice();
+    if (now.own)
+        return m_ownDesigned ? &*m_ownDesigned : nullptr;
+    const auto found = std::find_if(m_designed.begin(), m_designed.end(),
+        [&now](const tuning::Proposal &proposal) { return proposal.aim == now.aim; });
+    return found == m_designed.end() ? nullptr : &*found;
 }
 
 /// The loop that is chosen may be one that this family has not.
@@ -254,7 +212,13 @@ tuning::TunePlan DesignPage::plan() const
     tuning::TunePlan plan;
     plan.loop = m_loop;
     plan.axis = place().axis;
-    plan.aim = aim();
+    const Choice now = choice();
+    plan.aim = now.own ? tuning::Aim::Normal : now.aim;
+    plan.slot = now.slot;
+    if (now.own) {
+        plan.response = now.response;
+        plan.ms = now.ms;
+    }
     plan.limits = m_envelope->entered();
     return plan;
 }
@@ -284,8 +248,33 @@ void DesignPage::chooseLoop(Mode loop)
 
 void DesignPage::chooseAim(tuning::Aim aim)
 {
-    m_aims[place()] = aim;
+    Choice &now = m_choices[place()];
+    now.aim = aim;
+    now.own = false;
     showChosen();
+}
+
+void DesignPage::chooseOwn(double response, double ms)
+{
+    Choice &now = m_choices[place()];
+    now.own = true;
+    now.response = response;
+    now.ms = ms;
+    designOwn();
+    showChosen();
+}
+
+void DesignPage::ownWished()
+{
+    chooseOwn(m_own->response(), m_own->ms());
+}
+
+/// The same model, other parameters: nothing has to be identified anew.
+void DesignPage::chooseSlot(int slot)
+{
+    m_choices[place()].slot = slot;
+    m_shown.reset();
+    follow();
 }
 
 void DesignPage::identify()
@@ -347,8 +336,7 @@ void DesignPage::ended(const Place &place, const Result<tuning::TuneReport> &rep
             now.plant = before->second.plant;
             now.scale = before->second.scale;
             now.gates = before->second.gates;
-            if (now.proposals.empty())
-                now.proposals = before->second.proposals;
+            now.proposals = before->second.proposals; // the three; what was proven may be the sliders' own
         }
         m_reports[place] = std::move(now);
         m_shown.reset();
@@ -387,7 +375,8 @@ void DesignPage::followDevice(const DeviceView &view, const QString &whyNot)
         static_cast<int>(std::find(designedLoops.begin(), designedLoops.end(), m_loop) - designedLoops.begin()));
     m_identify->setEnabled(now.mayRun);
     m_autotune->setEnabled(now.mayRun);
-    m_prove->setEnabled(now.mayRun && chosen());
+    m_slots->setVisible(view.family->capabilities.gainSlots > 1);
+    m_slots->setCurrent(choice().slot);
     followLimits(view);
     const OperationView *const job = m_workbench.snapshot().operation(view.id);
     const bool works = m_arming.isOnTrial() && job && job->status.state == OperationStatus::State::Running;
@@ -396,6 +385,8 @@ void DesignPage::followDevice(const DeviceView &view, const QString &whyNot)
         m_shown = place();
         showReport();
     }
+    m_sweep->follow({view.family, report(), m_inForce, m_envelope->entered(), now.mayRun});
+    m_prove->setEnabled(now.mayRun && chosen());
 }
 
 void DesignPage::followLimits(const DeviceView &view)
@@ -409,6 +400,7 @@ void DesignPage::followLimits(const DeviceView &view)
         std::exchange(m_limitsOf, view.id) == view.id);
     pushes.limits = m_envelope->entered();
     const ExperimentCheck check = checkExperiment(view, pushes, {}, m_workbench.presentOf(view.link));
+    m_inForce = check.inForce;
     m_envelope->setInForce(check.inForce, check.missing);
 }
 
@@ -419,71 +411,83 @@ void DesignPage::showReport()
     m_model->setReport(known);
     for (ProposalCard *card : std::exchange(m_proposals, {}))
         delete card;
+    m_designed.clear();
+    m_ownDesigned.reset();
     if (view && known) {
-        for (const tuning::Proposal &proposal : known->proposals) {
-            auto *card = new ProposalCard(m_theme, *view->family, proposal, this);
-            connect(card, &Card::activated, this, [this, aim = proposal.aim] { chooseAim(aim); });
-            m_cards->addWidget(card);
-            m_proposals.push_back(card);
+        designAll(*view);
+        showCards(*view);
+    }
+    m_own->setVisible(!m_designed.empty());
+    m_plots->setWatermark(known && known->simulated ? tr("DEMO") : QString());
+    showChosen();
+}
+
+tuning::ProposalBasis DesignPage::basisOf(const DeviceView &view) const
+{
+    return {*view.family, view.profile, m_loop, place().axis, choice().slot, report()->plant, m_inForce,
+        report()->scale, report()->taking};
+}
+
+/// What the engine proposed; for another slot the same again, here.
+void DesignPage::designAll(const DeviceView &view)
+{
+    const tuning::TuneReport &known = *report();
+    const Choice now = choice();
+    m_designed = known.proposals;
+    if (known.slot != now.slot && known.plant.gain > 0.0) {
+        m_designed.clear();
+        const tuning::ProposalBasis basis = basisOf(view);
+        for (const tuning::Aim aim : {tuning::Aim::Calm, tuning::Aim::Normal, tuning::Aim::Brisk}) {
+            if (auto proposal = tuning::proposalFor(basis, {aim, {}, {}}))
+                m_designed.push_back(std::move(*proposal));
         }
     }
-    m_bode->setWatermark(known && known->simulated ? tr("DEMO") : QString());
-    m_step->setWatermark(known && known->simulated ? tr("DEMO") : QString());
-    showChosen();
+    designOwn();
+}
+
+/// Of the sliders; they begin where the normal proposal is.
+void DesignPage::designOwn()
+{
+    const DeviceView *const view = device();
+    const tuning::TuneReport *const known = report();
+    m_ownDesigned.reset();
+    if (!view || !known || !(known->plant.gain > 0.0))
+        return;
+    const double usual = tuning::responseOf(m_loop, tuning::Aim::Normal, known->plant);
+    const Choice now = choice();
+    const double response = now.response > 0.0 ? now.response : usual;
+    const double ms = now.ms > 0.0 ? now.ms : tuning::msBoundsOf({}).model;
+    const auto proposal = tuning::proposalFor(basisOf(*view), {tuning::Aim::Normal, response, ms});
+    m_own->setWish(response, ms, usual);
+    m_own->show(proposal);
+    if (proposal)
+        m_ownDesigned = *proposal;
+}
+
+void DesignPage::showCards(const DeviceView &view)
+{
+    for (const tuning::Proposal &proposal : m_designed) {
+        auto *card = new ProposalCard(m_theme, *view.family, proposal, this);
+        connect(card, &Card::activated, this, [this, aim = proposal.aim] { chooseAim(aim); });
+        m_cards->addWidget(card);
+        m_proposals.push_back(card);
+    }
 }
 
 void DesignPage::showChosen()
 {
     const tuning::Proposal *const proposal = chosen();
+    const Choice now = choice();
     for (ProposalCard *card : m_proposals)
-        card->setChosen(proposal && card->aim() == proposal->aim);
-    if (!proposal) {
-        m_bode->clear();
-        m_step->setCurves({});
-        m_step->setNote(tr("What the gains will do appears here, before they are written."));
-        return;
-    }
-    m_bode->setLoop(m_loop, report()->plant, proposal->gains.made, proposal->margins);
-    showStep(*proposal);
-}
-
-/// What was measured stands beside the prediction of the gains that were proven.
-void DesignPage::showStep(const tuning::Proposal &proposal)
-{
-    const tuning::TuneReport *const proven = isSame(report()->proposed, proposal.gains) ? report() : nullptr;
-    double end = shownSettles * std::max(proposal.predicted.metrics.settle.value_or(0.5), shortestShown);
-    if (proven)
-        end = std::min(end, shortestHold(proven->proof));
-    TraceLook dotted;
-    dotted.role = TraceRole::Setpoint;
-    dotted.dash = TraceDash::Dots;
-    std::vector<Curve> curves{
-        curveOf(tr("%1, predicted").arg(aimText(proposal.aim)), dotted, proposal.predicted.measured, 0.0, 1.0, end)};
-    QString note = tr("a step of %1").arg(formatSignificant(proposal.step, 4));
-    if (proven) {
-        for (const tuning::Trial &trial : proven->proof) {
-            const double sign = trial.stimulus.to < trial.stimulus.from ? -1.0 : 1.0;
-            TraceLook look;
-            look.role = roleOf(m_loop);
-            look.dash = sign > 0.0 ? TraceDash::Solid : TraceDash::Long;
-            curves.push_back(curveOf(sign > 0.0 ? tr("measured, forwards") : tr("measured, backwards"), look,
-                trial.folded(tuning::measuredOf(trial.mode)), trial.stimulus.from, sign, end));
-        }
-        const tuning::Metrics &measured = proven->measured;
-        if (!proven->proof.empty() && measured.overshoot)
-            note += QStringLiteral(" · ")
-                + tr("measured: %1 % over, settled after %2")
-                      .arg(formatNumber(*measured.overshoot * 100.0, 1),
-                          measured.settle ? formatDuration(*measured.settle) : QString(UnknownMark));
-    }
-    m_step->setAxes(tr("s"),
-        m_loop == Mode::Current        ? tr("A")
-            : m_loop == Mode::Velocity ? tr("counts/s")
-                                       : tr("counts"),
-        false);
-    m_step->setCurves(curves);
-    m_step->setNote(note);
-    m_step->fit();
+        card->setChosen(proposal && !now.own && card->aim() == proposal->aim);
+    m_own->setChosen(proposal && now.own);
+    const DeviceView *const view = device();
+    if (!proposal || !view)
+        return m_plots->clear();
+    const auto response = m_responses.find({place().device, place().axis});
+    m_plots->setMeasured(
+        response == m_responses.end() ? std::vector<tuning::FrequencyPoint>() : response->second.points);
+    m_plots->show(*report(), *proposal, now.own ? tr("own") : aimText(proposal->aim), basisOf(*view));
 }
 
 } // namespace mb

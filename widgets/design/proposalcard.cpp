@@ -21,11 +21,6 @@ QString characterText(tuning::Aim aim)
     return {};
 }
 
-QString shortName(const std::string &key)
-{
-    return QString::fromStdString(key.substr(key.rfind('.') + 1)).toUpper();
-}
-
 struct Figure {
     QString name;
     QString value;
@@ -58,6 +53,25 @@ QString aimText(tuning::Aim aim)
     return {};
 }
 
+QString shortGainName(const std::string &key)
+{
+    return QString::fromStdString(key.substr(key.rfind('.') + 1)).toUpper();
+}
+
+bool isGainItself(const std::string &key)
+{
+    const std::string name = key.substr(key.rfind('.') + 1);
+    return name.size() == 1;
+}
+
+QString figuresText(const tuning::Proposal &proposal)
+{
+    QStringList words;
+    for (const Figure &figure : figuresOf(proposal))
+        words << figure.name + QChar(0x00A0) + figure.value;
+    return words.join(QStringLiteral(" · "));
+}
+
 ProposalCard::ProposalCard(
     const ThemeSource &theme, const Family &family, const tuning::Proposal &proposal, QWidget *parent)
     : Card(theme, aimText(proposal.aim), parent)
@@ -73,12 +87,12 @@ ProposalCard::ProposalCard(
     QStringList zeros;
     for (const tuning::ScaledGains::Row &gain : proposal.gains.rows) {
         if (gain.raw == 0) {
-            zeros << shortName(gain.key);
+            zeros << shortGainName(gain.key);
             continue;
         }
         const auto index = findParameter(family.parameters, gain.key);
         const std::string_view unit = index ? family.parameters[index->value].unit : std::string_view();
-        gains->addWidget(textLabel(shortName(gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
+        gains->addWidget(textLabel(shortGainName(gain.key), TextRole::Emphasis, Tone::Text, this), row, 0);
         gains->addWidget(
             textLabel(formatSignificant(gain.number, 4), TextRole::Emphasis, Tone::Text, this), row, 1, Qt::AlignRight);
         gains->addWidget(textLabel(tr("raw %1").arg(formatCount(gain.raw)), TextRole::Raw, Tone::Dim, this), row, 2);

@@ -38,7 +38,7 @@ TuningSteps::TuningSteps(const ThemeSource &theme, QWidget *parent)
 {
     const Theme &look = theme.theme();
     auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(look.u(12), look.u(10), look.u(12), look.u(10));
+    column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(look.u(8));
     column->addWidget(new SectionLabel(tr("What happens"), this));
     auto *row = new QHBoxLayout;

@@ -98,14 +98,37 @@ void CurvePlot::setAxis(QCPAxis &axis, const QString &label, bool logarithmic)
     m_fitted = false;
 }
 
+/// Two graphs that nobody sees, and what is between them.
+void CurvePlot::addBand(const Curve &curve)
+{
+    QCPGraph *const low = m_plot->addGraph();
+    QCPGraph *const high = m_plot->addGraph();
+    low->setData(curve.x, curve.low, true);
+    high->setData(curve.x, curve.high, true);
+    QColor fill = tracePen(curve.look, m_theme.theme()).color();
+    fill.setAlphaF(0.16);
+    for (QCPGraph *graph : {low, high}) {
+        graph->setPen(Qt::NoPen);
+        graph->removeFromLegend();
+    }
+    high->setBrush(fill);
+    high->setChannelFillGraph(low);
+}
+
 void CurvePlot::setCurves(const std::vector<Curve> &curves)
 {
     m_curves = curves;
     m_plot->clearPlottables();
     for (const Curve &curve : m_curves) {
+        if (!curve.low.isEmpty())
+            addBand(curve);
         auto *drawn = new QCPCurve(m_plot->xAxis, m_plot->yAxis);
         drawn->setName(curve.name);
         drawn->setPen(tracePen(curve.look, m_theme.theme()));
+        if (curve.points) {
+            drawn->setLineStyle(QCPCurve::lsNone);
+            drawn->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssTriangle, m_theme.theme().u(8)));
+        }
         QVector<double> order(curve.x.size());
         std::iota(order.begin(), order.end(), 0.0);
         drawn->setData(order, curve.x, curve.y, true);

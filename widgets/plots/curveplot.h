@@ -14,6 +14,10 @@ struct Curve {
     TraceLook look;
     QVector<double> x;
     QVector<double> y;
+    /// A band around it, at the same x; empty: none.
+    QVector<double> low{};
+    QVector<double> high{};
+    bool points = false; ///< its values are marks without a line between them
 };
 
 /// Values against something else than time: a spectrum, one signal against another. One plot, named axes, a legend, a
@@ -41,6 +45,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    void addBand(const Curve &curve);
     void setAxis(QCPAxis &axis, const QString &label, bool logarithmic);
     void replotSoon();
     void restyle();

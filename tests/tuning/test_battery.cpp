@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/tuning/experimentbench.h"
+#include "tuning/battery.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace mb::tuning {
+namespace {
+
+TEST(Batteries, HaveFiveSizesInBothDirectionsUpToTheLargest)
+{
+    const Battery speed = batteryOf(test::stepTo(Mode::Velocity, 50'000.0), 0.0, false);
+    ASSERT_EQ(speed.steps.size(), 10U);
+    EXPECT_DOUBLE_EQ(speed.steps.front().to, 10'000.0);
+    EXPECT_DOUBLE_EQ(speed.steps[1].to, -10'000.0);
+    EXPECT_DOUBLE_EQ(speed.steps.back().to, -50'000.0);
+    const Battery place = batteryOf(test::stepTo(Mode::Position, 4'000.0), 1'000.0, false);
+    EXPECT_DOUBLE_EQ(place.steps.front().to, 1'600.0);
+    EXPECT_DOUBLE_EQ(place.steps.back().to, -2'000.0);
+    EXPECT_FALSE(place.steps.front().from);
+    EXPECT_DOUBLE_EQ(batteryOf(test::stepTo(Mode::Position, 500.0), 77.0, true).steps[1].to, -100.0);
+}
+
+TEST(Batteries, NameTheWorstOfEachMetricAndWhereItWas)
+{
+    std::vector<Trial> trials(3);
+    trials[0].metrics.overshoot = 0.01;
+    trials[1].metrics.overshoot = 0.2;
+    trials[1].metrics.sse = 0.001;
+    trials[2].metrics.sse = -0.02;
+    const BatteryWorst worst = worstOf(trials);
+    EXPECT_DOUBLE_EQ(worst.metrics.overshoot.value_or(0.0), 0.2);
+    EXPECT_DOUBLE_EQ(worst.metrics.sse.value_or(0.0), -0.02);
+    EXPECT_FALSE(worst.metrics.rise);
+    for (std::size_t key = 0; key < metricKeys().size(); ++key) {
+        if (metricKeys()[key].key == "overshoot") {
+            EXPECT_EQ(worst.where[key], 1U);
+        }
+        if (metricKeys()[key].key == "sse") {
+            EXPECT_EQ(worst.where[key], 2U);
+        }
+        if (metricKeys()[key].key == "rise") {
+            EXPECT_FALSE(worst.where[key]);
+        }
+    }
+}
+
+TEST(Batteries, OfUnitSevenAreTenTrialsThatOvershoot)
+{
+    test::ExperimentBench bench("sim:can", "dmc60c", 7);
+    std::vector<Trial> trials;
+    for (const ExperimentPlan &step : batteryOf(test::stepTo(Mode::Velocity, 60'000.0), 0.0, false).steps) {
+        const auto trial = bench.run(step);
+        ASSERT_TRUE(trial) << trial.error().text();
+        EXPECT_EQ(trial->reason, "done");
+        trials.push_back(*trial);
+    }
+    const BatteryWorst worst = worstOf(trials);
+    std::printf("worst overshoot of ten steps: %.1f %%\n", 100.0 * worst.metrics.overshoot.value_or(0.0));
+    EXPECT_GT(worst.metrics.overshoot.value_or(0.0), 0.1);
+}
+
+} // namespace
+} // namespace mb::tuning

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "support/windowtests.h"
+#include "tunebench.h"
+#include "widgets/control/batterydialog.h"
+#include "widgets/plots/curveplot.h"
+
+#include <QAbstractButton>
+#include <QTableWidget>
+#include <QTest>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+tuning::ExperimentPlan largest()
+{
+    tuning::ExperimentPlan plan;
+    plan.mode = Mode::Velocity;
+    plan.from = 0.0;
+    plan.to = 50'000.0;
+    return plan;
+}
+
+struct BatteryBench {
+    FakeWorkbench workbench;
+    ThemeSource theme{darkTheme()};
+    Arming arming{workbench};
+    Recording recording{workbench.time};
+    BatteryDialog dialog{arming, theme, nullptr};
+
+    BatteryBench()
+    {
+        workbench.shot.devices.push_back(tunableDrive(recording.telemetry()));
+        dialog.setBattery(tuning::batteryOf(largest(), 0.0, false), {1}, QStringLiteral("counts/s"));
+        dialog.show();
+    }
+    /// The step that runs ends with this overshoot.
+    void finish(double overshoot, const char *reason = "done")
+    {
+        const auto &plan = workbench.plans.back().plan;
+        tuning::Trial trial;
+        trial.simulated = true;
+        trial.stimulus.from = *plan.from;
+        trial.stimulus.to = plan.to;
+        trial.metrics.overshoot = overshoot;
+        trial.reason = reason;
+        trial.stopped = true;
+        const auto finished = workbench.plans.back().finished;
+        finished(trial);
+    }
+};
+
+} // namespace
+
+class TestBattery : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void nothingMovesBeforeItIsArmedAndStarted();
+    void tenStepsFollowEachOtherAndTheWorstStandsBelow();
+    void aStopEndsItAndSaysSo();
+    void everyControlHasAName();
+};
+
+void TestBattery::nothingMovesBeforeItIsArmedAndStarted()
+{
+    BatteryBench bench;
+    QVERIFY(bench.dialog.words().contains(QStringLiteral("counts/s")));
+    bench.dialog.run();
+    QVERIFY(bench.workbench.plans.empty());
+    bench.arming.arm({1});
+    QVERIFY(bench.workbench.plans.empty());
+    bench.dialog.run();
+    QCOMPARE(bench.workbench.plans.size(), std::size_t(1));
+}
+
+void TestBattery::tenStepsFollowEachOtherAndTheWorstStandsBelow()
+{
+    BatteryBench bench;
+    bench.arming.arm({1});
+    bench.dialog.run();
+    for (int i = 0; i < 10; ++i) {
+        QCOMPARE(bench.workbench.plans.size(), static_cast<std::size_t>(i + 1));
+        QCOMPARE(bench.workbench.plans.back().plan.to, (i % 2 == 0 ? 1.0 : -1.0) * 10'000.0 * (1 + i / 2));
+        bench.finish(i == 3 ? 0.25 : 0.01 * i);
+    }
+    QVERIFY(!bench.dialog.isRunning());
+    QCOMPARE(bench.dialog.table().rowCount(), 11);
+    QCOMPARE(bench.dialog.table().item(10, 3)->text(), QStringLiteral("25.0"));
+    QVERIFY2(bench.dialog.table().item(3, 3)->font().bold(), "where the worst comes from");
+    QVERIFY(!bench.dialog.table().item(4, 3)->font().bold());
+    QCOMPARE(bench.dialog.plot().curves().size(), std::size_t(10));
+    QVERIFY(bench.arming.isArmed({1}));
+}
+
+void TestBattery::aStopEndsItAndSaysSo()
+{
+    BatteryBench bench;
+    bench.arming.arm({1});
+    bench.dialog.run();
+    bench.finish(0.01);
+    bench.finish(0.02, "speed");
+    QVERIFY(!bench.dialog.isRunning());
+    QCOMPARE(bench.workbench.plans.size(), std::size_t(2));
+    QCOMPARE(bench.dialog.table().rowCount(), 3);
+    bench.dialog.run();
+    QCOMPARE(bench.workbench.plans.size(), std::size_t(2)); // a guard's stop is latched
+}
+
+void TestBattery::everyControlHasAName()
+{
+    BatteryBench bench;
+    for (const QWidget *widget : bench.dialog.findChildren<QWidget *>()) {
+        if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisible())
+            continue;
+        const auto *button = qobject_cast<const QAbstractButton *>(widget);
+        QVERIFY2(!widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()),
+            widget->metaObject()->className());
+    }
+}
+
+MB_WINDOW_TEST(TestBattery);
+#include "tst_battery.moc"

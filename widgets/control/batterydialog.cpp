@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/control/batterydialog.h"
+
+#include "tuning/envelope.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/control/trialwords.h"
+#include "widgets/control/wrappedlabel.h"
+#include "widgets/plots/curveplot.h"
+
+#include <QHeaderView>
+#include <QPointer>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+constexpr int dialogWidth = 720; // u
+constexpr int dialogHeight = 620;
+constexpr std::array<std::string_view, 5> columns{"rise", "settle", "overshoot", "sse", "peak_current"};
+
+std::optional<double> metricOf(const tuning::Metrics &metrics, std::string_view key)
+{
+    for (const tuning::MetricKey &row : tuning::metricKeys()) {
+        if (row.key == key)
+            return metrics.*row.value;
+    }
+    return std::nullopt;
+}
+
+QString cellText(std::string_view key, const std::optional<double> &value)
+{
+    const MetricWord word = metricWord(key);
+    return value ? formatNumber(*value * word.scale, word.decimals) : QString(UnknownMark);
+}
+
+double sizeOf(const tuning::Trial &trial)
+{
+    return trial.stimulus.to - trial.stimulus.from;
+}
+
+} // namespace
+
+BatteryDialog::BatteryDialog(Arming &arming, const ThemeSource &theme, QWidget *parent)
+    : QDialog(parent)
+    , m_arming(arming)
+    , m_theme(theme)
+{
+    setWindowTitle(tr("Battery of steps"));
+    setModal(false);
+    const Theme &look = theme.theme();
+    resize(look.u(dialogWidth), look.u(dialogHeight));
+    auto *column = new QVBoxLayout(this);
+    m_words = wrappedLabel({}, TextRole::Body, Tone::Text, this);
+    m_start = new CommandButton(theme, Symbol::Play, tr("Run the battery"), this);
+    m_start->setPrimary(true);
+    m_start->setKeyHint(QStringLiteral("F7"));
+    m_start->setShortcut(Qt::Key_F7);
+    m_start->setAutoDefault(false);
+    m_table = new QTableWidget(0, static_cast<int>(columns.size()) + 1, this);
+    m_table->setAccessibleName(tr("Steps of the battery and the worst of each metric"));
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_plot = new CurvePlot(theme, tr("Responses of the battery over each other"), this);
+    m_plot->setAxes(tr("s"), tr("share of the step"), false);
+    m_plot->setLegendPlace(Qt::AlignBottom | Qt::AlignRight);
+    column->addWidget(m_words);
+    column->addWidget(m_start, 0, Qt::AlignLeft);
+    column->addWidget(m_table, 3);
+    column->addWidget(m_plot, 3);
+    connect(m_start, &QPushButton::clicked, this, &BatteryDialog::run);
+    connect(&arming, &Arming::changed, this, &BatteryDialog::follow);
+}
+
+void BatteryDialog::setBattery(tuning::Battery battery, DeviceId device, const QString &unit)
+{
+    if (m_running || battery.steps.empty())
+        return;
+    m_battery = std::move(battery);
+    m_device = device;
+    m_unit = unit;
+    m_trials.clear();
+    m_table->setRowCount(0);
+    QStringList heads{tr("Step, %1").arg(unit)};
+    for (const std::string_view key : columns) {
+        const MetricWord word = metricWord(key);
+        heads << (word.unit.isEmpty() ? word.name : word.name + QStringLiteral(", ") + word.unit);
+    }
+    m_table->setHorizontalHeaderLabels(heads);
+    m_plot->setCurves({});
+    const tuning::ExperimentPlan &first = m_battery.steps.front();
+    const tuning::ExperimentPlan &last = m_battery.steps.back();
+    say(tr("%1 steps, both ways in turn, from %2 to %3 %4, with the gains in force. The motor turns; each step keeps "
+           "inside the "
+           "limits of the page.")
+            .arg(m_battery.steps.size())
+            .arg(formatSignificant(first.to, 4), formatSignificant(last.to, 4), unit));
+    follow();
+}
+
+void BatteryDialog::run()
+{
+    if (m_running || m_battery.steps.empty() || !m_arming.isArmed(m_device) || m_arming.isMoving())
+        return;
+    m_trials.clear();
+    m_table->setRowCount(0);
+    m_running = true;
+    next();
+}
+
+void BatteryDialog::next()
+{
+    const std::size_t done = m_trials.size();
+    say(tr("Step %1 of %2: to %3 %4. STOP ends it.")
+            .arg(done + 1)
+            .arg(m_battery.steps.size())
+            .arg(formatSignificant(m_battery.steps[done].to, 4), m_unit));
+    follow();
+    m_arming.runTrial(m_battery.steps[done], {}, [self = QPointer<BatteryDialog>(this)](const auto &trial) {
+        if (self)
+            self->ended(trial);
+    });
+}
+
+void BatteryDialog::ended(const Result<tuning::Trial> &trial)
+{
+    if (trial) {
+        m_trials.push_back(*trial);
+        addRow(*trial);
+        showCurves();
+    }
+    const bool good = trial && trial->reason == "done";
+    const bool whole = m_trials.size() == m_battery.steps.size();
+    if (good && !whole && isVisible() && m_arming.isArmed(m_device))
+        return next();
+    m_running = false;
+    if (!trial)
+        say(tr("Ended: %1").arg(errorText(trial.error())));
+    else if (!good)
+        say(tr("Ended by: %1").arg(guardText(trial->reason)));
+    else
+        say(whole ? tr("Done: %1 trials in the notebook.").arg(m_trials.size())
+                  : tr("Ended before all steps were run."));
+    showWorst();
+    follow();
+}
+
+void BatteryDialog::addRow(const tuning::Trial &trial)
+{
+    const int row = m_table->rowCount();
+    m_table->insertRow(row);
+    const auto put = [this, row](int column, const QString &text) {
+        auto *item = new QTableWidgetItem(text);
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        m_table->setItem(row, column, item);
+    };
+    put(0, formatSignificant(sizeOf(trial), 4));
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        put(static_cast<int>(i) + 1, cellText(columns[i], metricOf(trial.metrics, columns[i])));
+    m_table->scrollToBottom();
+}
+
+/// The last row, and the cells that it comes from in bold.
+void BatteryDialog::showWorst()
+{
+    if (m_trials.empty())
+        return;
+    const tuning::BatteryWorst worst = tuning::worstOf(m_trials);
+    const int row = m_table->rowCount();
+    m_table->insertRow(row);
+    m_table->setItem(row, 0, new QTableWidgetItem(tr("worst")));
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        auto *item = new QTableWidgetItem(cellText(columns[i], metricOf(worst.metrics, columns[i])));
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        m_table->setItem(row, static_cast<int>(i) + 1, item);
+        for (std::size_t key = 0; key < tuning::metricKeys().size(); ++key) {
+            if (tuning::metricKeys()[key].key == columns[i] && worst.where[key])
+                markBold(static_cast<int>(*worst.where[key]), static_cast<int>(i) + 1);
+        }
+    }
+    for (int column = 0; column < m_table->columnCount(); ++column)
+        markBold(row, column);
+    m_table->scrollToBottom();
+}
+
+void BatteryDialog::markBold(int row, int column)
+{
+    QTableWidgetItem *const item = m_table->item(row, column);
+    QFont font = item->font();
+    font.setBold(true);
+    item->setFont(font);
+}
+
+/// Each as a share of its own step; forwards solid, backwards dashed.
+void BatteryDialog::showCurves()
+{
+    std::vector<Curve> curves;
+    for (const tuning::Trial &trial : m_trials) {
+        Curve curve;
+        curve.name = formatSignificant(sizeOf(trial), 3);
+        curve.look.role = trial.mode == Mode::Velocity ? TraceRole::Velocity : TraceRole::Position;
+        curve.look.dash = sizeOf(trial) > 0.0 ? TraceDash::Solid : TraceDash::Long;
+        double hold = 0.0;
+        for (const tuning::Span &span : trial.holds)
+            hold = std::max(hold, span.to - span.from);
+        const tuning::Trace trace = trial.folded(tuning::measuredOf(trial.mode)).part(-1.0, hold);
+        for (std::size_t i = 0; i < trace.size(); ++i) {
+            curve.x.append(trace.t[i]);
+            curve.y.append((trace.y[i] - trial.stimulus.from) / sizeOf(trial));
+        }
+        curves.push_back(std::move(curve));
+    }
+    m_plot->setWatermark(!m_trials.empty() && m_trials.front().simulated ? tr("DEMO") : QString());
+    m_plot->setCurves(curves);
+    m_plot->fit();
+}
+
+void BatteryDialog::follow()
+{
+    m_start->setEnabled(!m_running && !m_battery.steps.empty() && m_arming.isArmed(m_device) && !m_arming.isMoving());
+    m_start->setToolTip(m_arming.isArmed(m_device) ? QString() : tr("Arm the device first: hold the lamp for 1 s."));
+}
+
+void BatteryDialog::say(const QString &words)
+{
+    m_words->setText(words);
+    setAccessibleDescription(words);
+}
+
+QString BatteryDialog::words() const
+{
+    return m_words->text();
+}
+
+} // namespace mb

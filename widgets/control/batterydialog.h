@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/battery.h"
+#include "widgets/control/arming.h"
+
+#include <QDialog>
+
+class QLabel;
+class QTableWidget;
+
+namespace mb {
+
+class CommandButton;
+class CurvePlot;
+
+/// Steps of several sizes in both directions with the gains in force, one after the other: what will happen before it does, a row for each
+/// as it ends, the worst of every metric, all responses over each other. Every step is a trial of the notebook. Not modal: STOP and its
+/// keys work all the time, and end it. Closing ends it after the step that runs.
+class BatteryDialog : public QDialog {
+    Q_OBJECT
+public:
+    BatteryDialog(Arming &arming, const ThemeSource &theme, QWidget *parent);
+
+    /// What it is to run when it is started; refused while it runs. `unit` of the target.
+    void setBattery(tuning::Battery battery, DeviceId device, const QString &unit);
+    /// As if its button was pressed: starts, where the device is armed.
+    void run();
+    [[nodiscard]] bool isRunning() const { return m_running; }
+    [[nodiscard]] const std::vector<tuning::Trial> &trials() const { return m_trials; }
+    [[nodiscard]] QString words() const;
+    [[nodiscard]] QTableWidget &table() { return *m_table; }
+    [[nodiscard]] CurvePlot &plot() { return *m_plot; }
+
+private:
+    void next();
+    void ended(const Result<tuning::Trial> &trial);
+    void addRow(const tuning::Trial &trial);
+    void showWorst();
+    void markBold(int row, int column);
+    void showCurves();
+    void follow();
+    void say(const QString &words);
+
+    Arming &m_arming;
+    const ThemeSource &m_theme;
+    tuning::Battery m_battery;
+    DeviceId m_device;
+    QString m_unit;
+    std::vector<tuning::Trial> m_trials;
+    bool m_running = false;
+    QLabel *m_words = nullptr;
+    CommandButton *m_start = nullptr;
+    QTableWidget *m_table = nullptr;
+    CurvePlot *m_plot = nullptr;
+};
+
+} // namespace mb

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/design/ownproposal.h"
+
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/control/logslider.h"
+#include "widgets/control/wrappedlabel.h"
+#include "widgets/design/proposalcard.h"
+
+#include <QHBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+constexpr double hundredth = 100.0;
+constexpr double notable = 1.02; ///< times slower than asked that is said
+
+} // namespace
+
+QString boundWord(std::string_view bound)
+{
+    if (bound == "margin")
+        return OwnProposal::tr("margin");
+    if (bound == "derivative noise")
+        return OwnProposal::tr("derivative noise");
+    if (bound == "largest error")
+        return OwnProposal::tr("largest error");
+    if (bound == "delay")
+        return OwnProposal::tr("dead time");
+    if (bound == "peak current")
+        return OwnProposal::tr("peak current");
+    return QString::fromUtf8(bound.data(), static_cast<int>(bound.size()));
+}
+
+OwnProposal::OwnProposal(const ThemeSource &theme, QWidget *parent)
+    : Card(theme, tr("own"), parent)
+{
+    setTitle(tr("own"), tr("by two sliders"));
+    setActivatable(true);
+    setAccessibleName(tr("Own proposal"));
+    m_speed = new LogSlider(theme, this);
+    m_damping = new QSlider(Qt::Horizontal, this);
+    m_damping->setRange(static_cast<int>(leastMs * hundredth), static_cast<int>(mostMs * hundredth));
+    m_damping->setSingleStep(1);
+    m_damping->setPageStep(5);
+    m_response = addSlider(tr("Speed"), m_speed, tr("calm"), tr("brisk"));
+    m_ms = addSlider(tr("Damping"), m_damping, tr("robust"), tr("lively"));
+    m_gains = wrappedLabel({}, TextRole::Emphasis, Tone::Text, this);
+    m_figures = wrappedLabel({}, TextRole::Caption, Tone::Dim, this);
+    m_bounds = wrappedLabel({}, TextRole::Caption, Tone::Caution, this);
+    for (QLabel *line : {m_gains, m_figures, m_bounds})
+        body().addWidget(line);
+    connect(m_speed, &LogSlider::numberChosen, this, [this] {
+        sayWish();
+        Q_EMIT wished();
+    });
+    connect(m_damping, &QSlider::valueChanged, this, [this] {
+        sayWish();
+        Q_EMIT wished();
+    });
+}
+
+QLabel *OwnProposal::addSlider(const QString &name, QSlider *slider, const QString &low, const QString &high)
+{
+    slider->setAccessibleName(name);
+    auto *head = new QHBoxLayout;
+    head->addWidget(textLabel(name, TextRole::Body, Tone::Text, this));
+    head->addStretch(1);
+    QLabel *value = textLabel({}, TextRole::Emphasis, Tone::Text, this);
+    head->addWidget(value);
+    body().addLayout(head);
+    body().addWidget(slider);
+    auto *ends = new QHBoxLayout;
+    ends->addWidget(textLabel(low, TextRole::Caption, Tone::Dim, this));
+    ends->addStretch(1);
+    ends->addWidget(textLabel(high, TextRole::Caption, Tone::Dim, this));
+    body().addLayout(ends);
+    return value;
+}
+
+void OwnProposal::setWish(double response, double ms, double usual)
+{
+    m_speed->setCentre(1.0 / usual);
+    m_speed->showNumber(1.0 / response);
+    const QSignalBlocker quiet(m_damping);
+    m_damping->setValue(static_cast<int>(std::lround(ms * hundredth)));
+    sayWish();
+}
+
+double OwnProposal::response() const
+{
+    const double speed = m_speed->number();
+    return speed > 0.0 ? 1.0 / speed : 0.0;
+}
+
+double OwnProposal::ms() const
+{
+    return m_damping->value() / hundredth;
+}
+
+void OwnProposal::sayWish()
+{
+    m_response->setText(tr("τc %1").arg(formatDuration(response())));
+    m_ms->setText(tr("Ms ≤ %1").arg(formatNumber(ms(), 2)));
+    m_speed->setAccessibleDescription(m_response->text());
+    m_damping->setAccessibleDescription(m_ms->text());
+}
+
+void OwnProposal::show(const Result<tuning::Proposal> &proposal)
+{
+    m_figures->setVisible(proposal.has_value());
+    m_gains->setVisible(proposal.has_value());
+    if (!proposal) {
+        m_bounds->setText(
+            tr("The device cannot have this set: %1").arg(QString::fromStdString(proposal.error().text())));
+        m_bounds->setVisible(true);
+        return;
+    }
+    QStringList gains;
+    for (const tuning::ScaledGains::Row &row : proposal->gains.rows) {
+        if (row.raw != 0 && isGainItself(row.key))
+            gains << shortGainName(row.key) + QChar(0x00A0) + formatSignificant(row.number, 4);
+    }
+    m_gains->setText(gains.join(QStringLiteral(" · ")));
+    m_figures->setText(figuresText(*proposal));
+    QStringList bounds;
+    for (const std::string_view bound : proposal->design.bounds)
+        bounds << boundWord(bound);
+    const bool slower = proposal->design.response > notable * response();
+    m_bounds->setText(slower && !bounds.isEmpty()
+            ? tr("Held at τc %1 by: %2")
+                  .arg(formatDuration(proposal->design.response), bounds.join(QStringLiteral(", ")))
+            : QString());
+    m_bounds->setVisible(!m_bounds->text().isEmpty());
+}
+
+QString OwnProposal::boundText() const
+{
+    return m_bounds->text();
+}
+
+void OwnProposal::setChosen(bool chosen)
+{
+    setEdge(chosen ? std::optional(Tone::Accent) : std::nullopt);
+}
+
+} // namespace mb

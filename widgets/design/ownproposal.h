@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/autotune.h"
+#include "widgets/common/card.h"
+
+class QLabel;
+class QSlider;
+
+namespace mb {
+
+class LogSlider;
+
+/// The set between the three proposals: how quick the closed loop shall be and how robust, by two sliders in the units of the plant,
+/// and what came of it, with every bound that held it back. Tells each move; whoever listens designs and shows.
+class OwnProposal : public Card {
+    Q_OBJECT
+public:
+    OwnProposal(const ThemeSource &theme, QWidget *parent);
+
+    /// Where the sliders stand without telling anybody; `usual` is the response, s, at the tick of Speed.
+    void setWish(double response, double ms, double usual);
+    [[nodiscard]] double response() const; ///< s, as asked
+    [[nodiscard]] double ms() const;
+    /// What the wish gives, or why the device cannot have it.
+    void show(const Result<tuning::Proposal> &proposal);
+    void setChosen(bool chosen);
+    /// What is said of what held the set back.
+    [[nodiscard]] QString boundText() const;
+
+    static constexpr double leastMs = 1.2;
+    static constexpr double mostMs = 2.0;
+
+Q_SIGNALS:
+    /// By hand; many while dragging.
+    void wished();
+
+private:
+    QLabel *addSlider(const QString &name, QSlider *slider, const QString &low, const QString &high);
+    void sayWish();
+
+    LogSlider *m_speed = nullptr; ///< of 1/response: to the right is quicker
+    QSlider *m_damping = nullptr; ///< hundredths of Ms
+    QLabel *m_response = nullptr;
+    QLabel *m_ms = nullptr;
+    QLabel *m_gains = nullptr;
+    QLabel *m_figures = nullptr;
+    QLabel *m_bounds = nullptr;
+};
+
+/// "margin", "derivative noise" … of Design::bounds in words of people.
+[[nodiscard]] QString boundWord(std::string_view bound);
+
+} // namespace mb

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/design/scrollcolumn.h"
+
+#include <QVBoxLayout>
+
+namespace mb {
+
+ScrollColumn::ScrollColumn(const Theme &theme, int width, QWidget *parent)
+    : QScrollArea(parent)
+{
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setFocusPolicy(Qt::NoFocus);
+    setFixedWidth(theme.u(width));
+    m_content = new QWidget(this);
+    m_content->setProperty("transparent", true);
+    m_rows = new QVBoxLayout(m_content);
+    m_rows->setContentsMargins(theme.u(12), theme.u(10), theme.u(12), theme.u(10));
+    m_rows->setSpacing(theme.u(10));
+    m_rows->setSizeConstraint(QLayout::SetMinimumSize);
+    setWidget(m_content);
+}
+
+} // namespace mb

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/theme.h"
+
+#include <QScrollArea>
+
+class QVBoxLayout;
+
+namespace mb {
+
+/// A column of a page, of one width: it scrolls before anything in it is squeezed. Takes no focus of its own.
+class ScrollColumn : public QScrollArea {
+    Q_OBJECT
+public:
+    /// `width` in theme units.
+    ScrollColumn(const Theme &theme, int width, QWidget *parent);
+
+    /// Parent of what goes into it.
+    [[nodiscard]] QWidget *content() { return m_content; }
+    [[nodiscard]] QVBoxLayout &rows() { return *m_rows; }
+
+private:
+    QWidget *m_content = nullptr;
+    QVBoxLayout *m_rows = nullptr;
+};
+
+} // namespace mb
