@@ -17,6 +17,7 @@ namespace mb::tuning {
 namespace {
 
 constexpr int proofRepeats = 2;
+constexpr int mostRepeats = 4;         ///< of an experiment on a wire that loses frames
 constexpr double proofSettles = 4.0;   ///< predicted times to settle that a proof holds its step
 constexpr double leastCurrent = 0.08;  ///< s that it is held
 constexpr double longestCurrent = 0.2; ///< s
@@ -50,7 +51,7 @@ void AutotuneRun::note(const std::string &text) const
 }
 
 /// One experiment; what ended it, if it was not its own end, ends the tuning. Travel is counted from where the tuning began.
-Task<Trial> AutotuneRun::run(ExperimentPlan plan)
+Task<Trial> AutotuneRun::runOnce(ExperimentPlan plan)
 {
     plan.axis = m_plan.axis;
     plan.limits = m_plan.limits;
@@ -75,6 +76,25 @@ Task<Trial> AutotuneRun::run(ExperimentPlan plan)
         m_report.evidence = trial.detail;
     }
     co_return trial;
+}
+
+/// A wire that loses a frame now and then ends an experiment by its guard now and then. That has stopped the motor; the same is tried
+/// again, from where it stands, while the unit is heard.
+Task<Trial> AutotuneRun::run(ExperimentPlan plan)
+{
+    for (int again = 0;; ++again) {
+        const double before = m_here;
+        auto running = runOnce(plan);
+        Trial trial = co_await std::move(running);
+        const bool lossy = trial.reason == toString(Guard::Link) && m_report.stopped && m_device.liveness().heard;
+        if (!lossy || again == mostRepeats)
+            co_return trial;
+        note("the wire lost too many frames; the same again");
+        m_report.stopReason.clear();
+        m_report.evidence.clear();
+        if (plan.mode == Mode::Position && !m_device.family().capabilities.zeroPosition)
+            plan.to += m_here - before;
+    }
 }
 
 Task<Trial> AutotuneRun::push(Push push)

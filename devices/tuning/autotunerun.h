@@ -69,6 +69,7 @@ public:
     [[nodiscard]] double place() const { return m_here; }
 
 private:
+    [[nodiscard]] Task<Trial> runOnce(ExperimentPlan plan);
     [[nodiscard]] Result<Proposal> proposalFor(Aim aim) const;
     [[nodiscard]] VelocityTaking taking() const;
     [[nodiscard]] double resting() const;

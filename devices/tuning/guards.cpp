@@ -25,6 +25,7 @@ constexpr int mostFlips = 20; ///< a second
 constexpr double planMargin = 1.5;
 constexpr Duration silence = 100ms;
 constexpr int silentPeriods = 5;
+constexpr double mostLost = 0.05;
 constexpr double fullPush = 1.0 / 3.0; ///< breakaway for which a push of 1 surely moves it
 
 std::string rounded(double value)
@@ -199,7 +200,7 @@ std::optional<Trip> Guards::look(Instant now, std::uint64_t samples, std::uint64
     if (now - m_heardAt > patience)
         return trip(Guard::Link, m_heardAt + patience, "no sample for " + milliseconds(now - m_heardAt));
     m_loss.add(now, samples, lost);
-    if (m_loss.isMuch())
+    if (m_loss.share() > mostLost)
         return trip(Guard::Link, now, rounded(m_loss.share() * 100.0) + " % of the samples were lost in a second");
     const auto longest = std::chrono::duration_cast<Duration>(m_plan.longest * planMargin);
     if (now - m_start > longest)

@@ -23,8 +23,6 @@ constexpr double asLarge = 0.95;  ///< the same, where the duty lets it grow no 
 constexpr double atLimit = 0.95;  ///< of the duty limit
 constexpr double strong = 0.5;    ///< of the duty limit
 constexpr std::uint64_t enoughSamples = 40;
-constexpr double tolerated = 0.05;      ///< share of samples lost
-constexpr double samplesOfAFrame = 4.0; ///< that are lost together
 
 } // namespace
 
@@ -160,10 +158,7 @@ void LossWatch::add(Instant now, std::uint64_t samples, std::uint64_t lost)
         m_counts.pop_front();
     const std::uint64_t came = samples - m_counts.front().samples;
     const std::uint64_t missing = lost - m_counts.front().lost;
-    const auto all = static_cast<double>(came + missing);
-    m_share = came + missing < enoughSamples ? 0.0 : static_cast<double>(missing) / all;
-    const double chance = 2.0 * std::sqrt(samplesOfAFrame * all * tolerated * (1.0 - tolerated));
-    m_isMuch = m_share > 0.0 && static_cast<double>(missing) > tolerated * all + chance;
+    m_share = came + missing < enoughSamples ? 0.0 : static_cast<double>(missing) / static_cast<double>(came + missing);
 }
 
 } // namespace mb::tuning

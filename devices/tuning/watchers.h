@@ -103,8 +103,6 @@ class LossWatch {
 public:
     void add(Instant now, std::uint64_t samples, std::uint64_t lost);
     [[nodiscard]] double share() const { return m_share; }
-    /// More than 5 % of them, and more than chance makes of less: in a second of a slow wire one lost frame is 5 %.
-    [[nodiscard]] bool isMuch() const { return m_isMuch; }
 
 private:
     struct Count {
@@ -114,7 +112,6 @@ private:
     };
     std::deque<Count> m_counts;
     double m_share = 0.0;
-    bool m_isMuch = false;
 };
 
 } // namespace mb::tuning

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <numbers>
 
@@ -97,6 +98,44 @@ TEST(Autotune, TakesTheOvershootOfUnitSevenAway)
     ASSERT_EQ(bench.journal.tunings.size(), 1U);
     EXPECT_EQ(bench.journal.tunings.front().result, TuneResult::Kept);
     EXPECT_EQ(bench.journal.tunings.front().unit, after->unit);
+}
+
+/// The gain that somebody had, and how often the same experiment was tried again.
+struct Lossy {
+    TuneResult result = TuneResult::Refused;
+    std::string reason;
+    std::ptrdiff_t again = 0;
+    bool stopped = false;
+    bool sameGains = false;
+};
+
+Lossy tuneWithLoss(const char *link)
+{
+    ExperimentBench bench(link, "dmc60c", 7);
+    const auto before = rawOf(bench, "slot0.p");
+    const auto report = tune(bench, planOf(Mode::Velocity));
+    EXPECT_TRUE(report) << report.error().text();
+    const auto again = std::count_if(bench.notes.begin(), bench.notes.end(),
+        [](const std::string &note) { return note.find("the same again") != std::string::npos; });
+    return {report->result, report->stopReason, again, report->stopped, rawOf(bench, "slot0.p") == before};
+}
+
+TEST(Autotune, AWireThatLosesNowAndThenIsTriedAgain)
+{
+    const Lossy lossy = tuneWithLoss("sim:can?loss=0.03");
+    std::printf("3 %% lost: %td experiments again\n", lossy.again);
+    EXPECT_EQ(lossy.result, TuneResult::Kept) << lossy.reason;
+    EXPECT_GE(lossy.again, 1);
+}
+
+TEST(Autotune, AWireThatLosesAllTheTimeStopsIt)
+{
+    const Lossy lossy = tuneWithLoss("sim:can?loss=0.12");
+    EXPECT_EQ(lossy.result, TuneResult::Stopped);
+    EXPECT_EQ(lossy.reason, "link");
+    EXPECT_EQ(lossy.again, 4);
+    EXPECT_TRUE(lossy.stopped);
+    EXPECT_TRUE(lossy.sameGains);
 }
 
 TEST(Autotune, LeavesTheSlotItProvedInAsItWas)

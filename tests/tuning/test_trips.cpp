@@ -270,7 +270,7 @@ std::vector<Scenario> ofDmc60c()
         row("no motion", "the encoder died", {}, struckBy("encoder-dead", 1.0), stuck),
         row("oscillation", "P far too high", harder(8.0), {}, swinging("velocity", 60'000.0)),
         row("link", "its supply is gone", {}, takePower, silent),
-        row("link", "12 % of the frames are lost", {}, {}, losing),
+        row("link", "8 % of the frames are lost", {}, {}, losing),
         row("foreign master", "another program commands it", {}, commandElsewhere, atOnce),
         row(
             "interrupted", "STOP", {}, [](TripBench &bench) { bench.interruption.interrupt(); }, atOnce),
@@ -278,7 +278,7 @@ std::vector<Scenario> ofDmc60c()
     for (Scenario &scenario : rows) {
         scenario.checked = scenario.fault == "cables swapped since the check";
         if (scenario.guard == "link" && !scenario.strike)
-            scenario.link = "sim:can?loss=0.12";
+            scenario.link = "sim:can?loss=0.08";
     }
     return rows;
 }

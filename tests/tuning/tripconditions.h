@@ -158,9 +158,7 @@ inline std::optional<Instant> losing(const TripWatch &watch, Instant)
                 break;
         const auto lost = static_cast<double>(seen[i].lost - seen[std::min(from, i)].lost);
         const auto came = static_cast<double>(i - std::min(from, i));
-        const double all = came + lost;
-        const double chance = 2.0 * std::sqrt(4.0 * all * 0.05 * 0.95); // two sigma; a frame carries up to four samples
-        if (seen[i].time > watch.startedAt() && all >= 40.0 && lost > 0.05 * all + chance)
+        if (seen[i].time > watch.startedAt() && came + lost >= 40.0 && lost > 0.05 * (came + lost))
             return seen[i].time;
     }
     return std::nullopt;
