@@ -15,6 +15,7 @@
 #include <QHeaderView>
 #include <QPointer>
 #include <QSplitter>
+#include <QStyle>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
@@ -57,6 +58,7 @@ HistoryPanel::HistoryPanel(Workbench &workbench, const ThemeSource &theme, QWidg
     m_table->setAccessibleName(tr("Differences"));
     m_table->setHorizontalHeaderLabels({tr("parameter"), tr("key"), tr("A"), tr("B"), tr("unit"), tr("note")});
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(NameColumn, QHeaderView::Interactive); // fitNames()
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_table->verticalHeader()->hide();
     m_table->setShowGrid(false);
@@ -244,7 +246,19 @@ void HistoryPanel::compareChosen()
     }
     m_which->setText(0, tr("Only differences %1").arg(differences.size()));
     m_which->setText(1, tr("All %1").arg(all));
+    fitNames();
     count();
+}
+
+/// The contents' own width forgets the box before the name, which the style sheet draws.
+void HistoryPanel::fitNames()
+{
+    m_table->resizeColumnToContents(NameColumn);
+    const QStyle &look = *m_table->style();
+    const int box = look.pixelMetric(QStyle::PM_IndicatorWidth, nullptr, m_table)
+        + look.pixelMetric(QStyle::PM_CheckBoxLabelSpacing, nullptr, m_table);
+    QHeaderView &header = *m_table->horizontalHeader();
+    header.resizeSection(NameColumn, header.sectionSize(NameColumn) + box);
 }
 
 void HistoryPanel::addRow(const settings::SideDifference &difference, bool differs)

@@ -46,6 +46,7 @@ private:
     [[nodiscard]] std::int64_t newestUnlike(const settings::Side &side) const;
     void choose(int state, bool asA);
     void compareChosen();
+    void fitNames();
     void addRow(const settings::SideDifference &difference, bool differs);
     void count();
     [[nodiscard]] const UnitState &stateAt(int place) const { return m_states[static_cast<std::size_t>(place)]; }
