@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/settingsdesk.h"
 
-#include <memory>
-
 namespace mb {
 
 SettingsDesk::SettingsDesk(TrialStore &store, Mailbox &home, QObject *parent)
@@ -15,15 +13,9 @@ SettingsDesk::SettingsDesk(TrialStore &store, Mailbox &home, QObject *parent)
 template <class T>
 void SettingsDesk::ask(std::function<Result<T>(SettingsBook &)> question, std::function<void(Result<T>)> answered)
 {
-    m_store.post(
-        [home = &m_home, question = std::move(question), answered = std::move(answered)](const Result<Books *> &books) {
-            auto result
-                = std::make_shared<Result<T>>(books ? question((*books)->settings) : Result<T>(fail(books.error())));
-            home->post([answered, result] {
-                if (answered)
-                    answered(std::move(*result));
-            });
-        });
+    m_store.ask<T>(
+        m_home, [question = std::move(question)](Books &books) { return question(books.settings); },
+        std::move(answered));
 }
 
 void SettingsDesk::list(const std::string &unit, Listed listed)

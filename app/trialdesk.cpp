@@ -5,8 +5,6 @@
 #include "storage/reportmatter.h"
 #include "storage/trialfile.h"
 
-#include <memory>
-
 namespace mb {
 
 TrialDesk::TrialDesk(TrialStore &store, Mailbox &home, QObject *parent)
@@ -19,14 +17,8 @@ TrialDesk::TrialDesk(TrialStore &store, Mailbox &home, QObject *parent)
 template <class T>
 void TrialDesk::ask(std::function<Result<T>(TrialBook &)> question, std::function<void(Result<T>)> answered)
 {
-    m_store.post([home = &m_home, question = std::move(question), answered = std::move(answered)](
-                     const Result<Books *> &books) {
-        auto result = std::make_shared<Result<T>>(books ? question((*books)->trials) : Result<T>(fail(books.error())));
-        home->post([answered, result] {
-            if (answered)
-                answered(std::move(*result));
-        });
-    });
+    m_store.ask<T>(
+        m_home, [question = std::move(question)](Books &books) { return question(books.trials); }, std::move(answered));
 }
 
 void TrialDesk::list(const std::string &unit, Listed listed)

@@ -9,6 +9,7 @@
 #include <condition_variable>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -36,6 +37,18 @@ public:
 
     /// Any thread.
     void post(Work work);
+    /// Answers a question of the books in the thread that drains `home`, or says why there are none. `answered` may be empty.
+    template <class T>
+    void ask(Mailbox &home, std::function<Result<T>(Books &)> question, std::function<void(Result<T>)> answered)
+    {
+        post([&home, question = std::move(question), answered = std::move(answered)](const Result<Books *> &books) {
+            auto result = std::make_shared<Result<T>>(books ? question(**books) : Result<T>(fail(books.error())));
+            home.post([answered, result] {
+                if (answered)
+                    answered(std::move(*result));
+            });
+        });
+    }
 
 private:
     void run();
