@@ -25,13 +25,7 @@ constexpr QSize usualSize{1280, 800};
 
 void say(const Options &options, const LoadedRecording &recording, int traces)
 {
-    std::uint64_t samples = 0;
-    std::uint64_t lost = 0;
-    for (std::uint16_t i = 0; i < recording.table.size(); ++i) {
-        samples += recording.telemetry->size({i});
-        lost += recording.telemetry->lost({i});
-    }
-    const double seconds = std::chrono::duration<double>(recording.last - recording.first).count();
+    const auto [samples, lost, seconds] = totalsOf(recording);
     if (options.json) {
         const QJsonObject object{{QStringLiteral("file"), options.plot}, {QStringLiteral("out"), options.out},
             {QStringLiteral("signals"), traces}, {QStringLiteral("samples"), static_cast<qint64>(samples)},

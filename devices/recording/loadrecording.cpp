@@ -75,6 +75,17 @@ void addLoadedChannel(LoadedRecording &loaded, const std::string &title, const s
     loaded.table.push_back({name, shownUnit, name, quantityOfKey(name)});
 }
 
+RecordingTotals totalsOf(const LoadedRecording &recording)
+{
+    RecordingTotals totals;
+    for (std::uint16_t i = 0; i < recording.table.size(); ++i) {
+        totals.samples += recording.telemetry->size({i});
+        totals.lost += recording.telemetry->lost({i});
+    }
+    totals.seconds = std::chrono::duration<double>(recording.last - recording.first).count();
+    return totals;
+}
+
 Result<std::shared_ptr<const LoadedRecording>> loadRecording(const std::string &path)
 {
     std::error_code error;

@@ -27,19 +27,13 @@ constexpr std::chrono::milliseconds tickTime(16);
 constexpr int listWidth = 232;
 constexpr int edge = 12;
 
-/// "12.3 s, 4 channels, 12 000 samples, 3 lost", and what is wrong with it.
+/// "12.3 s, 12 000 samples, 3 lost", and what is wrong with it.
 QString stateOf(const LoadedRecording &recording)
 {
-    std::uint64_t samples = 0;
-    std::uint64_t lost = 0;
-    for (std::uint16_t i = 0; i < recording.table.size(); ++i) {
-        samples += recording.telemetry->size({i});
-        lost += recording.telemetry->lost({i});
-    }
-    const double seconds = std::chrono::duration<double>(recording.last - recording.first).count();
+    const RecordingTotals totals = totalsOf(recording);
     QString text = SamplesWindow::tr("%1 s, %2 samples, %3 lost")
-                       .arg(formatNumber(seconds), formatCount(static_cast<qint64>(samples)),
-                           formatCount(static_cast<qint64>(lost)));
+                       .arg(formatNumber(totals.seconds), formatCount(static_cast<qint64>(totals.samples)),
+                           formatCount(static_cast<qint64>(totals.lost)));
     if (!recording.complete)
         text += SamplesWindow::tr("; the end of the file is missing");
     return text;
