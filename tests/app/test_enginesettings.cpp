@@ -5,10 +5,10 @@
 #include "model/registry.h"
 #include "settings/unit.h"
 #include "storage/settingsbook.h"
+#include "support/coreapplication.h"
 
 #include <gtest/gtest.h>
 
-#include <QCoreApplication>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -25,12 +25,7 @@ class SettingsCore : public testing::Test {
 protected:
     SettingsCore()
     {
-        if (!QCoreApplication::instance()) {
-            static int count = 1;
-            static char name[] = "test_app";
-            static char *arguments[] = {name, nullptr};
-            static QCoreApplication application(count, arguments);
-        }
+        test::needCoreApplication();
         auto opened = Database::open(folder.path().toStdString() + "/motorbench.db");
         EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
         database = std::move(*opened);

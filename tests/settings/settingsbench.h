@@ -4,9 +4,9 @@
 #include "settings/snapshots.h"
 #include "settings/writing.h"
 #include "storage/settingsbook.h"
+#include "support/coreapplication.h"
 #include "support/simulatedsession.h"
 
-#include <QCoreApplication>
 #include <QTemporaryDir>
 
 namespace mb::test {
@@ -23,12 +23,7 @@ protected:
     /// The program ends and begins again.
     void open()
     {
-        if (!QCoreApplication::instance()) {
-            static int count = 1;
-            static char name[] = "test_settings";
-            static char *arguments[] = {name, nullptr};
-            static QCoreApplication application(count, arguments);
-        }
+        test::needCoreApplication();
         book.reset();
         database.reset();
         auto opened = Database::open(folder.path().toStdString() + "/motorbench.db");

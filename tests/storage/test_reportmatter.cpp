@@ -3,11 +3,11 @@
 #include "model/family.h"
 #include "model/registry.h"
 #include "storage/reportmatter.h"
+#include "support/coreapplication.h"
 #include "support/simulatedsession.h"
 
 #include <gtest/gtest.h>
 
-#include <QCoreApplication>
 #include <QTemporaryDir>
 
 namespace mb {
@@ -20,12 +20,7 @@ class Reports : public testing::Test {
 protected:
     Reports()
     {
-        if (!QCoreApplication::instance()) {
-            static int count = 1;
-            static char name[] = "test_storage";
-            static char *arguments[] = {name, nullptr};
-            static QCoreApplication application(count, arguments);
-        }
+        test::needCoreApplication();
         database = std::move(*Database::open(folder.path().toStdString() + "/motorbench.db"));
         book = std::make_unique<TrialBook>(*database, clock);
         keep("7", Mode::Duty);

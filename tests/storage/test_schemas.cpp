@@ -3,10 +3,10 @@
 #include "async/virtualclock.h"
 #include "storage/settingsbook.h"
 #include "storage/trialbook.h"
+#include "support/coreapplication.h"
 #include "support/simulatedsession.h"
 #include "support/sourcetree.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -15,15 +15,7 @@ namespace {
 
 class Schemas : public testing::TestWithParam<int> {
 protected:
-    Schemas()
-    {
-        if (!QCoreApplication::instance()) {
-            static int count = 1;
-            static char name[] = "test_storage";
-            static char *arguments[] = {name, nullptr};
-            static QCoreApplication application(count, arguments);
-        }
-    }
+    Schemas() { test::needCoreApplication(); }
     QTemporaryDir folder;
     std::string path = folder.path().toStdString() + "/motorbench.db";
     VirtualClock clock;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/virtualclock.h"
 #include "storage/trialbook.h"
+#include "support/coreapplication.h"
 #include "support/fulldisk.h"
 #include "support/simulatedsession.h"
 
 #include <gtest/gtest.h>
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
@@ -21,12 +21,7 @@ class Notebooks : public testing::Test {
 protected:
     Notebooks()
     {
-        if (!QCoreApplication::instance()) {
-            static int count = 1;
-            static char name[] = "test_storage";
-            static char *arguments[] = {name, nullptr};
-            static QCoreApplication application(count, arguments);
-        }
+        test::needCoreApplication();
         clock.advance(std::chrono::hours(1000));
     }
     [[nodiscard]] std::unique_ptr<Database> open() const

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "async/virtualclock.h"
 #include "storage/trialbook.h"
+#include "support/coreapplication.h"
 #include "support/simulatedsession.h"
 #include "support/sourcetree.h"
 
 #include <gtest/gtest.h>
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -22,12 +22,7 @@ class KeptTunings : public testing::Test {
 protected:
     KeptTunings()
     {
-        if (!QCoreApplication::instance()) {
-            static int count = 1;
-            static char name[] = "test_storage";
-            static char *arguments[] = {name, nullptr};
-            static QCoreApplication application(count, arguments);
-        }
+        test::needCoreApplication();
         clock.advance(std::chrono::hours(1000));
     }
     [[nodiscard]] std::unique_ptr<Database> open() const
