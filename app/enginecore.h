@@ -42,7 +42,7 @@ public:
     /// Something that a snapshot shows has changed since the last one.
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
     /// Lines for the log: severity, device, English text.
-    [[nodiscard]] Listeners<Severity, const std::string &, const std::string &> &noticed() { return m_noticed; }
+    [[nodiscard]] Listeners<Severity, const std::string &, const Message &> &noticed() { return m_noticed; }
 
     /// A serial port that is not plugged in is opened once it is; until then this has failed. One that does not open fails after
     /// Link::openLimit; nothing waits for it meanwhile.
@@ -183,7 +183,7 @@ private:
     /// What is told of an experiment that has ended.
     struct Notable {
         Severity severity;
-        std::string text;
+        Message text;
     };
     template <class T>
     using MovingStory = std::function<Task<T>(Device &, SetPointStream &, tuning::ExperimentSurroundings)>;
@@ -230,7 +230,7 @@ private:
     void streamChanged(DeviceId id);
     void prune();
     void touch() { m_changed.notify(); }
-    void notice(Severity severity, const std::string &device, const std::string &text)
+    void notice(Severity severity, const std::string &device, const Message &text)
     {
         m_noticed.notify(severity, device, text);
     }
@@ -244,7 +244,7 @@ private:
     Clock &m_clock;
     bool m_opensByItself;
     Listeners<> m_changed;
-    Listeners<Severity, const std::string &, const std::string &> m_noticed;
+    Listeners<Severity, const std::string &, const Message &> m_noticed;
     Session m_session;
     std::map<const Link *, Watched> m_watched;
     std::map<DeviceId, Subscription> m_streams;

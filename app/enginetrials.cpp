@@ -142,7 +142,7 @@ tuning::ExperimentSurroundings EngineCore::surroundings(Progress &progress, tuni
     around.journal = m_journal;
     around.directions = &m_directions;
     around.interruption = &interruption;
-    around.note = [&progress](const std::string &text) { progress.log(Severity::Caution, text); };
+    around.note = [&progress](const Message &text) { progress.log(Severity::Caution, text); };
     return around;
 }
 

@@ -26,7 +26,7 @@ ProgressLine::ProgressLine(Console &console)
 {
 }
 
-void ProgressLine::step(const std::string &what, int done, int total)
+void ProgressLine::step(const Message &what, int done, int total)
 {
     const Instant now = m_console.clock().now();
     if (m_console.options().quiet || now < m_next)
@@ -56,7 +56,7 @@ void ProgressLine::draw(const std::string &what, int done, int total)
     m_drawn = true;
 }
 
-void ProgressLine::log(Severity severity, const std::string &text)
+void ProgressLine::log(Severity severity, const Message &text)
 {
     if (severity != Severity::Caution && severity != Severity::Danger)
         return;

@@ -15,9 +15,9 @@ public:
     ProgressLine &operator=(const ProgressLine &) = delete;
     ~ProgressLine() override { erase(); }
 
-    void step(const std::string &what, int done, int total) override;
+    void step(const Message &what, int done, int total) override;
     void part(int, PartState) override { }
-    void log(Severity severity, const std::string &text) override;
+    void log(Severity severity, const Message &text) override;
 
 private:
     void draw(const std::string &what, int done, int total);

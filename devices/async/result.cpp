@@ -11,14 +11,22 @@ Error Error::fromPhrase(Fault fault, std::string_view phrase)
     return {fault, std::string(phrase.substr(0, end)), std::string(phrase.substr(end + 2))};
 }
 
-std::string Error::text() const
+Message Error::help() const
 {
-    return remedy.empty() ? detail : detail + "; " + remedy;
+    return command.empty() ? remedy : remedy.empty() ? Message::verbatim(command) : say("%1: %2", remedy, command);
 }
 
-Error Error::about(std::string_view what) const
+Message Error::message() const
 {
-    return {fault, std::string(what) + ": " + detail, remedy};
+    const Message helps = help();
+    return helps.empty() ? detail : say("%1; %2", detail, helps);
+}
+
+Error Error::about(const MessageArgument &what) const
+{
+    Error error = *this;
+    error.detail = Message::composed("%1: %2", {what, detail});
+    return error;
 }
 
 std::string_view toString(Fault fault)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/message.h"
+
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,35 +25,59 @@ enum class Fault {
     Unsafe,      ///< not done because a motor could move when it must not
 };
 
-/// A fault, what it was about and what helps, in plain English without trailing full stop; `widgets/common` and the console
-/// make user text from it.
+/// What is wrong with a link: one cause, the first that explains the others.
+enum class Ailment {
+    None,
+    NoCan,    ///< the kernel has no CAN
+    NotThere, ///< no such interface, port or adapter
+    Down,     ///< switched off
+    NoPermission,
+    Busy, ///< somebody else has it, or leaves no room on it
+    Gone, ///< was there, and was unplugged
+    BusOff,
+    ListenOnly,         ///< configured so that nothing can be sent
+    WrongBitrate,       ///< only disturbed frames arrive
+    NobodyAcknowledges, ///< nobody else is on the bus, or the wire or the termination is missing
+    Disturbed,          ///< it works, with many errors
+    Losing,             ///< it works, and frames were lost for lack of room
+    Failed,             ///< anything else: the cause says what
+};
+
+/// A fault, what it was about and what helps, each a part of its own, decided where the fault is known; `widgets/common` and the
+/// console make user text from it.
 struct Error {
     Fault fault = Fault::BadReply;
-    std::string detail;   ///< the cause
-    std::string remedy{}; ///< what helps; empty where nothing is known that the fault alone does not say
+    Message detail{};      ///< the cause
+    Message remedy{};      ///< what helps; empty where nothing is known that the fault alone does not say
+    std::string command{}; ///< for a terminal, as it stands: what does it; empty when none helps
+    Ailment ailment = Ailment::None; ///< of a link that cannot be opened or was lost: which
 
     /// A phrase of both in one piece, as tables and translators have it: "the port is busy; close the other program".
     [[nodiscard]] static Error fromPhrase(Fault fault, std::string_view phrase);
-    /// "cause; remedy", or the cause alone.
-    [[nodiscard]] std::string text() const;
+    /// "cause; remedy: command", what there is of it, in English.
+    [[nodiscard]] std::string text() const { return message().english(); }
+    /// The same to be translated.
+    [[nodiscard]] Message message() const;
+    /// The remedy with its command.
+    [[nodiscard]] Message help() const;
     /// The same of `what`: "slot0.p: cause".
-    [[nodiscard]] Error about(std::string_view what) const;
+    [[nodiscard]] Error about(const MessageArgument &what) const;
 
     friend bool operator==(const Error &, const Error &) = default;
 };
 
 template <class T> using Result = tl::expected<T, Error>;
 
-/// `return fail(Fault::Timeout, "slot0.p");`
-[[nodiscard]] inline tl::unexpected<Error> fail(Fault fault, std::string detail = {})
+/// `return fail(Fault::Timeout, say("%1 does not answer", name));`
+[[nodiscard]] inline tl::unexpected<Error> fail(Fault fault, Message cause = {})
 {
-    return tl::unexpected<Error>(Error{fault, std::move(detail)});
+    return tl::unexpected<Error>(Error{fault, std::move(cause)});
 }
 
-/// `return fail(Fault::OutOfRange, path + " is a folder", "name a file");`
-[[nodiscard]] inline tl::unexpected<Error> fail(Fault fault, std::string detail, std::string remedy)
+/// `return fail(Fault::OutOfRange, say("%1 is a folder", path), say("name a file"));`
+[[nodiscard]] inline tl::unexpected<Error> fail(Fault fault, Message cause, Message remedy, std::string command = {})
 {
-    return tl::unexpected<Error>(Error{fault, std::move(detail), std::move(remedy)});
+    return tl::unexpected<Error>(Error{fault, std::move(cause), std::move(remedy), std::move(command)});
 }
 
 /// `return fail(result.error());` hands an error on.

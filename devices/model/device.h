@@ -156,8 +156,8 @@ public:
     [[nodiscard]] Task<void> zeroPosition() { return doZeroPosition(); }
 
     /// While an update runs nothing else may talk to the device.
-    void setBusy(std::string why) { m_busy = std::move(why); }
-    [[nodiscard]] const std::string &busy() const { return m_busy; }
+    void setBusy(Message why) { m_busy = std::move(why); }
+    [[nodiscard]] const Message &busy() const { return m_busy; }
 
 protected:
     Device(const Family &family, Link &link, Clock &clock, Identity identity);
@@ -225,7 +225,7 @@ private:
     Listeners<Instant> m_statesChanged;
     Listeners<> m_changed;
     Listeners<> m_profileChanged;
-    std::string m_busy;
+    Message m_busy;
     Instant m_stoppedAt{};
     bool m_keepsMove = false;
     const std::atomic<bool> *m_stopGate = nullptr;

@@ -94,7 +94,7 @@ bool DeviceGuard::hasFailed() const
     return state == GuardWatch::State::Acted || state == GuardWatch::State::Gone || m_lapsed || hasLapsed();
 }
 
-std::string DeviceGuard::reason() const
+Message DeviceGuard::reason() const
 {
     if (m_watch && !m_watch->reason().empty())
         return m_watch->reason();

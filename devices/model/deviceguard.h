@@ -37,7 +37,7 @@ public:
     /// It cannot come to stand any more: it acted, it died, or this program was frozen too long.
     [[nodiscard]] bool hasFailed() const;
     /// Why it does not stand, in one clause.
-    [[nodiscard]] std::string reason() const;
+    [[nodiscard]] Message reason() const;
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
     /// The motor was told to stop: the guardian goes once the device is seen stopped, not before.

@@ -186,7 +186,7 @@ struct UpdateReport {
     int pages = 0;    ///< written and accepted
     int retries = 0;
     bool verified = false;      ///< the device answered with the version of the image
-    std::string evidence;       ///< what proves it, or what went wrong and what to do
+    Message evidence;           ///< what proves it, or what went wrong and what to do
     std::optional<Fault> fault; ///< of Failed
 };
 

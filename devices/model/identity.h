@@ -28,7 +28,7 @@ struct Identity {
     std::string firmware; ///< "1.23"
     std::string bootloader;
     std::string dialect;
-    std::string detail; ///< one sentence for people: what is unusual, and the remedy
+    Message detail; ///< one sentence for people: what is unusual, and the remedy
     std::vector<std::pair<std::string, std::string>> descriptors; ///< in the device's order, key and text
 
     friend bool operator==(const Identity &, const Identity &) = default;

@@ -38,7 +38,7 @@ public:
 
     [[nodiscard]] State state() const { return m_state; }
     /// Of Acted and Gone: one clause for people.
-    [[nodiscard]] const std::string &reason() const { return m_reason; }
+    [[nodiscard]] const Message &reason() const { return m_reason; }
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
     /// This process lives. The guardian acts 500 ms after it heard the last one.
@@ -47,7 +47,7 @@ public:
     virtual void release() = 0;
 
 protected:
-    void enter(State state, std::string reason = {})
+    void enter(State state, Message reason = {})
     {
         m_state = state;
         m_reason = std::move(reason);
@@ -56,7 +56,7 @@ protected:
 
 private:
     State m_state = State::Called;
-    std::string m_reason;
+    Message m_reason;
     Listeners<> m_changed;
 };
 

@@ -38,7 +38,7 @@ void Operation::dismiss(const Error &error)
     keep->cut(*this, error);
 }
 
-void Operation::step(const std::string &what, int done, int total)
+void Operation::step(const Message &what, int done, int total)
 {
     m_status.step = what;
     m_status.done = done;
@@ -52,7 +52,7 @@ void Operation::part(int number, PartState state)
     ++m_revision;
 }
 
-void Operation::log(Severity severity, const std::string &text)
+void Operation::log(Severity severity, const Message &text)
 {
     m_status.log.push_back({m_clock.now(), severity, text});
     ++m_revision;

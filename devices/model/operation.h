@@ -16,15 +16,15 @@ namespace mb {
 struct LogLine {
     Instant time{};
     Severity severity = Severity::Info;
-    std::string text;
+    Message text;
 };
 
 /// What a long job looks like from outside, by value.
 struct OperationStatus {
     enum class State { Running, Done, Failed, Cancelled };
-    std::string title;
+    Message title;
     State state = State::Running;
-    std::string step;
+    Message step;
     int done = 0;
     int total = 0;
     Instant startedAt{};
@@ -39,7 +39,7 @@ struct OperationStatus {
 /// they may destroy the operation.
 class Operation final : public Progress {
 public:
-    Operation(Clock &clock, std::string title);
+    Operation(Clock &clock, Message title);
     ~Operation() override;
 
     /// Once. `finished` gets the result, Cancelled included.
@@ -65,9 +65,9 @@ public:
     [[nodiscard]] bool isRunning() const { return m_status.state == OperationStatus::State::Running; }
     [[nodiscard]] std::uint64_t revision() const { return m_revision; }
 
-    void step(const std::string &what, int done, int total) override;
+    void step(const Message &what, int done, int total) override;
     void part(int number, PartState state) override;
-    void log(Severity severity, const std::string &text) override;
+    void log(Severity severity, const Message &text) override;
     void mayInterrupt(bool may) override;
 
 private:

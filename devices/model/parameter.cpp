@@ -111,14 +111,6 @@ Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text)
     return toRaw(parameter, *number);
 }
 
-std::string numberText(double number)
-{
-    std::array<char, 64> buffer{};
-    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), number == 0.0 ? 0.0 : number,
-        std::abs(number) >= 1e-6 && std::abs(number) < 1e15 ? std::chars_format::fixed : std::chars_format::general);
-    return number == 0.0 ? "0" : std::string(buffer.data(), end.ptr);
-}
-
 std::string toText(const Parameter &parameter, std::int64_t raw)
 {
     if (parameter.type == WireType::Boolean)

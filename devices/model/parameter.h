@@ -136,7 +136,5 @@ using Value = std::variant<std::monostate, bool, double>;
 [[nodiscard]] Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text);
 /// Shortest text that parseRaw() turns back into `raw`; on/off for booleans.
 [[nodiscard]] std::string toText(const Parameter &parameter, std::int64_t raw);
-/// Shortest decimal of a number, dot whatever the locale.
-[[nodiscard]] std::string numberText(double number);
 
 } // namespace mb

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/message.h"
+
 #include <cstdint>
-#include <string>
 
 namespace mb {
 
@@ -15,10 +16,10 @@ enum class PartState : std::uint8_t { Waiting, Active, Done, Repeated, Absent };
 class Progress {
 public:
     virtual ~Progress() = default;
-    /// What it does now, in English, and how far: `total` 0 means unknown length.
-    virtual void step(const std::string &what, int done, int total) = 0;
+    /// What it does now, and how far: `total` 0 means unknown length.
+    virtual void step(const Message &what, int done, int total) = 0;
     virtual void part(int number, PartState state) = 0;
-    virtual void log(Severity severity, const std::string &text) = 0;
+    virtual void log(Severity severity, const Message &text) = 0;
     /// While false, the job must not be cut (page 0 of a DMC60C).
     virtual void mayInterrupt(bool) { }
 };
@@ -26,9 +27,9 @@ public:
 /// For callers that do not look.
 class NoProgress final : public Progress {
 public:
-    void step(const std::string &, int, int) override { }
+    void step(const Message &, int, int) override { }
     void part(int, PartState) override { }
-    void log(Severity, const std::string &) override { }
+    void log(Severity, const Message &) override { }
 };
 
 } // namespace mb

@@ -53,9 +53,9 @@ public:
     /// next scan, of another run too, asks them first.
     void keepScans(std::string directory);
     /// What was kept of scans is lost, or cannot be kept: scans are slower, nothing else. Once a link and cause.
-    [[nodiscard]] Listeners<const std::string &> &memoryTrouble() { return m_memoryTrouble; }
+    [[nodiscard]] Listeners<const Message &> &memoryTrouble() { return m_memoryTrouble; }
     /// A profile could not be read or kept: one line for people.
-    [[nodiscard]] Listeners<const std::string &> &profileTrouble() { return m_profileTrouble; }
+    [[nodiscard]] Listeners<const Message &> &profileTrouble() { return m_profileTrouble; }
 
     /// Opens a link, or yields the one that is open under this address. `sim:` alone must be expanded first (expandLink).
     [[nodiscard]] Result<Link *> openLink(const LinkAddress &address);
@@ -112,7 +112,7 @@ public:
     [[nodiscard]] Result<void> releaseMoves(Device &lead);
 
     /// A link was opened, and its user should know something about it, told in one clause.
-    [[nodiscard]] Listeners<const Link &, const std::string &> &remarked() { return m_remarked; }
+    [[nodiscard]] Listeners<const Link &, const Message &> &remarked() { return m_remarked; }
     /// Links or devices came, went or changed.
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
@@ -169,9 +169,9 @@ private:
     std::span<const Family *const> m_families;
     MotionGuard *m_guard;
     Listeners<> m_changed;
-    Listeners<const Link &, const std::string &> m_remarked;
-    Listeners<const std::string &> m_profileTrouble;
-    Listeners<const std::string &> m_memoryTrouble;
+    Listeners<const Link &, const Message &> m_remarked;
+    Listeners<const Message &> m_profileTrouble;
+    Listeners<const Message &> m_memoryTrouble;
     std::optional<ProfileBook> m_profiles;
     std::optional<ScanBook> m_scans;
     Background *m_background = nullptr;

@@ -217,7 +217,7 @@ void SetPointStream::scheduleNext(Instant last)
     m_timer.start(m_next, [this] { tick(); });
 }
 
-void SetPointStream::finish(End end, std::string reason)
+void SetPointStream::finish(End end, Message reason)
 {
     m_running = false;
     m_end = end;

@@ -51,7 +51,7 @@ public:
     [[nodiscard]] const std::vector<SetPoint> &setPoints() const { return m_setPoints; }
     [[nodiscard]] End end() const { return m_end; }
     /// One clause for people about why it ended.
-    [[nodiscard]] const std::string &reason() const { return m_reason; }
+    [[nodiscard]] const Message &reason() const { return m_reason; }
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
 private:
@@ -63,7 +63,7 @@ private:
     void scheduleNext(Instant last);
     void guardChanged();
     void tick();
-    void finish(End end, std::string reason);
+    void finish(End end, Message reason);
     [[nodiscard]] bool checkDevice();
     [[nodiscard]] bool isLate() const;
     [[nodiscard]] bool hasSlept() const;
@@ -76,7 +76,7 @@ private:
     bool m_running = false;
     bool m_waiting = false; ///< for the guardian; nothing was sent yet
     End m_end = End::None;
-    std::string m_reason;
+    Message m_reason;
     Instant m_startedAt{};
     Instant m_next{};
     Instant m_sentAt{};     ///< the newest control frames

@@ -20,10 +20,10 @@ struct LinkView {
     std::string name; ///< short: can0, sim:can
     LinkKind kind = LinkKind::Can;
     LinkState state = LinkState::Closed;
-    std::string reason; ///< why it is lost
+    Message reason; ///< why it is lost
     bool simulated = false;
     bool scanning = false;
-    std::string scanStep; ///< what the scan looks for now, in English, where it takes long
+    Message scanStep; ///< what the scan looks for now, where it takes long
     int scanDone = 0;
     int scanTotal = 0;
     int bitrate = 0;
@@ -44,7 +44,7 @@ struct MotionView {
     SetPoint setPoint;               ///< the latest
     std::vector<SetPoint> setPoints; ///< of every axis that is kept alive
     SetPointStream::End end = SetPointStream::End::None;
-    std::string reason;
+    Message reason;
 
     /// What an axis is told now; nullptr while nothing runs on it.
     [[nodiscard]] const SetPoint *on(int axis) const;
@@ -58,18 +58,18 @@ struct DeviceView {
     std::string link; ///< address of its link
     Liveness liveness;
     LiveStates states; ///< by the rows of family->states
-    std::string busy;  ///< what it does now, in English
+    Message busy; ///< what it does now
     MotionView motion;
     std::shared_ptr<const Telemetry> telemetry;
     std::vector<double> rates;                     ///< samples per second, in table order of the channels
     std::vector<ParameterStore::Entry> parameters; ///< in table order
     std::uint64_t parameterRevision = 0;
     DeviceProfile profile;
-    std::string mayNotMove; ///< empty when it may be driven
+    Message mayNotMove; ///< empty when it may be driven
     StopState stop = StopState::None;
     bool stopsMotion = false;    ///< somebody knew of a motion when it was told to stop (DeviceStop::isForMotion)
     bool mayTurn = false;        ///< nobody has seen it stand, and nothing of its own stops it
-    std::string mayNotBeStopped; ///< why STOP leaves it out; empty: it does not
+    Message mayNotBeStopped; ///< why STOP leaves it out; empty: it does not
     bool keepsMove = false;      ///< a buffered move that has not begun
 };
 

@@ -18,7 +18,7 @@ struct RecordingState {
     std::uint64_t bytes = 0;  ///< of the file, once all that was taken is written
     std::uint64_t lost = 0;   ///< of them not in the file, and those that the link itself knows missing
     bool finished = false;    ///< the file is closed
-    std::string problem;      ///< why nothing more is written; empty while all is well
+    Message problem;          ///< why nothing more is written; empty while all is well
 
     friend bool operator==(const RecordingState &, const RecordingState &) = default;
 };

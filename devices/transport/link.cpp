@@ -23,7 +23,7 @@ Result<void> Link::open()
     beginOpening();
     if (auto opened = doOpen(); !opened)
         return opened;
-    m_reason.clear();
+    m_loss = {Fault::LinkLost};
     setState(LinkState::Open);
     return {};
 }
@@ -42,7 +42,7 @@ Task<void> Link::openSoon()
     if (m_state == LinkState::Open)
         co_return {};
     if (m_opening)
-        co_return fail(Fault::LinkLost, m_address.shortName() + " is being opened already");
+        co_return fail(Fault::LinkLost, say("%1 is being opened already", m_address.shortName()));
     struct Mark {
         explicit Mark(bool &opening)
             : isOpening(opening)
@@ -63,9 +63,9 @@ Task<void> Link::openSoon()
         co_return fail(opened.error());
     if (attempt != m_attempt) {
         doClose();
-        co_return fail(Fault::Cancelled, m_address.shortName() + " was closed before it was open");
+        co_return fail(Fault::Cancelled, say("%1 was closed before it was open", m_address.shortName()));
     }
-    m_reason.clear();
+    m_loss = {Fault::LinkLost};
     m_opening = false;
     setState(LinkState::Open);
     co_return {};
@@ -77,28 +77,28 @@ void Link::close()
     if (m_state == LinkState::Closed)
         return;
     doClose();
-    m_reason.clear();
+    m_loss = {Fault::LinkLost};
     setState(LinkState::Closed);
 }
 
-void Link::closedFor(std::string reason)
+void Link::closedFor(Message reason)
 {
     if (m_state != LinkState::Closed)
         return;
-    m_reason = std::move(reason);
+    m_loss.detail = std::move(reason);
     setState(LinkState::Lost);
 }
 
 Error Link::notOpen() const
 {
-    return Error::fromPhrase(Fault::LinkLost, m_reason.empty() ? m_address.shortName() + " is not open" : m_reason);
+    return m_loss.detail.empty() ? Error{Fault::LinkLost, say("%1 is not open", m_address.shortName())} : m_loss;
 }
 
-void Link::lose(std::string reason)
+void Link::lose(Error loss)
 {
     if (m_state != LinkState::Open)
         return;
-    m_reason = std::move(reason);
+    m_loss = std::move(loss);
     setState(LinkState::Lost);
 }
 

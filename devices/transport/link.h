@@ -71,7 +71,9 @@ public:
     [[nodiscard]] LinkKind kind() const { return m_kind; }
     [[nodiscard]] LinkState state() const { return m_state; }
     /// Why the link is lost, in one clause.
-    [[nodiscard]] const std::string &reason() const { return m_reason; }
+    [[nodiscard]] Message reason() const { return m_loss.message(); }
+    /// The same in its parts; without a cause while nothing is wrong.
+    [[nodiscard]] const Error &loss() const { return m_loss; }
     /// What to fail with when the link is not open: LinkLost and the reason.
     [[nodiscard]] Error notOpen() const;
     [[nodiscard]] const LinkCounters &counters() const { return m_counters; }
@@ -96,7 +98,7 @@ public:
     /// Allowed in notifications of this link; destroying it there is not.
     void close();
     /// A closed link becomes a lost one: whoever opens those again opens it too.
-    void closedFor(std::string reason);
+    void closedFor(Message reason);
     /// Asks the backend for losses that are told on request only, so that counters() holds every one up to now. Some
     /// microseconds; not for every frame.
     void recount() { doRecount(); }
@@ -110,8 +112,8 @@ public:
 protected:
     Link(LinkAddress address, LinkKind kind);
 
-    /// For backends: the link is gone. The reason reads well after "link lost:".
-    void lose(std::string reason);
+    /// For backends: the link is gone. The cause reads well after "link lost:".
+    void lose(Error loss);
     void setState(LinkState state);
     void countLost(std::uint64_t frames) { m_counters.lost += frames; }
     void countError() { ++m_counters.errors; }
@@ -130,7 +132,7 @@ private:
     LinkAddress m_address;
     LinkKind m_kind;
     LinkState m_state = LinkState::Closed;
-    std::string m_reason;
+    Error m_loss{Fault::LinkLost};
     Background *m_background = nullptr;
     Patience m_patience;
     bool m_opening = false;

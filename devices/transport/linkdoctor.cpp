@@ -26,55 +26,58 @@ bool heardSince(const BusHealth &health, Instant time)
 
 Diagnosis nobodyAcknowledges(const LinkSymptoms &link)
 {
-    return {Ailment::NobodyAcknowledges, "nobody acknowledges what " + link.name + " sends",
-        "switch the devices on, check the cable and that two 120 Ω resistors end the bus, and that every device has "
-        "the "
-        "bit rate "
-            + (link.bitrate > 0 ? bitrateText(link.bitrate) : std::string("of this interface")),
-        {}};
+    Message remedy = link.bitrate > 0 ? say("switch the devices on, check the cable and that two 120 Ω resistors end the "
+                                            "bus, and that every device has the bit rate %1",
+                                            bitrateText(link.bitrate))
+                                      : say("switch the devices on, check the cable and that two 120 Ω resistors end the "
+                                            "bus, and that every device has the bit rate of this interface");
+    return {Ailment::NobodyAcknowledges, say("nobody acknowledges what %1 sends", link.name), std::move(remedy), {}};
 }
 
 Diagnosis wrongBitrate(const LinkSymptoms &link, bool listenable)
 {
-    const std::string cause = "only disturbed frames arrive on " + link.name
-        + (link.bitrate > 0 ? ", the bus has another bit rate than " + bitrateText(link.bitrate)
-                            : std::string(", the bus has another bit rate"));
+    const Message cause = link.bitrate > 0
+        ? say("only disturbed frames arrive on %1, the bus has another bit rate than %2", link.name,
+              bitrateText(link.bitrate))
+        : say("only disturbed frames arrive on %1, the bus has another bit rate", link.name);
     if (listenable)
-        return {Ailment::WrongBitrate, cause, "find it by listening only", findBitrateCommand(link.name)};
+        return {Ailment::WrongBitrate, cause, say("find it by listening only"), findBitrateCommand(link.name)};
     return {Ailment::WrongBitrate, cause,
-        "this interface cannot listen without disturbing the bus, so ask who set it up; usual are 1 Mbit/s, 500, 250 "
-        "and 125 kbit/s",
+        say("this interface cannot listen without disturbing the bus, so ask who set it up; usual are 1 Mbit/s, 500, 250 "
+            "and 125 kbit/s"),
         "sudo ip link set " + link.name + " down; " + bringUpCommand(link.name, true, 500'000)};
 }
 
 Diagnosis listenOnly(const LinkSymptoms &link)
 {
-    return {Ailment::ListenOnly, link.name + " only listens, nothing can be sent", "bring it up as a full member",
+    return {Ailment::ListenOnly, say("%1 only listens, nothing can be sent", link.name),
+        say("bring it up as a full member"),
         "sudo ip link set " + link.name + " down; sudo ip link set " + link.name + " up type can bitrate "
             + std::to_string(link.bitrate > 0 ? link.bitrate : usualBitrate) + " listen-only off"};
 }
 
 Diagnosis busOff(const std::string &name)
 {
-    return {Ailment::BusOff, name + " is bus-off", "check wiring, termination and bit rate, then",
+    return {Ailment::BusOff, say("%1 is bus-off", name), say("check wiring, termination and bit rate, then"),
         "sudo ip link set " + name + " type can restart"};
 }
 
 Diagnosis disturbed(const LinkSymptoms &link)
 {
-    std::string cause = link.name + " is " + std::string(toString(link.health.state));
+    const bool passive = link.health.state == BusState::Passive;
+    Message cause = passive ? say("%1 is error-passive", link.name) : say("%1 is error-warning", link.name);
     if (link.health.transmitErrors && link.health.receiveErrors)
-        cause += " with " + std::to_string(*link.health.transmitErrors) + " transmit and "
-            + std::to_string(*link.health.receiveErrors) + " receive errors";
-    return {Ailment::Disturbed, cause, "check the cable, both 120 Ω resistors, and that no number is taken twice", {}};
+        cause = say("%1 with %2 transmit and %3 receive errors", cause, *link.health.transmitErrors,
+            *link.health.receiveErrors);
+    return {Ailment::Disturbed, std::move(cause),
+        say("check the cable, both 120 Ω resistors, and that no number is taken twice"), {}};
 }
 
 Diagnosis losing(const LinkSymptoms &link)
 {
     return {Ailment::Losing,
-        std::to_string(link.counters.lost) + " frames were lost, the kernel keeps only "
-            + std::to_string(link.receiveCapacity) + " for this program",
-        "allow more, then close and open the link", "sudo sysctl -w net.core.rmem_max=16777216"};
+        say("%1 frames were lost, the kernel keeps only %2 for this program", link.counters.lost, link.receiveCapacity),
+        say("allow more, then close and open the link"), "sudo sysctl -w net.core.rmem_max=16777216"};
 }
 
 /// Of a link that nobody can use at present.
@@ -86,12 +89,18 @@ Diagnosis lostLink(const LinkSymptoms &link, const std::optional<Diagnosis> &int
         if (link.scheme == "socketcan")
             return busOff(link.name);
         return {
-            Ailment::BusOff, link.name + " is bus-off", "check wiring, termination and bit rate, then reconnect", {}};
+            Ailment::BusOff, say("%1 is bus-off", link.name),
+            say("check wiring, termination and bit rate, then reconnect"), {}};
     }
     if (link.scheme == "socketcan" && !interface)
-        return {Ailment::Gone, link.name + " is gone",
-            "plug the adapter in again; the link is opened by itself as soon as it is up", {}};
-    return {Ailment::Failed, link.reason.empty() ? link.name + " is not open" : link.reason, "reconnect", {}};
+        return {Ailment::Gone, say("%1 is gone", link.name),
+            say("plug the adapter in again; the link is opened by itself as soon as it is up"), {}};
+    if (link.loss.detail.empty())
+        return {Ailment::Failed, say("%1 is not open", link.name), say("reconnect"), {}};
+    Diagnosis lost = diagnose(link.loss);
+    if (lost.remedy.empty())
+        lost.remedy = say("reconnect");
+    return lost;
 }
 
 Diagnosis openCan(const LinkSymptoms &link, Instant now, bool listenable)
@@ -106,8 +115,8 @@ Diagnosis openCan(const LinkSymptoms &link, Instant now, bool listenable)
     if (link.backlog > 0 && health.stuckSince && now - *health.stuckSince >= stuckTooLong) {
         if (!heardSince(health, *health.stuckSince))
             return nobodyAcknowledges(link);
-        return {Ailment::Busy, "the bus leaves no room for what " + link.name + " sends",
-            "find the sender that fills it, on the Bus page or with 'motorbenchctl monitor'", {}};
+        return {Ailment::Busy, say("the bus leaves no room for what %1 sends", link.name),
+            say("find the sender that fills it, on the Bus page or with 'motorbenchctl monitor'"), {}};
     }
     if (health.state == BusState::Passive || health.state == BusState::Warning)
         return disturbed(link);
@@ -118,14 +127,9 @@ Diagnosis openCan(const LinkSymptoms &link, Instant now, bool listenable)
 
 } // namespace
 
-std::string Diagnosis::text() const
+Message Diagnosis::message() const
 {
-    std::string text = cause;
-    if (!remedy.empty())
-        text += (text.empty() ? "" : "; ") + remedy;
-    if (!command.empty())
-        text += ": " + command;
-    return text;
+    return cause.empty() ? errorOf(*this).help() : errorOf(*this).message();
 }
 
 LinkSymptoms symptomsOf(const Link &link, Instant now)
@@ -135,7 +139,7 @@ LinkSymptoms symptomsOf(const Link &link, Instant now)
     seen.scheme = link.address().scheme;
     seen.kind = link.kind();
     seen.state = link.state();
-    seen.reason = link.reason();
+    seen.loss = link.loss();
     seen.counters = link.counters();
     if (link.kind() != LinkKind::Can)
         return seen;
@@ -155,13 +159,13 @@ Diagnosis diagnose(const CanInterface &interface)
     if (!interface.up) {
         const bool needsBitrate = interface.kind == CanInterface::Kind::Controller && interface.bitrate == 0;
         return {
-            Ailment::Down, name + " is switched off", "bring it up", bringUpCommand(name, needsBitrate, usualBitrate)};
+            Ailment::Down, say("%1 is switched off", name), say("bring it up"), bringUpCommand(name, needsBitrate, usualBitrate)};
     }
     if (interface.state == BusState::BusOff && !interface.restarts)
         return busOff(name);
     if (interface.state == BusState::BusOff)
-        return {Ailment::BusOff, name + " is bus-off",
-            "check wiring, termination and bit rate; it starts again by itself", {}};
+        return {Ailment::BusOff, say("%1 is bus-off", name),
+            say("check wiring, termination and bit rate; it starts again by itself"), {}};
     return {};
 }
 
@@ -174,23 +178,15 @@ Diagnosis diagnose(const LinkSymptoms &link, Instant now, const std::optional<Di
     return {};
 }
 
+Error errorOf(const Diagnosis &diagnosis)
+{
+    return {Fault::LinkLost, diagnosis.cause, diagnosis.remedy, diagnosis.command, diagnosis.ailment};
+}
+
 Diagnosis diagnose(const Error &opening)
 {
-    const std::string text = opening.text();
-    const auto says = [&text](const char *words) { return text.find(words) != std::string::npos; };
-    Diagnosis found{Ailment::Failed, opening.detail, opening.remedy, {}};
-    if (says("permission"))
-        found.ailment = Ailment::NoPermission;
-    else if (says("busy") || says("in use"))
-        found.ailment = Ailment::Busy;
-    else if (says("there is no") || says("No such"))
-        found.ailment = Ailment::NotThere;
-    // A command stands behind a colon, as text() joins them.
-    if (const auto command = found.remedy.find(": sudo "); command != std::string::npos) {
-        found.command = found.remedy.substr(command + 2);
-        found.remedy.resize(command);
-    }
-    return found;
+    return {opening.ailment == Ailment::None ? Ailment::Failed : opening.ailment, opening.detail, opening.remedy,
+        opening.command};
 }
 
 std::string bringUpCommand(const std::string &name, bool needsBitrate, int bitrate)

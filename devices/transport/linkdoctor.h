@@ -10,34 +10,18 @@ namespace mb {
 
 struct CanInterface;
 
-/// What is wrong with a link: one cause, the first that explains the others.
-enum class Ailment {
-    None,
-    NoCan,    ///< the kernel has no CAN
-    NotThere, ///< no such interface, port or adapter
-    Down,     ///< switched off
-    NoPermission,
-    Busy, ///< somebody else has it, or leaves no room on it
-    Gone, ///< was there, and was unplugged
-    BusOff,
-    ListenOnly,         ///< configured so that nothing can be sent
-    WrongBitrate,       ///< only disturbed frames arrive
-    NobodyAcknowledges, ///< nobody else is on the bus, or the wire or the termination is missing
-    Disturbed,          ///< it works, with many errors
-    Losing,             ///< it works, and frames were lost for lack of room
-    Failed,             ///< anything else: the cause says what
-};
-
 /// One cause and one remedy, in English, each one clause.
 struct Diagnosis {
     Ailment ailment = Ailment::None;
-    std::string cause;
-    std::string remedy;
+    Message cause;
+    Message remedy;
     std::string command; ///< for a terminal, as it stands; empty when none helps
 
     [[nodiscard]] bool isHealthy() const { return ailment == Ailment::None; }
     /// "cause; remedy: command", what there is of it.
-    [[nodiscard]] std::string text() const;
+    [[nodiscard]] std::string text() const { return message().english(); }
+    /// The same to be translated.
+    [[nodiscard]] Message message() const;
     friend bool operator==(const Diagnosis &, const Diagnosis &) = default;
 };
 
@@ -47,7 +31,7 @@ struct LinkSymptoms {
     std::string scheme;
     LinkKind kind = LinkKind::Can;
     LinkState state = LinkState::Closed;
-    std::string reason; ///< of a lost link
+    Error loss; ///< of a lost link; without a cause where nothing is known
     LinkCounters counters;
     // Of CAN links:
     BusHealth health;
@@ -67,6 +51,8 @@ struct LinkSymptoms {
 [[nodiscard]] Diagnosis diagnose(
     const LinkSymptoms &link, Instant now, const std::optional<Diagnosis> &interface, bool listenable);
 
+/// What opening a link fails with where this is wrong.
+[[nodiscard]] Error errorOf(const Diagnosis &diagnosis);
 /// Why opening a link failed, from what it failed with.
 [[nodiscard]] Diagnosis diagnose(const Error &opening);
 

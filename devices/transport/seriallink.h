@@ -55,7 +55,7 @@ public:
     [[nodiscard]] double load(Instant now) const { return m_load.fraction(now, m_baudrate); }
 
     /// What the user should know of this port although it could be opened, in one clause; empty most of the time.
-    [[nodiscard]] const std::string &remark() const { return m_remark; }
+    [[nodiscard]] const Message &remark() const { return m_remark; }
 
     /// From the last bit of a request to the first of its answer as read: whoever exchanges requests measures it.
     void noteRoundTrip(Duration time);
@@ -85,7 +85,7 @@ protected:
     SerialLink(LinkAddress address, Clock &clock);
     [[nodiscard]] Clock &clock() const { return m_clock; }
     [[nodiscard]] Duration bitTimes(int bits) const { return Duration(std::chrono::seconds(bits)) / m_baudrate; }
-    void setRemark(std::string remark) { m_remark = std::move(remark); }
+    void setRemark(Message remark) { m_remark = std::move(remark); }
     /// For backends: bytes from the line, `time` at the end of the last one; then endBatch() once no more are at hand.
     void deliver(Instant time, std::span<const std::uint8_t> bytes);
     void endBatch() { batchEnded().notify(); }
@@ -106,7 +106,7 @@ private:
     Clock &m_clock;
     std::optional<int> m_fixed;
     int m_baudrate;
-    std::string m_remark;
+    Message m_remark;
     std::optional<Duration> m_roundTrip;
     LineLoad m_load;
     std::map<std::type_index, std::weak_ptr<void>> m_shared;

@@ -48,7 +48,7 @@ struct TuneReport {
     Mode loop = Mode::Velocity;
     int axis = 1;
     int slot = 0;
-    std::string evidence; ///< one sentence for people: why it ended so
+    Message evidence; ///< one sentence for people: why it ended so
     std::optional<MotorFound> motor;
     PlantModel plant;                ///< of the loop, what the design stands on
     std::optional<TriedScale> scale; ///< of its gains, where they had to be tried

@@ -37,14 +37,14 @@ public:
     /// Refused with the gate that it did not pass.
     [[nodiscard]] Result<void> take(Finding finding);
     /// Ends the tuning for this reason: a guard's name, "link", "interrupted".
-    void end(std::string_view reason, std::string evidence);
+    void end(std::string_view reason, Message evidence);
     /// Something else than run() moves the motor now; lookWhere() afterwards.
     void setMoved() { m_moved = true; }
     /// Where the motor stands, as it was told last: travel counts from the first such place.
     void lookWhere();
     /// The last experiment ended by a guard, and that was to be expected.
     void forgive() { m_report.stopReason.clear(); }
-    void note(const std::string &text) const;
+    void note(const Message &text) const;
 
     /// Takes the model that the plan brings, and where the motor stands now; no motion.
     [[nodiscard]] Task<void> recall();

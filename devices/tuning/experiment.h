@@ -38,7 +38,7 @@ struct ExperimentSurroundings {
     DirectionBook *directions = nullptr;  ///< of this run of the program
     Interruption *interruption = nullptr;
     double rate = 0.0;                             ///< samples per second to ask for; 0: what its family says
-    std::function<void(const std::string &)> note; ///< a line for people
+    std::function<void(const Message &)> note; ///< a line for people
     /// When a hold has ended, before the way back: the trial with what is measured so far. The motor still runs.
     std::function<void(const Trial &)> measured;
 };

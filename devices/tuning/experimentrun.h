@@ -38,7 +38,7 @@ private:
     [[nodiscard]] double rate() const;
     [[nodiscard]] SetPoint setPointAt(double target) const;
     void aim(double target);
-    void note(const std::string &text) const;
+    void note(const Message &text) const;
     void tellMeasured() const;
     [[nodiscard]] bool isInterrupted() const;
     /// Something has ended the motion.

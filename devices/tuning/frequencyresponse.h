@@ -38,12 +38,12 @@ struct SweepPlan {
 /// as large as the envelope in force allows. OutOfRange where it leaves too little.
 [[nodiscard]] Result<SweepPlan> planSweep(const PlantModel &plant, const Envelope &inForce, double beat);
 /// "duty 14 ± 6 %, at most 260 000 counts/s, 4 100 000 counts one way, 58 s": said before it moves.
-[[nodiscard]] std::string announcementOf(const SweepPlan &plan);
+[[nodiscard]] Message announcementOf(const SweepPlan &plan);
 
 struct FrequencyResponse {
     std::vector<FrequencyPoint> points;
     std::string stopReason; ///< of the trial that ended it: a guard's name, "link", "interrupted"; empty: none
-    std::string evidence;   ///< one sentence for people
+    Message evidence;       ///< one sentence for people
     bool stopped = true;    ///< the motor was seen stopped
     bool simulated = false;
     std::vector<std::int64_t> trials; ///< numbers in the notebook

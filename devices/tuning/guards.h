@@ -31,7 +31,7 @@ enum class Guard {
 
 struct Trip {
     Guard guard = Guard::User;
-    std::string detail; ///< one clause with the numbers: "speed 5200 counts/s is above 1.2 × 4000 counts/s"
+    Message detail;     ///< one clause with the numbers: "speed 5200 counts/s is above 1.2 × 4000 counts/s"
     Instant at{};       ///< when its condition was fulfilled: the sample, or for time and link the instant
 };
 
@@ -79,8 +79,8 @@ public:
 
 private:
     void heard(Instant time) { m_heardAt = std::max(m_heardAt, time); }
-    [[nodiscard]] std::optional<Trip> trip(Guard guard, Instant at, std::string detail);
-    [[nodiscard]] std::string push() const;
+    [[nodiscard]] std::optional<Trip> trip(Guard guard, Instant at, Message detail);
+    [[nodiscard]] Message push() const;
     [[nodiscard]] double pushOf(double error) const;
 
     GuardPlan m_plan;

@@ -22,9 +22,9 @@ struct MotorFound {
 /// One gate of quality: why a model may not be believed.
 struct Gate {
     std::string name;   ///< "fit", "friction", "asymmetric load", "resolution", "current limit"
-    std::string detail; ///< with the number
+    Message detail;     ///< with the number
     bool passed = true;
-    std::string remedy{}; ///< what helps where it has not passed; empty: nothing is known
+    Message remedy{};   ///< what helps where it has not passed; empty: nothing is known
 };
 
 /// The pushes of trials in duty mode, each from its own edge. Trials that moved nothing give none. `friction`: duty that moves nothing,

@@ -25,9 +25,9 @@ public:
         : m_run(run)
     {
     }
-    void step(const std::string &what, int, int) override { m_run.note(what); }
+    void step(const Message &what, int, int) override { m_run.note(what); }
     void part(int, PartState) override { }
-    void log(Severity severity, const std::string &text) override
+    void log(Severity severity, const Message &text) override
     {
         if (severity != Severity::Info)
             m_run.note(text);

@@ -64,7 +64,7 @@ struct Trial {
     Metrics errors; ///< ±, of repeats
     std::vector<std::string> flags;
     std::string reason; ///< done, interrupted, link, a guard's name; empty: nobody saw its end
-    std::string detail; ///< one clause about it; empty for done
+    Message detail;     ///< one clause about it; empty for done
     bool stopped = false;
     std::uint64_t samples = 0;
     std::uint64_t lost = 0;

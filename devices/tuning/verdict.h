@@ -9,7 +9,7 @@ namespace mb::tuning {
 struct Ending {
     std::optional<Trip> trip;
     SetPointStream::End stream = SetPointStream::End::None;
-    std::string streamReason;
+    Message streamReason;
     bool interrupted = false;
     bool linkOpen = true;
     std::optional<Error> error;

@@ -193,13 +193,13 @@ protected:
         return options;
     }
     struct Steps final : Progress {
-        void step(const std::string &what, int, int) override
+        void step(const Message &what, int, int) override
         {
             if (said.empty() || said.back() != what)
                 said.push_back(what);
         }
         void part(int, PartState) override { }
-        void log(Severity severity, const std::string &) override { worst = std::max(worst, severity); }
+        void log(Severity severity, const Message &) override { worst = std::max(worst, severity); }
         std::vector<std::string> said;
         Severity worst = Severity::Info;
     } steps;

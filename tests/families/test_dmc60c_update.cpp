@@ -216,9 +216,9 @@ TEST(Dmc60cUpdate, AProgramThatDiesInAnyPageLeavesAUnitThatIsFoundInItsBootloade
         UpdateBench bench("dmc60c:5");
         bench.update(demoImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
         struct Watch final : Progress {
-            void step(const std::string &what, int, int) override { now = what; }
+            void step(const Message &what, int, int) override { now = what; }
             void part(int, PartState) override { }
-            void log(Severity, const std::string &) override { }
+            void log(Severity, const Message &) override { }
             std::string now;
         } watch;
         Task<UpdateReport> task = bench.family.update(*bench.device, demoImage(), {}, watch);
@@ -310,9 +310,9 @@ TEST(Dmc60cUpdate, WaitsUntilParametersThatWereJustChangedAreInFlash)
 TEST(Dmc60cUpdate, SaysThatWhatAnotherProgramJustChangedIsLost)
 {
     struct Log final : Progress {
-        void step(const std::string &, int, int) override { }
+        void step(const Message &, int, int) override { }
         void part(int, PartState) override { }
-        void log(Severity, const std::string &text) override { all += text + '\n'; }
+        void log(Severity, const Message &text) override { all += text + '\n'; }
         std::string all;
     };
     for (const char *unit : {"dmc60c:5", "dmc60c:5,state=bootloader"}) {

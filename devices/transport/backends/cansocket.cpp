@@ -48,7 +48,7 @@ Result<OpenedCan> bindTo(const std::string &name, unsigned index)
     OpenedCan opened;
     opened.descriptor = ::socket(PF_CAN, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, CAN_RAW);
     if (opened.descriptor < 0)
-        return fail(Error::fromPhrase(Fault::LinkLost, socketFailure(name, errno)));
+        return fail(socketFailure(name, errno));
     opened.receiveBuffer = prepareCanSocket(opened.descriptor); // before bind: no frame comes unstamped
     sockaddr_can where{};
     where.can_family = AF_CAN;
@@ -57,7 +57,7 @@ Result<OpenedCan> bindTo(const std::string &name, unsigned index)
         return opened;
     const int cause = errno;
     ::close(opened.descriptor);
-    return fail(Error::fromPhrase(Fault::LinkLost, socketFailure(name, cause)));
+    return fail(socketFailure(name, cause));
 }
 
 } // namespace
@@ -70,29 +70,30 @@ std::optional<Diagnosis> whyNoCan()
         return std::nullopt;
     }
     if (errno == EPERM || errno == EACCES)
-        return Diagnosis{Ailment::NoPermission, "no permission to open CAN sockets here",
-            "allow them in the container or sandbox", {}};
+        return Diagnosis{Ailment::NoPermission, say("no permission to open CAN sockets here"),
+            say("allow them in the container or sandbox"), {}};
     if (errno == EAFNOSUPPORT || errno == EPROTONOSUPPORT)
-        return Diagnosis{Ailment::NoCan, "this kernel has no CAN support", "load it", "sudo modprobe can_raw"};
-    return Diagnosis{Ailment::Failed, "CAN sockets cannot be opened: " + std::string(std::strerror(errno)), {}, {}};
+        return Diagnosis{
+            Ailment::NoCan, say("this kernel has no CAN support"), say("load it"), "sudo modprobe can_raw"};
+    return Diagnosis{Ailment::Failed, say("CAN sockets cannot be opened: %1", std::strerror(errno)), {}, {}};
 }
 
 Result<OpenedCan> openCanSocket(const std::string &name)
 {
     if (const auto cause = whyNoCan())
-        return fail(Error::fromPhrase(Fault::LinkLost, cause->text()));
+        return fail(errorOf(*cause));
     const unsigned index = name.size() < IFNAMSIZ ? ::if_nametoindex(name.c_str()) : 0;
     if (index == 0)
-        return fail(Fault::LinkLost, "there is no CAN interface " + name);
+        return fail(Error{Fault::LinkLost, say("there is no CAN interface %1", name), {}, {}, Ailment::NotThere});
     CanInterface interface;
     if (const auto known = canInterfaces()) {
         const auto found
             = std::find_if(known->begin(), known->end(), [&name](const auto &i) { return i.name == name; });
         if (found == known->end())
-            return fail(Fault::LinkLost, name + " is a network interface, but not one for CAN");
+            return fail(Fault::LinkLost, say("%1 is a network interface, but not one for CAN", name));
         interface = *found;
         if (const Diagnosis cause = diagnose(interface); !cause.isHealthy())
-            return fail(Error::fromPhrase(Fault::LinkLost, cause.text()));
+            return fail(errorOf(cause));
     }
     auto opened = bindTo(name, index);
     if (opened)
@@ -142,18 +143,23 @@ std::optional<std::uint32_t> droppedFrames(int descriptor)
     return memory[SK_MEMINFO_DROPS];
 }
 
-std::string socketFailure(const std::string &name, int cause)
+Error socketFailure(const std::string &name, int cause)
 {
     switch (cause) {
-    case ENETDOWN: return ::if_nametoindex(name.c_str()) != 0 ? name + " was switched off" : name + " is gone";
+    case ENETDOWN:
+        if (::if_nametoindex(name.c_str()) != 0)
+            return {Fault::LinkLost, say("%1 was switched off", name), {}, {}, Ailment::Down};
+        return {Fault::LinkLost, say("%1 is gone", name), {}, {}, Ailment::Gone};
     case ENODEV:
-    case ENXIO: return name + " is gone";
+    case ENXIO: return {Fault::LinkLost, say("%1 is gone", name), {}, {}, Ailment::Gone};
     case EPIPE:
     case ECONNRESET:
-    case ENOTCONN: return "the other end of " + name + " closed it";
+    case ENOTCONN: return {Fault::LinkLost, say("the other end of %1 closed it", name), {}, {}, Ailment::Gone};
     case EPERM:
-    case EACCES: return "no permission to use " + name + "; allow CAN sockets in the container or sandbox";
-    default: return name + " failed: " + std::strerror(cause);
+    case EACCES:
+        return {Fault::LinkLost, say("no permission to use %1", name), say("allow CAN sockets in the container or sandbox"),
+            {}, Ailment::NoPermission};
+    default: return {Fault::LinkLost, say("%1 failed: %2", name, std::strerror(cause))};
     }
 }
 

@@ -38,7 +38,7 @@ int prepareCanSocket(int descriptor);
 [[nodiscard]] std::optional<std::uint32_t> droppedFrames(int descriptor);
 
 /// What an errno of the socket says about the interface, in one clause.
-[[nodiscard]] std::string socketFailure(const std::string &name, int cause);
+[[nodiscard]] Error socketFailure(const std::string &name, int cause);
 
 [[nodiscard]] CanFrame frameOf(const can_frame &raw, Instant time);
 

@@ -301,7 +301,7 @@ Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
             setStuckSince(clock().now());
         if (!tryLater(cause)) {
             failLater(cause);
-            return fail(Error::fromPhrase(Fault::LinkLost, socketFailure(address().path, cause)));
+            return fail(socketFailure(address().path, cause));
         }
     }
     queue.push_back(frame);
@@ -335,11 +335,11 @@ bool SocketCanLink::tryLater(int cause)
     return cause == EAGAIN || cause == ENOBUFS;
 }
 
-void SocketCanLink::end(std::string reason)
+void SocketCanLink::end(Error loss)
 {
     doRecount(); // the last moment to learn what was dropped
     unwatch();
-    lose(std::move(reason));
+    lose(std::move(loss));
 }
 
 } // namespace mb

@@ -63,7 +63,7 @@ private:
     void flush();
     [[nodiscard]] bool tryLater(int cause);
     void failLater(int cause);
-    void end(std::string reason);
+    void end(Error loss);
 
     int m_given = -1;
     int m_descriptor = -1;
