@@ -63,17 +63,17 @@ void declare(QCommandLineParser &parser)
 Result<void> checkOptions(const Options &options)
 {
     if (!options.theme.isEmpty() && options.theme != QLatin1String("dark") && options.theme != QLatin1String("light"))
-        return fail(Fault::OutOfRange, "--theme takes dark or light");
+        return fail(Fault::OutOfRange, say("--theme takes dark or light"));
     if (options.fontScale
         && !(*options.fontScale >= 0.5 && *options.fontScale <= 3.0)) // not a number is out of range too
-        return fail(Fault::OutOfRange, "--font-scale takes 0.5 to 3");
+        return fail(Fault::OutOfRange, say("--font-scale takes 0.5 to 3"));
     if (!options.language.isEmpty() && options.language != QLatin1String("en")
         && options.language != QLatin1String("de"))
-        return fail(Fault::OutOfRange, "--language takes en or de");
+        return fail(Fault::OutOfRange, say("--language takes en or de"));
     const QStringList sides = options.size.split(QLatin1Char('x'));
     const auto isSide = [](const QString &text, int least) { return text.toInt() >= least && text.toInt() <= 16384; };
     if (!options.size.isEmpty() && (sides.size() != 2 || !isSide(sides[0], 320) || !isSide(sides[1], 200)))
-        return fail(Fault::OutOfRange, "--size takes WIDTHxHEIGHT, such as 1280x800");
+        return fail(Fault::OutOfRange, say("--size takes WIDTHxHEIGHT, such as 1280x800"));
     for (const QString &link : options.links) {
         if (auto parsed = LinkAddress::parse(link.toStdString()); !parsed)
             return fail(parsed.error());
@@ -93,13 +93,13 @@ Result<Options> Options::parse(const QStringList &arguments)
     options.files = parser.positionalArguments();
     for (const QString &file : std::as_const(options.files)) {
         if (!QFileInfo(file).isFile())
-            return fail(Fault::OutOfRange, "there is no file '" + file.toStdString() + "'",
-                "give a recording, or --help for what else there is");
+            return fail(Fault::OutOfRange, say("there is no file '%1'", file.toStdString()),
+                say("give a recording, or --help for what else there is"));
     }
     options.demo = parser.isSet(QStringLiteral("demo")) || parser.isSet(QStringLiteral("tour"));
     options.tour = parser.value(QStringLiteral("tour"));
     if (parser.isSet(QStringLiteral("tour")) && options.tour.isEmpty())
-        return fail(Fault::OutOfRange, "--tour needs a folder for its pictures");
+        return fail(Fault::OutOfRange, say("--tour needs a folder for its pictures"));
     options.theme = parser.value(QStringLiteral("theme"));
     options.language = parser.value(QStringLiteral("language"));
     options.size = parser.value(QStringLiteral("size"));
@@ -112,7 +112,7 @@ Result<Options> Options::parse(const QStringList &arguments)
     options.json = parser.isSet(QStringLiteral("json"));
     if (options.hasNoWindow() == options.out.isEmpty() || (!options.plot.isEmpty() && !options.report.isEmpty())
         || (parser.isSet(QStringLiteral("out")) && options.out.isEmpty()))
-        return fail(Fault::OutOfRange, "--plot FILE or --report FILE, and --out FILE belong together");
+        return fail(Fault::OutOfRange, say("--plot FILE or --report FILE, and --out FILE belong together"));
     if (auto checked = checkOptions(options); !checked)
         return fail(checked.error());
     return options;

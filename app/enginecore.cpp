@@ -145,7 +145,7 @@ void EngineCore::refreshRestarted()
             || device->link().address().isRecording())
             continue;
         notice(Severity::Caution, labelOf(*device),
-            "the unit restarted: what is volatile was lost, its parameters are read again");
+            say("the unit restarted: what is volatile was lost, its parameters are read again"));
         device->parameters().forgetAll();
         m_met.erase(id);
         beginSimple(
@@ -176,7 +176,7 @@ EngineCore::Running *EngineCore::beginSimple(
         id, title, make,
         [this, id, title = std::string(title), finished](Running &, const Result<void> &result) {
             if (const Device *device = m_session.find(id); device && !result)
-                notice(Severity::Danger, labelOf(*device), title + ": " + result.error().text());
+                notice(Severity::Danger, labelOf(*device), say("%1: %2", title, result.error().message()));
             answer(finished, result);
         },
         finished);
@@ -195,9 +195,9 @@ void EngineCore::readParameters(DeviceId id)
                 = std::count_if(outcomes->begin(), outcomes->end(), [](const TransferOutcome &o) { return !o.raw; });
             const auto missing = readable(*device).size() - outcomes->size() + static_cast<std::size_t>(failed);
             if (missing > 0)
-                notice(Severity::Caution, labelOf(*device), std::to_string(missing) + " parameters gave no answer");
+                notice(Severity::Caution, labelOf(*device), say("%1 parameters gave no answer", missing));
             else
-                running.operation->log(Severity::Good, "all " + std::to_string(outcomes->size()) + " read");
+                running.operation->log(Severity::Good, say("all %1 read", outcomes->size()));
         },
         {});
 }
@@ -210,7 +210,7 @@ void EngineCore::storeParameters(DeviceId id, Finished finished)
             const Device *device = m_session.find(id);
             if (device && proved)
                 notice(*proved ? Severity::Good : Severity::Caution, labelOf(*device),
-                    *proved ? "stored, the flash sequence number advanced" : "stored, not verifiable");
+                    *proved ? say("stored, the flash sequence number advanced") : say("stored, not verifiable"));
             else if (device)
                 notice(Severity::Danger, labelOf(*device), proved.error().text());
             answer(finished, proved ? Result<void>() : Result<void>(fail(proved.error())));
@@ -250,16 +250,16 @@ void EngineCore::clearFaults(DeviceId id, Finished finished)
 void EngineCore::calibrate(DeviceId id, const std::string &key, std::optional<double> value, const Finished &finished)
 {
     Device *device = m_session.find(id);
-    answer(finished, device ? device->calibrate(key, value) : fail(Fault::Timeout, "the device is gone"));
+    answer(finished, device ? device->calibrate(key, value) : fail(Fault::Timeout, say("the device is gone")));
 }
 
 void EngineCore::setDialect(DeviceId id, const std::string &key, const Finished &finished)
 {
     Device *device = m_session.find(id);
     if (device && m_session.stream(*device).isRunning())
-        answer(finished, fail(Fault::Unsafe, "stop the motor before its dialect is changed"));
+        answer(finished, fail(Fault::Unsafe, say("stop the motor before its dialect is changed")));
     else
-        answer(finished, device ? device->setDialect(key) : fail(Fault::Timeout, "the device is gone"));
+        answer(finished, device ? device->setDialect(key) : fail(Fault::Timeout, say("the device is gone")));
 }
 
 void EngineCore::setRate(DeviceId id, ChannelIndex channel, double hertz)
@@ -279,7 +279,7 @@ void EngineCore::setRate(DeviceId id, ChannelIndex channel, double hertz)
         [this, id](Running &, const Result<void> &result) {
             const Device *device = m_session.find(id);
             if (device && !result && result.error().fault != Fault::Unsupported) // then it stays as it is
-                notice(Severity::Caution, labelOf(*device), "Set telemetry rate: " + result.error().text());
+                notice(Severity::Caution, labelOf(*device), say("Set telemetry rate: %1", result.error().message()));
         },
         {});
 }
@@ -288,7 +288,7 @@ void EngineCore::startMotion(DeviceId id, const SetPoint &setPoint, Duration lea
 {
     Device *device = m_session.find(id);
     if (!device) {
-        answer(finished, fail(Fault::Timeout, "the device is gone"));
+        answer(finished, fail(Fault::Timeout, say("the device is gone")));
         return;
     }
     SetPointStream &stream = m_session.stream(*device);
@@ -308,9 +308,8 @@ void EngineCore::streamChanged(DeviceId id)
     const SetPointStream &stream = m_session.stream(*device);
     if (!stream.isRunning() && stream.end() != SetPointStream::End::Stopped)
         notice(Severity::Danger, labelOf(*device),
-            "stopped: "
-                + (stream.end() == SetPointStream::End::LeaseExpired ? "the window did not respond in time"
-                                                                     : stream.reason()));
+            stream.end() == SetPointStream::End::LeaseExpired ? say("stopped: the window did not respond in time")
+                                                              : say("stopped: %1", stream.reason()));
 }
 
 void EngineCore::updateMotion(DeviceId id, const SetPoint &setPoint, const Finished &finished)
@@ -318,7 +317,7 @@ void EngineCore::updateMotion(DeviceId id, const SetPoint &setPoint, const Finis
     if (Device *device = m_session.find(id))
         answer(finished, m_session.stream(*device).update(setPoint));
     else
-        answer(finished, fail(Fault::Timeout, "the device is gone"));
+        answer(finished, fail(Fault::Timeout, say("the device is gone")));
 }
 
 void EngineCore::renewMotion(DeviceId id)
@@ -348,7 +347,7 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
 {
     if (const Device *other = updatedBeside(id)) {
         notice(Severity::Caution, labelOf(*m_session.find(id)),
-            "one update a bus: " + labelOf(*other) + " is being written; nothing was sent");
+            say("one update a bus: %1 is being written; nothing was sent", labelOf(*other)));
         return;
     }
     begin<UpdateReport>(
@@ -370,7 +369,7 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
             device->setBusy({});
             saveTranscript(running, *device);
             const bool good = report->outcome == UpdateOutcome::Done || report->outcome == UpdateOutcome::UpToDate;
-            notice(good ? Severity::Good : Severity::Danger, labelOf(*device), "firmware: " + report->evidence);
+            notice(good ? Severity::Good : Severity::Danger, labelOf(*device), say("firmware: %1", report->evidence));
             scan(device->link());
         },
         [this, id](const Result<void> &result) {
@@ -397,7 +396,7 @@ void EngineCore::sendFrame(const std::string &link, const CanFrame &frame, const
         answer(finished, static_cast<CanLink *>(open)->send(frame));
         return;
     }
-    answer(finished, fail(Fault::LinkLost, "the link is not open"));
+    answer(finished, fail(Fault::LinkLost, say("the link is not open")));
 }
 
 } // namespace mb

@@ -82,7 +82,7 @@ Task<void> EngineCore::openReturned(LinkAddress address)
     auto opening = m_session.openLinkSoon(address);
     Link *const link = co_await std::move(opening);
     opened(*link);
-    notice(Severity::Good, address.shortName(), "is there");
+    notice(Severity::Good, address.shortName(), say("is there"));
     scan(*link);
     co_return {};
 }
@@ -91,7 +91,7 @@ void EngineCore::closeLink(const std::string &address)
 {
     m_awaited.forget(address);
     m_failed.erase(address);
-    endOpening(address, fail(Fault::Cancelled, address + " was closed before it was open"));
+    endOpening(address, fail(Fault::Cancelled, say("%1 was closed before it was open", address)));
     const auto parsed = LinkAddress::parse(address);
     Link *link = parsed ? m_session.findLink(*parsed) : nullptr;
     if (!link)
@@ -115,7 +115,7 @@ void EngineCore::welcomeReturned()
         if (!watched.wasLost || link->state() != LinkState::Open)
             continue;
         watched.wasLost = false;
-        notice(Severity::Good, link->address().shortName(), "is back");
+        notice(Severity::Good, link->address().shortName(), say("is back"));
         if (!hasOperationOn(*link)) // an update that waited for it must be alone with its unit
             scan(*link);
     }

@@ -56,12 +56,13 @@ Result<void> EngineCore::mayRecord(const std::string &link) const
 {
     const Link *const open = linkUnder(link);
     if (!open)
-        return fail(Fault::LinkLost, "the link is not open");
+        return fail(Fault::LinkLost, say("the link is not open"));
     if (open->kind() != LinkKind::Can)
-        return fail(Fault::Unsupported, open->address().shortName() + " is no CAN link", "only those are recorded");
+        return fail(
+            Fault::Unsupported, say("%1 is no CAN link", open->address().shortName()), say("only those are recorded"));
     const auto watched = m_watched.find(open);
     if (watched != m_watched.end() && watched->second.recorder && !watched->second.recorder->state().finished)
-        return fail(Fault::Unsafe, open->address().shortName() + " is being recorded already");
+        return fail(Fault::Unsafe, say("%1 is being recorded already", open->address().shortName()));
     return {};
 }
 
@@ -73,7 +74,7 @@ Task<std::unique_ptr<BackgroundFile>> EngineCore::makeFile(std::string path)
         *m_background, m_clock, path, diskLimit, [path] { return BackgroundFile::create(path); }, WhenLate::Drop);
     auto made = co_await std::move(making).attempt();
     if (!made && made.error().fault == Fault::Timeout)
-        co_return fail(Fault::LinkLost, "the disk has not made " + path + " within 10 s", "name another folder");
+        co_return fail(Fault::LinkLost, say("the disk has not made %1 within 10 s", path), say("name another folder"));
     co_return std::move(made);
 }
 
@@ -99,12 +100,11 @@ void EngineCore::recorderChanged(Link &link)
     const std::string frames = std::to_string(state.frames) + " frames";
     if (!state.problem.empty()) {
         watched.recorder->stop();
-        notice(Severity::Danger, link.address().shortName(), "the recording has ended: " + state.problem);
+        notice(Severity::Danger, link.address().shortName(), say("the recording has ended: %1", state.problem));
     } else if (state.lost > 0)
-        notice(Severity::Caution, link.address().shortName(),
-            frames + " recorded, " + std::to_string(state.lost) + " are missing");
+        notice(Severity::Caution, link.address().shortName(), say("%1 recorded, %2 are missing", frames, state.lost));
     else
-        notice(Severity::Good, link.address().shortName(), frames + " recorded, none is missing");
+        notice(Severity::Good, link.address().shortName(), say("%1 recorded, none is missing", frames));
 }
 
 void EngineCore::stopRecording(const std::string &link)

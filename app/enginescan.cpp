@@ -67,7 +67,7 @@ void EngineCore::cancelScan(const std::string &address)
     if (!link || !m_watched[link].scanning)
         return;
     endScan(m_watched[link]);
-    notice(Severity::Info, link->address().shortName(), "the search was cancelled; what it found stays");
+    notice(Severity::Info, link->address().shortName(), say("the search was cancelled; what it found stays"));
 }
 
 } // namespace mb

@@ -26,7 +26,7 @@ Task<void> keepBefore(Device &device, Occasion occasion, settings::SettingsLog *
         co_return {};
     auto taking = settings::takeSnapshot(device, occasion, {}, *log, progress);
     if (const auto taken = co_await std::move(taking).attempt(); !taken)
-        progress.log(Severity::Caution, "no snapshot of what was there: " + taken.error().text());
+        progress.log(Severity::Caution, say("no snapshot of what was there: %1", taken.error().message()));
     co_return {};
 }
 
@@ -51,8 +51,7 @@ Task<ParameterSnapshot> meetUnit(Device &device, settings::SettingsLog &log, Pro
     const int foreign = co_await std::move(noticing);
     const bool isFresh = device.link().address().isSimulated(); // a bench of this process was never left as anything
     if (foreign > 0 && !isFresh)
-        progress.log(Severity::Caution,
-            std::to_string(foreign) + " values are not what they were left as; the history has both");
+        progress.log(Severity::Caution, say("%1 values are not what they were left as; the history has both", foreign));
     co_return taken;
 }
 
@@ -111,7 +110,7 @@ void EngineCore::noteWrites(const Device &device, const std::vector<ParameterSto
         const Parameter &row = device.family().parameters[outcome.index.value];
         const auto &old = before.size() > outcome.index.value ? before[outcome.index.value].raw : std::nullopt;
         notice(Severity::Info, labelOf(device),
-            std::string(row.key) + ": " + (old ? toText(row, *old) : "?") + " -> " + toText(row, *outcome.raw));
+            say("%1: %2 -> %3", row.key, old ? toText(row, *old) : std::string("?"), toText(row, *outcome.raw)));
     }
 }
 
@@ -131,7 +130,7 @@ std::string EngineCore::proofOf(const std::vector<TransferOutcome> &outcomes)
 void EngineCore::undoWrite(DeviceId id, bool again, Finished finished)
 {
     if (!m_settingsLog)
-        return answer(finished, fail(Fault::Unsupported, "no history is kept here"));
+        return answer(finished, fail(Fault::Unsupported, say("no history is kept here")));
     begin<settings::SettingsChange>(
         id, again ? "Do a write again" : "Undo a write",
         [this, again](Device &device, Progress &progress) {
@@ -141,7 +140,8 @@ void EngineCore::undoWrite(DeviceId id, bool again, Finished finished)
         [this, id, again, finished](Running &, const Result<settings::SettingsChange> &change) {
             if (const Device *device = m_session.find(id); device && change)
                 notice(Severity::Good, labelOf(*device),
-                    (again ? "written again: " : "undone: ") + settings::textOf(device->family(), *change));
+                    again ? say("written again: %1", settings::textOf(device->family(), *change))
+                          : say("undone: %1", settings::textOf(device->family(), *change)));
             else if (device)
                 notice(Severity::Danger, labelOf(*device), change.error().text());
             answer(finished, change ? Result<void>() : Result<void>(fail(change.error())));
@@ -152,7 +152,7 @@ void EngineCore::undoWrite(DeviceId id, bool again, Finished finished)
 void EngineCore::takeSnapshot(DeviceId id, const std::string &name, Finished finished)
 {
     if (!m_settingsLog)
-        return answer(finished, fail(Fault::Unsupported, "no snapshots are kept here"));
+        return answer(finished, fail(Fault::Unsupported, say("no snapshots are kept here")));
     begin<ParameterSnapshot>(
         id, "Take a snapshot",
         [this, name](Device &device, Progress &progress) {
@@ -161,10 +161,9 @@ void EngineCore::takeSnapshot(DeviceId id, const std::string &name, Finished fin
         [this, id, finished](Running &, const Result<ParameterSnapshot> &taken) {
             if (const Device *device = m_session.find(id); device && taken)
                 notice(Severity::Good, labelOf(*device),
-                    "snapshot " + std::to_string(taken->number) + ", " + taken->name + ": "
-                        + std::to_string(taken->count) + " values");
+                    say("snapshot %1, %2: %3 values", taken->number, taken->name, taken->count));
             else if (device)
-                notice(Severity::Danger, labelOf(*device), "no snapshot: " + taken.error().text());
+                notice(Severity::Danger, labelOf(*device), say("no snapshot: %1", taken.error().message()));
             answer(finished, taken ? Result<void>() : Result<void>(fail(taken.error())));
         },
         finished);
@@ -200,7 +199,7 @@ void EngineCore::met(DeviceId id, const Running &running, const Result<Parameter
     if (!taken && taken.error().fault != Fault::OutOfRange) // a full disk is told once; others are tried again
         m_met.erase(id);
     else if (!taken)
-        notice(Severity::Caution, labelOf(*device), "no snapshot of what was found: " + taken.error().text());
+        notice(Severity::Caution, labelOf(*device), say("no snapshot of what was found: %1", taken.error().message()));
     for (const LogLine &line : running.operation->status().log)
         notice(line.severity, labelOf(*device), line.text);
 }

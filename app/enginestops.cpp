@@ -20,8 +20,7 @@ void EngineCore::stopAll(StopCause cause)
 void EngineCore::dismissStops()
 {
     m_session.dismissStops();
-    notice(Severity::Info, {},
-        QT_TRANSLATE_NOOP("table", "the motors that were not seen to stand were looked at; their stops are dismissed"));
+    notice(Severity::Info, {}, say("the motors that were not seen to stand were looked at; their stops are dismissed"));
     touch();
 }
 
@@ -29,7 +28,7 @@ void EngineCore::releaseMoves(DeviceId id, const Finished &finished)
 {
     Device *device = m_session.find(id);
     const Result<void> released
-        = device ? m_session.releaseMoves(*device) : Result<void>(fail(Fault::Timeout, "the device is gone"));
+        = device ? m_session.releaseMoves(*device) : Result<void>(fail(Fault::Timeout, say("the device is gone")));
     if (finished)
         finished(released);
 }
@@ -42,24 +41,20 @@ void EngineCore::followStop(const Device &device)
         if (!stop.isForMotion())
             break;
         notice(Severity::Danger, labelOf(device),
-            QT_TRANSLATE_NOOP("table",
-                "the stop could not be sent, and is the first thing that goes out when the line is back; cut its "
+            say("the stop could not be sent, and is the first thing that goes out when the line is back; cut its "
                 "power"));
         break;
     case StopState::Unconfirmed:
-        notice(Severity::Danger, labelOf(device),
-            QT_TRANSLATE_NOOP("table", "was not seen to stop: the motor may still turn, cut its power"));
+        notice(Severity::Danger, labelOf(device), say("was not seen to stop: the motor may still turn, cut its power"));
         break;
     case StopState::ByWatchdog:
-        notice(Severity::Caution, labelOf(device),
-            QT_TRANSLATE_NOOP("table", "gave no sign after the stop; its own watchdog switches it off"));
+        notice(
+            Severity::Caution, labelOf(device), say("gave no sign after the stop; its own watchdog switches it off"));
         break;
-    case StopState::Silent:
-        notice(Severity::Caution, labelOf(device), QT_TRANSLATE_NOOP("table", "gave no sign after the stop"));
-        break;
+    case StopState::Silent: notice(Severity::Caution, labelOf(device), say("gave no sign after the stop")); break;
     case StopState::Seen:
         if (m_mayTurn.erase(m_session.idOf(device)) > 0)
-            notice(Severity::Good, labelOf(device), QT_TRANSLATE_NOOP("table", "was seen to stand"));
+            notice(Severity::Good, labelOf(device), say("was seen to stand"));
         break;
     case StopState::None:
     case StopState::Stopping: break;
@@ -73,17 +68,15 @@ void EngineCore::guardianActed(const std::string &name, MotionGuard::Verdict ver
 {
     switch (verdict) {
     case MotionGuard::Verdict::Confirmed:
-        notice(Severity::Good, name, QT_TRANSLATE_NOOP("table", "the guardian has stopped the motor"));
+        notice(Severity::Good, name, say("the guardian has stopped the motor"));
         break;
     case MotionGuard::Verdict::Sent:
         notice(Severity::Caution, name,
-            QT_TRANSLATE_NOOP("table",
-                "the guardian has sent the stop, which nothing on this link confirms; look whether the motor stands"));
+            say("the guardian has sent the stop, which nothing on this link confirms; look whether the motor stands"));
         break;
     case MotionGuard::Verdict::Failed:
         notice(Severity::Danger, name,
-            QT_TRANSLATE_NOOP(
-                "table", "the guardian tried in vain to stop the motor; it may still turn: cut its power"));
+            say("the guardian tried in vain to stop the motor; it may still turn: cut its power"));
         break;
     }
 }

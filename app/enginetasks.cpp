@@ -39,9 +39,10 @@ void EngineCore::saveTranscript(const Running &running, const Device &device)
     m_files.spawn<std::string>(
         keepTranscript(std::move(transcript)), [this, label = labelOf(device)](const Result<std::string> &path) {
             if (path)
-                notice(Severity::Info, label, "the transcript of the update is in " + *path);
+                notice(Severity::Info, label, say("the transcript of the update is in %1", *path));
             else
-                notice(Severity::Caution, label, "the transcript of the update is not kept: " + path.error().text());
+                notice(Severity::Caution, label,
+                    say("the transcript of the update is not kept: %1", path.error().message()));
         });
 }
 
@@ -55,7 +56,7 @@ Task<std::string> EngineCore::keepTranscript(Transcript transcript)
         [transcript = std::move(transcript)] { return save(transcript); }, WhenLate::Finish);
     const Result<std::string> saved = co_await std::move(saving).attempt();
     if (!saved && saved.error().fault == Fault::Timeout)
-        co_return fail(Fault::Timeout, "the disk has not taken " + path + " for 30 s");
+        co_return fail(Fault::Timeout, say("the disk has not taken %1 for 30 s", path));
     co_return saved;
 }
 
@@ -81,7 +82,7 @@ void EngineCore::rewriteSettings(DeviceId id, const Finished &finished)
 {
     beginSimple(id, "Write settings again", rewrite, [this, id, finished](const Result<void> &result) {
         if (const Device *device = m_session.find(id); device && result)
-            notice(Severity::Good, labelOf(*device), "the settings that the reset took are written again");
+            notice(Severity::Good, labelOf(*device), say("the settings that the reset took are written again"));
         if (finished)
             finished(result);
     });
@@ -96,14 +97,14 @@ void EngineCore::experiment(
         known.begin(), known.end(), [&key](const Experiment &candidate) { return candidate.key == key; });
     if (found == known.end()) {
         if (finished)
-            finished(device ? fail(Fault::Unsupported, "this device has no experiment '" + key + "'")
-                            : fail(Fault::Timeout, "the device is gone"));
+            finished(device ? fail(Fault::Unsupported, say("this device has no experiment '%1'", key))
+                            : fail(Fault::Timeout, say("the device is gone")));
         return;
     }
     SetPointStream &stream = m_session.stream(*device);
     if (stream.isRunning()) {
         if (finished)
-            finished(fail(Fault::Unsafe, "stop the motor before an experiment begins"));
+            finished(fail(Fault::Unsafe, say("stop the motor before an experiment begins")));
         return;
     }
     Running *const running = beginSimple(
@@ -137,14 +138,14 @@ void EngineCore::callTheRoll()
         Presence &presence = m_roll[id];
         presence.name = labelOf(*device);
         if (isNew)
-            notice(Severity::Info, presence.name, "found on " + device->link().address().shortName());
+            notice(Severity::Info, presence.name, say("found on %1", device->link().address().shortName()));
         if (device->liveness().heard) {
             if (presence.lost)
-                notice(Severity::Good, presence.name, "answers again");
+                notice(Severity::Good, presence.name, say("answers again"));
             presence.heard = true;
             presence.lost = false;
         } else if (presence.heard && device->busy().empty() && !hasOperation(id)) {
-            notice(Severity::Caution, presence.name, "does not answer any more");
+            notice(Severity::Caution, presence.name, say("does not answer any more"));
             m_directions.forget(device->selector()); // it may come back with other wires
             presence.heard = false;
             presence.lost = true;
@@ -153,7 +154,7 @@ void EngineCore::callTheRoll()
     for (auto entry = m_roll.begin(); entry != m_roll.end();) {
         const bool gone = present.count(entry->first) == 0;
         if (gone)
-            notice(Severity::Caution, entry->second.name, "is gone");
+            notice(Severity::Caution, entry->second.name, say("is gone"));
         entry = gone ? m_roll.erase(entry) : std::next(entry);
     }
 }

@@ -66,7 +66,7 @@ void EngineCore::runMoving(DeviceId id, const char *title, const MovingStory<T> 
             finished(fail(result.error()));
     };
     if (Device *device = m_session.find(id); device && m_session.stream(*device).isRunning())
-        return answer(refused, fail(Fault::Unsafe, "stop the motor before an experiment begins"));
+        return answer(refused, fail(Fault::Unsafe, say("stop the motor before an experiment begins")));
     const auto interruption = std::make_shared<tuning::Interruption>();
     const auto make = [this, story, interruption](Device &device, Progress &progress) {
         return keeping(interruption, story(device, m_session.stream(device), surroundings(progress, *interruption)));
@@ -241,7 +241,7 @@ void EngineCore::payGains(DeviceId id, std::int64_t trial, Finished finished)
     const auto found
         = std::find_if(all.begin(), all.end(), [trial](const tuning::OwedGains &owed) { return owed.trial == trial; });
     if (found == all.end())
-        return answer(finished, fail(Fault::OutOfRange, "this trial owes nothing to the unit"));
+        return answer(finished, fail(Fault::OutOfRange, say("this trial owes nothing to the unit")));
     beginSimple(
         id, "Put gains back",
         [this, owed = *found](Device &device, Progress &) { return tuning::payOwed(device, *m_journal, owed); },
@@ -251,8 +251,8 @@ void EngineCore::payGains(DeviceId id, std::int64_t trial, Finished finished)
                 lookAgain(id);
             }
             if (const Device *device = m_session.find(id); device && result)
-                notice(Severity::Good, labelOf(*device),
-                    "the gains that trial #" + std::to_string(trial) + " had changed are put back");
+                notice(
+                    Severity::Good, labelOf(*device), say("the gains that trial #%1 had changed are put back", trial));
             answer(finished, result);
         });
 }

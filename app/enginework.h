@@ -26,12 +26,12 @@ EngineCore::Running *EngineCore::begin(DeviceId id, const char *title,
 {
     Device *device = m_session.find(id);
     if (!device) {
-        answer(refused, fail(Fault::Timeout, "the device is gone"));
+        answer(refused, fail(Fault::Timeout, say("the device is gone")));
         return nullptr;
     }
     makeWay(id);
     if (hasOperation(id)) {
-        answer(refused, fail(Fault::Unsafe, "the device is busy with something else"));
+        answer(refused, fail(Fault::Unsafe, say("the device is busy with something else")));
         return nullptr;
     }
     prune();

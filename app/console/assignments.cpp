@@ -12,13 +12,13 @@ Result<ParameterChange> parseAssignment(const Family &family, const std::string 
 {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
-        return fail(Fault::Usage, "'" + text + "' is not KEY=VALUE", "write it like slot0.p=1.5");
+        return fail(Fault::Usage, say("'%1' is not KEY=VALUE", text), say("write it like slot0.p=1.5"));
     const auto index = parseKey(family, text.substr(0, equals));
     if (!index)
         return fail(index.error());
     const Parameter &parameter = family.parameters[index->value];
     if (parameter.access == Access::ReadOnly)
-        return fail(Fault::OutOfRange, std::string(parameter.key) + " is read-only", "leave it out");
+        return fail(Fault::OutOfRange, say("%1 is read-only", parameter.key), say("leave it out"));
     const auto raw = parseRaw(parameter, text.substr(equals + 1));
     if (!raw)
         return fail(raw.error());
@@ -36,8 +36,8 @@ Result<std::vector<ParameterChange>> parseAssignments(const Family &family, cons
             return fail(change.error());
         const auto same = [&](const ParameterChange &other) { return other.index == change->index; };
         if (std::any_of(changes.begin(), changes.end(), same))
-            return fail(Fault::Usage, std::string(family.parameters[change->index.value].key) + " is given twice",
-                "give it once");
+            return fail(Fault::Usage, say("%1 is given twice", family.parameters[change->index.value].key),
+                say("give it once"));
         changes.push_back(*change);
     }
     return changes;

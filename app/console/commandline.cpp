@@ -64,8 +64,7 @@ Result<const Verb *> knownVerb(std::string_view name)
     std::vector<std::string_view> known;
     for (const Verb &each : table)
         known.push_back(each.name);
-    return fail(Fault::Usage, "unknown verb '" + std::string(name) + '\'',
-        suggestion(name, known, "there are " + joined(known)));
+    return fail(Fault::Usage, say("unknown verb '%1'", name), suggestion(name, known, "there are " + joined(known)));
 }
 
 std::string overview()
@@ -143,14 +142,14 @@ tl::unexpected<Error> unexpectedArgument(const CLI::App &app, const Verb &verb)
     const std::string wrong = remaining.empty() ? std::string() : remaining.front();
     const std::string name(verb.name);
     if (!wrong.starts_with('-'))
-        return fail(Fault::Usage, name + ": unexpected argument '" + wrong + "'", usageOf(verb));
+        return fail(Fault::Usage, say("%1: unexpected argument '%2'", name, wrong), usageOf(verb));
     std::vector<std::string> options;
     for (const CLI::Option *option : app.get_options()) {
         for (const std::string &longName : option->get_lnames())
             options.push_back("--" + longName);
     }
     const std::vector<std::string_view> known(options.begin(), options.end());
-    return fail(Fault::Usage, name + ": unknown option '" + wrong + '\'',
+    return fail(Fault::Usage, say("%1: unknown option '%2'", name, wrong),
         suggestion(wrong.substr(0, wrong.find('=')), known, "it takes " + joined(known)));
 }
 
@@ -169,7 +168,7 @@ Result<CommandLine> parseVerb(const Verb &verb, std::vector<std::string> argumen
     } catch (const CLI::ExtrasError &) {
         return unexpectedArgument(app, verb);
     } catch (const CLI::Error &error) {
-        return fail(Fault::Usage, name + ": " + lowered(error.what()), usageOf(verb));
+        return fail(Fault::Usage, say("%1: %2", name, lowered(error.what())), usageOf(verb));
     }
     const auto options = optionsFrom(globals);
     if (!options)
@@ -201,8 +200,8 @@ Result<std::size_t> parseFront(const std::vector<std::string> &arguments, Global
         else if (value && word.size() == 9 && used + 1 < arguments.size())
             *value = arguments[++used];
         else
-            return fail(Fault::Usage, "'" + word + "' cannot stand before the verb",
-                "there stand --json, --quiet, --timeout S, --retries N, --help and --version");
+            return fail(Fault::Usage, say("'%1' cannot stand before the verb", word),
+                say("there stand --json, --quiet, --timeout S, --retries N, --help and --version"));
         if (!text.empty())
             break;
     }
@@ -255,7 +254,7 @@ Result<CommandLine> parseCommandLine(std::vector<std::string> arguments)
     if (!text.empty())
         return CommandLine{{}, {}, text};
     if (*used == arguments.size())
-        return fail(Fault::Usage, "a verb is missing", "'motorbenchctl help' lists them");
+        return fail(Fault::Usage, say("a verb is missing"), say("'motorbenchctl help' lists them"));
     const auto verb = knownVerb(arguments[*used]);
     if (!verb)
         return fail(verb.error());

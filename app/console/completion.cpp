@@ -246,7 +246,7 @@ Task<int> complete(Console &console, std::string shell)
     else if (shell == "fish")
         text = forFish(console.families());
     else
-        co_return fail(Fault::Usage, "completion for '" + shell + "' is unknown", "there is bash, zsh and fish");
+        co_return fail(Fault::Usage, say("completion for '%1' is unknown", shell), say("there is bash, zsh and fish"));
     text.pop_back(); // line() adds it
     if (console.json())
         console.out().json({{QStringLiteral("completion"), qt(text)}});

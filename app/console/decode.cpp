@@ -108,7 +108,7 @@ Result<void> readAll(QFile &file, LogReader reader, bool prints)
         const QByteArray chunk = file.read(static_cast<qint64>(chunkSize));
         if (chunk.isEmpty())
             return fail(Fault::OutOfRange,
-                file.fileName().toStdString() + " cannot be read: " + file.errorString().toStdString());
+                say("%1 cannot be read: %2", file.fileName().toStdString(), file.errorString().toStdString()));
         if (auto taken
             = reader.take(std::string_view(chunk.constData(), static_cast<std::size_t>(chunk.size())), prints);
             !taken)
@@ -122,9 +122,9 @@ Result<void> decodeFile(Console &console, const Arguments &arguments)
 {
     QFile file(qt(arguments.file));
     if (QFileInfo(file).isDir())
-        return fail(Fault::OutOfRange, arguments.file + " is a directory", "name a file");
+        return fail(Fault::OutOfRange, say("%1 is a directory", arguments.file), say("name a file"));
     if (!file.open(QIODevice::ReadOnly))
-        return fail(Fault::OutOfRange, arguments.file + " cannot be read: " + file.errorString().toStdString());
+        return fail(Fault::OutOfRange, say("%1 cannot be read: %2", arguments.file, file.errorString().toStdString()));
     if (auto good = readAll(file, LogReader(console, arguments.file, arguments.dialect), false); !good)
         return good;
     return readAll(file, LogReader(console, arguments.file, arguments.dialect), true);
@@ -151,7 +151,7 @@ private:
         if (got < 0 && (errno == EINTR || errno == EAGAIN))
             return;
         if (got < 0)
-            result = fail(Fault::OutOfRange, std::string("standard input cannot be read: ") + std::strerror(errno));
+            result = fail(Fault::OutOfRange, say("standard input cannot be read: %1", std::strerror(errno)));
         else if (got == 0)
             result = m_reader.finish();
         else

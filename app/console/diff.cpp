@@ -56,8 +56,8 @@ Result<void> load(Console &console, Part &part, Notebook &notebook, const std::s
         return fail(file.error());
     const auto family = familyOf(*file);
     if (!family)
-        return fail(Fault::OutOfRange, part.named.text + " is no parameter file",
-            "save one with 'motorbenchctl get DEVICE --file F'");
+        return fail(Fault::OutOfRange, say("%1 is no parameter file", part.named.text),
+            say("save one with 'motorbenchctl get DEVICE --file F'"));
     const auto known = parseFamily(console.families(), *family);
     if (!known)
         return fail(known.error().about(part.named.text));
@@ -118,9 +118,8 @@ Result<void> areAlike(const std::array<Part, 2> &parts)
     if (!parts[0].family || !parts[1].family || parts[0].family == parts[1].family)
         return {};
     return fail(Fault::Usage,
-        "a " + std::string(parts[0].family->title) + " and a " + std::string(parts[1].family->title)
-            + " have different parameters",
-        "compare two of one family");
+        say("a %1 and a %2 have different parameters", parts[0].family->title, parts[1].family->title),
+        say("compare two of one family"));
 }
 
 /// What can be wrong before anything is asked: whatever is no device, in as far as no device is needed to find it.
@@ -163,7 +162,8 @@ Task<int> diff(Console &console, std::string a, std::string b)
         parts.at(i).named = std::move(*named);
     }
     if (parts[0].named.kind == Kind::Defaults && parts[1].named.kind == Kind::Defaults)
-        co_return fail(Fault::Usage, "the defaults of no family cannot be compared", "name a device, file or snapshot");
+        co_return fail(
+            Fault::Usage, say("the defaults of no family cannot be compared"), say("name a device, file or snapshot"));
     Notebook notebook(console);
     auto gathering = gather(console, parts, notebook);
     co_await std::move(gathering);

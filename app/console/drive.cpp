@@ -66,8 +66,8 @@ Result<Mode> parseMode(const Family &family, const std::string &text)
     const auto mode = modeFromString(text);
     if (mode && std::find(known.begin(), known.end(), text) != known.end())
         return *mode;
-    return fail(Fault::Usage, std::string(family.key) + " has no mode '" + text + "'",
-        mode ? "it has " + joined(known) : suggestion(text, known, "it has " + joined(known)));
+    return fail(Fault::Usage, say("%1 has no mode '%2'", family.key, text),
+        mode ? say("it has %1", joined(known)) : suggestion(text, known, "it has " + joined(known)));
 }
 
 Result<double> optionalNumber(std::string_view name, const std::string &text, double low, double high)
@@ -94,7 +94,7 @@ Result<void> overrideLimits(SetPoint &setPoint, const std::string &which)
         return {};
     const std::vector<std::string_view> known(overrides.begin(), overrides.end());
     if (std::find(known.begin(), known.end(), which) == known.end())
-        return fail(Fault::Usage, "--limit-override cannot be '" + which + "'",
+        return fail(Fault::Usage, say("--limit-override cannot be '%1'", which),
             suggestion(which, known, "it switches off " + joined(known)));
     setPoint.overrideLimits = true;
     setPoint.disableForwardLimit = which == "forward" || which == "both";
@@ -107,13 +107,13 @@ Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
     if (a.halt && a.mode.empty() && a.target.empty())
         return holding();
     if (a.mode.empty())
-        return fail(Fault::Usage, "--mode is missing", "give a mode, or --halt alone to hold the position");
+        return fail(Fault::Usage, say("--mode is missing"), say("give a mode, or --halt alone to hold the position"));
     const auto mode = parseMode(family, a.mode);
     if (!mode)
         return fail(mode.error());
     if (a.target.empty() && *mode != Mode::Off)
-        return fail(Fault::Usage, "--target is missing",
-            "give it in " + std::string(unitOf(*mode).empty() ? "the unit of the mode" : unitOf(*mode)));
+        return fail(Fault::Usage, say("--target is missing"),
+            unitOf(*mode).empty() ? say("give it in the unit of the mode") : say("give it in %1", unitOf(*mode)));
     const auto target = optionalNumber("--target", a.target, -huge, huge);
     const auto velocity = optionalNumber("--velocity", a.velocity, 0.0, huge);
     const auto acceleration = optionalNumber("--acceleration", a.acceleration, 0.0, huge);
@@ -128,7 +128,7 @@ Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
     if (!axis || !slot)
         return fail(axis ? slot.error() : axis.error());
     if (a.brake && a.coast)
-        return fail(Fault::Usage, "--brake and --coast exclude each other", "give one");
+        return fail(Fault::Usage, say("--brake and --coast exclude each other"), say("give one"));
     SetPoint setPoint;
     setPoint.mode = *mode;
     setPoint.target = *target;
@@ -176,21 +176,20 @@ Result<void> checkSetPoint(Console &console, const Plan &plan)
 Result<void> checkOffered(const Family &family, const Arguments &arguments)
 {
     if (arguments.zero && !family.capabilities.zeroPosition)
-        return fail(
-            Fault::OutOfRange, "--zero: " + std::string(family.key) + " has no command that zeroes its position");
+        return fail(Fault::OutOfRange, say("--zero: %1 has no command that zeroes its position", family.key));
     if (arguments.hasOutputOptions() && !family.capabilities.outputOptions)
-        return fail(Fault::Usage,
-            std::string(family.key) + " has no ramp, brake, direction or limit override of its output",
-            "leave these options out");
+        return fail(Fault::Usage, say("%1 has no ramp, brake, direction or limit override of its output", family.key),
+            say("leave these options out"));
     if ((arguments.relative || arguments.halt) && !family.capabilities.relativeMoves)
-        return fail(Fault::Usage, std::string(family.key) + " has no relative moves and no halt",
-            "leave --relative and --halt out");
+        return fail(Fault::Usage, say("%1 has no relative moves and no halt", family.key),
+            say("leave --relative and --halt out"));
     if (arguments.buffered && !family.capabilities.bufferedMoves)
-        return fail(Fault::Usage, std::string(family.key) + " has no buffered moves", "leave --buffered out");
+        return fail(Fault::Usage, say("%1 has no buffered moves", family.key), say("leave --buffered out"));
     const bool positional
         = arguments.mode == toString(Mode::Position) || arguments.mode == toString(Mode::RampPosition);
     if (arguments.relative && !positional)
-        return fail(Fault::Usage, "--relative means a distance", "give it with --mode position or ramp-position");
+        return fail(
+            Fault::Usage, say("--relative means a distance"), say("give it with --mode position or ramp-position"));
     return {};
 }
 
@@ -268,7 +267,7 @@ Task<void> release(Console &console, Device &device)
 {
     SetPointStream &stream = console.session().stream(device);
     const Instant limit = console.clock().now() + stopLimit;
-    Result<void> released = fail(Fault::Unsafe, "the buffered move was not acknowledged");
+    Result<void> released = fail(Fault::Unsafe, say("the buffered move was not acknowledged"));
     while (!released && stream.isRunning() && !console.isInterrupted() && console.clock().now() < limit) {
         auto waiting = keepAlive(console, stream, lookEvery, [] { return false; });
         co_await std::move(waiting);
@@ -339,17 +338,19 @@ void report(Console &console, const Outcome &outcome, std::uint64_t samples)
 Result<int> verdictOf(const Device &device, const Outcome &outcome)
 {
     if (outcome.end == SetPointStream::End::LinkLost || device.link().state() == LinkState::Lost)
-        return fail(Fault::LinkLost, "the link was lost while the motor was driven (" + device.link().reason() + ')',
-            "see that the motor stands before anything else");
+        return fail(Fault::LinkLost, say("the link was lost while the motor was driven (%1)", device.link().reason()),
+            say("see that the motor stands before anything else"));
     if (!outcome.stopped)
         return fail(Fault::Unsafe,
-            "the stop was not confirmed by " + device.selector() + " within a second"
-                + (outcome.isGuarded() ? " (" + outcome.why + ')' : ""),
-            "cut its power if the motor still turns");
+            outcome.isGuarded()
+                ? say("the stop was not confirmed by %1 within a second (%2)", device.selector(), outcome.why)
+                : say("the stop was not confirmed by %1 within a second", device.selector()),
+            say("cut its power if the motor still turns"));
     if (!outcome.released && !outcome.interrupted)
         return fail(outcome.released.error());
     if (outcome.isGuarded())
-        return fail(Fault::Unsafe, "stopped for safety: " + outcome.why, "remove the cause before it is driven again");
+        return fail(Fault::Unsafe, say("stopped for safety: %1", outcome.why),
+            say("remove the cause before it is driven again"));
     return exitDone;
 }
 

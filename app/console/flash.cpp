@@ -33,13 +33,13 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
 {
     const std::string &target = options.target;
     if (!target.empty() && target != "f1" && target != "f4")
-        return fail(Fault::Usage, "--target: '" + target + "' is unknown", "f1 and f4 are known");
+        return fail(Fault::Usage, say("--target: '%1' is unknown", target), say("f1 and f4 are known"));
     const auto erases = [](const UpdateRoute &route) { return route.erasesSettings; };
     if (options.eraseSettings && std::none_of(family.routes.begin(), family.routes.end(), erases))
-        return fail(Fault::Unsupported, std::string(family.key) + " has no settings that an update could erase");
+        return fail(Fault::Unsupported, say("%1 has no settings that an update could erase", family.key));
     if (family.routes.empty() && !options.via.empty())
-        return fail(Fault::Unsupported, "a " + std::string(family.title) + " is updated over its own link",
-            "leave the other way in out");
+        return fail(Fault::Unsupported, say("a %1 is updated over its own link", family.title),
+            say("leave the other way in out"));
     if (family.routes.empty())
         return {};
     std::string ways;
@@ -48,11 +48,11 @@ Result<void> checkRoute(const Family &family, const UpdateOptions &options)
             if (route.targets.empty()
                 || std::find(route.targets.begin(), route.targets.end(), target) != route.targets.end())
                 return {};
-            return fail(Fault::Usage, "--target is missing", std::string(family.key) + " needs f1 or f4");
+            return fail(Fault::Usage, say("--target is missing"), say("%1 needs f1 or f4", family.key));
         }
         ways += (ways.empty() ? "" : " or ") + std::string(route.example);
     }
-    return fail(Fault::Usage, std::string(family.key) + " is not updated over its own link", "add --via " + ways);
+    return fail(Fault::Usage, say("%1 is not updated over its own link", family.key), say("add --via %1", ways));
 }
 
 Result<Plan> check(const Console &console, const Arguments &arguments)
@@ -63,7 +63,7 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
     const Family &family = *target->family;
     const std::string name(family.key);
     if (!family.update)
-        return fail(Fault::Unsupported, name + " has no firmware update here", "use the maker's tool");
+        return fail(Fault::Unsupported, say("%1 has no firmware update here", name), say("use the maker's tool"));
     if (auto way = checkRoute(family, arguments.options); !way)
         return fail(way.error());
     const auto bytes = loadFile(arguments.file, static_cast<std::int64_t>(FirmwareImage::maxTextSize));
@@ -72,8 +72,8 @@ Result<Plan> check(const Console &console, const Arguments &arguments)
     auto parsed
         = FirmwareImage::fromIntelHex(std::string_view(bytes->constData(), static_cast<std::size_t>(bytes->size())));
     if (!parsed)
-        return fail(
-            Fault::OutOfRange, arguments.file + ": " + parsed.error().detail, "an undamaged Intel HEX file is needed");
+        return fail(Fault::OutOfRange, say("%1: %2", arguments.file, parsed.error().detail),
+            say("an undamaged Intel HEX file is needed"));
     if (family.inspect) {
         if (auto summary = family.inspect(*parsed); !summary)
             return fail(summary.error().about(arguments.file));
@@ -203,8 +203,7 @@ Result<int> verdictOf(const Console &console, const UpdateReport &report)
         return exitUsage;
     }
     const Fault fallback = report.outcome == UpdateOutcome::Cancelled ? Fault::Cancelled : Fault::Refused;
-    return fail(Error::fromPhrase(
-        report.fault.value_or(fallback), std::string(toString(report.outcome)) + ": " + report.evidence));
+    return fail(report.fault.value_or(fallback), say("%1: %2", toString(report.outcome), report.evidence));
 }
 
 Task<int> flash(Console &console, Arguments arguments)

@@ -191,7 +191,7 @@ Result<void> checkDialect(const Console &console, const std::string &dialect)
     }
     if (dialect.empty())
         return {};
-    return fail(Fault::Usage, "--dialect: '" + dialect + "' is unknown", known + " are known");
+    return fail(Fault::Usage, say("--dialect: '%1' is unknown", dialect), say("%1 are known", known));
 }
 
 } // namespace mb::console

@@ -27,7 +27,7 @@ Result<std::vector<ParameterIndex>> parseKeys(const Family &family, const std::v
         if (!index)
             return fail(index.error());
         if (family.parameters[index->value].access == Access::WriteOnly)
-            return fail(Fault::OutOfRange, key + " can only be written", "leave it out");
+            return fail(Fault::OutOfRange, say("%1 can only be written", key), say("leave it out"));
         if (std::find(indices.begin(), indices.end(), *index) == indices.end())
             indices.push_back(*index);
     }

@@ -33,19 +33,19 @@ Result<void> mayNudge(const Target &target, const Arguments &arguments)
         return {};
     const std::string family(target.family->key);
     if (isatty(STDIN_FILENO) == 0)
-        return fail(Fault::Usage, family + " cannot blink, so its shaft would be turned a little to and fro",
-            "give --yes once nothing is in its way, or turn its shaft by hand and see which position moves: "
-            "motorbenchctl watch "
-                + arguments.device + positionOption(*target.family));
+        return fail(Fault::Usage, say("%1 cannot blink, so its shaft would be turned a little to and fro", family),
+            say("give --yes once nothing is in its way, or turn its shaft by hand and see which position moves: "
+                "motorbenchctl watch %1%2",
+                arguments.device, positionOption(*target.family)));
     std::cerr << family << " cannot blink. Turn the shaft of " << arguments.device
               << " a little to and fro? Nothing may be in its way. [y/N] " << std::flush;
     std::string answer;
     std::getline(std::cin, answer);
     if (answer == "y" || answer == "yes")
         return {};
-    return fail(Fault::Cancelled, "its shaft was not turned",
-        "turn it by hand and see which position moves: motorbenchctl watch " + arguments.device
-            + positionOption(*target.family));
+    return fail(Fault::Cancelled, say("its shaft was not turned"),
+        say("turn it by hand and see which position moves: motorbenchctl watch %1%2", arguments.device,
+            positionOption(*target.family)));
 }
 
 Task<int> identify(Console &console, Arguments arguments)

@@ -188,7 +188,7 @@ Result<Kept> parseKept(const Family &family, const std::string &text)
 {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0)
-        return fail(Fault::Usage, "'" + text + "' is not KEY=VALUE", "write it like counts_per_revolution=4096");
+        return fail(Fault::Usage, say("'%1' is not KEY=VALUE", text), say("write it like counts_per_revolution=4096"));
     Kept kept{text.substr(0, equals), text.substr(equals + 1), {}};
     std::vector<std::string_view> known;
     if (!family.dialects.empty())
@@ -197,13 +197,13 @@ Result<Kept> parseKept(const Family &family, const std::string &text)
         known.push_back(row.key);
     if (std::find(known.begin(), known.end(), kept.key) == known.end())
         return fail(known.empty() ? Fault::Unsupported : Fault::Usage,
-            std::string(family.key) + " has no '" + kept.key + "' to keep",
+            say("%1 has no '%2' to keep", family.key, kept.key),
             suggestion(kept.key, known, known.empty() ? "leave --keep out" : "it has " + joined(known)));
     const std::vector<std::string_view> dialects = dialectsOf(family);
     if (kept.key == "dialect" && !kept.text.empty()
         && std::find(dialects.begin(), dialects.end(), kept.text) == dialects.end())
-        return fail(Fault::Usage, std::string(family.key) + " has no dialect '" + kept.text + "'",
-            "it has " + joined(dialects));
+        return fail(
+            Fault::Usage, say("%1 has no dialect '%2'", family.key, kept.text), say("it has %1", joined(dialects)));
     if (kept.key == "dialect" || kept.text.empty())
         return kept;
     const auto row = std::find_if(family.calibrations.begin(), family.calibrations.end(),

@@ -82,7 +82,7 @@ private:
         if (m_console.out().isBroken())
             ended(exitDone);
         else
-            ended(fail(Fault::Cancelled, "interrupted before it was done"));
+            ended(fail(Fault::Cancelled, say("interrupted before it was done")));
     }
 
     QCoreApplication &m_application;

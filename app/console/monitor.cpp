@@ -35,8 +35,8 @@ Task<int> monitor(Console &console, Arguments arguments)
     if (auto known = checkDialect(console, arguments.dialect); !known)
         co_return fail(known.error());
     if (links->size() != 1)
-        co_return fail(Fault::Usage, "'" + arguments.link + "' stands for several links",
-            "name one, such as " + links->front().text());
+        co_return fail(Fault::Usage, say("'%1' stands for several links", arguments.link),
+            say("name one, such as %1", links->front().text()));
     const auto link = console.session().openLink(links->front());
     if (!link)
         co_return fail(link.error());

@@ -58,15 +58,15 @@ Result<void> MqttPublisher::connect(const PublishAddress &address)
     const int status = mosquitto_connect(m_client, address.host.c_str(), address.port, keepAlive);
     if (status != MOSQ_ERR_SUCCESS)
         return fail(Fault::LinkLost,
-            name + ": " + (status == MOSQ_ERR_ERRNO ? std::strerror(errno) : mosquitto_strerror(status)),
-            "start the broker, or name the host that it runs on");
+            say("%1: %2", name, (status == MOSQ_ERR_ERRNO ? std::strerror(errno) : mosquitto_strerror(status))),
+            say("start the broker, or name the host that it runs on"));
     mosquitto_loop_start(m_client);
     std::unique_lock lock(m_lock);
     if (!m_told.wait_for(lock, brokerTime, [this] { return m_answer >= 0; }))
-        return fail(Fault::LinkLost, name + " does not answer", "check that an MQTT broker listens there");
+        return fail(Fault::LinkLost, say("%1 does not answer", name), say("check that an MQTT broker listens there"));
     if (m_answer != 0)
-        return fail(Fault::LinkLost, name + " refuses: " + mosquitto_connack_string(m_answer),
-            "allow clients without a name and password there");
+        return fail(Fault::LinkLost, say("%1 refuses: %2", name, mosquitto_connack_string(m_answer)),
+            say("allow clients without a name and password there"));
     return {};
 }
 

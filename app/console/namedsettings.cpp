@@ -28,7 +28,7 @@ Result<NamedSettings> parseSettings(const Console &console, const std::string &t
     if (text.starts_with(snapshotScheme)) {
         const std::string name = text.substr(snapshotScheme.size());
         if (name.empty())
-            return fail(Fault::Usage, "a snapshot is named after the colon", "such as \"snapshot:as found\"");
+            return fail(Fault::Usage, say("a snapshot is named after the colon"), say("such as \"snapshot:as found\""));
         return NamedSettings{Kind::Snapshot, name, std::nullopt};
     }
     if (!looksLikeDevice(console, text))
@@ -44,7 +44,7 @@ Result<QByteArray> loadSettings(const NamedSettings &named, SettingsBook *book, 
     if (named.kind == NamedSettings::Kind::File)
         return loadFile(named.text, mostBytes);
     if (!book)
-        return fail(Fault::Usage, "the file of snapshots cannot be opened", "see the note above");
+        return fail(Fault::Usage, say("the file of snapshots cannot be opened"), say("see the note above"));
     const auto snapshot = book->find(named.text, unit);
     if (!snapshot)
         return fail(Fault::Usage, snapshot.error().detail, snapshot.error().remedy);

@@ -43,13 +43,13 @@ Task<double> push(Console &console, Device &device, SetPoint setPoint, Duration 
     Sleep pushing(console.clock(), time);
     co_await pushing;
     if (!stream.isRunning())
-        co_return fail(Fault::Unsafe, "stopped for safety: " + stream.reason());
+        co_return fail(Fault::Unsafe, say("stopped for safety: %1", stream.reason()));
     stream.stop();
     const Instant limit = console.clock().now() + stopLimit;
     while (!device.isSeenStopped()) {
         if (console.clock().now() >= limit)
-            co_return fail(Fault::Unsafe, "the stop was not confirmed by " + device.selector(),
-                "cut its power if the motor still turns");
+            co_return fail(Fault::Unsafe, say("the stop was not confirmed by %1", device.selector()),
+                say("cut its power if the motor still turns"));
         Sleep nap(console.clock(), lookEvery);
         co_await nap;
     }
@@ -78,9 +78,8 @@ Task<double> nudge(Console &console, Device &device, int axis)
         moved = co_await std::move(pushing);
     }
     if (std::abs(moved) < clearly)
-        co_return fail(Fault::Refused,
-            "the shaft of " + device.selector() + " did not move (" + numberText(moved) + " counts)",
-            "look whether it is blocked, or its encoder dead");
+        co_return fail(Fault::Refused, say("the shaft of %1 did not move (%2 counts)", device.selector(), moved),
+            say("look whether it is blocked, or its encoder dead"));
     for (int turn = 0; turn < 3; ++turn) { // back, to and back
         setPoint.target = -setPoint.target;
         ++setPoint.order;

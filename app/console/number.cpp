@@ -20,9 +20,8 @@ Result<void> checkFree(Console &console, const Device &device, int number)
     for (const Device *other : console.session().devices()) {
         if (other != &device && &other->family() == &device.family() && other->identity().address == number)
             return fail(Fault::OutOfRange,
-                "number " + std::to_string(number) + " is taken by another " + std::string(device.family().title)
-                    + " on this link",
-                "choose a free one");
+                say("number %1 is taken by another %2 on this link", number, device.family().title),
+                say("choose a free one"));
     }
     return {};
 }
@@ -48,8 +47,8 @@ Task<int> renumber(Console &console, Arguments arguments)
     if (!number)
         co_return fail(number.error());
     if (!target->family->capabilities.renumber)
-        co_return fail(Fault::Unsupported, std::string(target->family->key) + " has no number that can be changed",
-            "its place on the link is fixed");
+        co_return fail(Fault::Unsupported, say("%1 has no number that can be changed", target->family->key),
+            say("its place on the link is fixed"));
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     if (auto free = checkFree(console, *device, *number); !free)
@@ -74,8 +73,8 @@ Task<int> renumber(Console &console, Arguments arguments)
     }
     if (verified || pending)
         co_return exitDone;
-    co_return fail(
-        Fault::BadCheck, "the device did not answer under its new number", "'motorbenchctl scan' shows where it is");
+    co_return fail(Fault::BadCheck, say("the device did not answer under its new number"),
+        say("'motorbenchctl scan' shows where it is"));
 }
 
 } // namespace

@@ -14,7 +14,7 @@ Result<ParameterIndex> parseKey(const Family &family, std::string_view key)
     for (const Parameter &parameter : family.parameters)
         known.push_back(parameter.key);
     const std::string name(family.key);
-    return fail(Fault::Usage, name + " has no parameter '" + std::string(key) + '\'',
+    return fail(Fault::Usage, say("%1 has no parameter '%2'", name, key),
         suggestion(key, known, "'motorbenchctl parameters " + name + "' lists them"));
 }
 

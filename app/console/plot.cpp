@@ -25,9 +25,10 @@ Task<int> plot(Console &console, Arguments a)
         words.emplace_back("--json");
     struct stat status { };
     if (::stat(a.file.c_str(), &status) == 0 && (S_ISCHR(status.st_mode) || S_ISBLK(status.st_mode)))
-        co_return fail(Fault::OutOfRange, a.file + " is a device and has no end", "name a recording");
+        co_return fail(Fault::OutOfRange, say("%1 is a device and has no end", a.file), say("name a recording"));
     if (a.file.empty() || a.out.empty())
-        co_return fail(Fault::Usage, "plot needs a recording and a picture", "add --out PICTURE, a .png, .svg or .pdf");
+        co_return fail(
+            Fault::Usage, say("plot needs a recording and a picture"), say("add --out PICTURE, a .png, .svg or .pdf"));
     co_return fail(becomeWindow(std::move(words)));
 }
 

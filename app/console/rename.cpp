@@ -38,7 +38,8 @@ Result<int> tag(Console &console, const Device &device, const std::string &name)
 {
     Notebook notebook(console);
     if (!notebook.settings())
-        return fail(Fault::Usage, databaseFile() + " cannot be written, so no name can be kept", "see to its rights");
+        return fail(Fault::Usage, say("%1 cannot be written, so no name can be kept", databaseFile()),
+            say("see to its rights"));
     const std::string place = settings::unitOf(device).key;
     const std::string old(settings::tagIn(notebook.settings()->resolved(place)));
     if (auto kept = notebook.settings()->setTag(place, name); !kept)
@@ -55,9 +56,8 @@ Task<int> rename(Console &console, Arguments arguments)
         co_return fail(target.error());
     const int length = qt(arguments.name).size();
     if (length < 1 || length > longest)
-        co_return fail(Fault::OutOfRange,
-            "a name has 1 to " + std::to_string(longest) + " characters, this one has " + std::to_string(length),
-            "choose another");
+        co_return fail(Fault::OutOfRange, say("a name has 1 to %1 characters, this one has %2", longest, length),
+            say("choose another"));
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     if (!target->family->capabilities.rename)
@@ -73,7 +73,7 @@ Task<int> rename(Console &console, Arguments arguments)
     show(console, *device, old, arguments.name, verified, "read back");
     if (verified)
         co_return exitDone;
-    co_return fail(Fault::BadCheck, "the device now calls itself '" + device->identity().name + '\'', "try again");
+    co_return fail(Fault::BadCheck, say("the device now calls itself '%1'", device->identity().name), say("try again"));
 }
 
 } // namespace

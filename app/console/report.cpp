@@ -36,11 +36,11 @@ Result<Wish> check(const Console &console, const Arguments &a)
 {
     Wish wish;
     if (a.subjects.empty() || a.out.empty())
-        return fail(Fault::Usage, "report needs a device or trials, and a file",
-            "name LINK/FAMILY:ADDRESS or trial:N, and add --out FILE, a .pdf or .html");
+        return fail(Fault::Usage, say("report needs a device or trials, and a file"),
+            say("name LINK/FAMILY:ADDRESS or trial:N, and add --out FILE, a .pdf or .html"));
     wish.pdf = a.out.ends_with(".pdf") || a.out.ends_with(".PDF");
     if (!wish.pdf && !a.out.ends_with(".html") && !a.out.ends_with(".htm") && !a.out.ends_with(".HTML"))
-        return fail(Fault::Usage, "--out '" + a.out + "' is no report", "give a name that ends in .pdf or .html");
+        return fail(Fault::Usage, say("--out '%1' is no report", a.out), say("give a name that ends in .pdf or .html"));
     for (const std::string &subject : a.subjects) {
         if (subject.starts_with(trialPrefix)) {
             const auto number = parseInteger("trial", subject.substr(trialPrefix.size()), 1, mostTrialNumber);
@@ -53,11 +53,11 @@ Result<Wish> check(const Console &console, const Arguments &a)
         if (!target)
             return fail(target.error());
         if (wish.target)
-            return fail(Fault::Usage, "a report is about one device", "write one for each");
+            return fail(Fault::Usage, say("a report is about one device"), say("write one for each"));
         wish.target = std::move(*target);
     }
     if (wish.target && !wish.matter.trials.empty())
-        return fail(Fault::Usage, "a report is about a device or about trials", "leave one of them out");
+        return fail(Fault::Usage, say("a report is about a device or about trials"), say("leave one of them out"));
     return wish;
 }
 

@@ -13,8 +13,8 @@ Task<int> restart(Console &console, std::string text)
     if (!target)
         co_return fail(target.error());
     if (!target->family->capabilities.restart)
-        co_return fail(Fault::Unsupported,
-            std::string(target->family->key) + " cannot be restarted from here; switch it off and on");
+        co_return fail(Fault::Unsupported, say("%1 cannot be restarted from here", target->family->key),
+            say("switch it off and on"));
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
     auto restarting = device->restart();

@@ -37,8 +37,8 @@ Result<ParameterFile> parsed(const std::string &name, const Result<QByteArray> &
         return fail(bytes.error());
     auto file = parseParameterFile(*bytes, family);
     if (!file)
-        return fail(
-            Fault::OutOfRange, name + ": " + file.error().text(), "save one with 'motorbenchctl get DEVICE --file F'");
+        return fail(Fault::OutOfRange, say("%1: %2", name, file.error().message()),
+            say("save one with 'motorbenchctl get DEVICE --file F'"));
     return file;
 }
 
@@ -106,16 +106,16 @@ Result<std::optional<NamedSettings>> nameSource(
             return fail(index.error());
     }
     if (arguments.file.empty() && family.capabilities.keepsSettings)
-        return fail(Fault::Usage, "a " + std::string(family.title) + " keeps its settings itself",
-            "name a FILE that 'motorbenchctl get DEVICE --file F' saved");
+        return fail(Fault::Usage, say("a %1 keeps its settings itself", family.title),
+            say("name a FILE that 'motorbenchctl get DEVICE --file F' saved"));
     if (arguments.file.empty())
         return std::optional<NamedSettings>();
     auto named = parseSettings(console, arguments.file);
     if (!named)
         return fail(named.error());
     if (named->kind != NamedSettings::Kind::File && named->kind != NamedSettings::Kind::Snapshot)
-        return fail(Fault::Usage, "'" + arguments.file + "' is neither a file nor a snapshot",
-            "save what is there first, 'motorbenchctl snapshot DEVICE'");
+        return fail(Fault::Usage, say("'%1' is neither a file nor a snapshot", arguments.file),
+            say("save what is there first, 'motorbenchctl snapshot DEVICE'"));
     return std::optional(std::move(*named));
 }
 
@@ -132,7 +132,7 @@ Result<void> mayPutBack(
     if (isAgreedTo(cause + "; write it?"))
         return {};
     return fail(Fault::Usage, cause,
-        "look at --dry-run first; --yes writes it, and 'motorbenchctl rename' gives the unit a name of its own");
+        say("look at --dry-run first; --yes writes it, and 'motorbenchctl rename' gives the unit a name of its own"));
 }
 
 /// Writes what differs; yields the first error, after which the rest stays unchanged.

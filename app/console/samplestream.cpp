@@ -160,7 +160,7 @@ Result<Watched> parseWatched(const Family &family, const std::vector<std::string
         else if (const auto state = findState(family.states, name))
             watched.states.push_back(*state);
         else
-            return fail(Fault::Usage, std::string(family.key) + " has no channel '" + name + "'",
+            return fail(Fault::Usage, say("%1 has no channel '%2'", family.key, name),
                 suggestion(name, known, "it has " + joined(known)));
     }
     return watched;

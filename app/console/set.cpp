@@ -51,7 +51,8 @@ Task<std::optional<Error>> store(Console &console, Device &device)
     auto storing = device.store(progress);
     const Result<bool> stored = co_await std::move(storing).attempt();
     if (!stored)
-        co_return std::optional<Error>(stored.error().about("the values are in force but not proved to be stored"));
+        co_return std::optional<Error>(
+            stored.error().about(say("the values are in force but not proved to be stored")));
     if (!*stored)
         console.note("this device cannot prove that it stored the values; read them again after a power cycle");
     co_return std::optional<Error>();

@@ -37,8 +37,8 @@ Result<PlannedUnit> parseUnit(Console &console, const LinkAddress &link, const s
         return fail(family.error());
     const auto &kinds = (*family)->links;
     if (!(*family)->simulate || std::find(kinds.begin(), kinds.end(), kindOf(link)) == kinds.end())
-        return fail(Fault::Usage, unit->family + " cannot be simulated on " + link.text(),
-            "a " + std::string(toString(kinds.front())) + " link is needed");
+        return fail(Fault::Usage, say("%1 cannot be simulated on %2", unit->family, link.text()),
+            say("a %1 link is needed", toString(kinds.front())));
     return PlannedUnit{link, std::move(*unit), *family};
 }
 
@@ -59,17 +59,17 @@ Result<void> addGroup(Console &console, const std::vector<std::string> &group, s
     if (!link)
         return fail(link.error());
     if (link->isSimulated())
-        return fail(Fault::Usage, "--on needs a real link, and " + link->text() + " lives inside one program",
-            "use it directly");
+        return fail(Fault::Usage, say("--on needs a real link, and %1 lives inside one program", link->text()),
+            say("use it directly"));
     if (group.size() < 2)
-        return fail(Fault::Usage, "--on " + link->text() + " names no device", "add one such as dmc60c:5");
+        return fail(Fault::Usage, say("--on %1 names no device", link->text()), say("add one such as dmc60c:5"));
     if (link->scheme == "pty") {
         if (auto good = PtyLine::create(*link, console.clock()); !good)
             return fail(good.error());
     }
     const auto same = [&link](const LinkAddress &other) { return other.scheme == "unix" && other.path == link->path; };
     if (link->scheme == "unix" && (group.size() > 2 || std::any_of(plan.links.begin(), plan.links.end(), same)))
-        return fail(Fault::Usage, link->text() + " carries one board", "give each its own path");
+        return fail(Fault::Usage, say("%1 carries one board", link->text()), say("give each its own path"));
     plan.links.push_back(*link);
     for (std::size_t i = 1; i < group.size(); ++i) {
         auto unit = parseUnit(console, *link, group[i]);

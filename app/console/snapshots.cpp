@@ -56,15 +56,15 @@ Task<int> snapshot(Console &console, std::string device, std::string name)
     if (!target)
         co_return fail(target.error());
     if (name.size() > longestName)
-        co_return fail(Fault::Usage, "--name: a name has at most " + std::to_string(longestName) + " bytes");
+        co_return fail(Fault::Usage, say("--name: a name has at most %1 bytes", longestName));
     auto connecting = connect(console, *target);
     Device *const found = co_await std::move(connecting);
     if (auto ready = needsApplication(*found); !ready)
         co_return fail(ready.error());
     Notebook notebook(console);
     if (!notebook.settings())
-        co_return fail(
-            Fault::Usage, databaseFile() + " cannot be written, so nothing can be kept", "see to its rights");
+        co_return fail(Fault::Usage, say("%1 cannot be written, so nothing can be kept", databaseFile()),
+            say("see to its rights"));
     ProgressLine progress(console);
     auto taking = settings::takeSnapshot(*found, settings::Occasion::Hand, name, *notebook.settings(), progress);
     const ParameterSnapshot taken = co_await std::move(taking);

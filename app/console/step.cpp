@@ -75,7 +75,7 @@ Result<Mode> parseLoop(const Family &family, const std::string &text)
             return *modeFromString(text);
         list += (list.empty() ? "" : ", ") + std::string(mode);
     }
-    return fail(Fault::Usage, std::string(family.key) + " has no loop '" + text + "' that can be tried",
+    return fail(Fault::Usage, say("%1 has no loop '%2' that can be tried", family.key, text),
         suggestion(text, known, "it has " + list));
 }
 
@@ -83,7 +83,7 @@ Result<Profile> parseProfile(const std::string &text)
 {
     if (const auto profile = profileFromString(text.empty() ? "step" : text))
         return *profile;
-    return fail(Fault::Usage, "unknown profile '" + text + "'",
+    return fail(Fault::Usage, say("unknown profile '%1'", text),
         suggestion(text, {"step", "square", "ramp", "sine", "chirp", "prbs"},
             "there are step, square, ramp, sine, chirp and prbs"));
 }
@@ -130,7 +130,7 @@ Result<Plan> check(const Console &console, const Arguments &a)
     const Family &family = *target->family;
     if (!family.trials)
         return fail(
-            Fault::Unsupported, std::string(family.title) + " has no loop that can be tried; leave it to 'drive'");
+            Fault::Unsupported, say("%1 has no loop that can be tried", family.title), say("leave it to 'drive'"));
     Plan plan{std::move(*target), {}, a.samples, a.save, a.yes};
     const auto mode = parseLoop(family, a.mode);
     if (!mode)
@@ -162,19 +162,17 @@ Task<Trial> experiment(Console &console, Session &session, Device &device, const
 Result<int> verdictOf(const Trial &trial)
 {
     if (trial.reason == toString(Guard::Link))
-        return fail(Fault::LinkLost,
-            "the experiment ended because the link was lost: " + trial.detail
-                + (trial.stopped ? "; the motor was seen stopped"
-                                 : "; see that the motor stands before anything else"));
+        return fail(Fault::LinkLost, say("the experiment ended because the link was lost: %1", trial.detail),
+            trial.stopped ? say("the motor was seen stopped") : say("see that the motor stands before anything else"));
     if (!trial.stopped && trial.reason != "interrupted")
-        return fail(Fault::Unsafe,
-            "the stop was not confirmed by " + trial.device + "; cut its power if the motor still turns");
+        return fail(Fault::Unsafe, say("the stop was not confirmed by %1", trial.device),
+            say("cut its power if the motor still turns"));
     if (trial.reason == "done" || trial.reason == "interrupted")
         return exitDone;
     if (trial.reason.empty())
         return fail(Fault::Refused, trial.detail);
-    return fail(Fault::Unsafe,
-        "stopped by the guard '" + trial.reason + "': " + trial.detail + "; remove the cause before it is run again");
+    return fail(Fault::Unsafe, say("stopped by the guard '%1': %2", trial.reason, trial.detail),
+        say("remove the cause before it is run again"));
 }
 
 Task<int> performOn(Console &console, Stage &stage, Plan plan)

@@ -41,8 +41,8 @@ Result<const Family *> parseFamily(std::span<const Family *const> families, std:
     std::vector<std::string_view> known;
     for (const Family *family : families)
         known.push_back(family->key);
-    return fail(Fault::Usage, "unknown family '" + std::string(key) + "'",
-        suggestion(key, known, "this build knows " + joined(known)));
+    return fail(
+        Fault::Usage, say("unknown family '%1'", key), suggestion(key, known, "this build knows " + joined(known)));
 }
 
 Result<Target> parseTarget(const Console &console, std::string_view text)
@@ -59,9 +59,8 @@ Result<Target> parseTarget(const Console &console, std::string_view text)
         selector->link = link;
         return Target{std::move(*selector), *family};
     }
-    return fail(Fault::Usage,
-        std::string((*family)->key) + " is not found on a " + std::string(toString(kindOf(selector->link))) + " link",
-        "a " + std::string(toString((*family)->links.front())) + " link is needed");
+    return fail(Fault::Usage, say("%1 is not found on a %2 link", (*family)->key, toString(kindOf(selector->link))),
+        say("a %1 link is needed", toString((*family)->links.front())));
 }
 
 Result<std::vector<LinkAddress>> parseLinks(const Console &console, const std::vector<std::string> &texts)
@@ -103,8 +102,8 @@ Task<Device *> find(const Console &console, Session &session, DeviceSelector sel
 {
     const std::optional<Duration> limit = console.options().patience.timeout;
     Error late{Fault::Timeout,
-        "no answer from " + selector.family + ' ' + std::to_string(selector.address) + " within "
-            + numberText(secondsOf(limit.value_or(Duration::zero()))) + " s"};
+        say("no answer from %1 %2 within %3 s", selector.family, selector.address,
+            secondsOf(limit.value_or(Duration::zero())))};
     return within(session.clock(), session.connect(std::move(selector)), limit, std::move(late));
 }
 
@@ -138,13 +137,12 @@ Task<Device *> connectIn(Console &console, Session &session, Target target)
 Result<void> needsApplication(const Device &device)
 {
     if (device.link().address().isRecording())
-        return fail(Fault::Unsupported, device.selector() + " is a recording: it can be watched, no more",
-            "open the link that it was made on");
+        return fail(Fault::Unsupported, say("%1 is a recording: it can be watched, no more", device.selector()),
+            say("open the link that it was made on"));
     if (device.identity().state != DeviceState::Bootloader)
         return {};
-    return fail(Fault::Refused, device.selector() + " waits in its bootloader, where this is not possible",
-        "update its firmware with 'motorbenchctl flash' "
-        "first");
+    return fail(Fault::Refused, say("%1 waits in its bootloader, where this is not possible", device.selector()),
+        say("update its firmware with 'motorbenchctl flash' first"));
 }
 
 QJsonObject scanRow(const Device &device)
@@ -193,10 +191,9 @@ Result<double> parseNumber(std::string_view name, const std::string &text, doubl
     const std::optional<double> number = numberFrom(text);
     if (!number)
         return fail(
-            Fault::OutOfRange, std::string(name) + ": '" + text + "' is not a number", "write it with a dot, like 2.5");
+            Fault::OutOfRange, say("%1: '%2' is not a number", name, text), say("write it with a dot, like 2.5"));
     if (*number < low || *number > high)
-        return fail(Fault::OutOfRange, std::string(name) + ": " + text + " is out of range",
-            "legal is " + numberText(low) + " … " + numberText(high));
+        return fail(Fault::OutOfRange, say("%1: %2 is out of range", name, text), say("legal is %1 … %2", low, high));
     return *number;
 }
 
@@ -206,8 +203,8 @@ Result<int> parseInteger(std::string_view name, const std::string &text, int low
     if (!number)
         return fail(number.error());
     if (*number != std::floor(*number))
-        return fail(Fault::OutOfRange, std::string(name) + ": " + text + " is not a whole number",
-            "legal is " + std::to_string(low) + " … " + std::to_string(high));
+        return fail(
+            Fault::OutOfRange, say("%1: %2 is not a whole number", name, text), say("legal is %1 … %2", low, high));
     return static_cast<int>(*number);
 }
 

@@ -53,11 +53,11 @@ Result<void> parseLoop(const Family &family, const std::string &text, TunePlan &
 {
     const auto mode = modeFromString(text);
     if (!mode || (*mode != Mode::Velocity && *mode != Mode::Position && *mode != Mode::Current))
-        return fail(Fault::Usage, "unknown loop '" + text + "'",
+        return fail(Fault::Usage, say("unknown loop '%1'", text),
             suggestion(text, {"velocity", "position", "current"}, "there are velocity, position and current"));
     plan.loop = *mode;
     if (!family.trials)
-        return fail(Fault::Unsupported, std::string(family.title) + " has no loop that can be tuned");
+        return fail(Fault::Unsupported, say("%1 has no loop that can be tuned", family.title));
     return {};
 }
 
@@ -65,13 +65,13 @@ Result<void> parseAim(const Arguments &a, TunePlan &plan)
 {
     const auto aim = aimFromString(a.aim.empty() ? "normal" : a.aim);
     if (!aim)
-        return fail(Fault::Usage, "unknown aim '" + a.aim + "'",
+        return fail(Fault::Usage, say("unknown aim '%1'", a.aim),
             suggestion(a.aim, {"calm", "normal", "brisk"}, "there are calm, normal and brisk"));
     plan.aim = *aim;
     if (a.response.empty() != a.damping.empty())
-        return fail(Fault::Usage, "--response and --damping belong together", "give both, or an --aim");
+        return fail(Fault::Usage, say("--response and --damping belong together"), say("give both, or an --aim"));
     if (!a.aim.empty() && !a.response.empty())
-        return fail(Fault::Usage, "--aim and --response exclude each other", "give one of them");
+        return fail(Fault::Usage, say("--aim and --response exclude each other"), say("give one of them"));
     if (a.response.empty())
         return {};
     const auto response = parseNumber("--response", a.response, 1e-4, 100.0);
@@ -126,7 +126,8 @@ Result<Plan> check(const Console &console, const Arguments &a)
     plan.tuning.propose = a.propose;
     plan.tuning.keep = a.keep;
     if (a.propose && (a.store || a.keep))
-        return fail(Fault::Usage, "--propose writes nothing, so nothing is stored or kept", "leave one of them out");
+        return fail(
+            Fault::Usage, say("--propose writes nothing, so nothing is stored or kept"), say("leave one of them out"));
     if (auto loop = parseLoop(family, a.loop, plan.tuning); !loop)
         return fail(loop.error());
     if (auto aim = parseAim(a, plan.tuning); !aim)
@@ -148,16 +149,16 @@ Task<TuneReport> tuneOn(Console &console, Session &session, Device &device, cons
 Result<int> verdictOf(const TuneReport &report)
 {
     if (report.stopReason == toString(Guard::Link))
-        return fail(Fault::LinkLost, "the tuning ended because the link was lost: " + report.evidence,
-            report.stopped ? "the motor was seen stopped" : "see that the motor stands before anything else");
+        return fail(Fault::LinkLost, say("the tuning ended because the link was lost: %1", report.evidence),
+            report.stopped ? say("the motor was seen stopped") : say("see that the motor stands before anything else"));
     if (report.result == TuneResult::Stopped && report.stopReason != "interrupted")
-        return fail(Fault::Unsafe, "stopped by the guard '" + report.stopReason + "': " + report.evidence,
-            "remove the cause before it is run again");
+        return fail(Fault::Unsafe, say("stopped by the guard '%1': %2", report.stopReason, report.evidence),
+            say("remove the cause before it is run again"));
     if (!report.stopped)
-        return fail(
-            Fault::Unsafe, "the stop was not confirmed by " + report.device, "cut its power if the motor still turns");
+        return fail(Fault::Unsafe, say("the stop was not confirmed by %1", report.device),
+            say("cut its power if the motor still turns"));
     if (report.result == TuneResult::Stopped)
-        return fail(Fault::Unsafe, "the tuning was interrupted; the gains are as before", "run it again");
+        return fail(Fault::Unsafe, say("the tuning was interrupted; the gains are as before"), say("run it again"));
     return report.result == TuneResult::Kept || report.result == TuneResult::Proposed ? exitDone : exitDevice;
 }
 

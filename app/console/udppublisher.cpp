@@ -18,15 +18,15 @@ Result<std::unique_ptr<Publisher>> UdpPublisher::open(const PublishAddress &addr
     addrinfo *found = nullptr;
     const int status = ::getaddrinfo(address.host.c_str(), std::to_string(address.port).c_str(), &wanted, &found);
     if (status != 0)
-        return fail(
-            Fault::LinkLost, "udp://" + address.host + ": " + ::gai_strerror(status), "check the name of the host");
+        return fail(Fault::LinkLost, say("udp://%1: %2", address.host, ::gai_strerror(status)),
+            say("check the name of the host"));
     const std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)> rows(found, &::freeaddrinfo);
     for (const addrinfo *row = found; row; row = row->ai_next) {
         Descriptor socket(::socket(row->ai_family, row->ai_socktype | SOCK_CLOEXEC | SOCK_NONBLOCK, row->ai_protocol));
         if (socket.get() >= 0 && ::connect(socket.get(), row->ai_addr, row->ai_addrlen) == 0)
             return std::make_unique<UdpPublisher>(socket.give());
     }
-    return fail(Fault::LinkLost, "udp://" + address.host + " cannot be reached", "check the network");
+    return fail(Fault::LinkLost, say("udp://%1 cannot be reached", address.host), say("check the network"));
 }
 
 UdpPublisher::UdpPublisher(int socket)

@@ -115,7 +115,7 @@ Task<int> stream(Console &console, Device &device, Plan plan, Publisher *publish
         auto restoring = setRates(device, plan.watched, 0.0);
         const std::optional<Error> failed = co_await std::move(restoring);
         if (failed && !error)
-            error = failed->about("the device's rate was not put back");
+            error = failed->about(say("the device's rate was not put back"));
     }
     if (error)
         co_return fail(*error);

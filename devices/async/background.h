@@ -68,7 +68,7 @@ template <class T>
     late.startIn(limit, [job] { job->ended.set(); });
     co_await job->ended.wait();
     if (!job->isDone)
-        co_return fail(Fault::Timeout, "this takes too long");
+        co_return fail(Fault::Timeout, say("this takes too long"));
     co_return std::move(*job->result);
 }
 

@@ -27,7 +27,7 @@ Result<std::unique_ptr<BackgroundFile>> BackgroundFile::create(const std::string
 {
     const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NONBLOCK, 0666);
     if (descriptor < 0)
-        return fail(Error::fromPhrase(Fault::LinkLost, path + ": " + writeFailure(errno)));
+        return fail(writeFailure(Fault::LinkLost, errno).about(path));
     return std::unique_ptr<BackgroundFile>(new BackgroundFile(path, descriptor));
 }
 
@@ -100,7 +100,7 @@ void BackgroundFile::run()
     const int failed = ::close(m_descriptor) == 0 ? 0 : errno;
     lock.lock();
     if (failed != 0 && m_status.problem.empty())
-        m_status.problem = m_path + ": " + writeFailure(failed);
+        m_status.problem = writeFailure(Fault::LinkLost, failed).about(m_path).message();
     m_status.finished = true;
 }
 
@@ -113,7 +113,7 @@ BackgroundFile::Written BackgroundFile::writeAll(std::string_view text) const
         if (done >= 0) {
             written.bytes += static_cast<std::size_t>(done);
         } else if (errno != EINTR) {
-            written.problem = m_path + ": " + writeFailure(errno);
+            written.problem = writeFailure(Fault::LinkLost, errno).about(m_path).message();
             break;
         }
     }

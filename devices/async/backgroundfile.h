@@ -26,7 +26,7 @@ public:
         std::uint64_t written = 0; ///< records that the system has accepted
         std::uint64_t refused = 0; ///< records that append() did not take
         bool finished = false;     ///< closed: nothing will change any more
-        std::string problem;       ///< why nothing more is written, in one clause with its remedy
+        Message problem;           ///< why nothing more is written, in one clause with its remedy
     };
 
     /// Makes the file, or empties it. LinkLost with cause and remedy when that cannot be.
@@ -50,7 +50,7 @@ private:
     void run();
     struct Written {
         std::size_t bytes = 0;
-        std::string problem;
+        Message problem;
     };
     [[nodiscard]] Written writeAll(std::string_view text) const;
     [[nodiscard]] std::size_t keepWhole(const std::vector<std::size_t> &ends, std::size_t written) const;

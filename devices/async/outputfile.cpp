@@ -55,23 +55,30 @@ void syncFolder(const std::string &file)
 
 } // namespace
 
-std::string writeFailure(int systemError)
+Error writeFailure(Fault fault, int systemError)
 {
     switch (systemError) {
     case ENOSPC:
-    case EDQUOT: return "the disk is full; make room, or choose another place";
+    case EDQUOT: return {fault, say("the disk is full"), say("make room, or choose another place")};
     case EACCES:
     case EPERM:
-    case EROFS: return "no permission to write there; choose another folder";
+    case EROFS: return {fault, say("no permission to write there"), say("choose another folder")};
     case ENOENT:
-    case ENOTDIR: return "there is no such folder; choose another one";
-    case EISDIR: return "it is a folder; name a file";
-    case EFBIG: return "the file has reached the greatest size there; choose another place";
-    case ENXIO: return "nobody reads from this pipe; start the reader first";
-    case EPIPE: return "its reader has gone; start it again";
-    case ENOTBLK: return "it is a disk; name a file";
-    default: return "it cannot be written (system error " + std::to_string(systemError) + "); check the disk";
+    case ENOTDIR: return {fault, say("there is no such folder"), say("choose another one")};
+    case EISDIR: return {fault, say("it is a folder"), say("name a file")};
+    case EFBIG: return {fault, say("the file has reached the greatest size there"), say("choose another place")};
+    case ENXIO: return {fault, say("nobody reads from this pipe"), say("start the reader first")};
+    case EPIPE: return {fault, say("its reader has gone"), say("start it again")};
+    case ENOTBLK: return {fault, say("it is a disk"), say("name a file")};
+    default: return {fault, say("it cannot be written (system error %1)", systemError), say("check the disk")};
     }
+}
+
+Error notWritten(Fault fault, const std::string &path, int systemError)
+{
+    Error error = writeFailure(fault, systemError);
+    error.detail = say("%1 cannot be written: %2", path, error.detail);
+    return error;
 }
 
 OutputFile::OutputFile(std::string path)
@@ -88,7 +95,7 @@ OutputFile::~OutputFile()
 
 tl::unexpected<Error> OutputFile::failure(int number) const
 {
-    return fail(Error::fromPhrase(Fault::OutOfRange, m_path + " cannot be written: " + writeFailure(number)));
+    return fail(notWritten(Fault::OutOfRange, m_path, number));
 }
 
 Result<void> OutputFile::open()

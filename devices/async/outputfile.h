@@ -50,7 +50,9 @@ private:
 /// All of it or nothing, by an OutputFile.
 [[nodiscard]] Result<void> writeFile(const std::string &path, std::string_view bytes);
 
-/// Why a file cannot be written and what helps, in English whatever the locale: "the disk is full; make room, or …".
-[[nodiscard]] std::string writeFailure(int systemError);
+/// Why a file cannot be written and what helps, never in the words of the locale: "the disk is full", "make room, or …".
+[[nodiscard]] Error writeFailure(Fault fault, int systemError);
+/// The same of this file: "PATH cannot be written: the disk is full".
+[[nodiscard]] Error notWritten(Fault fault, const std::string &path, int systemError);
 
 } // namespace mb

@@ -38,11 +38,11 @@ Result<BenchOptions> parseOptions(const LinkAddress &address)
             options.faults.push_back(*fault);
             good = true;
         } else {
-            return fail(Fault::OutOfRange, "unknown option '" + key + "' of a simulated link",
-                "seed, loss, bitrate and fault are known");
+            return fail(Fault::OutOfRange, say("unknown option '%1' of a simulated link", key),
+                say("seed, loss, bitrate and fault are known"));
         }
         if (!good)
-            return fail(Fault::OutOfRange, "link option " + key + "=" + value + " is out of range");
+            return fail(Fault::OutOfRange, say("link option %1=%2 is out of range", key, value));
     }
     return options;
 }
@@ -65,7 +65,7 @@ Result<std::unique_ptr<Bench>> Bench::create(
     if (!options)
         return fail(options.error());
     if (address.path.empty())
-        return fail(Fault::Unsupported, "sim: stands for several links", "name one, such as sim:can");
+        return fail(Fault::Unsupported, say("sim: stands for several links"), say("name one, such as sim:can"));
     std::unique_ptr<Bench> bench(new Bench(address, clock, options->seed));
     auto bus = makeSimulatedBus(kindOf(address), bench->m_clock, options->bitrate, options->seed);
     if (!bus)
@@ -80,7 +80,7 @@ Result<std::unique_ptr<Bench>> Bench::create(
     if (auto populated = bench->populate(families, options->faults); !populated)
         return fail(populated.error());
     if (bench->m_simulators.empty())
-        return fail(Fault::Unsupported, "this build simulates no devices on sim:" + address.path);
+        return fail(Fault::Unsupported, say("this build simulates no devices on sim:%1", address.path));
     return bench;
 }
 

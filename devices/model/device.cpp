@@ -98,17 +98,16 @@ Result<void> Device::calibrate(std::string_view key, std::optional<double> value
     const auto row = std::find_if(m_family.calibrations.begin(), m_family.calibrations.end(),
         [key](const Calibration &candidate) { return candidate.key == key; });
     if (row == m_family.calibrations.end())
-        return fail(Fault::Unsupported, std::string(m_family.key) + " has no '" + std::string(key) + "' to be set");
+        return fail(Fault::Unsupported, say("%1 has no '%2' to be set", m_family.key, key));
     const auto isValue = [value](const Choice &choice) { return static_cast<double>(choice.raw) == value; };
     if (value && !row->choices.empty() && std::none_of(row->choices.begin(), row->choices.end(), isValue)) {
         std::string legal;
         for (const Choice &choice : row->choices)
             legal += (legal.empty() ? "" : ", ") + std::to_string(choice.raw) + " (" + std::string(choice.label) + ')';
-        return fail(Fault::OutOfRange, std::string(key) + ": legal is " + legal);
+        return fail(Fault::OutOfRange, say("%1: legal is %2", key, legal));
     }
     if (value && (!std::isfinite(*value) || *value < row->minimum || *value > row->maximum))
-        return fail(Fault::OutOfRange,
-            std::string(key) + ": legal is " + numberText(row->minimum) + " … " + numberText(row->maximum));
+        return fail(Fault::OutOfRange, say("%1: legal is %2 … %3", key, row->minimum, row->maximum));
     if (value)
         m_profile.calibration[std::string(key)] = *value;
     else
@@ -125,8 +124,7 @@ Result<void> Device::setDialect(std::string_view key)
         for (const DialectChoice &row : m_family.dialects)
             known += (known.empty() ? "" : ", ") + std::string(row.key);
         return fail(known.empty() ? Fault::Unsupported : Fault::OutOfRange,
-            std::string(m_family.key) + " has no dialect '" + std::string(key) + "'",
-            known.empty() ? std::string() : "it has " + known);
+            say("%1 has no dialect '%2'", m_family.key, key), known.empty() ? Message() : say("it has %1", known));
     }
     m_profile.dialect = key;
     applyProfile();
@@ -193,8 +191,7 @@ void Device::setLiveness(const Liveness &liveness, const LiveStates &states, Ins
 Task<std::int64_t> Device::read(ParameterIndex index)
 {
     if (m_parameters.parameter(index).access == Access::WriteOnly)
-        co_return fail(
-            Fault::Unsupported, std::string(m_parameters.parameter(index).key) + " cannot be read from the device");
+        co_return fail(Fault::Unsupported, say("%1 cannot be read from the device", m_parameters.parameter(index).key));
     auto task = doRead(index);
     const Result<std::int64_t> raw = co_await std::move(task).attempt();
     if (raw)
@@ -208,7 +205,7 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &parameter = m_parameters.parameter(index);
     if (parameter.access == Access::ReadOnly)
-        co_return fail(Fault::OutOfRange, std::string(parameter.key) + " is read-only");
+        co_return fail(Fault::OutOfRange, say("%1 is read-only", parameter.key));
     auto task = doWrite(index, raw);
     const Result<std::int64_t> inForce = co_await std::move(task).attempt();
     const bool forgotten = !m_family.capabilities.keepsSettings && parameter.nature == Nature::Setting;
@@ -224,25 +221,25 @@ Task<std::int64_t> Device::write(ParameterIndex index, std::int64_t raw)
 Result<void> Device::mayMove() const
 {
     if (!m_busy.empty())
-        return fail(Fault::Unsafe, selector() + ": " + m_busy);
+        return fail(Fault::Unsafe, say("%1: %2", selector(), m_busy));
     if (m_link.state() != LinkState::Open)
-        return fail(Fault::LinkLost, m_link.address().shortName() + ": " + m_link.reason());
+        return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.reason()));
     if (m_link.address().isRecording())
         return fail(Fault::Unsupported,
-            m_link.address().shortName() + " is a recording: what is in it can be watched, not driven",
-            "open the link that it was made on");
+            say("%1 is a recording: what is in it can be watched, not driven", m_link.address().shortName()),
+            say("open the link that it was made on"));
     switch (m_identity.state) {
     case DeviceState::Duplicate:
-        return fail(Fault::Unsafe, "several units answer as number " + std::to_string(m_identity.address),
-            "control is locked until one has another number");
+        return fail(Fault::Unsafe, say("several units answer as number %1", m_identity.address),
+            say("control is locked until one has another number"));
     case DeviceState::Unassigned:
-        return fail(Fault::Unsafe, "this unit has no number yet", "assign one before it is driven");
+        return fail(Fault::Unsafe, say("this unit has no number yet"), say("assign one before it is driven"));
     case DeviceState::Bootloader:
-        return fail(Fault::Unsafe, "no application runs in this unit", "update its firmware first");
+        return fail(Fault::Unsafe, say("no application runs in this unit"), say("update its firmware first"));
     case DeviceState::Online: break;
     }
     if (m_liveness.foreignMaster)
-        return fail(Fault::Unsafe, "another master drives " + selector(), "stop it there first");
+        return fail(Fault::Unsafe, say("another master drives %1", selector()), say("stop it there first"));
     if (auto guarded = m_guard.possible(); !guarded)
         return guarded;
     return doMayMove();
@@ -261,7 +258,7 @@ Result<void> Device::command(const SetPoint &setPoint)
     if (!m_guard.stands())
         return fail(Fault::Unsafe, m_guard.reason());
     if (isStopPressed())
-        return fail(Fault::Unsafe, "STOP was pressed");
+        return fail(Fault::Unsafe, say("STOP was pressed"));
     if (auto checked = doCheck(setPoint); !checked)
         return checked;
     if (auto sent = doCommand(setPoint); !sent)
@@ -278,7 +275,7 @@ Result<void> Device::releaseMoves()
     if (!m_guard.stands())
         return fail(Fault::Unsafe, m_guard.reason());
     if (isStopPressed())
-        return fail(Fault::Unsafe, "STOP was pressed");
+        return fail(Fault::Unsafe, say("STOP was pressed"));
     return doReleaseMoves();
 }
 
@@ -291,23 +288,23 @@ void Device::moveReleased()
 Result<void> Device::mayStop() const
 {
     if (m_link.address().isRecording())
-        return fail(Fault::Unsafe, "it is a recording");
+        return fail(Fault::Unsafe, say("it is a recording"));
     if (!m_busy.empty())
         return fail(Fault::Unsafe, m_busy);
     if (m_identity.state == DeviceState::Bootloader)
-        return fail(Fault::Unsafe, "bootloader");
+        return fail(Fault::Unsafe, say("bootloader"));
     return doMayStop();
 }
 
 Result<void> Device::doReleaseMoves()
 {
-    return fail(Fault::Unsupported, std::string(m_family.title) + " has no buffered moves");
+    return fail(Fault::Unsupported, say("%1 has no buffered moves", m_family.title));
 }
 
 Task<void> Device::restart()
 {
     if (!m_busy.empty())
-        co_return fail(Fault::Unsafe, selector() + ": " + m_busy);
+        co_return fail(Fault::Unsafe, say("%1: %2", selector(), m_busy));
     stop();
     auto restarting = doRestart();
     co_await std::move(restarting);
@@ -317,12 +314,12 @@ Task<void> Device::restart()
 Task<void> Device::doRestart()
 {
     co_return fail(
-        Fault::Unsupported, std::string(m_family.title) + " cannot be restarted from here; switch it off and on");
+        Fault::Unsupported, say("%1 cannot be restarted from here", m_family.title), say("switch it off and on"));
 }
 
 Task<void> Device::doZeroPosition()
 {
-    co_return fail(Fault::Unsupported, std::string(m_family.title) + " has no command that zeroes its position");
+    co_return fail(Fault::Unsupported, say("%1 has no command that zeroes its position", m_family.title));
 }
 
 void Device::stop()

@@ -34,13 +34,14 @@ Result<void> DeviceGuard::possible() const
     if (!isNeeded())
         return {};
     if (!m_source)
-        return fail(Fault::Unsafe, "this device has no watchdog, and nothing here would stop it if the program died");
+        return fail(
+            Fault::Unsafe, say("this device has no watchdog, and nothing here would stop it if the program died"));
     const Link &link = m_device.link();
     if (link.state() == LinkState::Open && !link.outlet().isInheritable())
         return fail(Fault::Unsafe,
-            "this device has no watchdog, and on " + link.address().shortName()
-                + " nothing could stop it if the program died",
-            "use an interface of the kernel");
+            say("this device has no watchdog, and on %1 nothing could stop it if the program died",
+                link.address().shortName()),
+            say("use an interface of the kernel"));
     return {};
 }
 
@@ -53,7 +54,7 @@ Result<void> DeviceGuard::call()
         return {};
     const StopScript script = m_device.stopScript();
     if (script.isEmpty())
-        return fail(Fault::Unsupported, "it is not known how to stop this device from outside");
+        return fail(Fault::Unsupported, say("it is not known how to stop this device from outside"));
     drop(); // the old one first: two would send on one line
     auto watch = m_source->watch(m_device.link(), script, m_device.selector());
     if (!watch)

@@ -160,14 +160,15 @@ Result<DeviceProfile> ProfileBook::load(std::string_view selector) const
     const QString aside = qt(path) + QStringLiteral(".damaged");
     QFile::remove(aside);
     QFile::rename(qt(path), aside);
-    return fail(Fault::OutOfRange, path + " is no device profile",
-        "it was put aside as " + aside.toStdString() + ", and what it kept of the device is unknown again");
+    return fail(Fault::OutOfRange, say("%1 is no device profile", path),
+        say("it was put aside as %1, and what it kept of the device is unknown again", aside.toStdString()));
 }
 
 Result<void> ProfileBook::save(std::string_view selector, const DeviceProfile &profile) const
 {
     if (!QDir().mkpath(qt(m_directory)))
-        return fail(Fault::OutOfRange, m_directory + " cannot be made", "check the rights of the folder above it");
+        return fail(
+            Fault::OutOfRange, say("%1 cannot be made", m_directory), say("check the rights of the folder above it"));
     const QJsonObject object{
         {QStringLiteral("device"), qt(selector)},
         {QStringLiteral("dialect"), qt(profile.dialect)},

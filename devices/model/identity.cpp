@@ -32,7 +32,7 @@ Result<DeviceSelector> DeviceSelector::parse(std::string_view text)
 {
     const auto bad = [text] {
         return fail(Fault::OutOfRange,
-            "'" + std::string(text) + "' is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5");
+            say("'%1' is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5", text));
     };
     const auto slash = text.find_last_of('/');
     if (slash == std::string_view::npos)

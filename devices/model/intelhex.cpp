@@ -90,10 +90,10 @@ private:
     Status interpret();
     Status addData();
     Status expectSize(std::size_t size) const;
-    [[nodiscard]] tl::unexpected<Error> wrong(const std::string &cause) const { return wrongIn(m_line, cause); }
-    [[nodiscard]] static tl::unexpected<Error> wrongIn(std::uint32_t line, const std::string &cause)
+    [[nodiscard]] tl::unexpected<Error> wrong(const Message &cause) const { return wrongIn(m_line, cause); }
+    [[nodiscard]] static tl::unexpected<Error> wrongIn(std::uint32_t line, const Message &cause)
     {
-        return fail(Fault::OutOfRange, "line " + std::to_string(line) + ": " + cause);
+        return fail(Fault::OutOfRange, say("line %1: %2", line, cause));
     }
     [[nodiscard]] tl::unexpected<Error> conflictAt(std::uint32_t address) const;
     [[nodiscard]] std::uint8_t valueOf(const Record &record, std::uint32_t address) const
@@ -132,20 +132,20 @@ Status IntelHexReader::read(std::string_view text)
     }
     m_line = std::max(m_line, std::uint32_t{1});
     if (blank)
-        return wrong("the file is empty");
+        return wrong(say("the file is empty"));
     if (!m_ended)
-        return wrong("the end-of-file record is missing, the file may be cut off");
+        return wrong(say("the end-of-file record is missing, the file may be cut off"));
     if (m_bytes.empty())
-        return wrong("the file holds no data");
+        return wrong(say("the file holds no data"));
     return {};
 }
 
 Status IntelHexReader::readLine(std::string_view line)
 {
     if (m_ended)
-        return wrong("something follows the end-of-file record");
+        return wrong(say("something follows the end-of-file record"));
     if (line.front() != ':')
-        return wrong(named(line.front()) + " where a record begins with a colon, is this an Intel HEX file?");
+        return wrong(say("%1 where a record begins with a colon, is this an Intel HEX file?", named(line.front())));
     if (auto status = decode(line.substr(1)); !status)
         return status;
     return interpret();
@@ -156,18 +156,17 @@ Status IntelHexReader::decode(std::string_view digits)
 {
     const auto odd = std::find_if(digits.begin(), digits.end(), [](char c) { return digitValue(c) < 0; });
     if (odd != digits.end())
-        return wrong(named(*odd) + " is not a hexadecimal digit");
+        return wrong(say("%1 is not a hexadecimal digit", named(*odd)));
     if (digits.size() % 2 != 0)
-        return wrong(std::to_string(digits.size()) + " digits, an even number is needed");
+        return wrong(say("%1 digits, an even number is needed", digits.size()));
     const std::size_t size = digits.size() / 2;
     if (size < frameBytes)
-        return wrong("the record is cut off after " + std::to_string(size) + " bytes");
+        return wrong(say("the record is cut off after %1 bytes", size));
     const auto byteAt = [digits](std::size_t i) {
         return static_cast<std::uint8_t>(digitValue(digits[2 * i]) * 16 + digitValue(digits[2 * i + 1]));
     };
     if (const std::size_t announced = byteAt(0); announced + frameBytes != size)
-        return wrong(std::to_string(announced) + " data bytes are announced, " + std::to_string(size - frameBytes)
-            + " are there");
+        return wrong(say("%1 data bytes are announced, %2 are there", announced, size - frameBytes));
     std::uint32_t sum = 0;
     for (std::size_t i = 0; i < size; ++i) {
         m_raw[i] = byteAt(i);
@@ -175,7 +174,7 @@ Status IntelHexReader::decode(std::string_view digits)
     }
     const std::uint32_t check = m_raw[size - 1];
     if (const std::uint32_t needed = (check - sum) & 0xFFU; needed != check)
-        return wrong("checksum is " + hexText(check, 2) + ", " + hexText(needed, 2) + " is needed");
+        return wrong(say("checksum is %1, %2 is needed", hexText(check, 2), hexText(needed, 2)));
     return {};
 }
 
@@ -183,8 +182,8 @@ Status IntelHexReader::expectSize(std::size_t size) const
 {
     if (dataSize() == size)
         return {};
-    return wrong("a record of type " + hexText(m_raw[3], 2).substr(2) + " has " + std::to_string(size)
-        + " data bytes, not " + std::to_string(dataSize()));
+    return wrong(
+        say("a record of type %1 has %2 data bytes, not %3", hexText(m_raw[3], 2).substr(2), size, dataSize()));
 }
 
 Status IntelHexReader::interpret()
@@ -203,7 +202,7 @@ Status IntelHexReader::interpret()
     case RecordType::StartSegment:
     case RecordType::StartLinear: return expectSize(4); // where a program would start; controllers have reset vectors
     }
-    return wrong("record type " + hexText(m_raw[3], 2) + " is unknown");
+    return wrong(say("record type %1 is unknown", hexText(m_raw[3], 2)));
 }
 
 Status IntelHexReader::addData()
@@ -212,9 +211,9 @@ Status IntelHexReader::addData()
     const std::uint64_t address = m_baseAddress + inWindow;
     // Past its 64 KiB a segment wraps to its own start, and what happens without a base depends on the reader.
     if (m_base != Addressing::Linear && inWindow + dataSize() > window)
-        return wrong("the data runs past the end of its 64 KiB segment");
+        return wrong(say("the data runs past the end of its 64 KiB segment"));
     if (address + dataSize() > addressSpace)
-        return wrong("the data runs past the end of 32-bit addresses");
+        return wrong(say("the data runs past the end of 32-bit addresses"));
     if (dataSize() == 0)
         return {};
     m_records.push_back(
@@ -263,14 +262,14 @@ tl::unexpected<Error> IntelHexReader::conflictAt(std::uint32_t address) const
     const auto second = std::find_if(covering.begin(), covering.end(),
         [&](const Record &record) { return valueOf(record, address) != valueOf(first, address); });
     return wrongIn(second->line,
-        "address " + hexText(address, 5) + " is " + hexText(valueOf(*second, address), 2) + " here and "
-            + hexText(valueOf(first, address), 2) + " in line " + std::to_string(first.line));
+        say("address %1 is %2 here and %3 in line %4", hexText(address, 5), hexText(valueOf(*second, address), 2),
+            hexText(valueOf(first, address), 2), first.line));
 }
 
 Result<FirmwareImage> FirmwareImage::fromIntelHex(std::string_view text)
 {
     if (text.size() > maxTextSize)
-        return fail(Fault::OutOfRange, "the text is longer than " + std::to_string(maxTextSize >> 20U) + " MiB");
+        return fail(Fault::OutOfRange, say("the text is longer than %1 MiB", maxTextSize >> 20U));
     IntelHexReader reader;
     if (auto status = reader.read(text); !status)
         return fail(status.error());

@@ -66,16 +66,16 @@ Result<std::int64_t> toRaw(const Parameter &parameter, double number)
 {
     const std::string key(parameter.key);
     if (!std::isfinite(number))
-        return fail(Fault::OutOfRange, key + " needs a number");
+        return fail(Fault::OutOfRange, say("%1 needs a number", key));
     if (number > parameter.maximum)
-        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is above " + numberText(parameter.maximum),
-            "legal is " + rangeText(parameter));
+        return fail(Fault::OutOfRange, say("%1: %2 is above %3", key, number, parameter.maximum),
+            say("legal is %1", rangeText(parameter)));
     if (number < parameter.minimum)
-        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is below " + numberText(parameter.minimum),
-            "legal is " + rangeText(parameter));
+        return fail(Fault::OutOfRange, say("%1: %2 is below %3", key, number, parameter.minimum),
+            say("legal is %1", rangeText(parameter)));
     if (parameter.one == 1.0 && number != std::floor(number))
-        return fail(Fault::OutOfRange, key + ": " + numberText(number) + " is not a whole number",
-            "legal is " + rangeText(parameter));
+        return fail(Fault::OutOfRange, say("%1: %2 is not a whole number", key, number),
+            say("legal is %1", rangeText(parameter)));
     const RawRange wire = rangeOf(parameter.type);
     return std::clamp(toFixed(number, parameter.one), wire.low, wire.high);
 }
@@ -100,14 +100,15 @@ Result<std::int64_t> parseRaw(const Parameter &parameter, std::string_view text)
             return 1;
         if (word == "off" || word == "false" || word == "no" || word == "0")
             return 0;
-        return fail(Fault::OutOfRange, std::string(parameter.key) + ": '" + word + "' is neither on nor off",
-            "write on or off");
+        return fail(
+            Fault::OutOfRange, say("%1: '%2' is neither on nor off", parameter.key, word), say("write on or off"));
     }
     const auto hexadecimal = hexadecimalFrom(word);
     const auto number = hexadecimal ? hexadecimal : numberFrom(word);
     if (!number)
-        return fail(Fault::OutOfRange, std::string(parameter.key) + ": '" + word + "' is not a number",
-            word.find(',') == std::string::npos ? "write it like 2.5" : "write it with a dot, like 1.5, and no comma");
+        return fail(Fault::OutOfRange, say("%1: '%2' is not a number", parameter.key, word),
+            word.find(',') == std::string::npos ? say("write it like 2.5")
+                                                : say("write it with a dot, like 1.5, and no comma"));
     return toRaw(parameter, *number);
 }
 

@@ -29,9 +29,10 @@ Result<OptionalRaw> rawOf(const Parameter &parameter, const QJsonValue &raw)
     const std::string key(parameter.key);
     const double number = raw.toDouble();
     if (!raw.isDouble() || number != std::floor(number))
-        return fail(Fault::OutOfRange, key + ": raw is not a whole number", "delete it, the value says the same");
+        return fail(
+            Fault::OutOfRange, say("%1: raw is not a whole number", key), say("delete it, the value says the same"));
     if (!isLegal(parameter, static_cast<std::int64_t>(number)))
-        return fail(Fault::OutOfRange, key + ": raw value " + numberText(number) + " is out of range");
+        return fail(Fault::OutOfRange, say("%1: raw value %2 is out of range", key, number));
     return OptionalRaw(static_cast<std::int64_t>(number));
 }
 
@@ -43,8 +44,8 @@ Result<OptionalRaw> valueOf(const Parameter &parameter, const QJsonValue &value)
     if (isFlag && value.isBool())
         return OptionalRaw(value.toBool() ? 1 : 0);
     if (isFlag || !value.isDouble())
-        return fail(Fault::OutOfRange, std::string(parameter.key) + ": its value is of the wrong kind",
-            isFlag ? "write true or false" : "write a number");
+        return fail(Fault::OutOfRange, say("%1: its value is of the wrong kind", parameter.key),
+            isFlag ? say("write true or false") : say("write a number"));
     const auto raw = toRaw(parameter, value.toDouble());
     if (!raw)
         return fail(raw.error());
@@ -62,9 +63,9 @@ Result<OptionalRaw> rawFrom(const Parameter &parameter, const QJsonObject &row)
         return fail(value.error());
     if (*raw && *value && **raw != **value)
         return fail(Fault::OutOfRange,
-            std::string(parameter.key) + ": its value says " + toText(parameter, **value) + ", its raw value "
-                + toText(parameter, **raw),
-            "delete the one of the two that is old");
+            say("%1: its value says %2, its raw value %3", parameter.key, toText(parameter, **value),
+                toText(parameter, **raw)),
+            say("delete the one of the two that is old"));
     return *raw ? *raw : *value;
 }
 
@@ -76,7 +77,7 @@ Result<void> takeRow(const Family &family, const QString &key, const QJsonValue 
         return {};
     }
     if (!row.isObject())
-        return fail(Fault::OutOfRange, key.toStdString() + " is not an object");
+        return fail(Fault::OutOfRange, say("%1 is not an object", key.toStdString()));
     const auto raw = rawFrom(family.parameters[index->value], row.toObject());
     if (!raw)
         return fail(raw.error());
@@ -147,7 +148,7 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
         const std::string why = document.isNull()
             ? error.errorString().toStdString() + " at byte " + std::to_string(error.offset)
             : "no object at the top";
-        return fail(Fault::OutOfRange, "not a parameter file: " + why);
+        return fail(Fault::OutOfRange, say("not a parameter file: %1", why));
     }
     const QJsonObject object = document.object();
     ParameterFile file;
@@ -156,11 +157,10 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
     file.serial = object.value(QLatin1String("serial")).toString().toStdString();
     file.firmware = object.value(QLatin1String("firmware")).toString().toStdString();
     if (file.family != family.key)
-        return fail(Fault::OutOfRange,
-            "the file is for family '" + file.family + "', the device is a " + std::string(family.key));
+        return fail(Fault::OutOfRange, say("the file is for family '%1', the device is a %2", file.family, family.key));
     const QJsonValue rows = object.value(QLatin1String("parameters"));
     if (!rows.isObject())
-        return fail(Fault::OutOfRange, "not a parameter file: it has no \"parameters\"");
+        return fail(Fault::OutOfRange, say("not a parameter file: it has no \"parameters\""));
     const QJsonObject parameters = rows.toObject();
     for (auto row = parameters.begin(); row != parameters.end(); ++row) {
         if (auto taken = takeRow(family, row.key(), row.value(), file); !taken)
@@ -209,7 +209,7 @@ Result<QByteArray> loadFile(const std::string &path, std::int64_t limit)
     if (path.starts_with(":/")) { // a resource of the program, which only Qt can read
         QFile resource(qt(path));
         if (!resource.open(QIODevice::ReadOnly))
-            return fail(Fault::OutOfRange, path + " is not in this program");
+            return fail(Fault::OutOfRange, say("%1 is not in this program", path));
         return resource.readAll();
     }
     auto text = readTextFile(path, static_cast<std::size_t>(limit));

@@ -22,8 +22,8 @@ Task<std::vector<TransferOutcome>> readParameters(
     std::vector<TransferOutcome> outcomes;
     const int total = static_cast<int>(indices.size());
     for (const ParameterIndex index : indices) {
-        progress.step("Reading " + std::string(device.parameters().parameter(index).key),
-            static_cast<int>(outcomes.size()), total);
+        progress.step(
+            say("Reading %1", device.parameters().parameter(index).key), static_cast<int>(outcomes.size()), total);
         auto task = device.read(index);
         Result<std::int64_t> raw = co_await std::move(task).attempt();
         const bool silent = !raw && raw.error().fault == Fault::Timeout && !device.liveness().heard;
@@ -32,7 +32,7 @@ Task<std::vector<TransferOutcome>> readParameters(
         if (lost)
             break;
     }
-    progress.step("Read", static_cast<int>(outcomes.size()), total);
+    progress.step(say("Read"), static_cast<int>(outcomes.size()), total);
     co_return outcomes;
 }
 
@@ -57,8 +57,8 @@ Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
     outcome.verified = parameter.nature == Nature::Live || *back == change.raw;
     if (!*outcome.verified)
         outcome.raw = fail(Fault::BadCheck,
-            std::string(parameter.key) + " was written as " + toText(parameter, change.raw) + " but reads "
-                + toText(parameter, *back));
+            say("%1 was written as %2 but reads %3", parameter.key, toText(parameter, change.raw),
+                toText(parameter, *back)));
     co_return outcome;
 }
 
@@ -73,7 +73,7 @@ Task<std::vector<TransferOutcome>> writeParameters(
         device.family().arrange(device.parameters(), changes);
     for (const ParameterChange change : changes) {
         const std::string key(device.parameters().parameter(change.index).key);
-        progress.step("Writing " + key, static_cast<int>(outcomes.size()), total);
+        progress.step(say("Writing %1", key), static_cast<int>(outcomes.size()), total);
         auto task = writeOne(device, change);
         TransferOutcome outcome = co_await std::move(task);
         const bool failed = !outcome.raw; // who asked for it says so
@@ -81,7 +81,7 @@ Task<std::vector<TransferOutcome>> writeParameters(
         if (failed)
             break;
     }
-    progress.step("Written", static_cast<int>(outcomes.size()), total);
+    progress.step(say("Written"), static_cast<int>(outcomes.size()), total);
     co_return outcomes;
 }
 
@@ -100,7 +100,7 @@ std::vector<ParameterChange> lostSettings(const Family &family, const DeviceProf
 Task<int> rewriteSettings(Device &device, Progress &progress)
 {
     if (device.liveness().moving)
-        co_return fail(Fault::Unsafe, "stop the motors before settings are written again");
+        co_return fail(Fault::Unsafe, say("stop the motors before settings are written again"));
     if (device.liveness().restarted) { // noticed, and nobody has looked at it since
         auto looking = device.refresh();
         co_await std::move(looking);
@@ -110,18 +110,20 @@ Task<int> rewriteSettings(Device &device, Progress &progress)
     for (int i = 0; i < total; ++i) {
         const ParameterChange &change = lost[static_cast<std::size_t>(i)];
         const std::string key(device.parameters().parameter(change.index).key);
-        const std::string sofar = std::to_string(i) + " of " + std::to_string(total) + " settings were written again; ";
-        progress.step("Writing " + key, i, total);
+        progress.step(say("Writing %1", key), i, total);
         auto task = writeOne(device, change);
         const TransferOutcome outcome = co_await std::move(task);
         if (!outcome.raw)
-            co_return fail(outcome.raw.error().fault, sofar + key + ": " + outcome.raw.error().text(),
-                "what is missing is still unknown, do it again");
+            co_return fail(outcome.raw.error().fault,
+                say("%1 of %2 settings were written again; %3: %4", i, total, key, outcome.raw.error().message()),
+                say("what is missing is still unknown, do it again"));
         if (device.liveness().restarted)
-            co_return fail(Fault::Refused, sofar + "then the board was reset once more", "do it again");
+            co_return fail(Fault::Refused,
+                say("%1 of %2 settings were written again; then the board was reset once more", i, total),
+                say("do it again"));
     }
-    progress.step("Written", total, total);
-    progress.log(Severity::Good, std::to_string(total) + " settings written again");
+    progress.step(say("Written"), total, total);
+    progress.log(Severity::Good, say("%1 settings written again", total));
     co_return total;
 }
 

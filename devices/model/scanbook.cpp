@@ -81,13 +81,14 @@ Result<std::vector<Identity>> ScanBook::load(std::string_view link) const
     if (auto all = parse(*bytes, link))
         return std::move(*all);
     return fail(Fault::OutOfRange,
-        path + " is no list of devices and is ignored: the next scan takes its full time and writes it anew");
+        say("%1 is no list of devices and is ignored: the next scan takes its full time and writes it anew", path));
 }
 
 Result<void> ScanBook::save(std::string_view link, const std::vector<Identity> &seen) const
 {
     if (!QDir().mkpath(qt(m_directory)))
-        return fail(Fault::OutOfRange, m_directory + " cannot be made", "check the rights of the folder above it");
+        return fail(
+            Fault::OutOfRange, say("%1 cannot be made", m_directory), say("check the rights of the folder above it"));
     QJsonArray rows;
     for (const Identity &identity : seen)
         rows.append(toJson(identity));

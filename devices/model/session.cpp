@@ -362,13 +362,13 @@ Task<Device *> Session::connect(DeviceSelector selector)
     }
     if (fitting.empty())
         co_return fail(Fault::Timeout,
-            "no " + selector.family + (recording ? " sends" : " answers") + " as number "
-                + std::to_string(selector.address) + (recording ? " in " : " on ") + selector.link.text(),
-            recording ? "a scan of the recording lists who does" : "");
+            recording
+                ? say("no %1 sends as number %2 in %3", selector.family, selector.address, selector.link.text())
+                : say("no %1 answers as number %2 on %3", selector.family, selector.address, selector.link.text()),
+            recording ? say("a scan of the recording lists who does") : Message());
     if (fitting.size() > 1)
-        co_return fail(Fault::Refused,
-            std::to_string(fitting.size()) + " units answer as number " + std::to_string(selector.address),
-            "name one: " + fitting[0]->selector() + " or " + fitting[1]->selector());
+        co_return fail(Fault::Refused, say("%1 units answer as number %2", fitting.size(), selector.address),
+            say("name one: %1 or %2", fitting[0]->selector(), fitting[1]->selector()));
     co_return fitting.front();
 }
 

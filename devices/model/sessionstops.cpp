@@ -58,10 +58,9 @@ Result<void> Session::releaseMoves(Device &lead)
             continue;
         if (!entry.stream || !entry.stream->isRunning())
             return fail(Fault::Unsafe,
-                "number " + std::to_string(device.identity().address)
-                    + " still keeps a move that was stopped before it began, and would begin it too; give it a new "
-                      "one, "
-                      "or switch it off and on");
+                say("number %1 still keeps a move that was stopped before it began, and would begin it too",
+                    device.identity().address),
+                say("give it a new one, or switch it off and on"));
         if (!device.guard().stands())
             return fail(Fault::Unsafe, device.guard().reason());
     }

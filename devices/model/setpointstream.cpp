@@ -94,7 +94,7 @@ void SetPointStream::begin()
 {
     m_startedAt = m_clock.now();
     if (m_waiting)
-        m_timer.startIn(guardLimit, [this] { finish(End::Unguarded, "no guardian came within two seconds"); });
+        m_timer.startIn(guardLimit, [this] { finish(End::Unguarded, say("no guardian came within two seconds")); });
     else
         scheduleNext(m_startedAt);
 }
@@ -102,7 +102,7 @@ void SetPointStream::begin()
 void SetPointStream::watch(Duration lease)
 {
     m_lease = std::make_unique<Lease>(
-        m_clock, lease, [this] { finish(End::LeaseExpired, "nobody renewed the motion lease"); });
+        m_clock, lease, [this] { finish(End::LeaseExpired, say("nobody renewed the motion lease")); });
     m_linkState = m_device.link().stateChanged().add([this](LinkState) { (void)checkDevice(); });
     m_deviceChanged = m_device.changed().add([this] { (void)checkDevice(); });
     m_guardChanged = m_device.guard().changed().add([this] { guardChanged(); });
@@ -130,7 +130,7 @@ Result<void> SetPointStream::update(const SetPoint &setPoint)
 Result<void> SetPointStream::follow(const SetPoint &setPoint)
 {
     if (!checkDevice())
-        return fail(Fault::Unsafe, "the motor was stopped", "arm again");
+        return fail(Fault::Unsafe, say("the motor was stopped"), say("arm again"));
     if (auto checked = m_device.check(setPoint); !checked)
         return checked;
     remember(setPoint);
@@ -154,7 +154,7 @@ void SetPointStream::renew()
 void SetPointStream::stop()
 {
     if (m_running)
-        finish(End::Stopped, "stopped");
+        finish(End::Stopped, say("stopped"));
     else
         m_device.stop();
 }
@@ -177,23 +177,23 @@ bool SetPointStream::checkDevice()
         return false;
     const Liveness &liveness = m_device.liveness();
     if (m_device.isStopPressed())
-        finish(End::Stopped, "stopped");
+        finish(End::Stopped, say("stopped"));
     else if (m_device.link().state() != LinkState::Open)
-        finish(End::LinkLost, m_device.link().address().shortName() + ": " + m_device.link().reason());
+        finish(End::LinkLost, say("%1: %2", m_device.link().address().shortName(), m_device.link().reason()));
     else if (m_device.guard().hasFailed())
         finish(End::Unguarded, m_device.guard().reason());
     else if (hasSlept())
-        finish(End::Slept, "the computer slept");
+        finish(End::Slept, say("the computer slept"));
     else if (isLate())
         finish(End::Late,
-            "this program was held up for " + std::to_string((m_clock.now() - m_sentAt) / std::chrono::milliseconds(1))
-                + " ms, longer than the motor goes without a set-point");
+            say("this program was held up for %1 ms, longer than the motor goes without a set-point",
+                (m_clock.now() - m_sentAt) / std::chrono::milliseconds(1)));
     else if (liveness.foreignMaster)
-        finish(End::ForeignMaster, "another master sends control frames to this device");
+        finish(End::ForeignMaster, say("another master sends control frames to this device"));
     else if (liveness.restarted)
-        finish(End::DeviceRestarted, "the device restarted");
+        finish(End::DeviceRestarted, say("the device restarted"));
     else if (!liveness.heard && m_clock.now() - m_startedAt > grace)
-        finish(End::DeviceSilent, "the device is not heard any more");
+        finish(End::DeviceSilent, say("the device is not heard any more"));
     return m_running;
 }
 

@@ -93,7 +93,7 @@ Result<int> rateOf(int asked, const Rates &rates)
 {
     const int rate = asked == 0 ? rates.usual : asked;
     if (rate < rates.lowest || rate > rates.highest)
-        return fail(Fault::OutOfRange, "link option bitrate=" + std::to_string(asked) + " is out of range");
+        return fail(Fault::OutOfRange, say("link option bitrate=%1 is out of range", asked));
     return rate;
 }
 
@@ -116,7 +116,7 @@ Result<std::unique_ptr<SimulatedBus>> makeSimulatedBus(LinkKind kind, Clock &clo
         return make<SimulatedLine>(clock, bitrate, seed, {115'200, SerialLink::slowest, SerialLink::fastest});
     case LinkKind::Spi: return make<SimulatedSpi>(clock, bitrate, seed, {500'000, 10'000, 10'000'000});
     }
-    return fail(Fault::Unsupported, "this build simulates no devices on sim:" + std::string(toString(kind)));
+    return fail(Fault::Unsupported, say("this build simulates no devices on sim:%1", toString(kind)));
 }
 
 } // namespace mb

@@ -46,8 +46,8 @@ Result<SimulatedFault> SimulatedFault::parse(std::string_view text)
     const auto row
         = std::find_if(faultRows.begin(), faultRows.end(), [&](const FaultRow &r) { return r.kind == fault.kind; });
     if (row == faultRows.end())
-        return fail(Fault::OutOfRange, "unknown fault '" + fault.kind + "'");
-    const auto bad = [text] { return fail(Fault::OutOfRange, "fault '" + std::string(text) + "' does not parse"); };
+        return fail(Fault::OutOfRange, say("unknown fault '%1'", fault.kind));
+    const auto bad = [text] { return fail(Fault::OutOfRange, say("fault '%1' does not parse", text)); };
     if (row->needs == Needs::Nothing)
         return at == std::string_view::npos ? Result<SimulatedFault>(fault) : bad();
     if (at == std::string_view::npos)
@@ -64,18 +64,18 @@ Result<SimulatedFault> SimulatedFault::parse(std::string_view text)
 
 Result<SimulatedUnit> SimulatedUnit::parse(std::string_view text)
 {
-    const auto bad = [text](std::string_view why) {
-        return fail(Fault::OutOfRange, "'" + std::string(text) + "' is not a simulated device: " + std::string(why));
+    const auto bad = [text](const Message &why) {
+        return fail(Fault::OutOfRange, say("'%1' is not a simulated device: %2", text, why));
     };
     const std::string_view device = text.substr(0, text.find(','));
     const auto colon = device.find(':');
     if (colon == std::string_view::npos || colon == 0)
-        return bad("FAMILY:ADDRESS is needed, such as dmc60c:5");
+        return bad(say("FAMILY:ADDRESS is needed, such as dmc60c:5"));
     SimulatedUnit unit;
     unit.family = device.substr(0, colon);
     double address = 0.0;
     if (!parseNumber(device.substr(colon + 1), address) || address > 65535.0 || address != static_cast<int>(address))
-        return bad("its address is not a number");
+        return bad(say("its address is not a number"));
     unit.address = static_cast<int>(address);
     std::string_view rest = text.substr(device.size());
     while (!rest.empty()) {
@@ -84,7 +84,7 @@ Result<SimulatedUnit> SimulatedUnit::parse(std::string_view text)
         rest.remove_prefix(item.size());
         const auto equals = item.find('=');
         if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size())
-            return bad("option '" + std::string(item) + "' is not KEY=VALUE");
+            return bad(say("option '%1' is not KEY=VALUE", item));
         if (item.substr(0, equals) != "fault") {
             unit.options.emplace_back(item.substr(0, equals), item.substr(equals + 1));
             continue;

@@ -13,27 +13,27 @@
 namespace mb {
 namespace {
 
-tl::unexpected<Error> refused(const std::string &path, const std::string &cause)
+tl::unexpected<Error> refused(const std::string &path, const Message &cause)
 {
-    return fail(Fault::OutOfRange, path + ": " + cause);
+    return fail(Fault::OutOfRange, say("%1: %2", path, cause));
 }
 
-/// In English whatever the locale.
-std::string causeOf(int number)
+/// Not by strerror(), whose words depend on the locale.
+Message causeOf(int number)
 {
     switch (number) {
     case ENOENT:
-    case ENOTDIR: return "no such file";
+    case ENOTDIR: return say("no such file");
     case EACCES:
-    case EPERM: return "no permission to read it";
-    case EISDIR: return "is a directory";
-    default: return "cannot be read (system error " + std::to_string(number) + ")";
+    case EPERM: return say("no permission to read it");
+    case EISDIR: return say("is a directory");
+    default: return say("cannot be read (system error %1)", number);
     }
 }
 
-std::string tooLong(std::size_t maxBytes)
+Message tooLong(std::size_t maxBytes)
 {
-    return "is longer than " + std::to_string(maxBytes) + " bytes";
+    return say("is longer than %1 bytes", maxBytes);
 }
 
 } // namespace
@@ -45,9 +45,9 @@ Result<std::string> readTextFile(const std::string &path, std::size_t maxBytes)
     if (file.get() < 0 || ::fstat(file.get(), &status) != 0)
         return refused(path, causeOf(errno));
     if (S_ISDIR(status.st_mode))
-        return refused(path, "is a directory");
+        return refused(path, say("is a directory"));
     if (!S_ISREG(status.st_mode))
-        return refused(path, "is not a regular file");
+        return refused(path, say("is not a regular file"));
     if (status.st_size > 0 && static_cast<std::uintmax_t>(status.st_size) > maxBytes)
         return refused(path, tooLong(maxBytes));
     std::string text;

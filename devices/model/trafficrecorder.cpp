@@ -23,7 +23,8 @@ Result<std::unique_ptr<TrafficRecorder>> TrafficRecorder::start(
     Link &link, Clock &clock, Duration unixOffset, std::unique_ptr<BackgroundFile> file)
 {
     if (link.kind() != LinkKind::Can)
-        return fail(Fault::Unsupported, link.address().shortName() + " is no CAN link", "only those are recorded");
+        return fail(
+            Fault::Unsupported, say("%1 is no CAN link", link.address().shortName()), say("only those are recorded"));
     return std::unique_ptr<TrafficRecorder>(new TrafficRecorder(link, clock, unixOffset, std::move(file)));
 }
 

@@ -37,8 +37,8 @@ Transcript transcriptOf(
 Result<std::string> save(const Transcript &transcript)
 {
     if (!QDir().mkpath(QString::fromStdString(transcript.folder)))
-        return fail(
-            Fault::OutOfRange, transcript.folder + " cannot be made", "check the rights of the folder above it");
+        return fail(Fault::OutOfRange, say("%1 cannot be made", transcript.folder),
+            say("check the rights of the folder above it"));
     if (auto saved = saveFile(transcript.path, QByteArray::fromStdString(transcript.text)); !saved)
         return fail(saved.error());
     return transcript.path;

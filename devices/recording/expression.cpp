@@ -90,7 +90,7 @@ struct Expression::Compiler {
     Result<std::string> compile(std::string text)
     {
         if (++depth > deepest)
-            return fail(Fault::OutOfRange, "the formula is nested too deeply");
+            return fail(Fault::OutOfRange, say("the formula is nested too deeply"));
         for (std::size_t at = 0; at < text.size(); ++at) {
             if (!std::isalpha(static_cast<unsigned char>(text[at])) || (at > 0 && isWord(text[at - 1])))
                 continue;
@@ -124,12 +124,12 @@ struct Expression::Compiler {
                 break;
         }
         if (close == text.size())
-            return fail(Fault::OutOfRange, "a parenthesis is not closed");
+            return fail(Fault::OutOfRange, say("a parenthesis is not closed"));
         const bool average = kind == MovingValue::Kind::Average;
         if (average != (comma < close))
             return fail(Fault::OutOfRange,
-                average ? "average takes a signal and seconds, such as average(x, 0.1)"
-                        : "derivative and integral take one signal");
+                average ? say("average takes a signal and seconds, such as average(x, 0.1)")
+                        : say("derivative and integral take one signal"));
         double seconds = 0.0;
         if (average) {
             const std::string number = text.substr(comma + 1, close - comma - 1);
@@ -139,7 +139,7 @@ struct Expression::Compiler {
                 seconds = parser.Eval();
             });
             if (!read || !(seconds > 0.0 && seconds <= longestAverage))
-                return fail(Fault::OutOfRange, "average takes 0 to 3600 seconds, not '" + number + "'");
+                return fail(Fault::OutOfRange, say("average takes 0 to 3600 seconds, not '%1'", number));
         }
         auto inner = compile(text.substr(open + 1, std::min(comma, close) - open - 1));
         if (!inner)
@@ -165,9 +165,9 @@ Expression::~Expression() = default;
 Result<Expression> Expression::parse(std::string_view text, const std::vector<std::string> &names)
 {
     if (text.size() > longestText)
-        return fail(Fault::OutOfRange, "a formula has at most 4000 characters");
+        return fail(Fault::OutOfRange, say("a formula has at most 4000 characters"));
     if (text.find("step__") != std::string_view::npos || assigns(text))
-        return fail(Fault::OutOfRange, "a formula assigns nothing", "write == to compare");
+        return fail(Fault::OutOfRange, say("a formula assigns nothing"), say("write == to compare"));
     auto formula = std::make_unique<Formula>();
     formula->values.assign(names.size(), 1.0);
     Compiler compiler{*formula, names};
@@ -179,7 +179,7 @@ Result<Expression> Expression::parse(std::string_view text, const std::vector<st
     std::sort(formula->used.begin(), formula->used.end());
     formula->used.erase(std::unique(formula->used.begin(), formula->used.end()), formula->used.end());
     if (formula->used.empty())
-        return fail(Fault::OutOfRange, "the formula uses no signal");
+        return fail(Fault::OutOfRange, say("the formula uses no signal"));
     return Expression(std::move(formula));
 }
 

@@ -64,7 +64,7 @@ Result<ExportReport> joinRecordings(
         readable += reader.read(paths[i]) ? 1U : 0U; // one that was cut before its first channel has nothing
     }
     if (readable == 0)
-        return fail(Fault::Unsupported, "nothing has been recorded yet");
+        return fail(Fault::Unsupported, say("nothing has been recorded yet"));
     for (const auto &[name, map] : facts)
         (*writer)->metadata(name, map);
     if (auto finished = (*writer)->finish(); !finished)

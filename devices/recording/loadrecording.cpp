@@ -91,7 +91,7 @@ Result<std::shared_ptr<const LoadedRecording>> loadRecording(const std::string &
     std::error_code error;
     if (const auto kind = std::filesystem::status(path, error);
         std::filesystem::is_character_file(kind) || std::filesystem::is_block_file(kind))
-        return fail(Fault::OutOfRange, path + " is a device and has no end", "name a recording");
+        return fail(Fault::OutOfRange, say("%1 is a device and has no end", path), say("name a recording"));
     auto loaded = endsWith(path, ".mcap") ? loadMcap(path) : loadTable(path);
     if (!loaded)
         return fail(loaded.error());
@@ -108,7 +108,7 @@ Result<std::shared_ptr<const LoadedRecording>> loadRecording(const std::string &
         any = true;
     }
     if (!any)
-        return fail(Fault::OutOfRange, path + " has no samples");
+        return fail(Fault::OutOfRange, say("%1 has no samples", path));
     return std::shared_ptr<const LoadedRecording>(std::move(*loaded));
 }
 

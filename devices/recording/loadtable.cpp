@@ -76,7 +76,7 @@ public:
     Result<std::shared_ptr<LoadedRecording>> read()
     {
         if (!m_file)
-            return fail(Fault::OutOfRange, m_path + " cannot be read: " + std::strerror(errno));
+            return fail(Fault::OutOfRange, say("%1 cannot be read: %2", m_path, std::strerror(errno)));
         std::string line;
         while (next(line) && line.rfind('#', 0) == 0)
             takeComment(line);
@@ -125,7 +125,7 @@ private:
 
     [[nodiscard]] tl::unexpected<Error> wrong(const std::string &what) const
     {
-        return fail(Fault::OutOfRange, m_path + ", line " + std::to_string(m_line) + ": " + what);
+        return fail(Fault::OutOfRange, say("%1, line %2: %3", m_path, m_line, what));
     }
 
     Result<void> takeRow(const std::vector<std::string> &fields)

@@ -32,10 +32,10 @@ public:
     Result<bool> run()
     {
         if (!m_file)
-            return fail(Fault::OutOfRange, m_path + " cannot be read: " + std::strerror(errno));
+            return fail(Fault::OutOfRange, say("%1 cannot be read: %2", m_path, std::strerror(errno)));
         std::array<std::uint8_t, mcap::magic.size()> start{};
         if (std::fread(start.data(), 1, start.size(), m_file.get()) != start.size() || start != mcap::magic)
-            return fail(Fault::OutOfRange, m_path + " is not an MCAP file");
+            return fail(Fault::OutOfRange, say("%1 is not an MCAP file", m_path));
         bool complete = false;
         while (!complete && next()) {
             complete = m_kind == Kind::DataEnd;
@@ -45,7 +45,7 @@ public:
         if (!m_wrong.empty())
             return fail(Fault::OutOfRange, m_path + m_wrong);
         if (m_samples.empty())
-            return fail(Fault::OutOfRange, m_path + " has no channel of samples");
+            return fail(Fault::OutOfRange, say("%1 has no channel of samples", m_path));
         return complete;
     }
 

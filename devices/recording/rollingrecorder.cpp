@@ -66,7 +66,7 @@ Result<void> RollingRecorder::lockFolder()
     m_lock = error ? -1 : ::open((m_path + '/' + lockName).c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0600);
     if (m_lock < 0)
         return fail(Fault::LinkLost,
-            m_path + " cannot be written: " + (error ? error.message() : std::string(std::strerror(errno))));
+            say("%1 cannot be written: %2", m_path, (error ? error.message() : std::string(std::strerror(errno)))));
     (void)::flock(m_lock, LOCK_EX | LOCK_NB);
     return {};
 }

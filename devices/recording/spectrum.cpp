@@ -102,11 +102,11 @@ Result<Spectrum> spectrumOf(const std::vector<Point> &points)
     const std::span<const Point> stretch = longestStretch(points);
     const Duration step = medianStep(stretch);
     if (stretch.size() < leastSamples || step <= Duration::zero())
-        return fail(Fault::OutOfRange, "fewer than 16 samples connect", "select a longer stretch");
+        return fail(Fault::OutOfRange, say("fewer than 16 samples connect"), say("select a longer stretch"));
     const auto fitting = static_cast<std::size_t>((stretch.back().time - stretch.front().time) / step) + 1;
     const std::size_t count = std::min(fitting, mostSamples);
     if (count < leastSamples)
-        return fail(Fault::OutOfRange, "fewer than 16 samples connect", "select a longer stretch");
+        return fail(Fault::OutOfRange, say("fewer than 16 samples connect"), say("select a longer stretch"));
     std::vector<double> even = resampled(stretch, count, step);
     const double mean = std::accumulate(even.begin(), even.end(), 0.0) / static_cast<double>(count);
     for (double &value : even)

@@ -83,7 +83,7 @@ std::vector<ValueChange> judged(
 
 void notKept(Progress &progress, const Error &error)
 {
-    progress.log(Severity::Caution, "the history does not have this write: " + error.text());
+    progress.log(Severity::Caution, say("the history does not have this write: %1", error.message()));
 }
 
 std::vector<ParameterChange> writesOf(const Family &family, const std::vector<ValueChange> &values,
@@ -181,7 +181,7 @@ Task<SettingsChange> undo(Device &device, Origin origin, SettingsLog &log, Progr
     auto looking = historyOf(device, log);
     const HistoryView history = co_await std::move(looking);
     if (!history.undo)
-        co_return fail(Fault::Refused, "the history of " + device.selector() + " has nothing to undo");
+        co_return fail(Fault::Refused, say("the history of %1 has nothing to undo", device.selector()));
     std::vector<ParameterChange> writes = writesOf(device.family(), undoable(device.family(), *history.undo),
         [](const ValueChange &value) { return value.before; });
     std::reverse(writes.begin(), writes.end());
@@ -195,7 +195,7 @@ Task<SettingsChange> redo(Device &device, Origin origin, SettingsLog &log, Progr
     auto looking = historyOf(device, log);
     const HistoryView history = co_await std::move(looking);
     if (!history.redo)
-        co_return fail(Fault::Refused, "the history of " + device.selector() + " has nothing to do again");
+        co_return fail(Fault::Refused, say("the history of %1 has nothing to do again", device.selector()));
     std::vector<ParameterChange> writes = writesOf(device.family(), undoable(device.family(), *history.redo),
         [](const ValueChange &value) { return std::optional(value.after); });
     auto writing = writeAll(device, std::move(writes), {origin, Purpose::Redo, history.redo->number}, log, progress);

@@ -61,8 +61,8 @@ Result<std::unique_ptr<Database>> Database::open(const std::string &path)
 {
     const QFileInfo file(qt(path));
     if (!QDir().mkpath(file.absolutePath()))
-        return fail(Fault::OutOfRange,
-            file.absolutePath().toStdString() + " cannot be made; check the rights of the folder above it");
+        return fail(Fault::OutOfRange, say("%1 cannot be made", file.absolutePath().toStdString()),
+            say("check the rights of the folder above it"));
     std::unique_ptr<Database> database(new Database(path, nextConnection()));
     auto connected = database->connect();
     const bool damaged = database->m_lastCode == damagedCode || database->m_lastCode == notADatabaseCode;
@@ -83,13 +83,14 @@ Result<void> Database::connect()
     const QFileInfo file(qt(m_path));
     m_readOnly = file.exists() ? !file.isWritable() : !QFileInfo(file.absolutePath()).isWritable();
     if (m_readOnly && !file.exists())
-        return fail(Fault::OutOfRange, file.absolutePath().toStdString() + " cannot be written; check its rights");
+        return fail(
+            Fault::OutOfRange, say("%1 cannot be written", file.absolutePath().toStdString()), say("check its rights"));
     QSqlDatabase made = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), qt(m_connection));
     made.setDatabaseName(qt(m_path));
     made.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000")
         + (m_readOnly ? QStringLiteral(";QSQLITE_OPEN_READONLY") : QString()));
     if (!made.open())
-        return fail(Fault::OutOfRange, m_path + " cannot be opened: " + made.lastError().text().toStdString());
+        return fail(Fault::OutOfRange, say("%1 cannot be opened: %2", m_path, made.lastError().text().toStdString()));
     if (m_readOnly)
         return run("SELECT count(*) FROM trial");
     for (const char *const setting :
@@ -111,8 +112,9 @@ Result<void> Database::migrate()
             return read;
         if (version > newest)
             return fail(Fault::OutOfRange,
-                m_path + " was made by a newer version of this program (schema " + std::to_string(version)
-                    + ", known here is " + std::to_string(newest) + "); use that one");
+                say("%1 was made by a newer version of this program (schema %2, known here is %3)", m_path, version,
+                    newest),
+                say("use that one"));
         if (version == newest)
             return {};
         for (; version < newest; ++version) {
@@ -132,7 +134,7 @@ Result<void> Database::putAside()
     close();
     const QString aside = freeName(qt(m_path));
     if (!QFile::rename(qt(m_path), aside))
-        return fail(Fault::OutOfRange, m_path + " is damaged and cannot be put aside; move it away");
+        return fail(Fault::OutOfRange, say("%1 is damaged and cannot be put aside", m_path), say("move it away"));
     for (const char *const part : {"-wal", "-shm"}) // of the damaged one: they must not be taken for the new one's
         QFile::rename(qt(m_path) + QLatin1String(part), aside + QLatin1String(part));
     m_remark = m_path + " was damaged: it was put aside as " + aside.toStdString() + ", and a new one begun";
@@ -153,7 +155,7 @@ Result<void> Database::run(const char *statement, const QVariantList &values, co
     }
     m_lastCode = query.lastError().nativeErrorCode().toStdString();
     if (!good || query.lastError().isValid())
-        return fail(Fault::OutOfRange, m_path + ": " + query.lastError().databaseText().toStdString());
+        return fail(Fault::OutOfRange, say("%1: %2", m_path, query.lastError().databaseText().toStdString()));
     m_lastRow = query.lastInsertId().toLongLong();
     m_changed = query.numRowsAffected();
     return {};

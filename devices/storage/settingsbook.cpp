@@ -100,7 +100,7 @@ std::string SettingsBook::resolved(const std::string &unit)
 Result<void> SettingsBook::setTag(const std::string &place, const std::string &tag)
 {
     if (settings::byOf(place) != settings::Unit::By::Place)
-        return fail(Fault::OutOfRange, "a unit that has a serial number needs no tag");
+        return fail(Fault::OutOfRange, say("a unit that has a serial number needs no tag"));
     if (tag.empty())
         return m_database.run("DELETE FROM tag WHERE place = ?", {qt(place)});
     return m_database.run(
@@ -220,13 +220,14 @@ Result<ParameterSnapshot> SettingsBook::find(const std::string &nameOrNumber, co
         return fail(found.error());
     if (found->empty())
         return fail(Fault::OutOfRange,
-            "there is no snapshot '" + nameOrNumber + "'" + (unit.empty() ? "" : " of this unit"),
-            "'motorbenchctl snapshots' lists those there are");
+            unit.empty() ? say("there is no snapshot '%1'", nameOrNumber)
+                         : say("there is no snapshot '%1' of this unit", nameOrNumber),
+            say("'motorbenchctl snapshots' lists those there are"));
     const bool several = std::any_of(found->begin(), found->end(),
         [&found](const ParameterSnapshot &snapshot) { return snapshot.unit != found->back().unit; });
     if (several)
-        return fail(Fault::OutOfRange, "several units have a snapshot '" + nameOrNumber + "'",
-            "name it by its number; 'motorbenchctl snapshots' lists them");
+        return fail(Fault::OutOfRange, say("several units have a snapshot '%1'", nameOrNumber),
+            say("name it by its number; 'motorbenchctl snapshots' lists them"));
     return std::move(found->back());
 }
 

@@ -198,8 +198,8 @@ Result<void> TrialBook::changeOne(std::int64_t number, const char *statement, co
         return done;
     if (m_database.changed() == 1)
         return {};
-    return fail(Fault::OutOfRange,
-        "there is no trial " + std::to_string(number) + "; 'motorbenchctl trials' lists those there are");
+    return fail(
+        Fault::OutOfRange, say("there is no trial %1", number), say("'motorbenchctl trials' lists those there are"));
 }
 
 Result<std::vector<KeptTrial>> TrialBook::read(const std::string &where, const QVariantList &values)
@@ -264,8 +264,8 @@ Result<KeptTrial> TrialBook::find(std::int64_t number)
     if (!read)
         return fail(read.error());
     if (!found)
-        return fail(Fault::OutOfRange,
-            "there is no trial " + std::to_string(number) + "; 'motorbenchctl trials' lists those there are");
+        return fail(Fault::OutOfRange, say("there is no trial %1", number),
+            say("'motorbenchctl trials' lists those there are"));
     return *found;
 }
 

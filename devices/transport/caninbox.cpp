@@ -44,7 +44,7 @@ Result<CanFrame> CanInbox::take()
     }
     if (m_link.state() != LinkState::Open)
         return fail(m_link.notOpen());
-    return fail(Fault::Timeout, "no answer");
+    return fail(Fault::Timeout, say("no answer"));
 }
 
 } // namespace mb

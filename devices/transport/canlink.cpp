@@ -17,7 +17,7 @@ Result<void> CanLink::send(const CanFrame &frame, Priority priority)
     if (state() != LinkState::Open)
         return fail(notOpen());
     if (frame.size > frame.data.size() || frame.error || frame.id > (frame.extended ? 0x1FFFFFFFU : 0x7FFU))
-        return fail(Fault::OutOfRange, "no CAN frame: its identifier or size is out of range");
+        return fail(Fault::OutOfRange, say("no CAN frame: its identifier or size is out of range"));
     CanFrame stamped = frame;
     stamped.time = m_clock.now();
     if (auto sent = doSend(stamped, priority); !sent)

@@ -6,7 +6,7 @@ namespace mb {
 Task<CanFrame> exchange(CanLink &link, Clock &clock, CanFrame request, CanInbox::Match match, Attempts attempts)
 {
     CanInbox inbox(link, clock, std::move(match));
-    Error last{Fault::Timeout, "no answer"};
+    Error last{Fault::Timeout, say("no answer")};
     for (int i = 0; i < link.patience().tries(attempts.tries); ++i) {
         if (auto sent = link.send(request); !sent)
             co_return fail(sent.error());

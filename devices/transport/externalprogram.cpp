@@ -37,7 +37,8 @@ ExternalProgram::ExternalProgram(Clock &clock)
     QObject::connect(m_process.get(), &QProcess::errorOccurred, m_process.get(), [this](QProcess::ProcessError error) {
         if (error != QProcess::FailedToStart)
             return; // the others end in finished()
-        m_error = Error{Fault::LinkLost, m_name + " cannot be started: " + m_process->errorString().toStdString()};
+        m_error
+            = Error{Fault::LinkLost, say("%1 cannot be started: %2", m_name, m_process->errorString().toStdString())};
         m_ended = true;
         wakeSoon();
     });
@@ -63,7 +64,8 @@ Result<void> ExternalProgram::start(const Command &command)
     m_name = command.program;
     const auto path = locate(command.program);
     if (!path)
-        return fail(Fault::LinkLost, m_name + " is not installed", "install the package that has it and try again");
+        return fail(
+            Fault::LinkLost, say("%1 is not installed", m_name), say("install the package that has it and try again"));
     QStringList arguments;
     for (const std::string &argument : command.arguments)
         arguments << qt(argument);
@@ -151,7 +153,7 @@ Result<std::optional<ExternalProgram::Piece>> ExternalProgram::take()
         return fail(*m_error);
     if (m_ended)
         return std::optional<Piece>();
-    return fail(Fault::Timeout, m_name + " said nothing for too long");
+    return fail(Fault::Timeout, say("%1 said nothing for too long", m_name));
 }
 
 } // namespace mb

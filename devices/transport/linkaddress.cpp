@@ -16,7 +16,7 @@ Result<void> parseOptions(std::string_view text, std::vector<std::pair<std::stri
         text.remove_prefix(std::min(text.size(), item.size() + 1));
         const auto equals = item.find('=');
         if (equals == std::string_view::npos || equals == 0 || equals + 1 == item.size())
-            return fail(Fault::OutOfRange, "link option '" + std::string(item) + "' is not KEY=VALUE");
+            return fail(Fault::OutOfRange, say("link option '%1' is not KEY=VALUE", item));
         out.emplace_back(item.substr(0, equals), item.substr(equals + 1));
     }
     return {};
@@ -38,14 +38,14 @@ Result<LinkAddress> LinkAddress::parse(std::string_view text)
 {
     const auto colon = text.find(':');
     if (colon == std::string_view::npos)
-        return fail(Fault::OutOfRange,
-            "'" + std::string(text) + "' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:");
+        return fail(
+            Fault::OutOfRange, say("'%1' is not a link: SCHEME:PATH is needed, such as socketcan:can0 or sim:", text));
     LinkAddress address;
     address.scheme = text.substr(0, colon);
     if (std::find(schemes.begin(), schemes.end(), address.scheme) == schemes.end())
         return fail(Fault::OutOfRange,
-            "unknown link kind '" + address.scheme
-                + "': sim, socketcan, qtcan, serial, spidev, unix and replay are known");
+            say("unknown link kind '%1': sim, socketcan, qtcan, serial, spidev, unix and replay are known",
+                address.scheme));
     const std::string_view rest = text.substr(colon + 1);
     const auto question = rest.find('?');
     address.path = rest.substr(0, question);
@@ -56,9 +56,9 @@ Result<LinkAddress> LinkAddress::parse(std::string_view text)
     if (address.isSimulated()) {
         if (!address.path.empty() && address.path != "can" && address.path != "serial" && address.path != "spi")
             return fail(Fault::OutOfRange,
-                "there is no simulated link 'sim:" + address.path + "': can, serial and spi are known");
+                say("there is no simulated link 'sim:%1': can, serial and spi are known", address.path));
     } else if (address.path.empty()) {
-        return fail(Fault::OutOfRange, "'" + std::string(text) + "' names no interface");
+        return fail(Fault::OutOfRange, say("'%1' names no interface", text));
     }
     return address;
 }

@@ -149,7 +149,7 @@ Result<std::unique_ptr<Link>> createLink(const LinkAddress &address, Clock &cloc
 {
     if (address.scheme == "socketcan") {
         if (!address.options.empty())
-            return fail(Fault::OutOfRange, "socketcan links have no option '" + address.options.front().first + "'");
+            return fail(Fault::OutOfRange, say("socketcan links have no option '%1'", address.options.front().first));
         return std::make_unique<SocketCanLink>(address, clock);
     }
     if (address.scheme == "qtcan")
@@ -159,18 +159,18 @@ Result<std::unique_ptr<Link>> createLink(const LinkAddress &address, Clock &cloc
     if (address.scheme == "serial")
         return makeSerialPortLink(address, clock);
     if (address.scheme == "pty")
-        return fail(Fault::OutOfRange, "pty: is where 'simulate' puts its devices",
-            "open that terminal as serial:" + address.path);
+        return fail(Fault::OutOfRange, say("pty: is where 'simulate' puts its devices"),
+            say("open that terminal as serial:%1", address.path));
     if (address.scheme == "spidev")
         return SpidevLink::make(address, clock);
     if (address.scheme == "unix") {
         if (!address.options.empty())
-            return fail(Fault::OutOfRange, "unix links have no option '" + address.options.front().first + "'");
+            return fail(Fault::OutOfRange, say("unix links have no option '%1'", address.options.front().first));
         return std::make_unique<UnixSpiLink>(address, clock);
     }
     if (address.isSimulated())
-        return fail(Fault::Unsupported, "simulated links belong to a bench");
-    return fail(Fault::Unsupported, address.scheme + " links are not supported yet");
+        return fail(Fault::Unsupported, say("simulated links belong to a bench"));
+    return fail(Fault::Unsupported, say("%1 links are not supported yet", address.scheme));
 }
 
 } // namespace mb

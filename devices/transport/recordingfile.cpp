@@ -13,15 +13,17 @@ namespace {
 
 constexpr std::size_t pieceSize = 256 * 1024;
 
-/// In English whatever the locale.
-std::string causeOf(int number)
+/// Not by strerror(), whose words depend on the locale.
+Error unreadable(const std::string &path, int number)
 {
     switch (number) {
     case ENOENT:
-    case ENOTDIR: return "no such file; check the path";
+    case ENOTDIR: return {Fault::LinkLost, say("%1: no such file", path), say("check the path"), {}, Ailment::NotThere};
     case EACCES:
-    case EPERM: return "no permission to read it; change its mode, or copy it";
-    default: return "cannot be read (system error " + std::to_string(number) + "); check the disk";
+    case EPERM:
+        return {Fault::LinkLost, say("%1: no permission to read it", path), say("change its mode, or copy it"), {},
+            Ailment::NoPermission};
+    default: return {Fault::LinkLost, say("%1: cannot be read (system error %2)", path, number), say("check the disk")};
     }
 }
 
@@ -43,13 +45,13 @@ Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::string &pa
 {
     const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); // a pipe must not block
     if (descriptor < 0)
-        return fail(Error::fromPhrase(Fault::LinkLost, path + ": " + causeOf(errno)));
+        return fail(unreadable(path, errno));
     std::unique_ptr<RecordingFile> file(new RecordingFile(path, std::move(interface), descriptor));
     struct stat status { };
     if (::fstat(descriptor, &status) != 0)
-        return fail(Error::fromPhrase(Fault::LinkLost, path + ": " + causeOf(errno)));
+        return fail(unreadable(path, errno));
     if (!S_ISREG(status.st_mode))
-        return fail(Fault::OutOfRange, path + " is not a file", "name a recording");
+        return fail(Fault::OutOfRange, say("%1 is not a file", path), say("name a recording"));
     file->m_size = static_cast<std::uint64_t>(status.st_size);
     file->m_places.push_back({});
     auto first = file->read(file->m_player);
@@ -57,8 +59,9 @@ Result<std::unique_ptr<RecordingFile>> RecordingFile::open(const std::string &pa
         return fail(first.error());
     if (!*first)
         return file->m_interface.empty()
-            ? fail(Fault::OutOfRange, path + " has no frame in it", "record again")
-            : fail(Fault::OutOfRange, path + " has no frame of " + file->m_interface, "leave out interface=");
+            ? fail(Fault::OutOfRange, say("%1 has no frame in it", path), say("record again"))
+            : fail(
+                Fault::OutOfRange, say("%1 has no frame of %2", path, file->m_interface), say("leave out interface="));
     file->m_start = (*first)->time;
     file->m_end = file->m_start;
     file->m_sought = std::move(*first);
@@ -88,7 +91,7 @@ Result<std::optional<std::string_view>> RecordingFile::line(Cursor &cursor, bool
         const int cause = errno;
         cursor.text.resize(kept + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
         if (got < 0)
-            return fail(Error::fromPhrase(Fault::LinkLost, m_path + ": " + causeOf(cause)));
+            return fail(unreadable(m_path, cause));
         if (got == 0) {
             if (kept == 0)
                 return std::optional<std::string_view>();

@@ -31,7 +31,7 @@ Result<void> SerialLink::send(std::span<const std::uint8_t> bytes, Priority prio
     if (state() != LinkState::Open)
         return fail(notOpen());
     if (bytes.empty())
-        return fail(Fault::OutOfRange, "nothing to send");
+        return fail(Fault::OutOfRange, say("nothing to send"));
     if (auto sent = doSend(bytes, priority); !sent)
         return sent;
     const Instant now = m_clock.now();
@@ -71,7 +71,7 @@ Task<void> SerialLink::setBaudrateSoon(int baudrate)
 Result<bool> SerialLink::isNewRate(int baudrate) const
 {
     if (baudrate < slowest || baudrate > fastest)
-        return fail(Fault::OutOfRange, std::to_string(baudrate) + " bit/s is no rate of a serial line");
+        return fail(Fault::OutOfRange, say("%1 bit/s is no rate of a serial line", baudrate));
     return baudrate != m_baudrate;
 }
 

@@ -53,7 +53,7 @@ Result<void> SpiLink::sendUrgent(Bytes mosi)
     m_jobs.push_back(std::move(job));
     begin();
     for (const auto &waiting : dropped) // told from the clock: who stops may be in the middle of anything
-        m_clock.post([waiting] { conclude(waiting, fail(Fault::Cancelled, "a stop went first")); });
+        m_clock.post([waiting] { conclude(waiting, fail(Fault::Cancelled, say("a stop went first"))); });
     return {};
 }
 
@@ -115,7 +115,7 @@ void SpiLink::setReady(std::optional<bool> level)
 Task<void> SpiLink::waitReady(Duration timeout)
 {
     if (!m_ready)
-        co_return fail(Fault::Unsupported, "no ready line is wired", "add ready=CHIP:LINE to the address");
+        co_return fail(Fault::Unsupported, say("no ready line is wired"), say("add ready=CHIP:LINE to the address"));
     struct Waiter {
         explicit Waiter(SpiLink &link)
             : owner(link)
@@ -137,7 +137,7 @@ Task<void> SpiLink::waitReady(Duration timeout)
     if (state() != LinkState::Open)
         co_return fail(notOpen());
     if (!m_ready.value_or(false))
-        co_return fail(Fault::Timeout, "the ready line stayed low");
+        co_return fail(Fault::Timeout, say("the ready line stayed low"));
     co_return {};
 }
 

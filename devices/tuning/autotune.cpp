@@ -68,14 +68,13 @@ std::string_view toString(TuneResult result)
 Result<void> checkTuning(const Family &family, const TunePlan &plan)
 {
     if (!loopOf(family, plan.loop))
-        return fail(Fault::OutOfRange,
-            std::string(family.key) + " has no loop '" + std::string(toString(plan.loop)) + "' that can be tuned");
+        return fail(Fault::OutOfRange, say("%1 has no loop '%2' that can be tuned", family.key, toString(plan.loop)));
     if (!identificationOf(family, plan.loop))
-        return fail(Fault::Unsupported,
-            "what a gain of " + std::string(family.title) + " means in this loop is not known",
-            "tune it by hand with 'motorbenchctl step'");
+        return fail(Fault::Unsupported, say("what a gain of %1 means in this loop is not known", family.title),
+            say("tune it by hand with 'motorbenchctl step'"));
     if (plan.known && family.trials->raw.cycle > 0.0 && !plan.scale)
-        return fail(Fault::OutOfRange, "what the gains of this loop make is not known any more", "identify it anew");
+        return fail(
+            Fault::OutOfRange, say("what the gains of this loop make is not known any more"), say("identify it anew"));
     ExperimentPlan steps;
     steps.mode = family.trials->nudge > 0.0 ? plan.loop : Mode::Duty;
     steps.to = 1.0;
@@ -109,7 +108,7 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
     if (surroundings.journal) {
         auto keeping = surroundings.journal->keepTuning(report);
         if (const auto kept = co_await std::move(keeping).attempt(); !kept && surroundings.note)
-            surroundings.note("the tuning is not in the notebook: " + kept.error().text());
+            surroundings.note(say("the tuning is not in the notebook: %1", kept.error().message()));
     }
     co_return std::move(report);
 }

@@ -44,7 +44,7 @@ AutotuneRun::AutotuneRun(Device &device, SetPointStream &stream, TunePlan plan, 
     m_provingSlot = device.family().capabilities.gainSlots > 1 ? 1 - m_plan.slot : m_plan.slot;
 }
 
-void AutotuneRun::note(const std::string &text) const
+void AutotuneRun::note(const Message &text) const
 {
     if (m_around.note)
         m_around.note(text);
@@ -89,7 +89,7 @@ Task<Trial> AutotuneRun::run(ExperimentPlan plan)
         const bool lossy = trial.reason == toString(Guard::Link) && m_report.stopped && m_device.liveness().heard;
         if (!lossy || again == mostRepeats)
             co_return trial;
-        note("the wire lost too many frames; the same again");
+        note(say("the wire lost too many frames; the same again"));
         m_report.stopReason.clear();
         m_report.evidence.clear();
         if (plan.mode == Mode::Position && !m_device.family().capabilities.zeroPosition)
@@ -107,12 +107,13 @@ Task<Trial> AutotuneRun::push(Push push)
     plan.repeat = push.repeat;
     if (const double rate = m_device.family().trials->currentRate; m_plan.loop == Mode::Current && rate > 0.0)
         plan.rate = rate;
-    note("pushing with " + percentText(push.duty) + " duty for " + numberText(std::round(push.seconds * 100.0) / 100.0)
-        + " s" + (push.repeat > 1 ? ", " + std::to_string(push.repeat) + " times" : std::string()));
+    const double seconds = std::round(push.seconds * 100.0) / 100.0;
+    note(push.repeat > 1 ? say("pushing with %1 duty for %2 s, %3 times", percentText(push.duty), seconds, push.repeat)
+                         : say("pushing with %1 duty for %2 s", percentText(push.duty), seconds));
     return run(std::move(plan));
 }
 
-void AutotuneRun::end(std::string_view reason, std::string evidence)
+void AutotuneRun::end(std::string_view reason, Message evidence)
 {
     m_report.stopReason = reason;
     m_report.evidence = std::move(evidence);
@@ -126,7 +127,7 @@ Result<void> AutotuneRun::take(Finding finding)
     m_report.scale = finding.scale;
     for (const Gate &gate : m_report.gates) {
         if (!gate.passed)
-            return fail(Fault::Refused, "the model is not to be believed: " + gate.detail, gate.remedy);
+            return fail(Fault::Refused, say("the model is not to be believed: %1", gate.detail), gate.remedy);
     }
     return {};
 }
@@ -137,7 +138,8 @@ Task<void> AutotuneRun::recall()
     m_report.scale = m_plan.scale;
     const auto position = axisChannel(m_device, "position", m_plan.axis);
     if (m_plan.loop == Mode::Position && !(position && m_device.telemetry()->latest(*position)))
-        co_return fail(Fault::Timeout, m_device.selector() + " has not told where it stands", "wait until it is heard");
+        co_return fail(
+            Fault::Timeout, say("%1 has not told where it stands", m_device.selector()), say("wait until it is heard"));
     lookWhere();
     auto reading = readEnvelope();
     co_await std::move(reading);
@@ -267,10 +269,10 @@ Task<void> AutotuneRun::prove()
         plan.keep = mayStay ? Keep::Always : Keep::Never;
         plan.from = m_plan.loop == Mode::Position ? std::optional<double>() : 0.0;
         plan.to = proofTarget(sign);
-        note("proving: a step of "
-            + (m_plan.loop == Mode::Current
-                    ? numberText(std::round(sign * m_step * 100.0) / 100.0) + " A"
-                    : whole(sign * m_step) + (m_plan.loop == Mode::Position ? " counts" : " counts/s")));
+        const double step = sign * m_step;
+        note(m_plan.loop == Mode::Current       ? say("proving: a step of %1 A", std::round(step * 100.0) / 100.0)
+                : m_plan.loop == Mode::Position ? say("proving: a step of %1 counts", std::round(step))
+                                                : say("proving: a step of %1 counts/s", std::round(step)));
         auto running = run(std::move(plan));
         m_report.proof.push_back(co_await std::move(running));
         if (isOver())

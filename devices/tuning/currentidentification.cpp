@@ -87,8 +87,8 @@ Result<Ohm> fitOhm(const std::vector<Trial> &pushes)
     Ohm ohm;
     for (const Trial &trial : pushes) {
         if (!isComplete(trial))
-            return fail(
-                Fault::OutOfRange, "the unit tells no duty, no current or no position, so its resistance is not known");
+            return fail(Fault::OutOfRange,
+                say("the unit tells no duty, no current or no position, so its resistance is not known"));
         ohm.supply = ohm.supply > 0.0 ? ohm.supply : supplyOf(trial);
         for (const Span &hold : trial.holds) {
             if (const auto sums = addPush(trial, hold, supplyOf(trial), all))
@@ -97,8 +97,8 @@ Result<Ohm> fitOhm(const std::vector<Trial> &pushes)
     }
     const auto solved = all.solve();
     if (!solved || each.empty() || !(solved->values[0] > 0.0))
-        return fail(Fault::OutOfRange, "the current did not follow the duty, so its resistance is not known",
-            "see that the motor is connected");
+        return fail(Fault::OutOfRange, say("the current did not follow the duty, so its resistance is not known"),
+            say("see that the motor is connected"));
     ohm.gain = 1.0 / solved->values[0];
     ohm.gainError = ohm.gain * solved->errors[0] / solved->values[0];
     for (const Sums &sums : each) {
@@ -136,9 +136,9 @@ Task<void> CurrentIdentification::probe(AutotuneRun &run)
         const double peak = trial.metrics.peakCurrent.value_or(0.0);
         if (peak > room)
             co_return fail(Fault::OutOfRange,
-                "a push of " + percentText(duty) + " duty drew " + numberText(std::round(peak * 10.0) / 10.0)
-                    + " A, more than half of what is allowed",
-                "allow more current");
+                say("a push of %1 duty drew %2 A, more than half of what is allowed", percentText(duty),
+                    std::round(peak * 10.0) / 10.0),
+                say("allow more current"));
         m_duty = duty;
         if (peak >= clearCurrent || moreEachTime * peak > room || duty >= most)
             co_return {};

@@ -71,8 +71,8 @@ std::string together(const std::vector<std::string> &options)
 tl::unexpected<Error> outside(const std::string &what, double value, const std::string &option, double limit)
 {
     return fail(Fault::OutOfRange,
-        what + ' ' + numberText(std::round(value * 1000.0) / 1000.0) + " is outside the envelope: " + option + " is "
-            + numberText(limit) + "; take a smaller step or widen it");
+        say("%1 %2 is outside the envelope: %3 is %4", what, std::round(value * 1000.0) / 1000.0, option, limit),
+        say("take a smaller step or widen it"));
 }
 
 double wayOf(const Stimulus &stimulus)
@@ -179,8 +179,8 @@ Result<Envelope> resolve(
         missing.emplace_back("--current");
     if (missing.empty())
         return envelope;
-    return fail(Fault::OutOfRange,
-        facts.selector + " has no such limit of its own, so nothing bounds the motor; give " + together(missing));
+    return fail(Fault::OutOfRange, say("%1 has no such limit of its own, so nothing bounds the motor", facts.selector),
+        say("give %1", together(missing)));
 }
 
 Result<void> checkInside(const Envelope &envelope, Mode mode, const Stimulus &stimulus, int repeat, double position)

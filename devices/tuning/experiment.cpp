@@ -12,24 +12,22 @@ namespace mb::tuning {
 Result<void> checkPlan(const Family &family, const ExperimentPlan &plan)
 {
     if (!family.trials)
-        return fail(Fault::Unsupported, std::string(family.title) + " has no loop that can be tried");
+        return fail(Fault::Unsupported, say("%1 has no loop that can be tried", family.title));
     if (plan.mode != Mode::Duty && !loopOf(family, plan.mode)) {
         std::string list = "duty";
         for (const LoopGains &loop : family.trials->loops)
             list += ", " + std::string(toString(loop.mode));
-        return fail(Fault::OutOfRange,
-            std::string(family.key) + " has no loop '" + std::string(toString(plan.mode))
-                + "' that can be tried; it has " + list);
+        return fail(Fault::OutOfRange, say("%1 has no loop '%2' that can be tried", family.key, toString(plan.mode)),
+            say("it has %1", list));
     }
     if (plan.mode == Mode::Duty && family.trials->nudge > 0.0)
-        return fail(Fault::OutOfRange, std::string(family.key) + " has no duty command; try its position loop");
+        return fail(Fault::OutOfRange, say("%1 has no duty command", family.key), say("try its position loop"));
     const Capabilities &can = family.capabilities;
     if (plan.axis < 1 || plan.axis > can.axes || plan.slot < 0 || plan.slot >= can.gainSlots)
-        return fail(Fault::OutOfRange,
-            std::string(family.key) + " has " + std::to_string(can.axes) + " axes and " + std::to_string(can.gainSlots)
-                + " sets of gains; take one of them");
+        return fail(Fault::OutOfRange, say("%1 has %2 axes and %3 sets of gains", family.key, can.axes, can.gainSlots),
+            say("take one of them"));
     if (plan.repeat < 1)
-        return fail(Fault::OutOfRange, "an experiment is run once at least");
+        return fail(Fault::OutOfRange, say("an experiment is run once at least"));
     const double beat = inSeconds(family.capabilities.commandPeriod);
     if (auto stimulus = Stimulus::make(plan.profile, plan.from.value_or(0.0), plan.to, plan.seconds, beat); !stimulus)
         return fail(stimulus.error());

@@ -51,7 +51,7 @@ ExperimentRun::~ExperimentRun()
         m_stream.stop();
 }
 
-void ExperimentRun::note(const std::string &text) const
+void ExperimentRun::note(const Message &text) const
 {
     if (m_around.note)
         m_around.note(text);
@@ -62,7 +62,7 @@ Task<void> ExperimentRun::hearPosition()
     const Instant limit = m_device.clock().now() + hearLimit;
     while (!m_recorder.latest("position") || !m_device.liveness().heard) {
         if (m_device.clock().now() >= limit)
-            co_return fail(Fault::Timeout, m_device.selector() + " does not tell its position");
+            co_return fail(Fault::Timeout, say("%1 does not tell its position", m_device.selector()));
         Sleep nap(m_device.clock(), hearPeriod);
         co_await nap;
     }
@@ -89,7 +89,7 @@ Task<void> ExperimentRun::prepare()
     if (!stimulus)
         co_return fail(stimulus.error());
     if (stimulus->from == stimulus->to)
-        co_return fail(Fault::OutOfRange, "there is no way from " + numberText(from) + " to itself; give another --to");
+        co_return fail(Fault::OutOfRange, say("there is no way from %1 to itself", from), say("give another --to"));
     if (auto inside = checkInside(*envelope, m_plan.mode, *stimulus, m_plan.repeat, m_origin); !inside)
         co_return fail(inside.error());
     m_trial.stimulus = *stimulus;
@@ -147,11 +147,11 @@ Task<void> ExperimentRun::writeDown()
         if (number)
             m_trial.number = m_number = *number;
         else
-            note("this trial is not kept: " + number.error().detail);
+            note(say("this trial is not kept: %1", number.error().detail));
     }
     if (owes && !m_number)
-        co_return fail(Fault::Unsafe,
-            "nothing could put the gains back after a crash; give --keep, or a notebook that can be written");
+        co_return fail(Fault::Unsafe, say("nothing could put the gains back after a crash"),
+            say("give --keep, or a notebook that can be written"));
     if (owes) {
         auto owing = m_around.journal->owe(*m_number, m_trial.unit, m_owed);
         co_await std::move(owing);
@@ -197,7 +197,7 @@ Task<void> ExperimentRun::lowerRates()
         auto setting = m_device.setRate(channel, 0.0);
         const Result<void> set = co_await std::move(setting).attempt();
         if (!set && m_device.link().state() == LinkState::Open)
-            note("the device's rate was not put back: " + set.error().detail);
+            note(say("the device's rate was not put back: %1", set.error().detail));
     }
     m_raised.clear();
     co_return {};
@@ -332,9 +332,9 @@ Task<void> ExperimentRun::goTo(double target)
                 break;
             m_stream.stop();
             co_return fail(Fault::Refused,
-                "the unit stays " + numberText(std::round(std::abs(here - target) * 100.0) / 100.0)
-                    + " away from where the experiment begins, more than 2 % of its step; take a larger one, or --from "
-                      "where it stands");
+                say("the unit stays %1 away from where the experiment begins, more than 2 % of its step",
+                    std::round(std::abs(here - target) * 100.0) / 100.0),
+                say("take a larger one, or --from where it stands"));
         }
         Sleep nap(m_device.clock(), hearPeriod);
         co_await nap;
@@ -398,8 +398,8 @@ Task<void> ExperimentRun::putBack()
     auto writing = writeGains(m_device, changesOf(m_device.family(), m_owed));
     const Result<void> written = co_await std::move(writing).attempt();
     if (!written) {
-        note("the gains were not put back: " + written.error().detail
-            + "; the notebook has them, 'motorbenchctl trials' lists what is owed");
+        note(say("the gains were not put back: %1; the notebook has them, 'motorbenchctl trials' lists what is owed",
+            written.error().detail));
         co_return {};
     }
     auto marking = markPutBack(m_device, *m_around.journal, {*m_number, 0.0, m_owed});
@@ -441,7 +441,7 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
         auto completing = m_around.journal->complete(*m_number, m_trial);
         const Result<void> completed = co_await std::move(completing).attempt();
         if (!completed)
-            note("this trial is kept without its result: " + completed.error().detail);
+            note(say("this trial is kept without its result: %1", completed.error().detail));
     }
     co_return {};
 }

@@ -9,14 +9,14 @@
 namespace mb::tuning {
 
 /// "12.5 %"
-[[nodiscard]] inline std::string percentText(double share)
+[[nodiscard]] inline Quantity percentText(double share)
 {
-    return numberText(std::round(share * 1000.0) / 10.0) + " %";
+    return {std::round(share * 1000.0) / 10.0, -1, "%"};
 }
 /// "250 ms"
-[[nodiscard]] inline std::string millisecondsText(double seconds)
+[[nodiscard]] inline Quantity millisecondsText(double seconds)
 {
-    return numberText(std::round(seconds * 1000.0)) + " ms";
+    return {std::round(seconds * 1000.0), -1, "ms"};
 }
 
 } // namespace mb::tuning

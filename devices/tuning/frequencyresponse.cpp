@@ -84,17 +84,17 @@ Result<FrequencyPoint> frequencyPoint(const Trial &trial, double tau)
     const Stimulus &stimulus = trial.stimulus;
     const Signal *const position = trial.signal("position");
     if (stimulus.profile != Profile::Sine || !position || !(stimulus.period > 0.0))
-        return fail(Fault::OutOfRange, "this trial has no sine and no positions");
+        return fail(Fault::OutOfRange, say("this trial has no sine and no positions"));
     const double omega = 2.0 * std::numbers::pi / stimulus.period;
     const double from = stimulus.period; // the first swing is the motor's way into it
     const auto counts = phasorOf(position->trace, omega, from, stimulus.time, tau);
     const auto duty = phasorOf(dutyOf(trial, position->trace), omega, from, stimulus.time, tau);
     if (!counts || !duty || std::abs(duty->value) == 0.0)
-        return fail(Fault::OutOfRange, "too few samples for a sine of " + numberText(1.0 / stimulus.period) + " Hz");
+        return fail(Fault::OutOfRange, say("too few samples for a sine of %1 Hz", 1.0 / stimulus.period));
     if (omega * std::abs(counts->value) >= std::abs(counts->line))
         return fail(Fault::OutOfRange,
-            "the motor reversed during a sine of " + numberText(1.0 / stimulus.period) + " Hz: friction is in it",
-            "allow more speed");
+            say("the motor reversed during a sine of %1 Hz: friction is in it", 1.0 / stimulus.period),
+            say("allow more speed"));
     const std::complex<double> response = std::complex<double>(0.0, omega) * counts->value / duty->value;
     FrequencyPoint point;
     point.hertz = 1.0 / stimulus.period;
@@ -124,9 +124,9 @@ Result<SweepPlan> planSweep(const PlantModel &plant, const Envelope &inForce, do
         bias = std::min(bias, usableShare * *inForce.travel / (plant.gain * longest) + plant.friction);
     if (bias < std::max(leastBias, clearOfFriction * plant.friction))
         return fail(Fault::OutOfRange,
-            "there is not enough room for a frequency response: its limits leave a speed of "
-                + numberText(std::round(speedAt(bias))) + " counts/s for " + numberText(std::round(longest)) + " s",
-            "allow more travel or speed");
+            say("there is not enough room for a frequency response: its limits leave a speed of %1 counts/s for %2 s",
+                std::round(speedAt(bias)), std::round(longest)),
+            say("allow more travel or speed"));
     plan.bias = bias;
     plan.swing = swingShare * (bias - plant.friction);
     for (int i = 0; i < sines; ++i) {
@@ -138,11 +138,11 @@ Result<SweepPlan> planSweep(const PlantModel &plant, const Envelope &inForce, do
     return plan;
 }
 
-std::string announcementOf(const SweepPlan &plan)
+Message announcementOf(const SweepPlan &plan)
 {
     const auto whole = [](double number) { return numberText(std::round(number)); };
-    return "duty " + whole(100.0 * plan.bias) + " ± " + whole(100.0 * plan.swing) + " %, at most " + whole(plan.speed)
-        + " counts/s, " + whole(plan.travel) + " counts one way, " + whole(plan.seconds) + " s";
+    return say("duty %1 ± %2 %, at most %3 counts/s, %4 counts one way, %5 s", whole(100.0 * plan.bias),
+        whole(100.0 * plan.swing), whole(plan.speed), whole(plan.travel), whole(plan.seconds));
 }
 
 double FrequencyResponse::trustedUpTo() const
@@ -174,8 +174,8 @@ Task<FrequencyResponse> measureFrequencyResponse(
         sine.seconds = swingsOfOne / hertz;
         sine.limits = plan.limits;
         if (surroundings.note)
-            surroundings.note("sine " + std::to_string(++number) + " of " + std::to_string(plan.hertz.size()) + ", "
-                + numberText(std::round(100.0 * hertz) / 100.0) + " Hz: " + announcementOf(plan));
+            surroundings.note(say("sine %1 of %2, %3 Hz: %4", ++number, plan.hertz.size(),
+                std::round(100.0 * hertz) / 100.0, announcementOf(plan)));
         auto running = runExperiment(device, stream, sine, surroundings);
         const Result<Trial> trial = co_await std::move(running).attempt();
         if (!trial && response.trials.empty())

@@ -51,9 +51,10 @@ Result<void> checkTried(const Family &family, ParameterIndex index)
     const Parameter &parameter = family.parameters[index.value];
     const std::string key(parameter.key);
     if (parameter.access == Access::ReadOnly)
-        return fail(Fault::OutOfRange, key + " is read-only; it cannot be tried");
+        return fail(Fault::OutOfRange, say("%1 is read-only", key), say("it cannot be tried"));
     if (parameter.nature != Nature::Setting || parameter.afterRestart || key == family.trials->never)
-        return fail(Fault::OutOfRange, key + " is never part of an experiment; write it with 'motorbenchctl set'");
+        return fail(
+            Fault::OutOfRange, say("%1 is never part of an experiment", key), say("write it with 'motorbenchctl set'"));
     return {};
 }
 
@@ -92,10 +93,8 @@ Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterC
             auto reading = device.read(change.index);
             co_await std::move(reading);
         } else if (!isKnown(device, change.index) || device.profile().lost.contains(key)) {
-            co_return fail(Fault::OutOfRange,
-                key
-                    + " cannot be read, so it could not be put back; write the gains of this loop once with "
-                      "'motorbenchctl set', or give --keep");
+            co_return fail(Fault::OutOfRange, say("%1 cannot be read, so it could not be put back", key),
+                say("write the gains of this loop once with 'motorbenchctl set', or give --keep"));
         }
         values.push_back({key, *device.parameters().entry(change.index).raw});
     }
@@ -119,8 +118,7 @@ Task<void> writeGains(Device &device, std::vector<ParameterChange> changes)
             co_return fail(outcome.raw.error());
         if (outcome.verified == false)
             co_return fail(Fault::BadCheck,
-                std::string(device.parameters().parameter(outcome.index).key)
-                    + " reads back different from what was written");
+                say("%1 reads back different from what was written", device.parameters().parameter(outcome.index).key));
     }
     co_return {};
 }

@@ -83,11 +83,11 @@ Result<void> add(const Family &family, const std::string &key, double number, Sc
 {
     const auto index = findParameter(family.parameters, key);
     if (!index)
-        return fail(Fault::Unsupported, std::string(family.key) + " has no " + key);
+        return fail(Fault::Unsupported, say("%1 has no %2", family.key, key));
     const auto raw = nearest(family.parameters[index->value], number);
     if (!raw)
-        return fail(Fault::OutOfRange, key + " would have to be " + numberText(number) + ", which it cannot be",
-            "aim for a calmer loop");
+        return fail(Fault::OutOfRange, say("%1 would have to be %2, which it cannot be", key, number),
+            say("aim for a calmer loop"));
     const Value value = toValue(family.parameters[index->value], *raw);
     into.rows.push_back({key, *raw, std::get<double>(value)});
     into.changes.push_back({*index, *raw});
@@ -101,9 +101,8 @@ Result<void> addGain(const Family &family, const std::string &key, double number
     const double steps = std::abs(static_cast<double>(into.rows.back().raw));
     if (number != 0.0 && steps < leastSteps)
         return fail(Fault::OutOfRange,
-            key + " would be " + std::to_string(into.rows.back().raw)
-                + " of its smallest steps, too few to mean anything",
-            "take a finer encoder or a calmer loop");
+            say("%1 would be %2 of its smallest steps, too few to mean anything", key, into.rows.back().raw),
+            say("take a finer encoder or a calmer loop"));
     if (number != 0.0 && steps < fineSteps)
         into.coarse.push_back(key);
     return {};
@@ -134,9 +133,8 @@ Result<void> checkScales(const Family &family, const DeviceProfile &profile, Mod
     for (const Calibration &row : family.calibrations) {
         const bool ofThisLoop = row.key.starts_with(std::string(toString(loop)) + '.') && row.key.ends_with(".scale");
         if (ofThisLoop && profile.calibrated(row.key) <= 0.0)
-            return fail(Fault::OutOfRange,
-                "what a raw gain of this board puts out is not known (" + std::string(row.key) + ")",
-                "find its gain scales first: Overview, Gain scales");
+            return fail(Fault::OutOfRange, say("what a raw gain of this board puts out is not known (%1)", row.key),
+                say("find its gain scales first: Overview, Gain scales"));
     }
     return {};
 }
@@ -153,9 +151,8 @@ Result<ScaledGains> scaleGains(const Family &family, const DeviceProfile &profil
     const LoopGains *const parameters = loopOf(family, loop);
     const auto units = loopUnits(family, loop);
     if (!parameters || (!units && !tried))
-        return fail(Fault::Unsupported,
-            "what a gain of " + std::string(family.title) + " means in this loop is not known",
-            "tune it by hand with 'motorbenchctl step'");
+        return fail(Fault::Unsupported, say("what a gain of %1 means in this loop is not known", family.title),
+            say("tune it by hand with 'motorbenchctl step'"));
     if (auto known = checkScales(family, profile, loop); !known)
         return fail(known.error());
     const auto terms = tried ? termsOf(*tried) : termsOf(family, profile, loop, *units);

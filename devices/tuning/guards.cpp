@@ -28,14 +28,14 @@ constexpr int silentPeriods = 5;
 constexpr double mostLost = 0.05;
 constexpr double fullPush = 1.0 / 3.0; ///< breakaway for which a push of 1 surely moves it
 
-std::string rounded(double value)
+double rounded(double value)
 {
-    return numberText(std::round(value * 100.0) / 100.0);
+    return std::round(value * 100.0) / 100.0;
 }
 
-std::string milliseconds(Duration time)
+Quantity milliseconds(Duration time)
 {
-    return rounded(inSeconds(time) * 1e3) + " ms";
+    return {rounded(inSeconds(time) * 1e3), -1, "ms"};
 }
 
 } // namespace
@@ -67,7 +67,7 @@ Guards::Guards(const GuardPlan &plan, Instant start)
 {
 }
 
-std::optional<Trip> Guards::trip(Guard guard, Instant at, std::string detail)
+std::optional<Trip> Guards::trip(Guard guard, Instant at, Message detail)
 {
     if (m_tripped)
         return std::nullopt;
@@ -81,12 +81,12 @@ void Guards::rested(Instant time)
     m_overload.pause();
 }
 
-/// What drives the motor, at the end of a sentence about what it does.
-std::string Guards::push() const
+/// What happens, and what drives the motor meanwhile.
+Message Guards::underPush(const Message &what) const
 {
-    return m_plan.dutyKnown ? " at " + rounded(m_motion.pushed() * 100.0) + " % duty"
-        : m_plan.isVelocity ? ", told to run at more than half a step"
-                            : ", more than half a step from its target";
+    return m_plan.dutyKnown ? say("%1 at %2 % duty", what, rounded(m_motion.pushed() * 100.0))
+        : m_plan.isVelocity ? say("%1, told to run at more than half a step", what)
+                            : say("%1, more than half a step from its target", what);
 }
 
 /// Where no duty is told: full for more than half a step.
@@ -104,17 +104,19 @@ std::optional<Trip> Guards::position(Instant time, double counts)
     m_motion.position(time, counts);
     if (m_motion.wrong() >= wrongSamples)
         return trip(Guard::WrongDirection, time,
-            "the sensor is reversed: it counts " + std::string(m_motion.pushed() > 0.0 ? "down" : "up") + push());
+            underPush(m_motion.pushed() > 0.0 ? say("the sensor is reversed: it counts down")
+                                              : say("the sensor is reversed: it counts up")));
     if (m_motion.stuck() >= stuckTime)
         return trip(Guard::NoMotion, time,
-            "stalled, or the encoder is dead: less than 3 counts in " + milliseconds(m_motion.stuck()) + push());
+            underPush(
+                say("stalled, or the encoder is dead: less than 3 counts in %1", milliseconds(m_motion.stuck()))));
     const auto &limit = m_plan.envelope.travel;
     const double latency = inSeconds(m_plan.telemetry + m_plan.command + handling);
     const double stops = counts + m_speed * (latency + m_plan.lag);
     const double farthest = std::max(std::abs(stops - m_plan.origin), std::abs(counts - m_plan.origin));
     if (limit && farthest > *limit)
         return trip(Guard::Travel, time,
-            "it would stop " + rounded(farthest) + " counts from the start, " + rounded(*limit) + " are allowed");
+            say("it would stop %1 counts from the start, %2 are allowed", rounded(farthest), rounded(*limit)));
     return std::nullopt;
 }
 
@@ -124,7 +126,7 @@ std::optional<Trip> Guards::velocity(Instant time, double perSecond)
     const auto &planned = m_plan.envelope.speed;
     if (planned && std::abs(perSecond) > speedMargin * *planned)
         return trip(Guard::Speed, time,
-            "speed " + rounded(std::abs(perSecond)) + " counts/s is above 1.2 × " + rounded(*planned) + " counts/s");
+            say("speed %1 counts/s is above 1.2 × %2 counts/s", rounded(std::abs(perSecond)), rounded(*planned)));
     return std::nullopt;
 }
 
@@ -136,15 +138,15 @@ std::optional<Trip> Guards::current(Instant time, double amperes)
         return std::nullopt;
     m_overload.add(time, amperes, *limit);
     if (std::abs(amperes) > peakMargin * *limit)
-        return trip(Guard::Current, time,
-            "current " + rounded(std::abs(amperes)) + " A is above 1.5 × " + rounded(*limit) + " A");
+        return trip(
+            Guard::Current, time, say("current %1 A is above 1.5 × %2 A", rounded(std::abs(amperes)), rounded(*limit)));
     if (m_overload.above() >= overloadTime)
         return trip(Guard::Current, time,
-            "current was above " + rounded(*limit) + " A for " + milliseconds(m_overload.above()));
+            say("current was above %1 A for %2", rounded(*limit), milliseconds(m_overload.above())));
     if (m_overload.heat() > heatBudget)
         return trip(Guard::Energy, time,
-            "the motor took the heat of " + rounded(m_overload.heat()) + " s at " + rounded(*limit)
-                + " A, 10 s are allowed; let it cool");
+            say("the motor took the heat of %1 s at %2 A, 10 s are allowed; let it cool", rounded(m_overload.heat()),
+                rounded(*limit)));
     return std::nullopt;
 }
 
@@ -156,10 +158,10 @@ std::optional<Trip> Guards::duty(Instant time, double fraction)
     m_oscillation.duty(time, fraction, limit);
     if (std::abs(fraction) > limit + dutyMargin)
         return trip(Guard::Duty, time,
-            "duty " + rounded(std::abs(fraction) * 100.0) + " % is above " + rounded(limit * 100.0) + " %");
+            say("duty %1 % is above %2 %", rounded(std::abs(fraction) * 100.0), rounded(limit * 100.0)));
     if (m_oscillation.flips() > mostFlips)
         return trip(Guard::Oscillation, time,
-            "the duty changed its direction " + std::to_string(m_oscillation.flips()) + " times in a second");
+            say("the duty changed its direction %1 times in a second", m_oscillation.flips()));
     return std::nullopt;
 }
 
@@ -169,7 +171,7 @@ std::optional<Trip> Guards::temperature(Instant time, double celsius)
     if (celsius <= m_plan.hottest - heatMargin)
         return std::nullopt;
     return trip(Guard::Temperature, time,
-        "temperature " + rounded(celsius) + " °C is within 5 K of " + rounded(m_plan.hottest) + " °C");
+        say("temperature %1 °C is within 5 K of %2 °C", rounded(celsius), rounded(m_plan.hottest)));
 }
 
 std::optional<Trip> Guards::busVoltage(Instant time, double volts)
@@ -178,8 +180,7 @@ std::optional<Trip> Guards::busVoltage(Instant time, double volts)
     if (volts >= m_plan.lowestBus && volts <= m_plan.highestBus)
         return std::nullopt;
     return trip(Guard::BusVoltage, time,
-        "supply " + rounded(volts) + " V is outside " + rounded(m_plan.lowestBus) + " … " + rounded(m_plan.highestBus)
-            + " V");
+        say("supply %1 V is outside %2 … %3 V", rounded(volts), rounded(m_plan.lowestBus), rounded(m_plan.highestBus)));
 }
 
 std::optional<Trip> Guards::error(Instant time, double error)
@@ -190,22 +191,23 @@ std::optional<Trip> Guards::error(Instant time, double error)
     if (m_oscillation.growing() < growingPeaks)
         return std::nullopt;
     return trip(Guard::Oscillation, time,
-        "the loop swings itself up: " + std::to_string(m_oscillation.growing())
-            + " swings, each larger than the last or with full duty");
+        say("the loop swings itself up: %1 swings, each larger than the last or with full duty",
+            m_oscillation.growing()));
 }
 
 std::optional<Trip> Guards::look(Instant now, std::uint64_t samples, std::uint64_t lost)
 {
     const Duration patience = std::max<Duration>(silence, silentPeriods * m_plan.telemetry);
     if (now - m_heardAt > patience)
-        return trip(Guard::Link, m_heardAt + patience, "no sample for " + milliseconds(now - m_heardAt));
+        return trip(Guard::Link, m_heardAt + patience, say("no sample for %1", milliseconds(now - m_heardAt)));
     m_loss.add(now, samples, lost);
     if (m_loss.share() > mostLost)
-        return trip(Guard::Link, now, rounded(m_loss.share() * 100.0) + " % of the samples were lost in a second");
+        return trip(
+            Guard::Link, now, say("%1 % of the samples were lost in a second", rounded(m_loss.share() * 100.0)));
     const auto longest = std::chrono::duration_cast<Duration>(m_plan.longest * planMargin);
     if (now - m_start > longest)
         return trip(
-            Guard::Time, m_start + longest, "it took longer than 1.5 × " + rounded(inSeconds(m_plan.longest)) + " s");
+            Guard::Time, m_start + longest, say("it took longer than 1.5 × %1 s", rounded(inSeconds(m_plan.longest))));
     return std::nullopt;
 }
 

@@ -31,8 +31,8 @@ enum class Guard {
 
 struct Trip {
     Guard guard = Guard::User;
-    Message detail;     ///< one clause with the numbers: "speed 5200 counts/s is above 1.2 × 4000 counts/s"
-    Instant at{};       ///< when its condition was fulfilled: the sample, or for time and link the instant
+    Message detail; ///< one clause with the numbers: "speed 5200 counts/s is above 1.2 × 4000 counts/s"
+    Instant at{};   ///< when its condition was fulfilled: the sample, or for time and link the instant
 };
 
 /// What the guards know before a motor moves.
@@ -80,7 +80,7 @@ public:
 private:
     void heard(Instant time) { m_heardAt = std::max(m_heardAt, time); }
     [[nodiscard]] std::optional<Trip> trip(Guard guard, Instant at, Message detail);
-    [[nodiscard]] Message push() const;
+    [[nodiscard]] Message underPush(const Message &what) const;
     [[nodiscard]] double pushOf(double error) const;
 
     GuardPlan m_plan;

@@ -79,7 +79,8 @@ Task<void> payOwed(Device &device, ExperimentJournal &journal, OwedGains owed)
 {
     auto confirming = confirmStop(device);
     if (!co_await std::move(confirming))
-        co_return fail(Fault::Unsafe, "the motor was not seen to stand; stop it before its gains are put back");
+        co_return fail(
+            Fault::Unsafe, say("the motor was not seen to stand"), say("stop it before its gains are put back"));
     auto writing = writeGains(device, changesOf(device.family(), owed.values));
     co_await std::move(writing);
     auto marking = markPutBack(device, journal, std::move(owed));

@@ -250,15 +250,16 @@ Result<PushFit> fitPushes(std::span<const PushRecord> records)
     std::size_t samples = 0;
     for (const PushRecord &record : records) {
         if (record.position.size() < leastFitSamples)
-            return fail(
-                Fault::OutOfRange, "a push has fewer than 8 positions", "push longer, or ask for faster samples");
+            return fail(Fault::OutOfRange, say("a push has fewer than 8 positions"),
+                say("push longer, or ask for faster samples"));
         if (std::abs(record.position.y.back() - record.position.y.front()) < leastPushMove)
-            return fail(Fault::OutOfRange, "a push moved the motor by fewer than 50 counts", "push harder or longer");
+            return fail(
+                Fault::OutOfRange, say("a push moved the motor by fewer than 50 counts"), say("push harder or longer"));
         traces.push_back(thinned(record.position));
         samples += traces.back().size();
     }
     if (traces.empty())
-        return fail(Fault::OutOfRange, "there is no push to fit");
+        return fail(Fault::OutOfRange, say("there is no push to fit"));
     Point2 best = refined(traces, coarse(traces));
     if (align(traces, best.tau))
         best = refined(traces, coarse(traces));
@@ -285,13 +286,14 @@ Result<GainFit> fitGain(std::span<const double> duties, std::span<const double> 
     for (std::size_t i = 0; i < duties.size(); ++i) {
         const double sign = duties[i] > 0.0 ? 1.0 : -1.0;
         if (duties[i] * speeds[i] <= 0.0)
-            return fail(Fault::OutOfRange, "the motor did not turn the way it was pushed");
+            return fail(Fault::OutOfRange, say("the motor did not turn the way it was pushed"));
         fit.add({1.0, std::abs(speeds[i])}, std::abs(duties[i]));
         withLoad.add({sign, 1.0, speeds[i]}, duties[i]);
     }
     const auto plain = fit.solve();
     if (!plain || plain->values[1] <= 0.0)
-        return fail(Fault::OutOfRange, "pushes of one size do not tell friction from gain", "push with two sizes");
+        return fail(
+            Fault::OutOfRange, say("pushes of one size do not tell friction from gain"), say("push with two sizes"));
     GainFit result;
     result.friction = std::max(plain->values[0], 0.0);
     result.gain = 1.0 / plain->values[1];
@@ -322,11 +324,11 @@ Result<GainFit> fitRamps(std::span<const RampRecord> ramps, double tau)
     LeastSquares<2> fit;
     for (const RampRecord &ramp : ramps) {
         if (!addRamp(ramp, tau, fit))
-            return fail(Fault::OutOfRange, "a ramp of duty never got the motor going", "raise its end");
+            return fail(Fault::OutOfRange, say("a ramp of duty never got the motor going"), say("raise its end"));
     }
     const auto solution = fit.solve();
     if (!solution || solution->values[1] <= 0.0)
-        return fail(Fault::OutOfRange, "the ramps do not tell friction from gain");
+        return fail(Fault::OutOfRange, say("the ramps do not tell friction from gain"));
     GainFit result;
     result.gain = 1.0 / solution->values[1];
     result.friction = std::max(solution->values[0], 0.0);

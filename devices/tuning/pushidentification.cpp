@@ -59,7 +59,7 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
             break;
         if (duty >= most) {
             run.end(toString(Guard::NoMotion),
-                "the motor did not turn at up to " + percentText(most) + " duty: stalled, or the encoder is dead");
+                say("the motor did not turn at up to %1 duty: stalled, or the encoder is dead", percentText(most)));
             break;
         }
         run.forgive();
@@ -95,9 +95,9 @@ Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
     }
     if (m_duty < leastPush)
         co_return fail(Fault::OutOfRange,
-            "there is not enough room to identify the motor: its limits leave pushes of " + percentText(m_duty)
-                + " duty only",
-            "allow more travel or speed");
+            say("there is not enough room to identify the motor: its limits leave pushes of %1 duty only",
+                percentText(m_duty)),
+            say("allow more travel or speed"));
     co_return {};
 }
 

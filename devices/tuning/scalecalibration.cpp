@@ -96,8 +96,9 @@ Task<void> findScales(AutotuneRun &run)
     options.axis = run.plan().axis;
     options.power = std::min(experiment.power, run.envelope().duty.value_or(experiment.power));
     NotingProgress progress(run);
-    run.note("the scale of its gains is not known yet, and is found first: one to two minutes, with "
-        + numberText(std::round(100.0 * options.power)) + " % of its power at most");
+    run.note(say("the scale of its gains is not known yet, and is found first: one to two minutes, with %1 % of its "
+                 "power at most",
+        std::round(100.0 * options.power)));
     TrialRecorder recorder(device, run.stream(), Mode::Velocity, options.axis);
     recorder.guard(guardsOf(run));
     run.setMoved();
@@ -111,7 +112,7 @@ Task<void> findScales(AutotuneRun &run)
     if (recorder.trip())
         run.end(toString(recorder.trip()->guard), recorder.trip()->detail);
     else if (user.isRequested())
-        run.end("interrupted", "the user stopped it");
+        run.end("interrupted", say("the user stopped it"));
     else if (!found && found.error().fault == Fault::LinkLost)
         run.end(toString(Guard::Link), found.error().detail);
     else if (!found)

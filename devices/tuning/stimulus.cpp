@@ -37,9 +37,9 @@ constexpr double beatsPerSwing = 10.0; ///< a swing of fewer is no sine any more
 tl::unexpected<Error> tooFine(const Stimulus &stimulus, const std::string &what, double seconds, double beat)
 {
     return fail(Fault::OutOfRange,
-        std::string(toString(stimulus.profile)) + ": " + what + " of " + numberText(std::round(seconds * 1e6) / 1e3)
-            + " ms is finer than the device follows, which takes a set-point every " + numberText(beat * 1e3)
-            + " ms; give a longer --time");
+        say("%1: %2 of %3 ms is finer than the device follows, which takes a set-point every %4 ms",
+            toString(stimulus.profile), what, std::round(seconds * 1e6) / 1e3, beat * 1e3),
+        say("give a longer --time"));
 }
 
 Result<Stimulus> checked(const Stimulus &stimulus, double beat)
@@ -57,9 +57,8 @@ Result<Stimulus> checked(const Stimulus &stimulus, double beat)
         break;
     case Profile::Chirp:
         if (stimulus.low * stimulus.time < 1.0)
-            return fail(Fault::OutOfRange,
-                "chirp: " + numberText(stimulus.time) + " s hold no whole swing of " + numberText(stimulus.low)
-                    + " Hz; give at least " + numberText(1.0 / stimulus.low) + " s");
+            return fail(Fault::OutOfRange, say("chirp: %1 s hold no whole swing of %2 Hz", stimulus.time, stimulus.low),
+                say("give at least %1 s", 1.0 / stimulus.low));
         break;
     case Profile::Prbs:
         if (stimulus.period < 2.0 * beat)

@@ -136,9 +136,9 @@ Result<TwoPointFit> fitTwoPoint(std::span<const LoopRun> runs)
     for (const LoopRun &run : runs)
         samples += run.way.size();
     if (runs.size() < 3 || samples < fewestSamples * runs.size())
-        return fail(Fault::OutOfRange, "too few steps to tell what the gains of this loop do");
+        return fail(Fault::OutOfRange, say("too few steps to tell what the gains of this loop do"));
     if (!differ(runs, &LoopRun::p) || !differ(runs, &LoopRun::d))
-        return fail(Fault::OutOfRange, "steps with one pair of gains only do not tell what each of them does");
+        return fail(Fault::OutOfRange, say("steps with one pair of gains only do not tell what each of them does"));
     const Search::Remainder remainder = [runs](const Search::Unknowns &x, std::vector<double> &left) {
         left.clear();
         for (const LoopRun &run : runs)

@@ -117,8 +117,8 @@ Task<void> TwoPointIdentification::look(AutotuneRun &run)
     auto bounding = run.readEnvelope();
     co_await std::move(bounding);
     if (m_stored.p < 1.0)
-        co_return fail(Fault::Refused, "the unit stores no P, so nothing moves it",
-            "write a small gain.p once, with which it moves");
+        co_return fail(Fault::Refused, say("the unit stores no P, so nothing moves it"),
+            say("write a small gain.p once, with which it moves"));
     const RawLoop &raw = run.device().family().trials->raw;
     m_known = raw.dialects.find(run.device().identity().dialect) != std::string_view::npos;
     m_full = raw.fullDuty;
@@ -169,9 +169,9 @@ Result<void> TwoPointIdentification::choose(const AutotuneRun &run)
     m_drive = std::min(m_drive, m_first.p * room);
     if (m_drive < firmer * m_first.p * leastRoom)
         return fail(Fault::OutOfRange,
-            "there is not enough room: its limits leave steps of " + inWhole(m_drive / (firmer * m_first.p))
-                + " counts",
-            "allow more travel");
+            say("there is not enough room: its limits leave steps of %1 counts",
+                inWhole(m_drive / (firmer * m_first.p))),
+            say("allow more travel"));
     const double least = m_stored.d > 0.0 ? 1.0 : fewestDamping * m_first.p;
     m_first.d = std::round(std::clamp(m_first.d, least, mostRaw / damper));
     return {};
@@ -191,8 +191,9 @@ ExperimentPlan TwoPointIdentification::planOf(const AutotuneRun &run, Point poin
         if (const auto index = findParameter(family.parameters, key); index && writes)
             plan.gains.push_back({*index, static_cast<std::int64_t>(value)});
     }
-    run.note("a step of " + inWhole(counts) + " counts with "
-        + (writes ? "P " + inWhole(point.p) + ", D " + inWhole(point.d) : "the gains as they are"));
+    run.note(writes
+            ? say("a step of %1 counts with P %2, D %3", std::round(counts), std::round(point.p), std::round(point.d))
+            : say("a step of %1 counts with the gains as they are", std::round(counts)));
     return plan;
 }
 
@@ -228,7 +229,7 @@ Task<void> TwoPointIdentification::settle(AutotuneRun &run)
         }
         const auto fit = m_runs.empty() ? std::nullopt : fitStep(m_runs.front());
         if (!fit) {
-            run.end(toString(Guard::NoMotion), "the motor did not follow a step: stalled, or the encoder is dead");
+            run.end(toString(Guard::NoMotion), say("the motor did not follow a step: stalled, or the encoder is dead"));
             co_return {};
         }
         m_seconds = std::clamp(swings / (std::min(fit->zeta, 1.0) * fit->omega), 0.5, 1.5);
@@ -245,8 +246,8 @@ Task<void> TwoPointIdentification::settle(AutotuneRun &run)
         m_first.d = std::round(
             swinging ? std::min(moreDamping * m_first.d, mostRaw / damper) : std::max(m_first.d / moreDamping, 1.0));
     }
-    co_return fail(Fault::Refused, "no D was found with which a small P neither swings nor creeps",
-        "see that nothing is loose, and write gains once with which it comes to rest");
+    co_return fail(Fault::Refused, say("no D was found with which a small P neither swings nor creeps"),
+        say("see that nothing is loose, and write gains once with which it comes to rest"));
 }
 
 Task<void> TwoPointIdentification::tryAll(AutotuneRun &run)
@@ -270,8 +271,8 @@ Task<void> TwoPointIdentification::tryAll(AutotuneRun &run)
             co_return {};
         if (m_swung)
             co_return fail(Fault::Refused,
-                "it swung itself up with P " + inWhole(next.point.p) + " and D " + inWhole(next.point.d),
-                "see that nothing is loose; a stronger load than it was built for cannot be tuned");
+                say("it swung itself up with P %1 and D %2", inWhole(next.point.p), inWhole(next.point.d)),
+                say("see that nothing is loose; a stronger load than it was built for cannot be tuned"));
     }
     m_creeping.assign(m_runs.begin() + static_cast<std::ptrdiff_t>(before), m_runs.end());
     m_runs.resize(before);

@@ -36,9 +36,9 @@ std::optional<std::uint64_t> number(std::string_view text, int base)
     return value;
 }
 
-tl::unexpected<Error> malformed(std::string cause)
+tl::unexpected<Error> malformed(Message cause)
 {
-    return fail(Error::fromPhrase(Fault::OutOfRange, cause));
+    return fail(Fault::OutOfRange, std::move(cause));
 }
 
 std::string quoted(std::string_view text)
@@ -109,7 +109,7 @@ Result<std::optional<LoggedFrame>> AscParser::parse(std::string_view line)
     static constexpr std::array<std::string_view, 4> passedOver{"begin", "end", "internal", "no"};
     if (std::any_of(passedOver.begin(), passedOver.end(), [&](std::string_view w) { return equalsAnyCase(first, w); }))
         return none;
-    return malformed(quoted(first) + " begins no line of such a log");
+    return malformed(say("%1 begins no line of such a log", quoted(first)));
 }
 
 /// `base hex  timestamps absolute`
@@ -118,13 +118,13 @@ Result<void> AscParser::readBase(Words words)
     const std::string_view base = words.take();
     m_hex = equalsAnyCase(base, "hex");
     if (!m_hex && !equalsAnyCase(base, "dec"))
-        return malformed("the base of the numbers is " + quoted(base) + ", not hex or dec");
+        return malformed(say("the base of the numbers is %1, not hex or dec", quoted(base)));
     if (!equalsAnyCase(words.take(), "timestamps"))
         return {};
     const std::string_view kind = words.take();
     m_relative = equalsAnyCase(kind, "relative");
     if (!m_relative && !equalsAnyCase(kind, "absolute"))
-        return malformed("the time stamps are " + quoted(kind) + ", not absolute or relative");
+        return malformed(say("the time stamps are %1, not absolute or relative", quoted(kind)));
     return {};
 }
 
@@ -163,14 +163,14 @@ Result<std::optional<LoggedFrame>> AscParser::readEvent(std::string_view time, W
     const std::optional<LoggedFrame> none;
     const auto stamp = parseSeconds(time);
     if (!stamp)
-        return malformed(quoted(time) + " is no time stamp");
+        return malformed(say("%1 is no time stamp", quoted(time)));
     const Duration room = Duration::max() - m_start;
     if (m_relative ? m_last > room || *stamp > room - m_last : *stamp > room)
-        return malformed("the time stamp " + quoted(time) + " is out of range");
+        return malformed(say("the time stamp %1 is out of range", quoted(time)));
     m_last = m_relative ? m_last + *stamp : *stamp;
     const std::string_view where = words.take();
     if (equalsAnyCase(where, "canfd"))
-        return malformed("a CAN FD frame; only classic CAN is read");
+        return malformed(say("a CAN FD frame, and only classic CAN is read"));
     const auto channel = number(where, 10);
     if (!channel)
         return none;
@@ -187,7 +187,7 @@ Result<std::optional<LoggedFrame>> AscParser::readEvent(std::string_view time, W
     } else {
         CanFrame frame;
         if (readId(what, m_hex, frame) && !equalsAnyCase(direction, "txrq"))
-            return malformed("the frame says " + quoted(direction) + " in the place of Rx or Tx");
+            return malformed(say("the frame says %1 in the place of Rx or Tx", quoted(direction)));
         return none;
     }
     if (!m_directions)
@@ -215,24 +215,25 @@ Result<LoggedFrame> AscParser::readFrame(std::string_view id, std::string_view d
     LoggedFrame logged;
     CanFrame &frame = logged.frame;
     if (!readId(id, m_hex, frame))
-        return malformed(quoted(id) + " is no CAN identifier" + (m_hex ? " in hex" : " in dec"));
+        return malformed(m_hex ? say("%1 is no CAN identifier in hex", quoted(id))
+                               : say("%1 is no CAN identifier in dec", quoted(id)));
     logged.direction = equalsAnyCase(direction, "tx") ? LogDirection::Sent : LogDirection::Received;
     const std::string_view kind = words.take();
     frame.remote = equalsAnyCase(kind, "r");
     if (!frame.remote && !equalsAnyCase(kind, "d"))
-        return malformed("the frame is of the kind " + quoted(kind) + ", not d or r");
+        return malformed(say("the frame is of the kind %1, not d or r", quoted(kind)));
     const std::string_view length = words.take();
     const auto size = number(length, 16);
     if (frame.remote && !size) // the length may be missing, and `Length = …` follow
         return logged;
     if (!size || *size > 15)
-        return malformed("the length of the frame is " + quoted(length));
+        return malformed(say("the length of the frame is %1", quoted(length)));
     frame.size = static_cast<std::uint8_t>(std::min<std::uint64_t>(*size, frame.data.size())); // 9…15 mean 8
     for (std::size_t i = 0; !frame.remote && i < frame.size; ++i) {
         const std::string_view text = words.take();
         const auto byte = number(text, m_hex ? 16 : 10);
         if (!byte || *byte > 0xFF)
-            return malformed("the frame has " + std::to_string(i) + " of " + std::to_string(frame.size) + " bytes");
+            return malformed(say("the frame has %1 of %2 bytes", i, frame.size));
         frame.data[i] = static_cast<std::uint8_t>(*byte);
     }
     return logged;

@@ -6,8 +6,8 @@
 namespace mb {
 namespace {
 
-constexpr std::string_view example = "; such a line reads (1436509052.249713) can0 044#2A366C2B";
-constexpr std::string_view ascExample = "; such a line reads 0.249713 1 44 Rx d 4 2A 36 6C 2B";
+constexpr std::string_view example = "(1436509052.249713) can0 044#2A366C2B";
+constexpr std::string_view ascExample = "0.249713 1 44 Rx d 4 2A 36 6C 2B";
 constexpr std::string_view blfMagic = "LOGG";
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
@@ -24,17 +24,16 @@ LogFormat formatOfName(std::string_view fileName)
         : LogFormat::Candump;
 }
 
-Error FrameLogParser::malformed(std::uint64_t line, std::string_view cause) const
+Error FrameLogParser::malformed(std::uint64_t line, const Message &cause) const
 {
-    std::string text = "line " + std::to_string(line);
-    if (!m_format)
-        text += " is neither a line of candump -L nor the beginning of a Vector ASC log";
-    else
-        text += *m_format == LogFormat::Candump ? " is not a line of candump -L" : " is not a line of a Vector ASC log";
+    Message what = !m_format
+        ? say("line %1 is neither a line of candump -L nor the beginning of a Vector ASC log", line)
+        : *m_format == LogFormat::Candump ? say("line %1 is not a line of candump -L", line)
+                                          : say("line %1 is not a line of a Vector ASC log", line);
     if (!cause.empty())
-        text += ": " + std::string(cause);
-    text += m_format == LogFormat::Asc ? ascExample : example;
-    return Error::fromPhrase(Fault::OutOfRange, text);
+        what = say("%1: %2", what, cause);
+    return {Fault::OutOfRange, std::move(what),
+        say("such a line reads %1", m_format == LogFormat::Asc ? ascExample : example)};
 }
 
 Error FrameLogParser::tooLong() const
@@ -57,7 +56,7 @@ Result<std::optional<LoggedFrame>> FrameLogParser::parse(std::string_view line)
         else if (AscParser::begins(line))
             m_format = LogFormat::Asc;
         else if (line.starts_with(blfMagic))
-            return fail(Fault::OutOfRange, "it is a Vector BLF log", "save it as ASC and take that");
+            return fail(Fault::OutOfRange, say("it is a Vector BLF log"), say("save it as ASC and take that"));
         else
             return fail(malformed(m_lines));
     }

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] std::uint64_t lines() const { return m_lines; }
 
 private:
-    [[nodiscard]] Error malformed(std::uint64_t line, std::string_view cause = {}) const;
+    [[nodiscard]] Error malformed(std::uint64_t line, const Message &cause = {}) const;
 
     std::uint64_t m_lines = 0;
     std::optional<LogFormat> m_format;

@@ -145,7 +145,7 @@ void ProfilePanel::typed(const Row &row)
     const auto number = parseNumber(text);
     if (!text.isEmpty() && !number) {
         setStyleProperty(*row.field, "state", QStringLiteral("error"));
-        say(fail(Fault::OutOfRange, std::string(row.calibration->label) + ": not a number"));
+        say(fail(Fault::OutOfRange, mb::say("%1: not a number", row.calibration->label)));
         return;
     }
     const DeviceView *device = m_workbench.snapshot().device(m_device);

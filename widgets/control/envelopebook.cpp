@@ -56,10 +56,10 @@ Result<void> EnvelopeBook::open(const QString &file)
     }
     const auto bytes = loadFile(file.toStdString(), largestFile);
     if (!bytes)
-        return fail(Fault::OutOfRange, bytes.error().detail, "remove it, or make it readable");
+        return fail(Fault::OutOfRange, bytes.error().detail, say("remove it, or make it readable"));
     const QJsonObject all = QJsonDocument::fromJson(*bytes).object();
     if (all.value(kindKey).toString() != fileKind)
-        return fail(Fault::OutOfRange, file.toStdString() + " holds no limits of experiments", "remove it");
+        return fail(Fault::OutOfRange, say("%1 holds no limits of experiments", file.toStdString()), say("remove it"));
     const QJsonObject units = all.value(unitsKey).toObject();
     for (auto unit = units.begin(); unit != units.end(); ++unit) {
         Unit &read = m_units[unit.key().toStdString()];

@@ -56,8 +56,8 @@ QByteArray pngOf(const QImage &picture)
 Result<void> savePlot(const QString &path, const QByteArray &content)
 {
     if (content.isEmpty())
-        return fail(Fault::OutOfRange, path.toStdString() + " has a name that ends in no kind of picture",
-            "end it in .png, .svg or .pdf");
+        return fail(Fault::OutOfRange, say("%1 has a name that ends in no kind of picture", path.toStdString()),
+            say("end it in .png, .svg or .pdf"));
     return saveFile(path.toStdString(), content);
 }
 

@@ -44,17 +44,17 @@ Result<PlotLayout> PlotLayout::fromJson(const QByteArray &json)
 {
     const QJsonObject object = QJsonDocument::fromJson(json).object();
     if (object.value(key("motorbench")).toString() != key("plot layout"))
-        return fail(Fault::OutOfRange, "this is no layout of plots");
+        return fail(Fault::OutOfRange, say("this is no layout of plots"));
     PlotLayout layout;
     layout.window = object.value(key("window")).toDouble(layout.window);
     if (!(layout.window >= shortestWindow && layout.window <= longestWindow))
-        return fail(Fault::OutOfRange, "the window of the layout is out of range");
+        return fail(Fault::OutOfRange, say("the window of the layout is out of range"));
     for (const QJsonValue value : object.value(key("traces")).toArray()) {
         const QJsonObject trace = value.toObject();
         layout.traces.push_back({trace.value(key("device")).toString(), trace.value(key("key")).toString(),
             trace.value(key("pane")).toString(), trace.value(key("second")).toBool()});
         if (layout.traces.size() > mostTraces)
-            return fail(Fault::OutOfRange, "the layout has more than 500 traces");
+            return fail(Fault::OutOfRange, say("the layout has more than 500 traces"));
     }
     for (const QJsonValue value : object.value(key("derived")).toArray()) {
         const QJsonObject signal = value.toObject();
@@ -87,14 +87,14 @@ Result<PlotLayout> PlotLayouts::load(const QString &name) const
 {
     QFile file(fileOf(name));
     if (m_folder.isEmpty() || !file.open(QIODevice::ReadOnly) || file.size() > largestLayout)
-        return fail(Fault::OutOfRange, "there is no layout of this name");
+        return fail(Fault::OutOfRange, say("there is no layout of this name"));
     return PlotLayout::fromJson(file.readAll());
 }
 
 Result<void> PlotLayouts::save(const QString &name, const PlotLayout &layout) const
 {
     if (m_folder.isEmpty())
-        return fail(Fault::Unsupported, "a demo remembers no layouts");
+        return fail(Fault::Unsupported, say("a demo remembers no layouts"));
     QDir().mkpath(m_folder);
     return saveFile(fileOf(name).toStdString(), layout.toJson());
 }

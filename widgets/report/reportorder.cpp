@@ -62,8 +62,8 @@ void ReportOrder::write(const DeviceView &view, const ReportWish &wish, const QS
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix != QLatin1String("pdf") && suffix != QLatin1String("html"))
         return finish(path,
-            fail(Fault::OutOfRange, path.toStdString() + " has a name that ends in no kind of report",
-                "end it in .pdf or .html"));
+            fail(Fault::OutOfRange, say("%1 has a name that ends in no kind of report", path.toStdString()),
+                say("end it in .pdf or .html")));
     const ReportUnit subject = unitOf(view);
     ReportWish matter = wish;
     if (matter.trials.empty())

@@ -205,7 +205,7 @@ Result<std::unique_ptr<GuardWatch>> GuardianClient::watch(Link &link, const Stop
     order.script = wireScript(script, (*post)->form());
     const guardian::Bytes packet = guardian::encode(order);
     if (packet.size() > guardian::largestMessage || guardian::decodeOrder(packet) != order)
-        return fail(Fault::Unsafe, "the stop script of this device is not one that a guardian can carry out");
+        return fail(Fault::Unsafe, say("the stop script of this device is not one that a guardian can carry out"));
     auto watch = std::make_unique<Watch>(*this, *post, order.id, name);
     (*post)->say(order);
     return watch;

@@ -58,11 +58,11 @@ int spawn(pid_t &pid, const std::string &program, const GuardedLine &guarded, in
 Result<GuardianProcess> startGuardian(const std::string &program, const GuardedLine &guarded)
 {
     if (::access(program.c_str(), X_OK) != 0)
-        return fail(Fault::Unsafe, program + " is missing",
-            "without it nothing would stop this motor if the program died: install it there");
+        return fail(Fault::Unsafe, say("%1 is missing", program),
+            say("without it nothing would stop this motor if the program died: install it there"));
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0)
-        return fail(Fault::Unsafe, std::string("no guardian can be started: ") + std::strerror(errno));
+        return fail(Fault::Unsafe, say("no guardian can be started: %1", std::strerror(errno)));
     Descriptor ours(ends[0]);
     const Descriptor theirs(ends[1]);
     const Descriptor socket(::fcntl(theirs.get(), F_DUPFD_CLOEXEC, aboveTheirs));
@@ -71,7 +71,7 @@ Result<GuardianProcess> startGuardian(const std::string &program, const GuardedL
     const int cause
         = socket.get() < 0 || line.get() < 0 ? errno : spawn(process.pid, program, guarded, socket.get(), line.get());
     if (cause != 0)
-        return fail(Fault::Unsafe, std::string("no guardian can be started: ") + std::strerror(cause));
+        return fail(Fault::Unsafe, say("no guardian can be started: %1", std::strerror(cause)));
     process.socket = ours.give();
     return process;
 }

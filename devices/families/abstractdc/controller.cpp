@@ -76,20 +76,16 @@ bool Controller::needsPowerCycle() const
 Result<void> Controller::doMayMove() const
 {
     if (!m_dialect)
-        return fail(Error::fromPhrase(Fault::Unsafe,
-            QT_TRANSLATE_NOOP("table",
-                "it is not proven which codes this drive speaks, and the wrong ones start it at full power; scan "
-                "again, or "
-                "choose its dialect by hand")));
+        return fail(Fault::Unsafe,
+            say("it is not proven which codes this drive speaks, and the wrong ones start it at full power"),
+            say("scan again, or choose its dialect by hand"));
     if (!m_dialect->canStop())
-        return fail(Error::fromPhrase(Fault::Unsafe,
-            QT_TRANSLATE_NOOP("table", "a drive of dialect LL has no code for stop; only its power stops it")));
+        return fail(Fault::Unsafe, say("a drive of dialect LL has no code for stop"), say("only its power stops it"));
     if (needsPowerCycle())
-        return fail(Error::fromPhrase(Fault::Unsafe,
-            QT_TRANSLATE_NOOP("table",
-                "its averaging was lowered, as far as can be known, and until it has lost its power once it may "
-                "overwrite "
-                "its own memory; switch it off and on")));
+        return fail(Fault::Unsafe,
+            say("its averaging was lowered, as far as can be known, and until it has lost its power once it may "
+                "overwrite its own memory"),
+            say("switch it off and on"));
     return {};
 }
 
@@ -131,13 +127,11 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     if (!command)
         return fail(command.error());
     if (m_wrapped)
-        return fail(Error::fromPhrase(Fault::Unsafe,
-            QT_TRANSLATE_NOOP("table",
-                "the output of its loop passed 32767, where it turns to full reverse; lower the gains or the steps")));
+        return fail(Fault::Unsafe, say("the output of its loop passed 32767, where it turns to full reverse"),
+            say("lower the gains or the steps"));
     if (command->loop == Loop::Position && !m_sense.position())
-        return fail(Error::fromPhrase(Fault::Unsafe,
-            QT_TRANSLATE_NOOP(
-                "table", "its position is not known yet; a step from the wrong place could be far too large")));
+        return fail(Fault::Unsafe, say("its position is not known yet"),
+            say("a step from the wrong place could be far too large"));
     const Instant now = clock().now();
     if (m_loop != command->loop || !m_ours)
         m_lead.reset();
@@ -181,10 +175,9 @@ void Controller::doStop()
 Result<void> Controller::doMayStop() const
 {
     if (!m_dialect)
-        return fail(Fault::Unsafe,
-            QT_TRANSLATE_NOOP("table", "it is not proven which codes it speaks, and a stop of others may start it"));
+        return fail(Fault::Unsafe, say("it is not proven which codes it speaks, and a stop of others may start it"));
     if (!m_dialect->canStop())
-        return fail(Fault::Unsafe, QT_TRANSLATE_NOOP("table", "dialect LL has no code for stop"));
+        return fail(Fault::Unsafe, say("dialect LL has no code for stop"));
     return {};
 }
 

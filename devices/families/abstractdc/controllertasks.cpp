@@ -63,7 +63,7 @@ Task<void> Controller::expectAnswer()
         m_can, clock(), encodeLogRequest(dialect, offset, log), std::move(match), {tries, answerTime(m_can)});
     const Result<CanFrame> answer = co_await std::move(asking).attempt();
     if (!answer && answer.error().fault == Fault::Timeout)
-        co_return fail(Fault::Timeout, selector() + " does not answer");
+        co_return fail(Fault::Timeout, say("%1 does not answer", selector()));
     if (!answer)
         co_return fail(answer.error());
     co_return {};
@@ -86,30 +86,25 @@ Task<void> Controller::doRefresh()
 
 Task<std::int64_t> Controller::doRead(ParameterIndex)
 {
-    co_return fail(
-        Fault::Unsupported, QT_TRANSLATE_NOOP("table", "an Abstract DC Drive cannot be asked for its settings"));
+    co_return fail(Fault::Unsupported, say("an Abstract DC Drive cannot be asked for its settings"));
 }
 
 Result<void> Controller::mayWrite(const Parameter &parameter, std::int64_t raw) const
 {
     if (!m_dialect)
-        return fail(Error::fromPhrase(Fault::Unsafe,
-            QT_TRANSLATE_NOOP("table", "it is not proven which codes this drive speaks; nothing was written")));
+        return fail(Fault::Unsafe, say("it is not proven which codes this drive speaks"), say("nothing was written"));
     const Field field = fieldOf(parameter);
     if (field == Field::Divisor && raw == 0)
-        return fail(Error::fromPhrase(
-            Fault::OutOfRange, QT_TRANSLATE_NOOP("table", "0 is no divisor; the loop would be undefined")));
+        return fail(Fault::OutOfRange, say("0 is no divisor"), say("the loop would be undefined"));
     if (field == Field::Divisor && m_loop == loopOf(parameter))
-        return fail(Error::fromPhrase(
-            Fault::Unsafe, QT_TRANSLATE_NOOP("table", "a divisor changes all gains at once; stop the motor first")));
+        return fail(Fault::Unsafe, say("a divisor changes all gains at once"), say("stop the motor first"));
     if (field != Field::Averaging)
         return {};
     if (raw < 1 || raw > averagingMost)
-        return fail(Error::fromPhrase(Fault::OutOfRange,
-            QT_TRANSLATE_NOOP(
-                "table", "legal is 1 … 500; the drive does not check it and would overwrite its memory")));
+        return fail(Fault::OutOfRange, say("legal is 1 … 500"),
+            say("the drive does not check it and would overwrite its memory"));
     if (mayLowerAveraging(raw) && (isDriven() || m_sense.isMoving(clock().now())))
-        return fail(Fault::Unsafe, QT_TRANSLATE_NOOP("table", "lowering it needs a stopped motor"));
+        return fail(Fault::Unsafe, say("lowering it needs a stopped motor"));
     return {};
 }
 
@@ -154,14 +149,13 @@ Task<void> Controller::save(Loop loop, Progress &progress)
     const auto counted = profile().counters.find(counterOf(loop));
     const std::int64_t saves = counted == profile().counters.end() ? 0 : counted->second;
     if (saves >= savesPerPage)
-        co_return fail(Fault::Unsafe,
-            "the settings of the " + nameOf(loop) + " loop were saved " + std::to_string(saves) + " times",
-            "one more would make the drive load something else. Erase its settings pages with a firmware "
-            "update (erase settings), then save again");
+        co_return fail(Fault::Unsafe, say("the settings of the %1 loop were saved %2 times", nameOf(loop), saves),
+            say("one more would make the drive load something else. Erase its settings pages with a firmware update "
+                "(erase settings), then save again"));
     if (saves + 1 >= savesUntilWarning)
         progress.log(Severity::Caution,
-            "the " + nameOf(loop) + " loop was saved " + std::to_string(saves + 1) + " times; after "
-                + std::to_string(savesPerPage) + " its settings pages must be erased");
+            say("the %1 loop was saved %2 times; after %3 its settings pages must be erased", nameOf(loop), saves + 1,
+                savesPerPage));
     if (auto sent = m_can.send(encodeSave(*m_dialect, identity().address, loop)); !sent)
         co_return fail(sent.error());
     setCounter(counterOf(loop), saves + 1);
@@ -174,19 +168,17 @@ Task<void> Controller::save(Loop loop, Progress &progress)
 Task<bool> Controller::doStore(Progress &progress)
 {
     if (!m_dialect)
-        co_return fail(Error::fromPhrase(Fault::Unsafe,
-            QT_TRANSLATE_NOOP("table", "it is not proven which codes this drive speaks; nothing was saved")));
+        co_return fail(Fault::Unsafe, say("it is not proven which codes this drive speaks"), say("nothing was saved"));
     if (isDriven())
-        co_return fail(Fault::Unsafe,
-            QT_TRANSLATE_NOOP("table", "stop the motor first: the drive stands still while it writes its flash"));
+        co_return fail(Fault::Unsafe, say("stop the motor first: the drive stands still while it writes its flash"));
     const std::set<Loop> all = m_unsaved;
     int done = 0;
     for (const Loop loop : all) {
-        progress.step("Saving the " + nameOf(loop) + " loop", done++, static_cast<int>(all.size()));
+        progress.step(say("Saving the %1 loop", nameOf(loop)), done++, static_cast<int>(all.size()));
         auto saving = save(loop, progress);
         co_await std::move(saving);
     }
-    progress.step("Saved", static_cast<int>(all.size()), static_cast<int>(all.size()));
+    progress.step(say("Saved"), static_cast<int>(all.size()), static_cast<int>(all.size()));
     co_return false;
 }
 
@@ -218,29 +210,26 @@ Task<std::vector<FaultRecord>> Controller::doClearFaults()
 
 Task<void> Controller::doIdentify()
 {
-    co_return fail(Fault::Unsupported, QT_TRANSLATE_NOOP("table", "an Abstract DC Drive has no lamp to blink"));
+    co_return fail(Fault::Unsupported, say("an Abstract DC Drive has no lamp to blink"));
 }
 
 Task<void> Controller::doRename(std::string)
 {
-    co_return fail(Fault::Unsupported, QT_TRANSLATE_NOOP("table", "an Abstract DC Drive has no name"));
+    co_return fail(Fault::Unsupported, say("an Abstract DC Drive has no name"));
 }
 
 Task<void> Controller::doRenumber(int)
 {
-    co_return fail(Fault::Unsupported,
-        QT_TRANSLATE_NOOP("table", "the offset of an Abstract DC Drive is compiled into its firmware"));
+    co_return fail(Fault::Unsupported, say("the offset of an Abstract DC Drive is compiled into its firmware"));
 }
 
 Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
 {
     const auto log = logOf(channel);
     if (!log)
-        co_return fail(
-            Fault::Unsupported, QT_TRANSLATE_NOOP("table", "the set-point comes from here, not from the device"));
+        co_return fail(Fault::Unsupported, say("the set-point comes from here, not from the device"));
     if (!std::isfinite(hertz) || hertz < 0.0)
-        co_return fail(
-            Fault::OutOfRange, QT_TRANSLATE_NOOP("table", "a rate is a positive number, or 0 for the usual one"));
+        co_return fail(Fault::OutOfRange, say("a rate is a positive number, or 0 for the usual one"));
     if (hertz > 0.0)
         m_wishes[*log] = hertz;
     else

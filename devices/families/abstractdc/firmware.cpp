@@ -59,8 +59,8 @@ Result<std::unique_ptr<QTemporaryFile>> written(const FirmwareImage &image)
     if (!file->open() || file->write(text.data(), static_cast<qint64>(text.size())) != static_cast<qint64>(text.size())
         || !file->flush())
         return fail(Fault::LinkLost,
-            "a temporary file for OpenOCD cannot be written: " + file->errorString().toStdString(),
-            "make room in " + QDir::tempPath().toStdString());
+            say("a temporary file for OpenOCD cannot be written: %1", file->errorString().toStdString()),
+            say("make room in %1", QDir::tempPath().toStdString()));
     return file;
 }
 
@@ -74,8 +74,8 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
     mark(PartState::Waiting);
     ExternalProgram openocd(clock);
     if (!ExternalProgram::locate("openocd"))
-        co_return fail(Error::fromPhrase(Fault::LinkLost,
-            QT_TRANSLATE_NOOP("table", "openocd is not installed; install it with: sudo apt install openocd")));
+        co_return fail(
+            Fault::LinkLost, say("openocd is not installed"), say("install it with: sudo apt install openocd"));
     if (auto started = openocd.start(openocd::commandOf(job)); !started)
         co_return fail(started.error());
     openocd::Reading reading;
@@ -84,8 +84,8 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
         progress.step(std::string(titleOf(reading.stage())), static_cast<int>(reading.stage()), total);
         const auto piece = co_await openocd.next(patience);
         if (!piece)
-            co_return fail(piece.error().fault, "OpenOCD said nothing for a minute and was ended",
-                "check the probe and try again");
+            co_return fail(piece.error().fault, say("OpenOCD said nothing for a minute and was ended"),
+                say("check the probe and try again"));
         if (!*piece)
             break;
         if (!(*piece)->complete)
@@ -123,10 +123,10 @@ Result<void> preflight(const Device &device, const FirmwareImage &image, const U
     if (auto summary = inspect(image); !summary)
         return fail(summary.error());
     if (device.liveness().moving)
-        return fail(Error::fromPhrase(Fault::Unsafe, QT_TRANSLATE_NOOP("table", "its motor moves; stop it first")));
+        return fail(Fault::Unsafe, say("its motor moves"), say("stop it first"));
     if (options.eraseSettings && touchesSettings(image))
-        return fail(Error::fromPhrase(Fault::OutOfRange,
-            QT_TRANSLATE_NOOP("table", "the image itself writes the settings pages; leave out erasing them")));
+        return fail(
+            Fault::OutOfRange, say("the image itself writes the settings pages"), say("leave out erasing them"));
     return {};
 }
 
@@ -157,8 +157,7 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
     const auto &segments = image.segments();
     if (segments.empty() || segments.front().first < flashBegin || segments.back().last >= flashEnd)
         return fail(Fault::OutOfRange,
-            QT_TRANSLATE_NOOP("table",
-                "this is no program for the drive: it has bytes outside the flash of an STM32, 0x08000000 … "
+            say("this is no program for the drive: it has bytes outside the flash of an STM32, 0x08000000 … "
                 "0x081FFFFF"));
     std::array<std::uint8_t, 8> vectors{};
     image.overlay(flashBegin, vectors);
@@ -167,11 +166,8 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
     if (image.byteCount(flashBegin, flashBegin + 7) != vectors.size() || (stack >> 24U) != 0x20U || (reset & 1U) == 0
         || !image.has(reset & ~1U))
         return fail(Fault::OutOfRange,
-            QT_TRANSLATE_NOOP("table",
-                "this is no program for the drive: there are no vectors of an STM32 at 0x08000000. Make the Intel HEX "
-                "file "
-                "with: "
-                "arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf"));
+            say("this is no program for the drive: there are no vectors of an STM32 at 0x08000000. Make the Intel HEX "
+                "file with: arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf"));
     ImageSummary summary;
     for (std::uint32_t page = flashBegin; page <= segments.back().last; page += pageSize) {
         if (image.hasAny(page, page + pageSize - 1))
@@ -205,7 +201,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     job->eraseSettings = options.eraseSettings;
     if (options.eraseSettings)
         progress.log(Severity::Caution,
-            "the gains stored in the drive are erased; all its loops do nothing until they are written again");
+            say("the gains stored in the drive are erased; all its loops do nothing until they are written again"));
     device.stop();
     auto programming = program(device.clock(), *job, summary->parts, progress);
     const openocd::Reading reading = co_await std::move(programming);

@@ -107,16 +107,14 @@ Result<Job> jobOf(std::string_view via, std::string_view target)
 {
     constexpr std::string_view scheme = "openocd:";
     if (via.substr(0, scheme.size()) != scheme || !isName(via.substr(scheme.size())))
-        return via.empty()
-            ? fail(Fault::OutOfRange, "an Abstract DC Drive is written through a debug probe",
-                "add --via openocd:INTERFACE --target f1|f4, such as --via openocd:stlink --target f1")
-            : fail(Fault::OutOfRange, "--via: '" + std::string(via) + "' is no way into an Abstract DC Drive",
-                "write openocd:INTERFACE, such as openocd:stlink");
+        return via.empty() ? fail(Fault::OutOfRange, say("an Abstract DC Drive is written through a debug probe"),
+                   say("add --via openocd:INTERFACE --target f1|f4, such as --via openocd:stlink --target f1"))
+                           : fail(Fault::OutOfRange, say("--via: '%1' is no way into an Abstract DC Drive", via),
+                               say("write openocd:INTERFACE, such as openocd:stlink"));
     if (!targetOf(target))
         return fail(Fault::OutOfRange,
-            (target.empty() ? std::string("--target is missing")
-                            : "--target: '" + std::string(target) + "' is unknown"),
-            "the microcontroller of the drive is f1 (STM32F1) or f4 (STM32F4)");
+            target.empty() ? say("--target is missing") : say("--target: '%1' is unknown", target),
+            say("the microcontroller of the drive is f1 (STM32F1) or f4 (STM32F4)"));
     return Job{std::string(via.substr(scheme.size())), std::string(target), {}, false};
 }
 

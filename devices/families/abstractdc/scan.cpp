@@ -157,8 +157,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
 {
     auto *const can = dynamic_cast<CanLink *>(&link);
     if (!can)
-        co_return fail(
-            Fault::Unsupported, QT_TRANSLATE_NOOP("table", "Abstract DC Drives are found on CAN links only"));
+        co_return fail(Fault::Unsupported, say("Abstract DC Drives are found on CAN links only"));
     Round round(*can, clock, sink);
     for (int i = 0; i < broadcasts; ++i) {
         sink.progress("Looking for Abstract DC Drives", i, broadcasts);
@@ -170,7 +169,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
     round.tellTwins();
     sink.progress("Abstract DC Drives found: " + std::to_string(round.count()), broadcasts, broadcasts);
     if (can->state() != LinkState::Open)
-        co_return fail(Fault::LinkLost, can->address().shortName() + ": " + can->reason());
+        co_return fail(Fault::LinkLost, say("%1: %2", can->address().shortName(), can->reason()));
     co_return {};
 }
 

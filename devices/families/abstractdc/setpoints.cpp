@@ -34,7 +34,7 @@ Result<Scale> scaleOf(Mode mode, const DeviceProfile &profile)
     case Mode::Current: return Scale{Loop::Current, 0.0, adcMost * perCount, 1.0 / perCount};
     default: break;
     }
-    return fail(Fault::Unsupported, "an Abstract DC Drive has no mode '" + std::string(toString(mode)) + "'");
+    return fail(Fault::Unsupported, say("an Abstract DC Drive has no mode '%1'", toString(mode)));
 }
 
 /// Output per unit of error; nothing where it is not known.
@@ -60,21 +60,18 @@ Result<Command> commandOf(const SetPoint &setPoint, const DeviceProfile &profile
     if (!scale)
         return fail(scale.error());
     if (setPoint.reverseMotor || setPoint.reverseSensor)
-        return fail(Error::fromPhrase(Fault::Unsupported,
-            QT_TRANSLATE_NOOP("table",
-                "an Abstract DC Drive cannot exchange directions; exchange the wires, or the sign of the divisor")));
+        return fail(Fault::Unsupported, say("an Abstract DC Drive cannot exchange directions"),
+            say("exchange the wires, or the sign of the divisor"));
     if (setPoint.overrideLimits)
-        return fail(Fault::Unsupported, "an Abstract DC Drive has no limit switches, so there is no limit override",
-            "leave it out");
+        return fail(Fault::Unsupported,
+            say("an Abstract DC Drive has no limit switches, so there is no limit override"), say("leave it out"));
     if (!std::isfinite(setPoint.target))
-        return fail(Fault::OutOfRange, std::string(toString(setPoint.mode)) + " needs a number");
+        return fail(Fault::OutOfRange, say("%1 needs a number", toString(setPoint.mode)));
     if (!std::isfinite(setPoint.ramp) || setPoint.ramp < 0.0)
-        return fail(Fault::OutOfRange,
-            QT_TRANSLATE_NOOP("table", "the ramp must be 0 or a positive number of duty per second"));
+        return fail(Fault::OutOfRange, say("the ramp must be 0 or a positive number of duty per second"));
     if (setPoint.target < scale->low || setPoint.target > scale->high)
         return fail(Fault::OutOfRange,
-            std::string(toString(setPoint.mode)) + ' ' + numberText(setPoint.target) + " is outside "
-                + numberText(scale->low) + " … " + numberText(scale->high));
+            say("%1 %2 is outside %3 … %4", toString(setPoint.mode), setPoint.target, scale->low, scale->high));
     return Command{scale->loop, static_cast<std::int32_t>(std::lround(setPoint.target * scale->one))};
 }
 

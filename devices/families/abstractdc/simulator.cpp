@@ -43,7 +43,7 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
 {
     auto *const can = dynamic_cast<CanLink *>(&link);
     if (!can)
-        return fail(Fault::Unsupported, "Abstract DC Drives live on CAN links only");
+        return fail(Fault::Unsupported, say("Abstract DC Drives live on CAN links only"));
     const auto options = UnitOptions::parse(unit);
     if (!options)
         return fail(options.error());

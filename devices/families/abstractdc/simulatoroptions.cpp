@@ -51,8 +51,7 @@ std::int32_t raw(double gain)
 Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
 {
     if (unit.address < 0 || unit.address > maxOffset)
-        return fail(
-            Fault::OutOfRange, "an Abstract DC Drive has an offset from 0 to 99, not " + std::to_string(unit.address));
+        return fail(Fault::OutOfRange, say("an Abstract DC Drive has an offset from 0 to 99, not %1", unit.address));
     UnitOptions options;
     options.offset = unit.address;
     options.motor = motorByName("25d");
@@ -61,10 +60,10 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     constexpr std::array<std::string_view, 6> known{"dialect", "motor", "load", "glitches", "gains", "serial"};
     for (const auto &[key, value] : unit.options) {
         if (std::find(known.begin(), known.end(), key) == known.end())
-            return fail(Fault::OutOfRange, "a simulated Abstract DC Drive has no option '" + key + "'");
+            return fail(Fault::OutOfRange, say("a simulated Abstract DC Drive has no option '%1'", key));
         if (!setOption(options, key, value))
             return fail(Fault::OutOfRange,
-                "'" + value + "' is no value for the option '" + key + "' of a simulated Abstract DC Drive");
+                say("'%1' is no value for the option '%2' of a simulated Abstract DC Drive", value, key));
     }
     return options;
 }

@@ -64,7 +64,8 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &row = parameters().parameter(index);
     if (row.id == param::encoderPosition && (liveness().moving || m_lastGeneral.duty != 0))
-        co_return fail(Fault::Unsafe, "the position is written only while the output is off", "stop the motor first");
+        co_return fail(
+            Fault::Unsafe, say("the position is written only while the output is off"), say("stop the motor first"));
     if (row.nature == Nature::Counter && raw != 0) {
         auto clearing = clearCounter(row, raw);
         const std::int64_t before = co_await std::move(clearing);
@@ -121,15 +122,14 @@ Task<std::int64_t> Controller::clearCounter(const Parameter &parameter, std::int
         if (now < before || now == 0)
             co_return before;
     }
-    co_return fail(Fault::Timeout,
-        std::string(parameter.key) + " was " + std::to_string(before) + " and is not known to be cleared");
+    co_return fail(Fault::Timeout, say("%1 was %2 and is not known to be cleared", parameter.key, before));
 }
 
 Task<bool> Controller::doStore(Progress &progress)
 {
     if (std::exchange(m_flashLost, false))
-        co_return fail(
-            Fault::BadCheck, "the device restarted before its flash was proved to be written", "read it again");
+        co_return fail(Fault::BadCheck, say("the device restarted before its flash was proved to be written"),
+            say("read it again"));
     const Instant begun = clock().now();
     const Instant end = std::max(m_flash.deadline(), begun + 1s);
     bool advanced = false;
@@ -148,15 +148,15 @@ Task<bool> Controller::doStore(Progress &progress)
             m_flash.settle();
             if (advanced || (!sequence && sequence.error().fault == Fault::Unsupported))
                 co_return false;
-            co_return fail(Fault::BadCheck, "the device did not write its flash within 20 s");
+            co_return fail(Fault::BadCheck, say("the device did not write its flash within 20 s"));
         }
-        progress.step("Waiting until the device has written its flash", static_cast<int>((now - begun) / 1s),
+        progress.step(say("Waiting until the device has written its flash"), static_cast<int>((now - begun) / 1s),
             static_cast<int>((end - begun) / 1s));
         co_await Sleep(clock(), sequencePollPeriod);
     }
     if (std::exchange(m_flashLost, false))
-        co_return fail(
-            Fault::BadCheck, "the device restarted before its flash was proved to be written", "read it again");
+        co_return fail(Fault::BadCheck, say("the device restarted before its flash was proved to be written"),
+            say("read it again"));
     m_flash.settle();
     parameters().setAllStored();
     co_return true;
@@ -200,9 +200,9 @@ Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
 {
     const auto number = periodOf(channel);
     if (!number)
-        co_return fail(Fault::Unsupported, "the set-point comes from here, not from the device");
+        co_return fail(Fault::Unsupported, say("the set-point comes from here, not from the device"));
     if (!std::isfinite(hertz) || hertz < 0.0)
-        co_return fail(Fault::OutOfRange, "a rate is a positive number, or 0 for the usual one");
+        co_return fail(Fault::OutOfRange, say("a rate is a positive number, or 0 for the usual one"));
     const Parameter &row = parameterTable()[parameterWithId(*number)->value];
     RateWishes &wishes = m_rateWishes[*number];
     wishes.set(channel, hertz);

@@ -50,7 +50,7 @@ Task<FirmwareVersions> Controller::getVersions()
     const VendorReply reply = co_await std::move(task);
     const auto versions = decodeFirmwareVersions(reply.data);
     if (!versions)
-        co_return fail(Fault::BadReply, "GetFwver: 6 bytes were expected");
+        co_return fail(Fault::BadReply, say("GetFwver: 6 bytes were expected"));
     co_return *versions;
 }
 
@@ -60,7 +60,7 @@ Task<DescriptorList> Controller::getDescriptors()
     const VendorReply reply = co_await std::move(task);
     auto list = decodeDescriptors(reply.data);
     if (!list)
-        co_return fail(Fault::BadReply, "GetDescriptors: a field ends too early");
+        co_return fail(Fault::BadReply, say("GetDescriptors: a field ends too early"));
     co_return std::move(*list);
 }
 
@@ -70,7 +70,7 @@ Task<std::uint32_t> Controller::flashSequence()
     const VendorReply reply = co_await std::move(task);
     const auto sequence = decodeFlashSequence(reply.data);
     if (!sequence)
-        co_return fail(Fault::BadReply, "GetFlashSeqnum: 4 bytes were expected");
+        co_return fail(Fault::BadReply, say("GetFlashSeqnum: 4 bytes were expected"));
     co_return *sequence;
 }
 
@@ -117,8 +117,8 @@ Task<void> Controller::doRestart()
     auto resetting = vendor({Command::SoftReset}, {});
     const Result<VendorReply> reply = co_await std::move(resetting).attempt();
     if (!reply && reply.error().fault == Fault::Timeout)
-        co_return fail(
-            Fault::Timeout, "it did not come back; without an application its bootloader is silent (scan shows it)");
+        co_return fail(Fault::Timeout, say("it did not come back"),
+            say("without an application its bootloader is silent (scan shows it)"));
     if (!reply)
         co_return fail(reply.error());
     auto refreshing = doRefresh();
@@ -130,9 +130,9 @@ Task<void> Controller::doRename(std::string name)
 {
     auto bytes = toLatin1(name);
     if (!bytes)
-        co_return fail(Fault::OutOfRange, "a name may hold Latin-1 characters only");
+        co_return fail(Fault::OutOfRange, say("a name may hold Latin-1 characters only"));
     if (bytes->empty() || bytes->size() > static_cast<std::size_t>(maxNameLength))
-        co_return fail(Fault::OutOfRange, "a name has 1 to 64 characters");
+        co_return fail(Fault::OutOfRange, say("a name has 1 to 64 characters"));
     bytes->push_back(0); // the count of the command includes it, that of the descriptor does not (trap 12)
     const auto count = static_cast<std::uint16_t>(bytes->size());
     auto set = vendor({Command::SetDevName, count}, std::move(*bytes));
@@ -143,7 +143,7 @@ Task<void> Controller::doRename(std::string name)
     setDescriptors(known, list);
     setIdentity(known);
     if (known.name != name)
-        co_return fail(Fault::BadCheck, "the name was written, but the device answers '" + known.name + "'");
+        co_return fail(Fault::BadCheck, say("the name was written, but the device answers '%1'", known.name));
     co_return {};
 }
 
@@ -160,7 +160,7 @@ Task<void> Controller::expectFree(int number)
             co_return fail(sent.error());
         const Result<CanFrame> answer = co_await inbox.next(enumWindow);
         if (answer)
-            co_return fail(Fault::Refused, "number " + std::to_string(number) + " is used by another unit");
+            co_return fail(Fault::Refused, say("number %1 is used by another unit", number));
         if (answer.error().fault != Fault::Timeout)
             co_return fail(answer.error());
     }
@@ -172,7 +172,7 @@ Task<void> Controller::expectFree(int number)
 Task<FirmwareVersions> Controller::moveTo(int number)
 {
     const int old = identity().address;
-    Error last{Fault::Timeout, "no answer"};
+    Error last{Fault::Timeout, say("no answer")};
     for (int attempt = 0; attempt < numberTries; ++attempt) {
         VendorRequest request{old, session(), {Command::SetDevNumber, static_cast<std::uint16_t>(number)}, {}, number};
         auto setting
@@ -199,7 +199,7 @@ Task<FirmwareVersions> Controller::moveTo(int number)
 Task<void> Controller::doRenumber(int address)
 {
     if (address < 1 || address > maxDeviceNumber)
-        co_return fail(Fault::OutOfRange, "a device number is 1 … 63");
+        co_return fail(Fault::OutOfRange, say("a device number is 1 … 63"));
     if (address == identity().address)
         co_return {};
     auto looking = expectFree(address);

@@ -22,7 +22,8 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
 Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress)
 {
     if (!options.via.empty() || !options.target.empty())
-        co_return fail(Fault::Unsupported, "a DMC60C is updated over its own link", "leave the other way in out");
+        co_return fail(
+            Fault::Unsupported, say("a DMC60C is updated over its own link"), say("leave the other way in out"));
     const auto application = applicationFrom(image);
     if (!application) {
         UpdateReport report;

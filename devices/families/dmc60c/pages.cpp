@@ -88,7 +88,7 @@ bool hasEntry(const FirmwareImage &image)
     return false;
 }
 
-tl::unexpected<Error> refused(std::string cause)
+tl::unexpected<Error> refused(Message cause)
 {
     return fail(Fault::OutOfRange, std::move(cause));
 }
@@ -118,18 +118,18 @@ Application pagesOf(const FirmwareImage &image)
 Result<Application> applicationFrom(const FirmwareImage &image)
 {
     if (!image.hasAny(addressOf(firstPage), lastAddressOf(firstPage)))
-        return refused("no data in page 0 (0x00000-0x00FFF), the file is not a whole application");
+        return refused(say("no data in page 0 (0x00000-0x00FFF), the file is not a whole application"));
     if (!image.hasAny(addressOf(lastPage), lastAddressOf(lastPage)))
-        return refused("no data in page 30 (0x1E000-0x1EFFF), where the version is");
+        return refused(say("no data in page 30 (0x1E000-0x1EFFF), where the version is"));
     if (!hasVersion(image))
-        return refused("no version at 0x1EFFC");
+        return refused(say("no version at 0x1EFFC"));
     Application application = pagesOf(image);
     if (application.version == noApplication)
-        return refused("the version at 0x1EFFC is 0xFFFF, which means no application");
+        return refused(say("the version at 0x1EFFC is 0xFFFF, which means no application"));
     if (application.version == 0)
-        return refused("the version at 0x1EFFC is 0x0000");
+        return refused(say("the version at 0x1EFFC is 0x0000"));
     if (!hasEntry(image))
-        return refused("no instruction at the entry point 0x00400");
+        return refused(say("no instruction at the entry point 0x00400"));
     return application;
 }
 

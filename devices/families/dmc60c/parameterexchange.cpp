@@ -35,7 +35,7 @@ Task<ParamResponse> ParameterExchange::run(CanFrame request, int device, std::ui
         const auto response = decodeParamResponse(frame);
         return response && response->device == device && response->parameter == parameter;
     });
-    Error last{Fault::Timeout, "no answer"};
+    Error last{Fault::Timeout, say("no answer")};
     for (int attempt = 0; attempt < m_link.patience().tries(most); ++attempt) {
         const Instant sentAt = m_clock.now();
         if (auto sent = m_link.send(request); !sent)
@@ -82,11 +82,10 @@ Result<void> check(const ParamResponse &response, std::string_view key)
     switch (response.status) {
     case ParameterStatus::NoError: return {};
     case ParameterStatus::BadParameter:
-        return fail(Fault::Refused, name + ": this firmware does not know the parameter");
-    case ParameterStatus::BadValue: return fail(Fault::Refused, name + ": the device refused the value");
+        return fail(Fault::Refused, say("%1: this firmware does not know the parameter", name));
+    case ParameterStatus::BadValue: return fail(Fault::Refused, say("%1: the device refused the value", name));
     }
-    return fail(
-        Fault::BadReply, name + ": status " + std::to_string(static_cast<int>(response.status)) + " has no meaning");
+    return fail(Fault::BadReply, say("%1: status %2 has no meaning", name, static_cast<int>(response.status)));
 }
 
 } // namespace mb::dmc60c

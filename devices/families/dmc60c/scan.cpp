@@ -130,7 +130,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
 {
     auto *const can = dynamic_cast<CanLink *>(&link);
     if (!can)
-        co_return fail(Fault::Unsupported, "DMC60C controllers are found on CAN links only");
+        co_return fail(Fault::Unsupported, say("DMC60C controllers are found on CAN links only"));
     Census census(*can, sink);
     for (int round = 0; round < enumRounds + (census.hasHalves() ? extraRounds : 0); ++round) {
         sink.progress("Looking for DMC60C", round, enumRounds);
@@ -148,7 +148,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
     co_await std::move(describing);
     sink.progress("DMC60C found: " + std::to_string(census.complete()), enumRounds, enumRounds);
     if (can->state() != LinkState::Open)
-        co_return fail(Fault::LinkLost, can->address().shortName() + ": " + can->reason());
+        co_return fail(Fault::LinkLost, say("%1: %2", can->address().shortName(), can->reason()));
     co_return {};
 }
 

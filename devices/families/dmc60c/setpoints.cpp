@@ -38,24 +38,23 @@ Result<Scale> scaleOf(Mode mode)
     case Mode::RampPosition:
     case Mode::RampVelocity: break;
     }
-    return fail(Fault::Unsupported, "a DMC60C has no mode '" + std::string(toString(mode)) + "'");
+    return fail(Fault::Unsupported, say("a DMC60C has no mode '%1'", toString(mode)));
 }
 
 Result<std::int32_t> targetOf(const SetPoint &setPoint, const Scale &scale, int device)
 {
     const std::string name(toString(setPoint.mode));
     if (!std::isfinite(setPoint.target))
-        return fail(Fault::OutOfRange, name + " needs a number");
+        return fail(Fault::OutOfRange, say("%1 needs a number", name));
     if (setPoint.target < scale.low || setPoint.target > scale.high) {
         const std::string unit(unitOf(setPoint.mode));
         return fail(Fault::OutOfRange,
-            name + ' ' + numberText(setPoint.target) + " is outside " + numberText(scale.low) + " … "
-                + numberText(scale.high) + (unit.empty() ? "" : " ") + unit);
+            say("%1 %2 is outside %3 … %4", name, setPoint.target, scale.low, Quantity{scale.high, -1, unit}));
     }
     if (setPoint.mode == Mode::Follow && setPoint.target != std::floor(setPoint.target))
-        return fail(Fault::OutOfRange, "follow needs the number of a device");
+        return fail(Fault::OutOfRange, say("follow needs the number of a device"));
     if (setPoint.mode == Mode::Follow && static_cast<int>(setPoint.target) == device)
-        return fail(Fault::OutOfRange, "a device cannot follow itself");
+        return fail(Fault::OutOfRange, say("a device cannot follow itself"));
     const auto raw = toFixed(setPoint.target, scale.one);
     return static_cast<std::int32_t>(
         std::clamp<std::int64_t>(raw, static_cast<std::int64_t>(targetLow), static_cast<std::int64_t>(targetHigh)));
@@ -65,7 +64,7 @@ Result<std::int32_t> targetOf(const SetPoint &setPoint, const Scale &scale, int 
 Result<std::uint16_t> rampOf(double dutyPerSecond)
 {
     if (!std::isfinite(dutyPerSecond) || dutyPerSecond < 0.0)
-        return fail(Fault::OutOfRange, "the ramp must be 0 (immediate) or a positive number of duty per second");
+        return fail(Fault::OutOfRange, say("the ramp must be 0 (immediate) or a positive number of duty per second"));
     if (dutyPerSecond == 0.0)
         return std::uint16_t{0};
     return static_cast<std::uint16_t>(std::lround(std::clamp(dutyPerSecond * fullDuty / loopsPerSecond, 1.0, 65535.0)));
@@ -76,9 +75,9 @@ Result<std::uint16_t> rampOf(double dutyPerSecond)
 Result<Control> controlFor(const SetPoint &setPoint, int device)
 {
     if (setPoint.axis != 1)
-        return fail(Fault::Unsupported, "a DMC60C has one axis");
+        return fail(Fault::Unsupported, say("a DMC60C has one axis"));
     if (setPoint.slot != 0 && setPoint.slot != 1)
-        return fail(Fault::Unsupported, "a DMC60C has the gain slots 0 and 1");
+        return fail(Fault::Unsupported, say("a DMC60C has the gain slots 0 and 1"));
     const auto scale = scaleOf(setPoint.mode);
     if (!scale)
         return fail(scale.error());

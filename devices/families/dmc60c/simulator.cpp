@@ -8,7 +8,7 @@ namespace mb::dmc60c {
 Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const SimulatedUnit &unit)
 {
     if (link.kind() != LinkKind::Can)
-        return fail(Fault::OutOfRange, "a DMC60C is simulated on a CAN link");
+        return fail(Fault::OutOfRange, say("a DMC60C is simulated on a CAN link"));
     const auto options = simulation::UnitOptions::parse(unit);
     if (!options)
         return fail(options.error());

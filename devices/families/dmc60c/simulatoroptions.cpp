@@ -105,7 +105,7 @@ double usualLoad(std::string_view motor)
 Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
 {
     if (unit.address < 0 || unit.address > maxDeviceNumber)
-        return fail(Fault::OutOfRange, "a DMC60C has a number from 0 to 63, not " + std::to_string(unit.address));
+        return fail(Fault::OutOfRange, say("a DMC60C has a number from 0 to 63, not %1", unit.address));
     UnitOptions options;
     options.number = unit.address;
     options.seed = unit.seed;
@@ -116,10 +116,10 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
         const auto option = std::find_if(
             optionTable.begin(), optionTable.end(), [&wanted = key](const Option &o) { return o.key == wanted; });
         if (option == optionTable.end())
-            return fail(Fault::OutOfRange, "a simulated DMC60C has no option '" + key + "'");
+            return fail(Fault::OutOfRange, say("a simulated DMC60C has no option '%1'", key));
         if (!option->set(options, value))
             return fail(
-                Fault::OutOfRange, "'" + value + "' is no value for the option '" + key + "' of a simulated DMC60C");
+                Fault::OutOfRange, say("'%1' is no value for the option '%2' of a simulated DMC60C", value, key));
     }
     return options;
 }

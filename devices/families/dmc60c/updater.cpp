@@ -17,6 +17,12 @@ constexpr int mostLosses = 3;
 constexpr Duration lateness = 500ms; ///< of an answer after its time-out
 constexpr int mostLate = 100;        ///< frames of late answers
 
+Message insteadOf(std::uint16_t wanted, const Message &answer, bool bootloader)
+{
+    return bootloader ? say("%1 in its bootloader instead of %2", answer, versionText(wanted))
+                      : say("%1 instead of %2", answer, versionText(wanted));
+}
+
 /// Asked again, it changes nothing, and its answer is told from those to orders.
 bool isQuestion(Command command)
 {
@@ -68,13 +74,13 @@ Task<UpdateReport> Updater::run(UpdateOptions options)
         m_report.outcome = UpdateOutcome::UpToDate;
         m_report.to = m_report.from;
         m_report.verified = true;
-        m_report.evidence = "the device already runs " + m_report.to;
+        m_report.evidence = say("the device already runs %1", m_report.to);
         co_return m_report;
     }
     if (options.dryRun) {
         m_report.outcome = UpdateOutcome::Done;
-        m_report.evidence = "dry run: " + std::to_string(m_application.pages.size())
-            + " pages would be written, version " + versionText(m_application.version);
+        m_report.evidence = say("dry run: %1 pages would be written, version %2", m_application.pages.size(),
+            versionText(m_application.version));
         co_return m_report;
     }
     if (m_runs) {
@@ -88,7 +94,7 @@ Task<UpdateReport> Updater::run(UpdateOptions options)
         co_return failed(installed.error());
     m_report.outcome = UpdateOutcome::Done;
     m_report.verified = true;
-    m_report.evidence = "the device answers with version " + m_report.to;
+    m_report.evidence = say("the device answers with version %1", m_report.to);
     m_progress.log(Severity::Good, m_report.evidence);
     co_return m_report;
 }
@@ -137,7 +143,7 @@ Task<FirmwareVersions> Updater::versions()
         co_return fail(good.error());
     const auto decoded = decodeFirmwareVersions(reply.data);
     if (!decoded)
-        co_return fail(Fault::BadReply, "GetFwver answered with " + std::to_string(reply.data.size()) + " bytes");
+        co_return fail(Fault::BadReply, say("GetFwver answered with %1 bytes", reply.data.size()));
     co_return *decoded;
 }
 
@@ -178,36 +184,38 @@ Task<Updater::Unit> Updater::findAgain(Duration limit)
         auto round = enumerate(enumWindow);
         const std::vector<Unit> units = co_await std::move(round);
         if (units.size() > 1)
-            co_return fail(
-                Fault::Unsafe, "several units answer as number " + std::to_string(m_device.identity().address));
+            co_return fail(Fault::Unsafe, say("several units answer as number %1", m_device.identity().address));
         if (units.size() == 1) {
             takeSession(units.front().session);
             co_return units.front();
         }
     }
-    co_return fail(Fault::Timeout, "the unit does not answer an enumeration");
+    co_return fail(Fault::Timeout, say("the unit does not answer an enumeration"));
 }
 
 Task<void> Updater::preflight(bool force)
 {
     for (const std::string &note : m_application.notes)
         m_progress.log(Severity::Info, note);
-    m_progress.step("Preflight", 0, 0);
+    m_progress.step(say("Preflight"), 0, 0);
     m_device.stop();
     auto finding = findAgain(1s);
     const Unit unit = co_await std::move(finding);
     if (unit.productId && (*unit.productId >> 20U) != productDmc60c)
         co_return fail(Fault::Unsafe,
-            "the image is for product 602, this unit is product " + std::to_string(*unit.productId >> 28U)
-                + std::to_string((*unit.productId >> 24U) & 0xFU) + std::to_string((*unit.productId >> 20U) & 0xFU),
-            "nothing was written");
+            say("the image is for product 602, this unit is product %1%2%3", *unit.productId >> 28U,
+                (*unit.productId >> 24U) & 0xFU, (*unit.productId >> 20U) & 0xFU),
+            say("nothing was written"));
     auto asking = versions();
     const FirmwareVersions now = co_await std::move(asking);
     m_report.from = versionText(now.application);
+    const std::string version = versionText(m_application.version);
+    const std::size_t pages = m_application.pages.size();
+    const std::string bootloader = versionText(now.bootloader);
     m_progress.log(Severity::Good,
-        "image " + versionText(m_application.version) + " of " + std::to_string(m_application.pages.size())
-            + " pages, unit " + (m_report.from.empty() ? std::string("without application") : "runs " + m_report.from)
-            + ", bootloader " + versionText(now.bootloader));
+        m_report.from.empty()
+            ? say("image %1 of %2 pages, unit without application, bootloader %3", version, pages, bootloader)
+            : say("image %1 of %2 pages, unit runs %3, bootloader %4", version, pages, m_report.from, bootloader));
     m_runs = !isInBootloader(now);
     m_upToDate = !force && !isInBootloader(now) && now.application == m_application.version;
     for (int number = lastPage; number >= firstPage; --number)
@@ -225,17 +233,17 @@ Task<void> Updater::keepParameters()
     if (!stored && stored.error().fault == Fault::LinkLost)
         co_return fail(stored.error());
     if (!stored)
-        m_progress.log(Severity::Caution, "parameters that were changed last may be lost: " + stored.error().detail);
+        m_progress.log(
+            Severity::Caution, say("parameters that were changed last may be lost: %1", stored.error().detail));
     m_progress.log(Severity::Info,
-        "what another program has changed within the last 15 s is not in the flash of the unit yet, and is lost with "
-        "the "
-        "restart");
+        say("what another program has changed within the last 15 s is not in the flash of the unit yet, and is lost "
+            "with the restart"));
     co_return {};
 }
 
 Task<void> Updater::enterBootloader()
 {
-    m_progress.step("Enter bootloader", 0, static_cast<int>(m_application.pages.size()));
+    m_progress.step(say("Enter bootloader"), 0, static_cast<int>(m_application.pages.size()));
     auto entering = send({Command::EnterBootloader}, {}, attemptsOf(Command::EnterBootloader), {});
     const VendorReply reply = co_await std::move(entering);
     if (const auto good = check(Command::EnterBootloader, reply); !good)
@@ -243,8 +251,8 @@ Task<void> Updater::enterBootloader()
     auto asking = versions();
     const FirmwareVersions now = co_await std::move(asking);
     if (!isInBootloader(now))
-        co_return fail(Fault::BadReply, "the unit said it is in its bootloader, but its application answers");
-    m_progress.log(Severity::Good, "in bootloader " + versionText(now.bootloader) + ", session kept");
+        co_return fail(Fault::BadReply, say("the unit said it is in its bootloader, but its application answers"));
+    m_progress.log(Severity::Good, say("in bootloader %1, session kept", versionText(now.bootloader)));
     co_return {};
 }
 
@@ -286,13 +294,13 @@ Task<void> Updater::awaitLink(Error lost)
     const std::string name = m_link.address().shortName();
     const std::string limit = std::to_string(linkPatience.count()) + " s";
     m_progress.log(
-        Severity::Caution, name + " is lost: " + lost.text() + "; waiting up to " + limit + " for it to come back");
-    m_progress.step("Wait for " + name, m_report.pages, static_cast<int>(m_application.pages.size()));
+        Severity::Caution, say("%1 is lost: %2; waiting up to %3 for it to come back", name, lost.message(), limit));
+    m_progress.step(say("Wait for %1", name), m_report.pages, static_cast<int>(m_application.pages.size()));
     auto waiting = linkReturn(m_link, m_clock, linkPatience);
     const Result<void> back = co_await std::move(waiting).attempt();
     if (!back)
-        co_return fail(back.error().about(name + " did not come back within " + limit));
-    m_progress.log(Severity::Info, name + " is back");
+        co_return fail(back.error().about(say("%1 did not come back within %2", name, limit)));
+    m_progress.log(Severity::Info, say("%1 is back", name));
     co_return {};
 }
 
@@ -306,11 +314,10 @@ Task<void> Updater::lookAgain()
     m_isWritten = m_lastSent && now.application == m_application.version;
     m_isLeft = m_isWritten && !isInBootloader(now);
     if (m_isWritten) {
-        m_progress.log(Severity::Info, "all pages are in the unit");
+        m_progress.log(Severity::Info, say("all pages are in the unit"));
         co_return {};
     }
-    m_progress.log(
-        Severity::Caution, "the unit may have restarted meanwhile: once more from page " + std::to_string(lastPage));
+    m_progress.log(Severity::Caution, say("the unit may have restarted meanwhile: once more from page %1", lastPage));
     for (const Page &page : m_application.pages)
         m_progress.part(page.number, PartState::Waiting);
     co_return {};
@@ -326,10 +333,8 @@ Task<void> Updater::writeAll()
         if (end == PageEnd::Written)
             co_return {};
         if (++m_restarts > mostRestarts)
-            co_return fail(
-                Fault::Refused, "the device restarted " + std::to_string(m_restarts) + " times during the update");
-        m_progress.log(
-            Severity::Caution, "the device may have restarted: once more from page " + std::to_string(lastPage));
+            co_return fail(Fault::Refused, say("the device restarted %1 times during the update", m_restarts));
+        m_progress.log(Severity::Caution, say("the device may have restarted: once more from page %1", lastPage));
         auto finding = findAgain(findLimit);
         co_await std::move(finding);
     }
@@ -338,20 +343,20 @@ Task<void> Updater::writeAll()
 Task<void> Updater::leaveBootloader()
 {
     const int total = static_cast<int>(m_application.pages.size());
-    m_progress.step("Restart", total, total);
+    m_progress.step(say("Restart"), total, total);
     auto resetting = send({Command::SoftReset}, {}, Attempts{1, 3s}, {});
     const Result<VendorReply> reply = co_await std::move(resetting).attempt();
     if (reply) {
         if (const auto good = check(Command::SoftReset, *reply); !good)
             co_return fail(good.error());
-        m_progress.log(Severity::Good, "restarted, the application answers");
+        m_progress.log(Severity::Good, say("restarted, the application answers"));
         co_return {};
     }
     if (reply.error().fault != Fault::Timeout)
         co_return fail(reply.error());
     auto finding = findAgain(findLimit);
     co_await std::move(finding);
-    m_progress.log(Severity::Caution, "the answer to the reset was lost; found again by enumeration");
+    m_progress.log(Severity::Caution, say("the answer to the reset was lost; found again by enumeration"));
     co_return {};
 }
 
@@ -367,11 +372,11 @@ Task<void> Updater::verify()
     }
     if (isInBootloader(now) || now.application != m_application.version)
         co_return fail(Fault::BadCheck,
-            "the device answers with "
-                + (now.application == noApplication ? std::string("no application")
-                                                    : "version " + versionText(now.application))
-                + (isInBootloader(now) ? " in its bootloader" : "") + " instead of "
-                + versionText(m_application.version));
+            insteadOf(m_application.version,
+                now.application == noApplication
+                    ? say("the device answers with no application")
+                    : say("the device answers with version %1", versionText(now.application)),
+                isInBootloader(now)));
     m_report.to = versionText(now.application);
     Identity identity = m_device.identity();
     identity.state = identity.address == 0 ? DeviceState::Unassigned : DeviceState::Online;

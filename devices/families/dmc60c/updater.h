@@ -64,7 +64,7 @@ private:
     [[nodiscard]] Task<void> verify();
     [[nodiscard]] bool nextVariant(const Page &page);
     [[nodiscard]] std::vector<std::uint8_t> transferOf(const Page &page) const;
-    void repeat(const Page &page, const std::string &why);
+    void repeat(const Page &page, const Message &why);
     [[nodiscard]] UpdateReport failed(const Error &error) const;
     void takeSession(std::uint16_t session);
     [[nodiscard]] static bool isInBootloader(const FirmwareVersions &versions)

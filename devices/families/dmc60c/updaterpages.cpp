@@ -28,7 +28,7 @@ Task<Updater::PageEnd> Updater::writePages()
     m_report.pages = 0;
     const int total = static_cast<int>(m_application.pages.size());
     for (const Page &page : m_application.pages) {
-        m_progress.step("Page " + std::to_string(page.number), m_report.pages, total);
+        m_progress.step(say("Page %1", page.number), m_report.pages, total);
         m_progress.part(page.number, PartState::Active);
         m_progress.mayInterrupt(page.number != firstPage);
         auto writing = writePage(page);
@@ -39,7 +39,7 @@ Task<Updater::PageEnd> Updater::writePages()
         m_progress.part(page.number, PartState::Done);
         ++m_report.pages;
     }
-    m_progress.step("All pages written", total, total);
+    m_progress.step(say("All pages written"), total, total);
     co_return PageEnd::Written;
 }
 
@@ -51,11 +51,11 @@ std::vector<std::uint8_t> Updater::transferOf(const Page &page) const
     return bytes;
 }
 
-void Updater::repeat(const Page &page, const std::string &why)
+void Updater::repeat(const Page &page, const Message &why)
 {
     ++m_report.retries;
     m_progress.part(page.number, PartState::Repeated);
-    m_progress.log(Severity::Caution, "page " + std::to_string(page.number) + ": " + why + ", sent again");
+    m_progress.log(Severity::Caution, say("page %1: %2, sent again", page.number, why));
 }
 
 bool Updater::nextVariant(const Page &page)
@@ -63,8 +63,7 @@ bool Updater::nextVariant(const Page &page)
     if (m_variantKnown || m_variant == CrcVariant::C)
         return false;
     m_variant = m_variant == CrcVariant::A ? CrcVariant::B : CrcVariant::C;
-    repeat(page,
-        std::string("CRC refused, nothing was erased; trying variant ") + (m_variant == CrcVariant::B ? "B" : "C"));
+    repeat(page, say("CRC refused, nothing was erased; trying variant %1", m_variant == CrcVariant::B ? "B" : "C"));
     return true;
 }
 
@@ -94,8 +93,7 @@ Task<Updater::PageEnd> Updater::writePage(const Page &page)
         if (verdict != Verdict::Again)
             co_return verdict == Verdict::Written ? PageEnd::Written : PageEnd::Restart;
     }
-    co_return fail(Fault::Timeout,
-        "page " + std::to_string(page.number) + " was not accepted in " + std::to_string(pageTries) + " tries");
+    co_return fail(Fault::Timeout, say("page %1 was not accepted in %2 tries", page.number, pageTries));
 }
 
 Result<Updater::Verdict> Updater::judge(const Page &page, CommandStatus status)
@@ -107,11 +105,11 @@ Result<Updater::Verdict> Updater::judge(const Page &page, CommandStatus status)
         if (isTooEarly()) {
             m_answerOwed = true; // the one to this page
             m_progress.log(
-                Severity::Caution, "page " + number + " was said to be written before its bytes can have arrived");
+                Severity::Caution, say("page %1 was said to be written before its bytes can have arrived", number));
             return Verdict::Restart;
         }
         if (!m_variantKnown)
-            m_progress.log(Severity::Good, "page " + number + " accepted with CRC variant " + letterOf(m_variant));
+            m_progress.log(Severity::Good, say("page %1 accepted with CRC variant %2", number, letterOf(m_variant)));
         m_variantKnown = true;
         return Verdict::Written;
     case CommandStatus::CrcMismatch: return afterMismatch(page);
@@ -119,16 +117,16 @@ Result<Updater::Verdict> Updater::judge(const Page &page, CommandStatus status)
         m_touched = true;
         if (++m_failedWrites >= failedWriteTries)
             return fail(Fault::Refused,
-                "page " + number + " cannot be written: its flash failed the device's own check "
-                    + std::to_string(m_failedWrites) + " times");
-        repeat(page, "the device could not verify its flash");
+                say("page %1 cannot be written: its flash failed the device's own check %2 times", number,
+                    m_failedWrites));
+        repeat(page, say("the device could not verify its flash"));
         return Verdict::Again;
     case CommandStatus::DataRcvMore:
         ++m_tries;
         m_gap = slowGap;
-        repeat(page, "the byte count was out of step");
+        repeat(page, say("the byte count was out of step"));
         return Verdict::Again;
-    case CommandStatus::BadParameter: return fail(Fault::Refused, "the bootloader refuses page " + number);
+    case CommandStatus::BadParameter: return fail(Fault::Refused, say("the bootloader refuses page %1", number));
     default: return Verdict::Restart; // NotSupported: the application runs; InBootloader, AckReset: it was reset
     }
 }
@@ -147,7 +145,7 @@ Updater::Verdict Updater::afterMismatch(const Page &page)
     if (!m_variantKnown)
         m_variant = CrcVariant::A; // all were refused: a damaged transfer is likelier than a fourth variant
     ++m_tries;
-    repeat(page, "arrived damaged, nothing was erased");
+    repeat(page, say("arrived damaged, nothing was erased"));
     return Verdict::Again;
 }
 
@@ -163,10 +161,10 @@ Task<Updater::Verdict> Updater::afterSilence(const Page &page)
         co_return Verdict::Restart;
     if (page.number == firstPage && now->application == m_application.version) {
         m_progress.log(
-            Severity::Info, "page 0: its status was lost, but the version is there; it is not written again");
+            Severity::Info, say("page 0: its status was lost, but the version is there; it is not written again"));
         co_return Verdict::Written;
     }
-    repeat(page, "no status within 2 s");
+    repeat(page, say("no status within 2 s"));
     m_gap = slowGap;
     co_return Verdict::Again;
 }

@@ -77,7 +77,7 @@ Task<VendorReply> collect(CanInbox &inbox, const VendorRequest &request, Duratio
         }
     }
     if (reply.data.size() > *expected)
-        co_return fail(Fault::BadReply, "more bytes than the device announced");
+        co_return fail(Fault::BadReply, say("more bytes than the device announced"));
     co_return reply;
 }
 
@@ -109,7 +109,7 @@ Attempts attemptsOf(Command command)
 Task<VendorReply> vendorExchange(CanLink &link, Clock &clock, VendorRequest request, Attempts attempts)
 {
     CanInbox inbox(link, clock, replyMatch(request));
-    Error last{Fault::Timeout, "no answer"};
+    Error last{Fault::Timeout, say("no answer")};
     const Patience &patience = link.patience();
     const bool asks = attemptsOf(request.command.command).timeout <= atOnce;
     for (int i = 0; i < patience.tries(attempts.tries); ++i) {

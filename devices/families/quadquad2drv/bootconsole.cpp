@@ -95,7 +95,7 @@ Task<std::string> BootConsole::line(Duration timeout)
         co_return std::move(*first);
     if (m_link.state() != LinkState::Open)
         co_return fail(m_link.notOpen());
-    co_return fail(Fault::Timeout, "the bootloader said nothing");
+    co_return fail(Fault::Timeout, say("the bootloader said nothing"));
 }
 
 } // namespace mb::quadquad2drv

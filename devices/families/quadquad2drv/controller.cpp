@@ -162,7 +162,7 @@ Task<void> Controller::checkReset()
     const Packet reply = co_await std::move(asking);
     const auto masks = parseDataMasks(reply);
     if (!masks)
-        co_return fail(Fault::BadReply, "the data masks have an unexpected length");
+        co_return fail(Fault::BadReply, say("the data masks have an unexpected length"));
     judge(*masks);
     if (*masks != m_port.masks()) // another program has changed what the board sends
         m_port.setLayout(*masks, m_port.streamConfig());

@@ -55,7 +55,7 @@ Task<std::uint8_t> Controller::askStatus(int axis)
     const Packet reply = co_await std::move(asking);
     const auto motion = parseMotion(reply, m_port.masks(), m_port.streamConfig());
     if (!motion || !motion->channels[static_cast<std::size_t>(axis)].status)
-        co_return fail(Fault::BadReply, "the board did not tell its status");
+        co_return fail(Fault::BadReply, say("the board did not tell its status"));
     co_return *motion->channels[static_cast<std::size_t>(axis)].status;
 }
 
@@ -65,7 +65,7 @@ Task<History> Controller::askHistory()
     const Packet reply = co_await std::move(asking);
     const auto history = parseHistory(reply);
     if (!history)
-        co_return fail(Fault::BadReply, "the history has an unexpected length");
+        co_return fail(Fault::BadReply, say("the history has an unexpected length"));
     co_return *history;
 }
 

@@ -43,30 +43,30 @@ bool isWithin(double value, double low, double high)
 Result<void> Controller::doCheck(const SetPoint &setPoint) const
 {
     if (setPoint.axis < 1 || setPoint.axis > axes)
-        return fail(Fault::OutOfRange, "the board has axes 1 to 4");
+        return fail(Fault::OutOfRange, say("the board has axes 1 to 4"));
     if (setPoint.slot != 0)
-        return fail(Fault::Unsupported, "the board has one set of gains per axis");
+        return fail(Fault::Unsupported, say("the board has one set of gains per axis"));
     const double target = setPoint.target;
     switch (setPoint.mode) {
     case Mode::Off: return {};
     case Mode::Duty:
         if (!isWithin(target, -1.0, 1.0))
-            return fail(Fault::OutOfRange, "duty is a fraction from −1 to 1");
+            return fail(Fault::OutOfRange, say("duty is a fraction from −1 to 1"));
         return {};
     case Mode::Velocity:
     case Mode::RampVelocity:
         if (!isWithin(target, -1.0 * fastest, fastest))
-            return fail(Fault::OutOfRange, "velocity is −100000 to 100000 counts/s");
+            return fail(Fault::OutOfRange, say("velocity is −100000 to 100000 counts/s"));
         break;
     case Mode::Position:
     case Mode::RampPosition:
         if (!isWithin(target, lowestCounts, highestCounts))
-            return fail(Fault::OutOfRange, "position has 32 bits");
+            return fail(Fault::OutOfRange, say("position has 32 bits"));
         break;
-    default: return fail(Fault::Unsupported, "the board has no such mode");
+    default: return fail(Fault::Unsupported, say("the board has no such mode"));
     }
     if (!isWithin(setPoint.velocity, 0.0, fastest) || !isWithin(setPoint.acceleration, 0.0, steepest))
-        return fail(Fault::OutOfRange, "a profile has up to 100000 counts/s and 1000000 counts/s²");
+        return fail(Fault::OutOfRange, say("a profile has up to 100000 counts/s and 1000000 counts/s²"));
     return {};
 }
 
@@ -84,7 +84,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
         return fail(*std::exchange(m_orderFailure, std::nullopt));
     const ControlMode mode = modeFor(setPoint.mode);
     if (mode == ControlMode::Position && !m_tracked[static_cast<std::size_t>(axis)].position)
-        return fail(Fault::Unsafe, "the position is not known yet, so nothing would keep the motor from jumping");
+        return fail(Fault::Unsafe, say("the position is not known yet, so nothing would keep the motor from jumping"));
     if (m_drives[static_cast<std::size_t>(axis)].mode != mode)
         enter(axis, mode);
     aim(axis, setPoint);

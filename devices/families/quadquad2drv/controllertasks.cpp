@@ -28,7 +28,7 @@ Task<void> Controller::doRefresh()
     const Packet reply = co_await std::move(asking);
     const auto version = parseVersion(reply);
     if (!version)
-        co_return fail(Fault::BadReply, "the version has an unexpected length");
+        co_return fail(Fault::BadReply, say("the version has an unexpected length"));
     auto judging = checkReset();
     co_await std::move(judging);
     auto layout = takeLayout();
@@ -54,7 +54,7 @@ Task<void> Controller::takeLayout()
     const auto config = parseStreamConfig(configReply);
     const auto period = parseStreamPeriod(periodReply);
     if (!masks || !config || !period)
-        co_return fail(Fault::BadReply, "the stream settings have an unexpected length");
+        co_return fail(Fault::BadReply, say("the stream settings have an unexpected length"));
     judge(*masks);
     m_port.setLayout(*masks, *config);
     m_streamPeriod = *period;
@@ -69,7 +69,8 @@ Task<void> Controller::tellEverything()
         auto judging = checkReset();
         co_await std::move(judging);
         if (m_restarted)
-            co_return fail(Fault::Unsafe, "the board was reset since its settings were written", "look at it again");
+            co_return fail(
+                Fault::Unsafe, say("the board was reset since its settings were written"), say("look at it again"));
     }
     auto masks = m_port.request(setDataMask(allAxes, datamask::everything));
     co_await std::move(masks);
@@ -93,7 +94,7 @@ Task<std::int64_t> Controller::readBoard(BoardParameter which)
     else if (const auto history = parseHistory(reply))
         value = which == BoardParameter::HistoryLength ? history->length : history->timeBits;
     if (!value)
-        co_return fail(Fault::BadReply, "the reply has an unexpected length");
+        co_return fail(Fault::BadReply, say("the reply has an unexpected length"));
     co_return *value;
 }
 
@@ -110,7 +111,7 @@ Task<std::int64_t> Controller::doRead(ParameterIndex index)
         const Packet reply = co_await std::move(asking);
         const auto masks = parseDataMasks(reply);
         if (!masks)
-            co_return fail(Fault::BadReply, "the data masks have an unexpected length");
+            co_return fail(Fault::BadReply, say("the data masks have an unexpected length"));
         co_return (*masks)[axis];
     }
     std::array<std::uint8_t, axes> sizes{};
@@ -119,7 +120,7 @@ Task<std::int64_t> Controller::doRead(ParameterIndex index)
     const Packet reply = co_await std::move(asking);
     const auto positions = parsePositions(reply, sizes);
     if (!positions)
-        co_return fail(Fault::BadReply, "the positions have an unexpected length");
+        co_return fail(Fault::BadReply, say("the positions have an unexpected length"));
     co_return *(*positions)[axis];
 }
 
@@ -177,7 +178,8 @@ Result<Bytes> Controller::writeRequest(ParameterIndex index, std::int64_t raw)
     case AxisParameter::DataMask: return setDataMask(maskOf(axis), static_cast<std::uint8_t>(bits));
     case AxisParameter::Counter:
         if (m_drives[static_cast<std::size_t>(axis)].mode == ControlMode::Position)
-            return fail(Fault::Unsafe, "in position mode a new counter would make the motor jump", "stop it first");
+            return fail(
+                Fault::Unsafe, say("in position mode a new counter would make the motor jump"), say("stop it first"));
         return setPosition(maskOf(axis), 3, static_cast<std::int32_t>(raw));
     default: return groupRequest(axis, which, raw);
     }
@@ -220,8 +222,8 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 
 Task<bool> Controller::doStore(Progress &)
 {
-    co_return fail(Fault::Unsupported, "the board keeps nothing without power",
-        "the values stay with this program and are written again after a reset");
+    co_return fail(Fault::Unsupported, say("the board keeps nothing without power"),
+        say("the values stay with this program and are written again after a reset"));
 }
 
 Task<std::vector<FaultRecord>> Controller::doReadFaults()
@@ -238,7 +240,7 @@ Task<std::vector<FaultRecord>> Controller::doReadFaults()
 
 Task<void> Controller::doIdentify()
 {
-    co_return fail(Fault::Unsupported, "the board cannot blink");
+    co_return fail(Fault::Unsupported, say("the board cannot blink"));
 }
 
 Task<void> Controller::doRestart()
@@ -254,12 +256,12 @@ Task<void> Controller::doRestart()
 
 Task<void> Controller::doRename(std::string)
 {
-    co_return fail(Fault::Unsupported, "the board has no name");
+    co_return fail(Fault::Unsupported, say("the board has no name"));
 }
 
 Task<void> Controller::doRenumber(int)
 {
-    co_return fail(Fault::Unsupported, "the board has no number: chip select tells boards apart");
+    co_return fail(Fault::Unsupported, say("the board has no number: chip select tells boards apart"));
 }
 
 /// One rate for the whole board; the period is a multiple of 40.96 µs, at least one pass of the loop (section 5).
@@ -282,7 +284,7 @@ Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
     }
     if (!m_spi.ready().has_value())
         co_return fail(
-            Fault::Unsupported, "without a ready line the board is asked 100 times a second, and cannot stream");
+            Fault::Unsupported, say("without a ready line the board is asked 100 times a second, and cannot stream"));
     auto setting = m_port.request(setStreamPeriod(period));
     co_await std::move(setting);
     auto layout = takeLayout();

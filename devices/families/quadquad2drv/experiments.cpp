@@ -98,24 +98,24 @@ std::span<const Experiment> experiments()
 Task<ExperimentReport> findInputReading(Device &device, SetPointStream &, ExperimentOptions options, Progress &progress)
 {
     if (options.axis < 1 || options.axis > axes)
-        co_return fail(Fault::OutOfRange, "the board has axes 1 to 4");
+        co_return fail(Fault::OutOfRange, say("the board has axes 1 to 4"));
     if (device.liveness().moving)
-        co_return fail(Fault::Unsafe, "stop the motors first");
+        co_return fail(Fault::Unsafe, say("stop the motors first"));
     auto &board = static_cast<Controller &>(device);
     const int axis = options.axis - 1;
     const BorrowedInput borrowed(board, axis);
     std::array<bool, 2> active{};
     for (int bit = 0; bit < 2; ++bit) {
-        progress.step("looking at the status bit", bit, 2);
+        progress.step(say("looking at the status bit"), bit, 2);
         auto asking = isActive(board, axis, bit);
         active[static_cast<std::size_t>(bit)] = co_await std::move(asking);
         progress.log(Severity::Info,
-            "polarity bit " + std::to_string(bit) + ": the input is "
-                + (active[static_cast<std::size_t>(bit)] ? "active" : "not active"));
+            active[static_cast<std::size_t>(bit)] ? say("polarity bit %1: the input is active", bit)
+                                                  : say("polarity bit %1: the input is not active", bit));
     }
     if (active[0] == active[1])
-        co_return fail(Fault::Refused, "the status bit is the same with both polarities, so it tells nothing",
-            "look at the wiring of the input");
+        co_return fail(Fault::Refused, say("the status bit is the same with both polarities, so it tells nothing"),
+            say("look at the wiring of the input"));
     const bool high = options.answer == 0;
     const bool bitZeroIsHigh = active[0] == high;
     const int reading = bitZeroIsHigh ? calibration::asLibrary : calibration::asDataSheet;

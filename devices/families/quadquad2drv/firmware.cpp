@@ -86,12 +86,12 @@ Result<void> apply(BootSettings &settings, const std::string &key, const std::st
         settings.failures = words(value);
     } else if (key == "ending") {
         if (std::find(endings.begin(), endings.end(), value) == endings.end())
-            return fail(Fault::OutOfRange, "ending=" + value + ": legal are cr, lf and crlf");
+            return fail(Fault::OutOfRange, say("ending=%1: legal are cr, lf and crlf", value));
         settings.ending = value == "cr" ? "\r" : value == "lf" ? "\n" : "\r\n";
     } else { // pause
         int milliseconds = 0;
         if (!takeNumber(value, milliseconds) || milliseconds < 0 || milliseconds > slowestPause)
-            return fail(Fault::OutOfRange, "pause=" + value + ": legal are 0 to 1000 milliseconds");
+            return fail(Fault::OutOfRange, say("pause=%1: legal are 0 to 1000 milliseconds", value));
         settings.lineTime = std::chrono::milliseconds(milliseconds);
     }
     return {};
@@ -133,7 +133,7 @@ std::span<const UpdateRoute> routes()
 Result<ImageSummary> inspect(const FirmwareImage &image)
 {
     if (image.lines().empty())
-        return fail(Fault::OutOfRange, "the file has no lines to send");
+        return fail(Fault::OutOfRange, say("the file has no lines to send"));
     ImageSummary summary;
     summary.notes.push_back(std::to_string(image.lines().size()) + " lines, " + std::to_string(image.byteCount())
         + " bytes; the file does not name its version");
@@ -143,7 +143,7 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
 Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress)
 {
     if (!options.target.empty())
-        co_return fail(Fault::Unsupported, "a QuadQuad2Drv has one kind of chip", "leave the target out");
+        co_return fail(Fault::Unsupported, say("a QuadQuad2Drv has one kind of chip"), say("leave the target out"));
     if (options.via.empty())
         co_return refused({Fault::OutOfRange, std::string(noWay)});
     auto address = LinkAddress::parse(options.via);

@@ -97,13 +97,13 @@ Result<Plant> fitPlant(const std::vector<PowerStep> &steps)
     }
     const auto line = lineThrough(powers, speeds);
     if (!line || line->slope <= 0.0)
-        return fail(
-            Fault::Refused, "the motor did not turn at two of the powers", "allow it more power, or free its shaft");
+        return fail(Fault::Refused, say("the motor did not turn at two of the powers"),
+            say("allow it more power, or free its shaft"));
     const double fastestSeen = *std::max_element(speeds.begin(), speeds.end());
     for (std::size_t i = 0; i < powers.size(); ++i) {
         if (std::abs(speeds[i] - line->slope * powers[i] - line->offset) > straight * fastestSeen)
-            return fail(Fault::Refused, "the speed does not grow evenly with the power",
-                "look whether something brakes or limits the motor");
+            return fail(Fault::Refused, say("the speed does not grow evenly with the power"),
+                say("look whether something brakes or limits the motor"));
     }
     return Plant{line->slope, -line->offset / line->slope, std::max(0.0, lag / static_cast<double>(powers.size()))};
 }
@@ -115,7 +115,7 @@ Result<ScaleFit> fitScale(const Plant &plant, const Track &track, const Drive &d
         speeds.push_back(track.speed(time - halfWindow, time + halfWindow));
     const Span span = usable(plant, speeds, track, drive);
     if (span.last < span.first + fewest)
-        return fail(Fault::Refused, "the motor turned too short a time below the power limit to be measured");
+        return fail(Fault::Refused, say("the motor turned too short a time below the power limit to be measured"));
     double terms = 0.0;
     double others = 0.0;
     double yz = 0.0;
@@ -133,7 +133,7 @@ Result<ScaleFit> fitScale(const Plant &plant, const Track &track, const Drive &d
         zz += z * z;
     }
     if (zz <= 0.0)
-        return fail(Fault::Refused, "the gain had nothing to act on");
+        return fail(Fault::Refused, say("the gain had nothing to act on"));
     return ScaleFit{yz / zz, static_cast<int>(span.last - span.first)};
 }
 
@@ -145,11 +145,11 @@ Result<double> agreed(const std::vector<double> &scales, double tolerance)
     const double mean = scales.empty() ? 0.0 : sum / static_cast<double>(scales.size());
     for (const double scale : scales) {
         if (!(scale > 0.0) || std::abs(scale - mean) > tolerance * mean)
-            return fail(
-                Fault::Refused, "the gains found at different values do not agree, so that a gain is no simple factor");
+            return fail(Fault::Refused,
+                say("the gains found at different values do not agree, so that a gain is no simple factor"));
     }
     if (scales.empty())
-        return fail(Fault::Refused, "nothing was measured");
+        return fail(Fault::Refused, say("nothing was measured"));
     return mean;
 }
 

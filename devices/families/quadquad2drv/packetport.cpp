@@ -67,7 +67,7 @@ Task<void> PacketPort::listenFor(Round &round, std::size_t expected)
     const bool blind = !m_link.ready().has_value();
     while (!round.reply) {
         if (m_clock.now() >= round.deadline)
-            co_return fail(Fault::Timeout, "the board did not answer");
+            co_return fail(Fault::Timeout, say("the board did not answer"));
         if (const std::size_t missing = m_reader.missing(); missing > 0) {
             auto rest = clockOut(missing);
             co_await std::move(rest);
@@ -106,7 +106,7 @@ Task<Packet> PacketPort::ask(const Bytes &request, const Gate &gate, Duration pa
     };
     const Hearing hearing(m_round, round);
     if (gate && !gate())
-        co_return fail(Fault::Cancelled, "a stop went first");
+        co_return fail(Fault::Cancelled, say("a stop went first"));
     const Result<Bytes> sent = co_await m_link.transfer(request);
     if (!sent)
         co_return fail(sent.error());
@@ -123,7 +123,7 @@ Task<Packet> PacketPort::ask(const Bytes &request, const Gate &gate, Duration pa
 
 Task<Packet> PacketPort::request(Bytes request, int tries, Gate gate)
 {
-    Error last{Fault::Timeout, "the board did not answer"};
+    Error last{Fault::Timeout, say("the board did not answer")};
     const Patience wanted
         = gate || tries == 1 ? Patience() : m_link.patience(); // an order to a motor, a poll: as they are
     for (int i = 0; i < wanted.tries(tries); ++i) {
@@ -134,7 +134,7 @@ Task<Packet> PacketPort::request(Bytes request, int tries, Gate gate)
             if (code == std::int8_t{0})
                 co_return std::move(*reply);
             if (code)
-                co_return fail(Fault::Refused, std::string(explain(*code)) + " (code " + std::to_string(*code) + ")");
+                co_return fail(Fault::Refused, say("%1 (code %2)", explain(*code), *code));
             last = {Fault::BadReply, "the board sent a reply without a return code"};
             continue;
         }

@@ -39,30 +39,31 @@ Task<void> ScaleSearch::measureAll()
 {
     int phase = 0;
     const auto step = [&](const char *what) { m_progress.step(what, phase++, phases); };
-    step("turning the motor with several powers");
+    step(say("turning the motor with several powers"));
     auto plant = measurePlant();
     co_await std::move(plant);
-    step("looking for velocity P");
+    step(say("looking for velocity P"));
     auto velocityPs = findVelocityP();
     m_velocityP = co_await std::move(velocityPs);
     found(calibration::velocityP, m_velocityP);
-    step("looking for velocity I");
+    step(say("looking for velocity I"));
     auto velocityIs = findVelocityI();
     found(calibration::velocityI, co_await std::move(velocityIs));
-    step("looking for position P");
+    step(say("looking for position P"));
     auto positionPs = findPositionP();
     m_positionP = co_await std::move(positionPs);
     found(calibration::positionP, m_positionP);
-    step("looking for position I");
+    step(say("looking for position I"));
     auto positionIs = findPositionI();
     found(calibration::positionI, co_await std::move(positionIs));
-    step("looking for position D");
+    step(say("looking for position D"));
     auto positionDs = findPositionD();
     if (const std::optional<double> scale = co_await std::move(positionDs))
         found(calibration::positionD, *scale);
     else
-        m_progress.log(Severity::Caution, "position D has no effect that could be measured; its scale stays unknown");
-    m_progress.step("putting the settings back", phases, phases);
+        m_progress.log(
+            Severity::Caution, say("position D has no effect that could be measured; its scale stays unknown"));
+    m_progress.step(say("putting the settings back"), phases, phases);
     co_return {};
 }
 
@@ -71,7 +72,7 @@ void ScaleSearch::found(std::string_view key, double scale)
     const double value = rounded(scale);
     m_report.found.emplace_back(key, value);
     m_report.sentence += (m_report.sentence.empty() ? "" : ", ") + std::string(key) + ' ' + numberText(value);
-    m_progress.log(Severity::Good, std::string(key) + " is " + numberText(value));
+    m_progress.log(Severity::Good, say("%1 is %2", key, value));
 }
 
 Task<PowerStep> ScaleSearch::powerStep(double power)
@@ -90,10 +91,8 @@ Task<PowerStep> ScaleSearch::powerStep(double power)
             break;
     }
     if (m_track.way() < -10.0 && step.speed < 0.0)
-        co_return fail(Fault::Unsafe, "the encoder counts against the power",
-            "exchange the wires of the motor or the phases of the encoder before "
-            "any "
-            "loop is closed");
+        co_return fail(Fault::Unsafe, say("the encoder counts against the power"),
+            say("exchange the wires of the motor or the phases of the encoder before any loop is closed"));
     if (m_track.way() < 10.0)
         step.speed = 0.0;
     if (step.speed > 0.0)
@@ -112,20 +111,19 @@ Task<void> ScaleSearch::measurePlant()
         auto other = powerStep(level * m_most);
         const PowerStep back = co_await std::move(other);
         const double speed = (there.speed + back.speed) / 2.0;
-        say("power " + numberText(std::round(level * m_most)) + ": " + numberText(std::round(there.speed)) + " and "
-            + numberText(std::round(back.speed)) + " counts/s");
+        tell(say("power %1: %2 and %3 counts/s", std::round(level * m_most), std::round(there.speed),
+            std::round(back.speed)));
         if (std::abs(there.speed - back.speed) > sameBothWays * speed)
-            co_return fail(Fault::Refused, "the motor turns differently in both directions",
-                "the shaft must be free, without load on one side");
+            co_return fail(Fault::Refused, say("the motor turns differently in both directions"),
+                say("the shaft must be free, without load on one side"));
         steps.push_back({level * m_most, speed, (there.lag + back.lag) / 2.0});
     }
     const auto plant = fitPlant(steps);
     if (!plant)
         co_return fail(plant.error());
     m_plant = *plant;
-    say("the motor gives " + numberText(rounded(m_plant.gain)) + " counts/s per power unit, friction takes "
-        + numberText(std::round(m_plant.friction)) + " units, it follows within "
-        + numberText(std::round(m_plant.lag * 1000.0)) + " ms");
+    tell(say("the motor gives %1 counts/s per power unit, friction takes %2 units, it follows within %3 ms",
+        rounded(m_plant.gain), std::round(m_plant.friction), std::round(m_plant.lag * 1000.0)));
     co_return {};
 }
 
@@ -141,9 +139,9 @@ Task<int> ScaleSearch::firstGain(Run run, std::size_t which, double way)
             break;
     }
     if (run.loop != Loop::Velocity)
-        co_return fail(Fault::Refused, "no gain of the position loop turns the motor");
-    co_return fail(Fault::Refused, "no gain of the velocity loop turns the motor",
-        "the board may want velocity targets times 4096: choose that setting, and try again");
+        co_return fail(Fault::Refused, say("no gain of the position loop turns the motor"));
+    co_return fail(Fault::Refused, say("no gain of the velocity loop turns the motor"),
+        say("the board may want velocity targets times 4096: choose that setting, and try again"));
 }
 
 Task<double> ScaleSearch::velocityP(int gain, double aim)
@@ -153,7 +151,7 @@ Task<double> ScaleSearch::velocityP(int gain, double aim)
     const double speed = track.speed(track.end() - 0.6, track.end());
     const double error = aim - speed;
     if (error < coarsest * aim)
-        co_return fail(Fault::Refused, "the gain scale is too coarse to be measured with so little power");
+        co_return fail(Fault::Refused, say("the gain scale is too coarse to be measured with so little power"));
     co_return (speed / m_plant.gain + m_plant.friction) / (gain * error);
 }
 
@@ -303,7 +301,7 @@ Task<ExperimentReport> findGainScales(
     Device &device, SetPointStream &stream, ExperimentOptions options, Progress &progress)
 {
     if (options.axis < 1 || options.axis > axes || !(options.power > 0.0) || options.power > 1.0)
-        co_return fail(Fault::OutOfRange, "an axis from 1 to 4 and a power limit above 0 are needed");
+        co_return fail(Fault::OutOfRange, say("an axis from 1 to 4 and a power limit above 0 are needed"));
     ScaleSearch search(static_cast<Controller &>(device), stream, options, progress);
     auto running = search.run();
     const ExperimentReport report = co_await std::move(running);

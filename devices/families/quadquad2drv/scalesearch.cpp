@@ -83,8 +83,7 @@ Task<void> ScaleSearch::prepare()
     const auto limit = m_board.parameters().entry(indexOf(m_axis, AxisParameter::LimitPower)).raw;
     if (limit && static_cast<double>(*limit) < m_most) {
         m_most = static_cast<double>(*limit);
-        say("the axis has a power limit of " + numberText(std::round(100.0 * m_most / fullPower))
-            + " %, which is kept");
+        tell(say("the axis has a power limit of %1 %, which is kept", std::round(100.0 * m_most / fullPower)));
     }
     m_before = std::move(before);
     const std::vector<Bytes> requests{
@@ -113,7 +112,7 @@ Task<void> ScaleSearch::finish()
     for (int i = 0; i < 100 && !m_board.isSeenStopped(); ++i)
         co_await Sleep(m_clock, tick);
     if (!m_board.isSeenStopped())
-        co_return fail(Fault::Unsafe, "the motors were told to stop, and are not seen to stand");
+        co_return fail(Fault::Unsafe, say("the motors were told to stop, and are not seen to stand"));
     const std::vector<Bytes> requests = m_before;
     for (const Bytes &request : requests) {
         auto telling = m_board.tell(request);
@@ -148,16 +147,16 @@ Task<void> ScaleSearch::move(Mode mode, double target)
 Result<void> ScaleSearch::look() const
 {
     if (!m_stream.isRunning())
-        return fail(Fault::Unsafe, "the motor was stopped: " + m_stream.reason());
+        return fail(Fault::Unsafe, say("the motor was stopped: %1", m_stream.reason()));
     if (m_plant.gain <= 0.0)
         return {};
     const double fast = m_plant.speedAt(m_most);
     const double now = m_track.speed(m_track.end() - 0.06, m_track.end());
     if (std::abs(now) > runaway * fast)
-        return fail(Fault::Unsafe, "the motor ran faster than the power limit allows", "it was stopped");
+        return fail(Fault::Unsafe, say("the motor ran faster than the power limit allows"), say("it was stopped"));
     if (m_track.way() < -std::max(50.0, wrongWay * fast) && now < 0.0)
-        return fail(Fault::Unsafe, "the loop drives the motor the wrong way",
-            "exchange the wires of the motor or the phases of the encoder");
+        return fail(Fault::Unsafe, say("the loop drives the motor the wrong way"),
+            say("exchange the wires of the motor or the phases of the encoder"));
     return {};
 }
 
@@ -199,7 +198,7 @@ Task<Track> ScaleSearch::drive(Run run)
     m_direction = -m_direction;
     begin();
     if (!m_from)
-        co_return fail(Fault::Timeout, "the board does not tell its position");
+        co_return fail(Fault::Timeout, say("the board does not tell its position"));
     const bool velocity = run.loop == Loop::Velocity;
     auto moving = move(velocity ? Mode::Velocity : Mode::Position, (velocity ? 0.0 : *m_from) + m_direction * run.aim);
     co_await std::move(moving);

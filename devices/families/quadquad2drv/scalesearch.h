@@ -55,7 +55,7 @@ private:
     [[nodiscard]] std::vector<double> termsOf(const Run &run, const Track &track, std::size_t which) const;
     void begin();
     void found(std::string_view key, double scale);
-    void say(const std::string &text) { m_progress.log(Severity::Info, text); }
+    void tell(const Message &text) { m_progress.log(Severity::Info, text); }
 
     Controller &m_board;
     Clock &m_clock;

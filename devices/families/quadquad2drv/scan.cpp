@@ -22,7 +22,7 @@ void setVersion(Identity &identity, int major, int minor, int protocol)
 Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
 {
     if (link.kind() != LinkKind::Spi)
-        co_return fail(Fault::Unsupported, "a QuadQuad2Drv lives on an SPI link");
+        co_return fail(Fault::Unsupported, say("a QuadQuad2Drv lives on an SPI link"));
     PacketPort port(static_cast<SpiLink &>(link), clock);
     sink.progress("asking for the version", 0, 1);
     auto asking = port.request(getRequest(PacketId::GetVersion));
@@ -43,7 +43,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
 Task<void> probe(Link &link, Clock &clock, int address, ScanSink &sink)
 {
     if (address != 0)
-        co_return fail(Fault::OutOfRange, "a QuadQuad2Drv has no address but 0");
+        co_return fail(Fault::OutOfRange, say("a QuadQuad2Drv has no address but 0"));
     struct Watching final : ScanSink {
         explicit Watching(ScanSink &behind)
             : next(behind)

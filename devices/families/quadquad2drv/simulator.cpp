@@ -61,7 +61,7 @@ bool setOption(BoardOptions &options, std::string_view key, std::string_view val
 Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
 {
     if (unit.address != 0)
-        return fail(Fault::OutOfRange, "a QuadQuad2Drv has no address but 0");
+        return fail(Fault::OutOfRange, say("a QuadQuad2Drv has no address but 0"));
     BoardOptions options;
     options.motors = {"25d", "n20", "25dlp", "25d"};
     options.seed = unit.seed;
@@ -73,13 +73,13 @@ Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
         constexpr std::array<std::string_view, 10> known{
             "motor", "load", "firmware", "serial", "boot", "state", "jumper", "scale", "inputs", "target"};
         if (std::find(known.begin(), known.end(), key) == known.end())
-            return fail(Fault::OutOfRange, "a simulated QuadQuad2Drv has no option '" + key + "'");
+            return fail(Fault::OutOfRange, say("a simulated QuadQuad2Drv has no option '%1'", key));
         if (!setOption(options, key, value))
-            return fail(Fault::OutOfRange,
-                "'" + value + "' is no value for the option '" + key + "' of a simulated QuadQuad2Drv");
+            return fail(
+                Fault::OutOfRange, say("'%1' is no value for the option '%2' of a simulated QuadQuad2Drv", value, key));
     }
     if ((options.jumper || options.inBootloader) && !options.boot)
-        return fail(Fault::OutOfRange, "a bootloader needs the board's serial line, such as boot=pty:./boot");
+        return fail(Fault::OutOfRange, say("a bootloader needs the board's serial line, such as boot=pty:./boot"));
     return options;
 }
 
@@ -147,7 +147,7 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
 {
     auto *slave = dynamic_cast<SpiSlaveLink *>(&link);
     if (!slave)
-        return fail(Fault::OutOfRange, "a QuadQuad2Drv is simulated on the board's end of an SPI link");
+        return fail(Fault::OutOfRange, say("a QuadQuad2Drv is simulated on the board's end of an SPI link"));
     const auto options = simulation::BoardOptions::parse(unit);
     if (!options)
         return fail(options.error());

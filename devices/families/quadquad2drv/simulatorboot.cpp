@@ -56,7 +56,7 @@ Result<std::unique_ptr<Boot>> Boot::open(
         if (!made)
             return fail(made.error());
         if ((*made)->kind() != LinkKind::Serial)
-            return fail(Fault::OutOfRange, "boot= names a serial link, such as pty:./boot");
+            return fail(Fault::OutOfRange, say("boot= names a serial link, such as pty:./boot"));
         own.reset(static_cast<SerialLink *>(made->release()));
     }
     if (!own->fixedBaudrate())
@@ -113,7 +113,7 @@ void Boot::leave()
 
 void Boot::announce()
 {
-    say("QuadQuad2Drv bootloader 1.0");
+    report("QuadQuad2Drv bootloader 1.0");
     m_banner.startIn(bannerPeriod, [this] { announce(); });
 }
 
@@ -146,7 +146,7 @@ void Boot::take(const std::string &line)
         return;
     }
     const bool good = program(line);
-    m_answer.startIn(programming, [this, good] { say(good ? "ok" : "error: bad line"); });
+    m_answer.startIn(programming, [this, good] { report(good ? "ok" : "error: bad line"); });
 }
 
 bool Boot::program(const std::string &line)
@@ -157,7 +157,7 @@ bool Boot::program(const std::string &line)
     return true;
 }
 
-void Boot::say(const std::string &text)
+void Boot::report(const std::string &text)
 {
     const std::string line = text + "\r\n";
     (void)m_link.send({reinterpret_cast<const std::uint8_t *>(line.data()), line.size()});

@@ -37,7 +37,7 @@ private:
     void hear(std::span<const std::uint8_t> bytes);
     void take(const std::string &line);
     [[nodiscard]] bool program(const std::string &line);
-    void say(const std::string &text);
+    void report(const std::string &text);
 
     std::unique_ptr<PtyLine> m_terminal;
     std::unique_ptr<SerialLink> m_own;

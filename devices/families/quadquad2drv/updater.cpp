@@ -65,21 +65,21 @@ void Updater::leaveStep(Step step)
     m_progress.part(static_cast<int>(step), PartState::Done);
 }
 
-void Updater::say(const std::string &text)
+void Updater::tell(const std::string &text)
 {
-    m_progress.log(Severity::Info, "> " + text);
+    m_progress.log(Severity::Info, say("> %1", text));
 }
 
 void Updater::heard(const std::string &text)
 {
-    m_progress.log(isFailure(text) ? Severity::Danger : Severity::Info, "< " + text);
+    m_progress.log(isFailure(text) ? Severity::Danger : Severity::Info, say("< %1", text));
 }
 
 void Updater::resetBoard()
 {
     auto &spi = static_cast<SpiLink &>(m_device.link());
     if (spi.pulseReset())
-        m_progress.log(Severity::Info, "the reset line was pulsed");
+        m_progress.log(Severity::Info, say("the reset line was pulsed"));
 }
 
 UpdateReport Updater::failed(const Error &error) const
@@ -138,7 +138,7 @@ Task<void> Updater::openLine()
 
 Task<void> Updater::awaitBanner()
 {
-    m_progress.step("close the jumper between AUX1 and AUX2, then reset the board or switch it off and on", 0, 0);
+    m_progress.step(say("close the jumper between AUX1 and AUX2, then reset the board or switch it off and on"), 0, 0);
     for (const Step later : {Step::Sending, Step::OpenJumper, Step::Compare})
         m_progress.part(static_cast<int>(later), PartState::Waiting);
     for (const Step now : {Step::CloseJumper, Step::Reset, Step::Greeting})
@@ -160,10 +160,8 @@ Task<void> Updater::awaitBanner()
             co_return {};
         }
     }
-    co_return fail(Fault::Timeout, "the bootloader did not announce itself",
-        "check the jumper AUX1–AUX2, the crossed wires TX and RX, and the 3.3 "
-        "V "
-        "levels, then reset the board");
+    co_return fail(Fault::Timeout, say("the bootloader did not announce itself"),
+        say("check the jumper AUX1–AUX2, the crossed wires TX and RX, and the 3.3 V levels, then reset the board"));
 }
 
 Task<void> Updater::sendAll()
@@ -171,14 +169,14 @@ Task<void> Updater::sendAll()
     const std::size_t total = m_image.lines().size();
     enter(Step::Sending);
     for (std::size_t i = 0; i < total; ++i) {
-        m_progress.step("sending the firmware", static_cast<int>(i), static_cast<int>(total));
+        m_progress.step(say("sending the firmware"), static_cast<int>(i), static_cast<int>(total));
         auto sending = sendLine(i);
         co_await std::move(sending);
         m_sent = i + 1;
     }
     m_report.pages = static_cast<int>(total);
     leaveStep(Step::Sending);
-    m_progress.step("sending the firmware", static_cast<int>(total), static_cast<int>(total));
+    m_progress.step(say("sending the firmware"), static_cast<int>(total), static_cast<int>(total));
     co_return {};
 }
 
@@ -188,7 +186,7 @@ Task<void> Updater::sendLine(std::size_t index)
     m_console.clear();
     const Instant begin = m_clock.now();
     const std::string &text = m_image.lines()[index];
-    say(text);
+    tell(text);
     if (auto sent = m_console.send(text); !sent)
         co_return fail(sent.error());
     bool confirmed = false;
@@ -198,14 +196,14 @@ Task<void> Updater::sendLine(std::size_t index)
         const Result<std::string> answer = co_await std::move(listening).attempt();
         const std::string line = "line " + std::to_string(index + 1);
         if (!answer && answer.error().fault == Fault::Timeout)
-            co_return fail(Fault::Timeout, line + " was not confirmed");
+            co_return fail(Fault::Timeout, say("%1 was not confirmed", line));
         if (!answer)
             co_return fail(answer.error());
         heard(*answer);
         if (isBanner(*answer))
-            co_return fail(Fault::Refused, "the board restarted at " + line);
+            co_return fail(Fault::Refused, say("the board restarted at %1", line));
         if (isFailure(*answer))
-            co_return fail(Fault::Refused, line + " was refused: " + *answer);
+            co_return fail(Fault::Refused, say("%1 was refused: %2", line, *answer));
         confirmed = *answer != text; // a terminal may echo what it hears
     }
     const Instant next = begin + m_settings.lineTime;
@@ -218,11 +216,11 @@ Task<void> Updater::leave()
 {
     enter(Step::OpenJumper);
     if (!m_settings.farewell.empty()) {
-        say(m_settings.farewell);
+        tell(m_settings.farewell);
         if (auto sent = m_console.send(m_settings.farewell); !sent)
             co_return fail(sent.error());
     }
-    m_progress.step("take the jumper out; the board is asked for its version", 0, 0);
+    m_progress.step(say("take the jumper out; the board is asked for its version"), 0, 0);
     co_await Sleep(
         m_clock, 200ms); // no pulse on the reset line: with the jumper in, that would enter the bootloader again
     co_return {};
@@ -234,7 +232,7 @@ void Updater::hearBoot()
     while (const auto text = m_console.take()) {
         heard(*text);
         if (isBanner(*text))
-            m_progress.step("the jumper is still in: take it out, then reset the board", 0, 0);
+            m_progress.step(say("the jumper is still in: take it out, then reset the board"), 0, 0);
     }
 }
 
@@ -263,8 +261,8 @@ Task<void> Updater::verify()
             co_return fail(answered.error());
         co_await Sleep(m_clock, verifyPeriod);
     }
-    co_return fail(Fault::Timeout, "every line was confirmed, but the board does not answer over SPI",
-        "take the jumper out and reset it");
+    co_return fail(Fault::Timeout, say("every line was confirmed, but the board does not answer over SPI"),
+        say("take the jumper out and reset it"));
 }
 
 } // namespace mb::quadquad2drv

@@ -24,7 +24,7 @@ private:
     [[nodiscard]] Task<void> sendLine(std::size_t index);
     [[nodiscard]] Task<void> leave();
     [[nodiscard]] Task<void> verify();
-    void say(const std::string &text);
+    void tell(const std::string &text);
     void heard(const std::string &text);
     void resetBoard();
     void enter(Step step);

@@ -65,11 +65,10 @@ Result<Job> jobOf(std::string_view via)
     const auto colon = via.find(':');
     const auto second = colon == std::string_view::npos ? colon : via.find(':', colon + 1);
     if (via.empty())
-        return fail(Fault::OutOfRange, "a Supermodified is written by avrdude", "add --via " + std::string(usage));
+        return fail(Fault::OutOfRange, say("a Supermodified is written by avrdude"), say("add --via %1", usage));
     if (via.substr(0, colon) != scheme || second == std::string_view::npos || second + 1 == via.size()
         || !isName(via.substr(colon + 1, second - colon - 1)) || via[second + 1] == '-')
-        return fail(Fault::OutOfRange, "--via: '" + std::string(via) + "' is no way into a Supermodified",
-            "write " + std::string(usage));
+        return fail(Fault::OutOfRange, say("--via: '%1' is no way into a Supermodified", via), say("write %1", usage));
     Job job;
     job.programmer = via.substr(colon + 1, second - colon - 1);
     job.port = via.substr(second + 1);

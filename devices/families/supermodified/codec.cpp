@@ -215,16 +215,15 @@ Result<Frame> request(int node, int host, Command command, Dialect dialect, std:
     const Message *const message = messageOf(static_cast<std::uint8_t>(command));
     if (format == Format::Absent || message == nullptr)
         return fail(Fault::Unsupported,
-            std::string(message ? message->name : "this command") + " is not known to firmware of dialect "
-                + std::string(toString(dialect)));
+            message ? say("%1 is not known to firmware of dialect %2", message->name, toString(dialect))
+                    : say("this command is not known to firmware of dialect %1", toString(dialect)));
     const auto [low, high] = rangeOf(format);
     Frame frame = request(node, host, command);
     frame.size = static_cast<std::uint8_t>(sizeOf(format));
     if (value < low || value > high || (format == Format::Reactions && !writeReactions(frame, value)))
         return fail(Fault::OutOfRange,
-            std::string(message->nameOf(format)) + ' ' + std::to_string(value) + " is outside " + std::to_string(low)
-                + " … " + std::to_string(high) + ", what firmware of dialect " + std::string(toString(dialect))
-                + " takes");
+            say("%1 %2 is outside %3 … %4, what firmware of dialect %5 takes", message->nameOf(format), value, low,
+                high, toString(dialect)));
     if (format != Format::Reactions)
         writeInteger(frame, value, frame.size);
     return frame;

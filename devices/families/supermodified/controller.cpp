@@ -99,7 +99,7 @@ std::string Controller::doCaution(const SetPoint &setPoint) const
 Result<void> Controller::doCommand(const SetPoint &setPoint)
 {
     if (!m_node.dialect)
-        return fail(Fault::Unsafe, "its dialect is not known, so no move can be sent", "read it again");
+        return fail(Fault::Unsafe, say("its dialect is not known, so no move can be sent"), say("read it again"));
     if (auto taken = m_motion.command(setPoint); !taken)
         return taken;
     telemetry()->append({channel::setPoint, clock().now(), setPoint.target});

@@ -46,13 +46,13 @@ Error Controller::about(const Parameter &parameter, const Error &error) const
 Task<std::int64_t> Controller::readNumber(Command command)
 {
     if (!m_node.dialect)
-        co_return fail(Fault::Unsupported, "its dialect is not known");
+        co_return fail(Fault::Unsupported, say("its dialect is not known"));
     const Format format = formatOf(command, *m_node.dialect);
     auto task = talk(asking(m_node, command));
     const Frame reply = co_await std::move(task);
     const auto value = valueOf(reply.payload(), format);
     if (!value)
-        co_return fail(Fault::BadReply, "an answer of " + std::to_string(reply.size) + " bytes");
+        co_return fail(Fault::BadReply, say("an answer of %1 bytes", reply.size));
     co_return *value;
 }
 
@@ -65,7 +65,7 @@ Task<std::int64_t> Controller::doRead(ParameterIndex index)
         co_return m_node.baudrate;
     const auto getter = getterOf(row);
     if (!getter || !doOffers(index))
-        co_return fail(Fault::Unsupported, std::string(row.key) + " does not exist in this device's dialect");
+        co_return fail(Fault::Unsupported, say("%1 does not exist in this device's dialect", row.key));
     auto reading = readNumber(*getter);
     const Result<std::int64_t> raw = co_await std::move(reading).attempt();
     if (!raw)
@@ -108,8 +108,9 @@ Task<void> Controller::writeDuration(std::int64_t raw)
         m_owedLimit.reset();
     else
         co_return fail(restored.error().fault,
-            "written, but the current limit, which this firmware overwrites with it, could not be put back to "
-                + std::to_string(limit) + " mA: " + restored.error().text());
+            say("written, but the current limit, which this firmware overwrites with it, could not be put back to %1 "
+                "mA: %2",
+                limit, restored.error().message()));
     co_return {};
 }
 
@@ -117,9 +118,9 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &row = parameters().parameter(index);
     if (!doOffers(index))
-        co_return fail(Fault::Unsupported, std::string(row.key) + " does not exist in this device's dialect");
+        co_return fail(Fault::Unsupported, say("%1 does not exist in this device's dialect", row.key));
     if (row.id == id::nodeId && raw != m_node.id && m_line->roster().nodes().contains(static_cast<int>(raw)))
-        co_return fail(Fault::Refused, "node id " + std::to_string(raw) + " is used by another node of this line");
+        co_return fail(Fault::Refused, say("node id %1 is used by another node of this line", raw));
     auto writing = row.id == id::currentLimitDuration ? writeDuration(raw) : writeNumber(setterOf(row), raw);
     const Result<void> written = co_await std::move(writing).attempt();
     if (!written)
@@ -206,14 +207,14 @@ Task<void> Controller::doZeroPosition()
     while (!doIsSeenStopped()) {
         if (clock().now() >= limit || m_serial.state() != LinkState::Open)
             co_return fail(Fault::Unsafe,
-                "the stop was not acknowledged, so the position was not reset: a motor that runs would jump");
+                say("the stop was not acknowledged, so the position was not reset: a motor that runs would jump"));
         Sleep nap(clock(), lookAgain);
         co_await nap;
     }
     if (const std::string lock = m_line->roster().lockOf(m_node.id); !lock.empty())
-        co_return fail(Fault::Unsafe, "the position was not reset: " + lock);
+        co_return fail(Fault::Unsafe, say("the position was not reset: %1", lock));
     if (!m_motion.isKnownOff()) // trap 18
-        co_return fail(Fault::Unsafe, "somebody may have started it again, so the position was not reset");
+        co_return fail(Fault::Unsafe, say("somebody may have started it again, so the position was not reset"));
     auto resetting = talk(asking(m_node, Command::ResetPosition));
     (void)co_await std::move(resetting);
     m_position = 0;
@@ -226,18 +227,18 @@ Task<void> Controller::doZeroPosition()
 
 Task<void> Controller::doIdentify()
 {
-    co_return fail(Fault::Unsupported, "a Supermodified cannot blink");
+    co_return fail(Fault::Unsupported, say("a Supermodified cannot blink"));
 }
 
 Task<void> Controller::doRename(std::string)
 {
-    co_return fail(Fault::Unsupported, "a Supermodified has no name");
+    co_return fail(Fault::Unsupported, say("a Supermodified has no name"));
 }
 
 Task<void> Controller::doRenumber(int address)
 {
     if (address < lowestNode || address > highestNode)
-        co_return fail(Fault::OutOfRange, "a node id is 1 … 127");
+        co_return fail(Fault::OutOfRange, say("a node id is 1 … 127"));
     auto writing = write(*parameterWithId(id::nodeId), address);
     (void)co_await std::move(writing);
     co_return {};
@@ -246,9 +247,9 @@ Task<void> Controller::doRenumber(int address)
 Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
 {
     if (!std::isfinite(hertz) || hertz < 0.0)
-        co_return fail(Fault::OutOfRange, "a rate is a positive number, or 0 for the usual one");
+        co_return fail(Fault::OutOfRange, say("a rate is a positive number, or 0 for the usual one"));
     if (!m_polls.setRate(channel, hertz))
-        co_return fail(Fault::Unsupported, "the set-point comes from here, not from the device");
+        co_return fail(Fault::Unsupported, say("the set-point comes from here, not from the device"));
     co_return {};
 }
 

@@ -60,8 +60,8 @@ Result<std::unique_ptr<QTemporaryFile>> written(const FirmwareImage &image)
     const auto size = static_cast<qint64>(text.size());
     if (!file->open() || file->write(text.data(), size) != size || !file->flush())
         return fail(Fault::LinkLost,
-            "a temporary file for avrdude cannot be written: " + file->errorString().toStdString(),
-            "make room in " + QDir::tempPath().toStdString());
+            say("a temporary file for avrdude cannot be written: %1", file->errorString().toStdString()),
+            say("make room in %1", QDir::tempPath().toStdString()));
     return file;
 }
 
@@ -129,8 +129,8 @@ Task<avrdude::Reading> runOnce(Clock &clock, avrdude::Job job, Progress &progres
         show(reading, progress);
         const auto piece = co_await program.next(patience);
         if (!piece)
-            co_return fail(piece.error().fault, "avrdude said nothing for a minute and was ended",
-                "check the cables and try again");
+            co_return fail(piece.error().fault, say("avrdude said nothing for a minute and was ended"),
+                say("check the cables and try again"));
         if (!*piece)
             break;
         reading.take((*piece)->text, (*piece)->complete);
@@ -150,12 +150,13 @@ Task<avrdude::Reading> runOnce(Clock &clock, avrdude::Job job, Progress &progres
 Task<avrdude::Reading> program(Clock &clock, avrdude::Job job, Progress &progress)
 {
     if (!ExternalProgram::locate("avrdude"))
-        co_return fail(Fault::LinkLost, "avrdude is not installed", "install it with: sudo apt install avrdude");
+        co_return fail(
+            Fault::LinkLost, say("avrdude is not installed"), say("install it with: sudo apt install avrdude"));
     if (!job.isBootloader()) {
         auto run = runOnce(clock, job, progress);
         co_return co_await std::move(run).attempt();
     }
-    Error last{Fault::Timeout, "no bootloader answers"};
+    Error last{Fault::Timeout, say("no bootloader answers")};
     for (const int rate : avrdude::bootloaderRates) {
         job.rate = rate;
         auto run = runOnce(clock, job, progress);
@@ -165,7 +166,7 @@ Task<avrdude::Reading> program(Clock &clock, avrdude::Job job, Progress &progres
         last = reading.error();
         if (last.fault != Fault::Timeout || last.remedy.find("half a program") != std::string::npos)
             break;
-        progress.log(Severity::Caution, "no bootloader answers at " + std::to_string(rate) + " bit/s");
+        progress.log(Severity::Caution, say("no bootloader answers at %1 bit/s", rate));
     }
     co_return fail(last);
 }
@@ -189,10 +190,10 @@ Result<void> preflight(const Controller &device, const FirmwareImage &image, con
     if (auto summary = inspect(image); !summary)
         return fail(summary.error());
     if (job.isBootloader() && image.hasAny(avrdude::bootloaderStart, avrdude::flashSize - 1))
-        return fail(Fault::OutOfRange, "this image holds a bootloader too, which cannot write itself",
-            "use a programmer on the pins");
+        return fail(Fault::OutOfRange, say("this image holds a bootloader too, which cannot write itself"),
+            say("use a programmer on the pins"));
     if (device.isLineDriving())
-        return fail(Fault::Unsafe, "a motor is driven on this line", "stop it first");
+        return fail(Fault::Unsafe, say("a motor is driven on this line"), say("stop it first"));
     return {};
 }
 
@@ -236,10 +237,10 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
 {
     if (image.segments().empty() || image.segments().back().last >= avrdude::flashSize)
         return fail(Fault::OutOfRange,
-            "this is no program for the controller: it has bytes outside the 32 KiB of an ATmega328P");
+            say("this is no program for the controller: it has bytes outside the 32 KiB of an ATmega328P"));
     if (!hasVectors(image))
         return fail(Fault::OutOfRange,
-            "this is no program for the controller: it does not begin with a jump of an AVR at address 0");
+            say("this is no program for the controller: it does not begin with a jump of an AVR at address 0"));
     ImageSummary summary;
     for (std::uint32_t page = 0; page < avrdude::flashSize; page += pageSize) {
         if (image.hasAny(page, page + pageSize - 1))
@@ -263,7 +264,8 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     if (!job)
         co_return fail(job.error());
     if (!options.target.empty())
-        co_return fail(Fault::OutOfRange, "a Supermodified has one kind of microcontroller", "leave out --target");
+        co_return fail(
+            Fault::OutOfRange, say("a Supermodified has one kind of microcontroller"), say("leave out --target"));
     if (auto ready = preflight(controller, image, *job); !ready)
         co_return fail(ready.error());
     if (options.dryRun) {
@@ -285,7 +287,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         co_return fail(programmed.error());
     if (!opened)
         co_return fail(opened.error());
-    progress.step("Looking for the controller", 1, 1);
+    progress.step(say("Looking for the controller"), 1, 1);
     progress.mayInterrupt(true);
     auto asking = answers(device);
     const bool answered = co_await std::move(asking);

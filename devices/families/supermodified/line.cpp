@@ -153,7 +153,7 @@ void Line::giveUp()
     if (m_roster.nodes().contains(frame.to))
         ++m_misses[frame.to];
     m_reader.forget();
-    finish(fail(Fault::Timeout, "node " + std::to_string(frame.to) + " does not answer"));
+    finish(fail(Fault::Timeout, say("node %1 does not answer", frame.to)));
 }
 
 // Silence
@@ -266,9 +266,8 @@ Result<void> Line::mayHaveItsRate(const Request &request) const
 {
     if (isDriving() && request.rank != Rank::Stop && request.baudrate != m_link.baudrate())
         return fail(Fault::Unsafe,
-            "a motor is driven on this line at " + std::to_string(m_link.baudrate())
-                + " bit/s, and this node has another rate",
-            "stop it first");
+            say("a motor is driven on this line at %1 bit/s, and this node has another rate", m_link.baudrate()),
+            say("stop it first"));
     return {};
 }
 
@@ -349,8 +348,8 @@ void Line::onLinkState()
 /// What was asked before the link went away has no answer any more.
 void Line::failUpTo(std::uint64_t id)
 {
-    const Error error
-        = m_link.state() == LinkState::Open ? Error{Fault::LinkLost, "the link was opened anew"} : m_link.notOpen();
+    const Error error = m_link.state() == LinkState::Open ? Error{Fault::LinkLost, say("the link was opened anew")}
+                                                          : m_link.notOpen();
     if (m_inFlight && m_inFlight->entry.id <= id) {
         const Done done = std::move(m_inFlight->entry.done);
         m_inFlight.reset();

@@ -46,7 +46,7 @@ Result<Command> Motion::commandFor(const SetPoint &setPoint) const
         if (row.mode == setPoint.mode && (row.relative == setPoint.relative || !isPosition(row.mode)))
             return setPoint.buffered ? row.buffered : row.now;
     }
-    return mb::fail(Fault::Unsupported, "a Supermodified has no mode '" + std::string(toString(setPoint.mode)) + "'");
+    return mb::fail(Fault::Unsupported, say("a Supermodified has no mode '%1'", toString(setPoint.mode)));
 }
 
 bool Motion::isHold(const SetPoint &setPoint) const
@@ -65,7 +65,7 @@ Result<void> Motion::check(const SetPoint &setPoint) const
     if (setPoint.mode == Mode::Off)
         return {};
     if (setPoint.axis != 1 || setPoint.slot != 0)
-        return mb::fail(Fault::Unsupported, "a Supermodified has one axis and one set of gains");
+        return mb::fail(Fault::Unsupported, say("a Supermodified has one axis and one set of gains"));
     const auto command = commandFor(setPoint);
     if (!command)
         return mb::fail(command.error());
@@ -87,7 +87,7 @@ Result<void> Motion::command(const SetPoint &setPoint)
     if (m_failure)
         return mb::fail(Fault::Unsafe, *m_failure);
     if (m_stopping)
-        return mb::fail(Fault::Unsafe, "the stop before it is not acknowledged yet");
+        return mb::fail(Fault::Unsafe, say("the stop before it is not acknowledged yet"));
     if (m_wanted == setPoint)
         return {};
     m_wanted = setPoint;
@@ -183,11 +183,11 @@ void Motion::answered(Step step, const Result<Frame> &reply)
         return;
     }
     if (step == Step::Move && m_orders.front().relative && !isHold(m_orders.front()))
-        fail("a relative move was not answered, and is never sent twice: look where the motor stands");
+        fail(say("a relative move was not answered, and is never sent twice: look where the motor stands"));
     else if (m_tries < patientTries && m_starts < patientTries)
         send(step == Step::Start ? Step::Stop : step);
     else
-        fail("the device does not answer");
+        fail(say("the device does not answer"));
 }
 
 void Motion::refused(Step step, std::span<const std::uint8_t> codes)
@@ -198,11 +198,11 @@ void Motion::refused(Step step, std::span<const std::uint8_t> codes)
         return;
     if (step == Step::Move && kept.back() == code::invalidForState) {
         setEnergized(false);
-        fail("the device says that the motor is not started; it may have lost its supply");
+        fail(say("the device says that the motor is not started; it may have lost its supply"));
     } else if (m_tries < patientTries && m_starts < patientTries) {
         send(step == Step::Start ? Step::Stop : step); // not executed, so also a relative move may be sent again
     } else {
-        fail("refused: " + codesText(kept));
+        fail(say("refused: %1", codesText(kept)));
     }
 }
 
@@ -295,7 +295,7 @@ void Motion::abort(std::string why)
 Result<void> Motion::release()
 {
     if (isBusy())
-        return mb::fail(Fault::Unsafe, "a buffered move is not acknowledged yet", "try again");
+        return mb::fail(Fault::Unsafe, say("a buffered move is not acknowledged yet"), say("try again"));
     Line::Request tell = telling(m_node, Command::DoMove);
     tell.rank = Line::Rank::Move;
     m_releaseTicket = m_line.submit(std::move(tell), [](const Result<Frame> &) {});

@@ -31,9 +31,7 @@ Result<void> checkNumber(std::string_view name, double value, double low, double
 {
     if (std::isfinite(value) && value >= low && value <= high)
         return {};
-    return fail(Fault::OutOfRange,
-        std::string(name) + ' ' + numberText(value) + " is outside " + numberText(low) + " … " + numberText(high) + ' '
-            + std::string(unit));
+    return fail(Fault::OutOfRange, say("%1 %2 is outside %3 … %4 %5", name, value, low, high, unit));
 }
 
 Result<void> MoveBounds::checkProfile(const SetPoint &setPoint) const
@@ -46,9 +44,8 @@ Result<void> MoveBounds::checkProfile(const SetPoint &setPoint) const
         return good;
     if (setPoint.mode != Mode::RampPosition || !isNarrow() || (velocity(setPoint) && acceleration(setPoint)))
         return {};
-    return fail(Fault::Unsafe,
-        "its profile is not known, so a move that passes its target could not be told; read profile.velocity and "
-        "profile.acceleration");
+    return fail(Fault::Unsafe, say("its profile is not known, so a move that passes its target could not be told"),
+        say("read profile.velocity and profile.acceleration"));
 }
 
 Result<void> MoveBounds::checkReach(const SetPoint &setPoint, std::optional<std::int64_t> position) const
@@ -57,7 +54,8 @@ Result<void> MoveBounds::checkReach(const SetPoint &setPoint, std::optional<std:
         return {};
     if (!m_known.gainP || (!position && !setPoint.relative))
         return fail(Fault::Unsafe,
-            "its P or its position is not known, so whether this step overflows its loop is not either; read gain.p");
+            say("its P or its position is not known, so whether this step overflows its loop is not either"),
+            say("read gain.p"));
     if (*m_known.gainP == 0)
         return {};
     const double distance
@@ -65,9 +63,8 @@ Result<void> MoveBounds::checkReach(const SetPoint &setPoint, std::optional<std:
     const double farthest = std::floor(unreachable / static_cast<double>(*m_known.gainP)) - 1.0;
     if (std::abs(distance) <= farthest)
         return {};
-    return fail(Fault::OutOfRange,
-        "a step of " + numberText(distance) + " counts overflows the loop of this firmware; at most "
-            + numberText(farthest) + " with its P: use a profiled mode or several moves");
+    return fail(Fault::OutOfRange, say("a step of %1 counts overflows the loop of this firmware", distance),
+        say("at most %1 with its P: use a profiled mode or several moves", farthest));
 }
 
 std::optional<double> MoveBounds::velocity(const SetPoint &setPoint) const

@@ -34,7 +34,7 @@ Line::Request asking(const Node &node, Command command)
 Result<Line::Request> setting(const Node &node, Command command, std::int64_t value)
 {
     if (!node.dialect)
-        return fail(Fault::Unsupported, "its dialect is not known yet", "read it first");
+        return fail(Fault::Unsupported, say("its dialect is not known yet"), say("read it first"));
     const auto frame = request(node.id, 0, command, *node.dialect, value);
     if (!frame)
         return fail(frame.error());
@@ -58,7 +58,7 @@ Line::Request telling(const Node &node, Command command)
 
 Task<Frame> converse(Line &line, Line::Request request, CodeSink codes, int tries)
 {
-    Error last{Fault::Timeout, "no answer"};
+    Error last{Fault::Timeout, say("no answer")};
     int verdicts = 0;
     for (int attempt = 0; attempt < line.link().patience().tries(tries); ++attempt) {
         auto asking = ask(line, request);

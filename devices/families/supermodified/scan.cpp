@@ -340,7 +340,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
 {
     auto *const serial = dynamic_cast<SerialLink *>(&link);
     if (!serial)
-        co_return fail(Fault::Unsupported, "Supermodified controllers are found on serial links only");
+        co_return fail(Fault::Unsupported, say("Supermodified controllers are found on serial links only"));
     Search search(Line::of(*serial, clock), sink);
     auto searching = search.run();
     co_await std::move(searching);
@@ -351,7 +351,7 @@ Task<void> probe(Link &link, Clock &clock, int address, ScanSink &sink)
 {
     auto *const serial = dynamic_cast<SerialLink *>(&link);
     if (!serial)
-        co_return fail(Fault::Unsupported, "Supermodified controllers are found on serial links only");
+        co_return fail(Fault::Unsupported, say("Supermodified controllers are found on serial links only"));
     if (address < lowestNode || address > highestNode)
         co_return {};
     Search search(Line::of(*serial, clock), sink);

@@ -9,7 +9,7 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
 {
     auto *const serial = dynamic_cast<SerialLink *>(&link);
     if (!serial)
-        return fail(Fault::OutOfRange, "a Supermodified is simulated on a serial link");
+        return fail(Fault::OutOfRange, say("a Supermodified is simulated on a serial link"));
     const auto options = simulation::UnitOptions::parse(unit);
     if (!options)
         return fail(options.error());

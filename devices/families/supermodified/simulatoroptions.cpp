@@ -79,7 +79,7 @@ constexpr std::array optionTable{
 Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
 {
     if (unit.address < lowestNode || unit.address > highestNode)
-        return fail(Fault::OutOfRange, "a Supermodified has an id from 1 to 127, not " + std::to_string(unit.address));
+        return fail(Fault::OutOfRange, say("a Supermodified has an id from 1 to 127, not %1", unit.address));
     UnitOptions options;
     options.node = unit.address;
     options.seed = unit.seed;
@@ -88,10 +88,10 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
         const auto *const option = std::find_if(
             optionTable.begin(), optionTable.end(), [&wanted = key](const Option &o) { return o.key == wanted; });
         if (option == optionTable.end())
-            return fail(Fault::OutOfRange, "a simulated Supermodified has no option '" + key + "'");
+            return fail(Fault::OutOfRange, say("a simulated Supermodified has no option '%1'", key));
         if (!option->set(options, value))
             return fail(Fault::OutOfRange,
-                "'" + value + "' is no value for the option '" + key + "' of a simulated Supermodified");
+                say("'%1' is no value for the option '%2' of a simulated Supermodified", value, key));
     }
     return options;
 }

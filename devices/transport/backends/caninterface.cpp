@@ -190,7 +190,7 @@ Result<std::vector<CanInterface>> canInterfaces()
 {
     Question question;
     if (!question.isOpen())
-        return fail(Fault::LinkLost, "the kernel does not list its interfaces: " + std::string(std::strerror(errno)));
+        return fail(Fault::LinkLost, say("the kernel does not list its interfaces: %1", std::strerror(errno)));
     std::vector<CanInterface> interfaces;
     question.ask(0, [&interfaces](CanInterface &&interface) { interfaces.push_back(std::move(interface)); });
     return interfaces;

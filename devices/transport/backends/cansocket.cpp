@@ -157,8 +157,8 @@ Error socketFailure(const std::string &name, int cause)
     case ENOTCONN: return {Fault::LinkLost, say("the other end of %1 closed it", name), {}, {}, Ailment::Gone};
     case EPERM:
     case EACCES:
-        return {Fault::LinkLost, say("no permission to use %1", name), say("allow CAN sockets in the container or sandbox"),
-            {}, Ailment::NoPermission};
+        return {Fault::LinkLost, say("no permission to use %1", name),
+            say("allow CAN sockets in the container or sandbox"), {}, Ailment::NoPermission};
     default: return {Fault::LinkLost, say("%1 failed: %2", name, std::strerror(cause))};
     }
 }

@@ -21,12 +21,15 @@ constexpr const char *consumer = "motorbench";
 Error causeOf(int error, const std::string &name)
 {
     switch (error) {
-    case ENOENT: return {Fault::LinkLost, "there is no GPIO chip for " + name, "gpiodetect lists those there are"};
+    case ENOENT:
+        return {Fault::LinkLost, say("there is no GPIO chip for %1", name), say("gpiodetect lists those there are"), {},
+            Ailment::NotThere};
     case EACCES:
-        return {Fault::LinkLost, "no permission to use " + name,
-            "become a member of its group: sudo usermod -aG gpio $USER"};
-    case EBUSY: return {Fault::LinkLost, "GPIO line " + name + " is used by another program or driver"};
-    default: return {Fault::LinkLost, "GPIO line " + name + ": " + std::strerror(error)};
+        return {Fault::LinkLost, say("no permission to use %1", name), say("become a member of its group"),
+            "sudo usermod -aG gpio $USER", Ailment::NoPermission};
+    case EBUSY:
+        return {Fault::LinkLost, say("GPIO line %1 is used by another program or driver", name), {}, {}, Ailment::Busy};
+    default: return {Fault::LinkLost, say("GPIO line %1: %2", name, std::strerror(error))};
     }
 }
 
@@ -44,7 +47,7 @@ Result<void> GpioLine::find(std::string_view name)
     const auto colon = name.rfind(':');
     const auto number = colon == std::string_view::npos ? std::nullopt : wholeFrom<unsigned>(name.substr(colon + 1));
     if (!number)
-        return fail(Fault::OutOfRange, "a GPIO line is CHIP:LINE, as in gpiochip0:25, not '" + std::string(name) + "'");
+        return fail(Fault::OutOfRange, say("a GPIO line is CHIP:LINE, as in gpiochip0:25, not '%1'", name));
     m_chip = gpiod_chip_open_lookup(std::string(name.substr(0, colon)).c_str());
     if (!m_chip)
         return fail(causeOf(errno, std::string(name)));

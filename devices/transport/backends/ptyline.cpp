@@ -42,7 +42,7 @@ Result<std::unique_ptr<PtyLine>> PtyLine::create(const LinkAddress &address, Clo
         const bool whole = takeNumber(value, rate);
         if (key != "baud" || !whole || rate < SerialLink::slowest || rate > SerialLink::fastest)
             return fail(
-                Fault::OutOfRange, "pty links have the option baud=BITS_PER_SECOND, not '" + key + "=" + value + "'");
+                Fault::OutOfRange, say("pty links have the option baud=BITS_PER_SECOND, not '%1=%2'", key, value));
     }
     return std::unique_ptr<PtyLine>(new PtyLine(address, clock));
 }
@@ -85,8 +85,8 @@ Result<void> PtyLine::claimPath()
     m_claim = ::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0);
     void *const generic = &address;
     if (m_claim >= 0 && ::bind(m_claim, static_cast<sockaddr *>(generic), size) != 0 && errno == EADDRINUSE)
-        return fail(Fault::LinkLost, m_address.path + " is served by another simulator",
-            "end that one first, or choose another path");
+        return fail(Fault::LinkLost, say("%1 is served by another simulator", m_address.path),
+            say("end that one first, or choose another path"));
     return {};
 }
 
@@ -109,7 +109,7 @@ Result<void> PtyLine::openTerminal()
     std::array<char, 64> name{};
     if (m_master < 0 || ::grantpt(m_master) != 0 || ::unlockpt(m_master) != 0
         || ::ptsname_r(m_master, name.data(), name.size()) != 0)
-        return fail(Fault::LinkLost, "no pseudo terminal can be had: " + lastError());
+        return fail(Fault::LinkLost, say("no pseudo terminal can be had: %1", lastError()));
     m_terminal = name.data();
     termios settings{};
     if (::tcgetattr(m_master, &settings) == 0) { // nothing is echoed before the other program has set it up
@@ -132,10 +132,10 @@ Result<void> PtyLine::putLink()
     failed.clear();
     fs::create_symlink(m_terminal, path, failed);
     if (failed == std::errc::file_exists)
-        return fail(
-            Fault::LinkLost, m_address.path + " is there already and no link to a terminal", "choose another path");
+        return fail(Fault::LinkLost, say("%1 is there already and no link to a terminal", m_address.path),
+            say("choose another path"));
     if (failed)
-        return fail(Fault::LinkLost, m_address.path + " cannot be made: " + failed.message());
+        return fail(Fault::LinkLost, say("%1 cannot be made: %2", m_address.path, failed.message()));
     m_linked = true;
     return {};
 }

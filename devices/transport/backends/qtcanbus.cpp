@@ -77,8 +77,8 @@ Result<void> QtCanLink::doOpen()
     QCanBus &known = *QCanBus::instance();
     if (!known.plugins().contains(plugin)) {
         const QString names = known.plugins().join(QStringLiteral(", "));
-        return fail(
-            Fault::LinkLost, "there is no CAN plugin " + plugin.toStdString(), "installed are: " + names.toStdString());
+        return fail(Fault::LinkLost, say("there is no CAN plugin %1", plugin.toStdString()),
+            say("installed are: %1", names.toStdString()));
     }
     QString cause;
     m_device.reset(known.createDevice(plugin, path.section(QLatin1Char(':'), 1), &cause));
@@ -87,7 +87,7 @@ Result<void> QtCanLink::doOpen()
     if (!m_device || !m_device->connectDevice()) {
         const QString why = m_device ? m_device->errorString() : cause;
         m_device.reset();
-        return fail(Fault::LinkLost, address().path + " cannot be opened: " + why.toStdString());
+        return fail(Fault::LinkLost, say("%1 cannot be opened: %2", address().path, why.toStdString()));
     }
     m_bitrate = m_device->configurationParameter(QCanBusDevice::BitRateKey).toInt();
     m_stamps.reset();
@@ -163,16 +163,17 @@ void QtCanLink::receive()
         const CanFrame frame = frameOf(raw, m_latest);
         deliver(frame);
         if (frame.error && raw.error().testFlag(QCanBusFrame::BusOffError))
-            end(QStringLiteral(
-                "bus-off: the adapter left the bus after too many errors; check wiring, termination and bit rate"));
+            lose({Fault::LinkLost, say("bus-off: the adapter left the bus after too many errors"),
+                say("check wiring, termination and bit rate"), {}, Ailment::BusOff});
     }
     endBatch();
 }
 
 void QtCanLink::end(const QString &reason)
 {
-    const std::string why = reason.isEmpty() ? address().path + " was disconnected" : reason.toStdString();
-    lose(why);
+    lose({Fault::LinkLost,
+        reason.isEmpty() ? say("%1 was disconnected", address().path) : Message::verbatim(reason.toStdString()), {}, {},
+        Ailment::Gone});
 }
 
 } // namespace
@@ -209,12 +210,12 @@ Result<std::unique_ptr<Link>> makeQtCanLink(const LinkAddress &address, Clock &c
 {
     const auto colon = address.path.find(':');
     if (colon == std::string::npos || colon == 0 || colon + 1 == address.path.size())
-        return fail(Fault::OutOfRange, "'" + address.text() + "' is not qtcan:PLUGIN:INTERFACE");
+        return fail(Fault::OutOfRange, say("'%1' is not qtcan:PLUGIN:INTERFACE", address.text()));
     int bitrate = 0;
     for (const auto &[key, value] : address.options) {
         if (key != "bitrate" || !takeNumber(value, bitrate) || bitrate <= 0)
-            return fail(Fault::OutOfRange,
-                "qtcan links have the option bitrate=BITS_PER_SECOND, not '" + key + "=" + value + "'");
+            return fail(
+                Fault::OutOfRange, say("qtcan links have the option bitrate=BITS_PER_SECOND, not '%1=%2'", key, value));
     }
     return std::make_unique<QtCanLink>(address, clock, bitrate);
 }

@@ -16,7 +16,7 @@ bool isPace(double pace)
 
 tl::unexpected<Error> wrongPace(const std::string &text)
 {
-    return fail(Fault::OutOfRange, "speed=" + text + " is no speed", "legal is 0.01 … 1000, or max");
+    return fail(Fault::OutOfRange, say("speed=%1 is no speed", text), say("legal is 0.01 … 1000, or max"));
 }
 
 Result<double> parsePace(std::string_view text)
@@ -54,7 +54,7 @@ Result<std::unique_ptr<ReplayLink>> ReplayLink::create(const LinkAddress &addres
             interface = value;
         } else {
             return fail(
-                Fault::OutOfRange, "replay links have no option '" + key + "'", "they have speed and interface");
+                Fault::OutOfRange, say("replay links have no option '%1'", key), say("they have speed and interface"));
         }
     }
     return std::unique_ptr<ReplayLink>(new ReplayLink(address, clock, pace, std::move(interface)));
@@ -77,8 +77,8 @@ Task<void> ReplayLink::doOpenSoon(Background &background)
         [path, interface = m_interface] { return RecordingFile::open(path, interface); }, WhenLate::Drop);
     Result<std::unique_ptr<RecordingFile>> file = co_await std::move(opening).attempt();
     if (!file && file.error().fault == Fault::Timeout)
-        co_return fail(Fault::LinkLost, "the disk of " + address().shortName() + " does not answer",
-            "copy the recording to another one");
+        co_return fail(Fault::LinkLost, say("the disk of %1 does not answer", address().shortName()),
+            say("copy the recording to another one"));
     if (!file)
         co_return fail(file.error());
     take(std::move(*file));
@@ -104,8 +104,8 @@ void ReplayLink::doClose()
 Result<void> ReplayLink::doSend(const CanFrame &, Priority)
 {
     return fail(Fault::Unsupported,
-        address().shortName() + " is a recording: it can be watched, not written to or driven",
-        "open the link that it was made on");
+        say("%1 is a recording: it can be watched, not written to or driven", address().shortName()),
+        say("open the link that it was made on"));
 }
 
 ReplayState ReplayLink::replay() const
@@ -192,7 +192,7 @@ void ReplayLink::deliverNext()
         deliver(frame);
     endBatch();
     if (m_atEnd && m_file && m_file->isCutShort())
-        lose(address().shortName() + " was changed while it was played; open it again");
+        lose({Fault::LinkLost, say("%1 was changed while it was played", address().shortName()), say("open it again")});
     else if (m_atEnd)
         m_ended.notify();
 }

@@ -42,11 +42,11 @@ Result<void> applyRate(int descriptor, const std::string &name, int baudrate)
 {
     if (!setDriverBaudrate(descriptor, baudrate))
         return fail(Fault::OutOfRange,
-            name + " cannot do " + std::to_string(baudrate) + " bit/s: " + std::generic_category().message(errno));
+            say("%1 cannot do %2 bit/s: %3", name, baudrate, std::generic_category().message(errno)));
     const auto real = driverBaudrate(descriptor);
     if (real && std::abs(*real - baudrate) > baudrate / 50)
-        return fail(Fault::OutOfRange, name + " cannot do " + std::to_string(baudrate) + " bit/s",
-            "the nearest it can is " + std::to_string(*real));
+        return fail(
+            Fault::OutOfRange, say("%1 cannot do %2 bit/s", name, baudrate), say("the nearest it can is %1", *real));
     return {};
 }
 
@@ -58,7 +58,7 @@ Result<void> applyFormat(QSerialPort &port, const std::string &name, const std::
     if (format == "8N1"
         || (port.setParity(parity) && port.setStopBits(format[2] == '2' ? QSerialPort::TwoStop : QSerialPort::OneStop)))
         return {};
-    return fail(Fault::OutOfRange, name + " cannot do " + format + ": " + port.errorString().toStdString());
+    return fail(Fault::OutOfRange, say("%1 cannot do %2: %3", name, format, port.errorString().toStdString()));
 }
 
 struct RateOrder {
@@ -76,10 +76,11 @@ Result<void> applyRateOrKeep(const RateOrder &order)
     return applied;
 }
 
-std::string silentDriver()
+Error silentDriver(const std::string &name)
 {
-    return ": its driver has not answered for "
-        + std::to_string(std::chrono::duration_cast<std::chrono::seconds>(Link::openLimit).count()) + " s";
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(Link::openLimit).count();
+    return {Fault::LinkLost, say("%1 does not open: its driver has not answered for %2 s", name, seconds),
+        say("unplug it and plug it in again")};
 }
 
 /// A guardian shares the terminal, and may read the answer to its own question between the notice and our read: that is reported
@@ -103,7 +104,7 @@ struct SerialPortLink::Order {
 
 struct SerialPortLink::Opened {
     std::string path; ///< links followed
-    std::string remark;
+    Message remark;
     std::unique_ptr<QSerialPort> port;
 };
 
@@ -130,16 +131,16 @@ Result<SerialPortLink::Opened> SerialPortLink::openPort(const Order &order)
     Opened made;
     made.path = deviceFile(order.path);
     if (const auto cause = whyUnusable(order.path, made.path))
-        return fail(Error::fromPhrase(Fault::LinkLost, cause->text()));
+        return fail(errorOf(*cause));
     made.port = std::make_unique<QSerialPort>();
     QSerialPort &port = *made.port;
     port.setPortName(QString::fromStdString(made.path));
     port.setBaudRate(order.baudrate);
     if (!port.open(QIODevice::ReadWrite)) {
         if (port.error() == QSerialPort::PermissionError)
-            return fail(Fault::LinkLost, order.name + " is in use by another program",
-                "close that one first ('fuser " + made.path + "' names it)");
-        return fail(Fault::LinkLost, order.name + " cannot be opened: " + port.errorString().toStdString());
+            return fail(Error{Fault::LinkLost, say("%1 is in use by another program", order.name),
+                say("close that one first ('fuser %1' names it)", made.path), {}, Ailment::Busy});
+        return fail(Fault::LinkLost, say("%1 cannot be opened: %2", order.name, port.errorString().toStdString()));
     }
     auto dressed = applyRate(port.handle(), order.name, order.baudrate);
     if (dressed)
@@ -147,9 +148,9 @@ Result<SerialPortLink::Opened> SerialPortLink::openPort(const Order &order)
     if (!dressed)
         return fail(Fault::LinkLost, dressed.error().detail, dressed.error().remedy);
     if (order.options.rs485 && !setDriverRs485(port.handle(), true))
-        made.remark = "the driver of " + order.name
-            + " cannot switch the direction of an RS-485 line, so the adapter has to do it by itself; if nothing "
-              "answers, use one that does";
+        made.remark = say("the driver of %1 cannot switch the direction of an RS-485 line, so the adapter has to do it "
+                          "by itself; if nothing answers, use one that does",
+            order.name);
     askLowLatency(port.handle());
     port.clear(QSerialPort::Input);
     port.moveToThread(order.home);
@@ -182,8 +183,7 @@ Task<void> SerialPortLink::doOpenSoon(Background &background)
         background, clock(), wanted.path, openLimit, [wanted] { return openPort(wanted); }, WhenLate::Drop);
     Result<Opened> opened = co_await std::move(opening).attempt();
     if (!opened && opened.error().fault == Fault::Timeout)
-        co_return fail(
-            Fault::LinkLost, wanted.name + " does not open" + silentDriver(), "unplug it and plug it in again");
+        co_return fail(silentDriver(wanted.name));
     if (!opened)
         co_return fail(opened.error());
     take(std::move(*opened));
@@ -208,7 +208,7 @@ Task<void> SerialPortLink::doSetBaudrateSoon(Background &background, int wanted)
         WhenLate::Drop);
     const Result<bool> set = co_await std::move(setting).attempt();
     if (!set && set.error().fault == Fault::Timeout) {
-        end(name() + silentDriver() + "; unplug it and plug it in again");
+        end(silentDriver(name()));
         co_return fail(notOpen());
     }
     if (!set)
@@ -229,11 +229,13 @@ void SerialPortLink::watch()
             return;
         }
         if (isPseudoTerminal(m_path))
-            end("the other end of " + name() + " hung up; start it again");
+            end({Fault::LinkLost, say("the other end of %1 hung up", name()), say("start it again"), {},
+                Ailment::Gone});
         else if (::access(m_path.c_str(), F_OK) != 0)
-            end(name() + " was unplugged; plug it in again");
+            end({Fault::LinkLost, say("%1 was unplugged", name()), say("plug it in again"), {}, Ailment::Gone});
         else
-            end(name() + " failed (" + m_port->errorString().toStdString() + "); unplug it and plug it in again");
+            end({Fault::LinkLost, say("%1 failed (%2)", name(), m_port->errorString().toStdString()),
+                say("unplug it and plug it in again")});
     });
 }
 
@@ -264,10 +266,10 @@ Outlet SerialPortLink::doOutlet() const
     return m_port ? Outlet{Outlet::Form::Stream, m_port->handle()} : Outlet{};
 }
 
-void SerialPortLink::end(const std::string &reason)
+void SerialPortLink::end(Error loss)
 {
     doClose(); // at once, so that the port gets the same name when it comes back
-    lose(reason);
+    lose(std::move(loss));
 }
 
 Result<void> SerialPortLink::doSend(std::span<const std::uint8_t> bytes, Priority priority)
@@ -359,10 +361,10 @@ Result<std::unique_ptr<Link>> makeSerialPortLink(const LinkAddress &address, Clo
         else if (key == "echo")
             options.echo = number == 1;
         else
-            return fail(Fault::OutOfRange, "unknown option '" + key + "' of a serial link",
-                "baud, format, rs485 and echo are known");
+            return fail(Fault::OutOfRange, say("unknown option '%1' of a serial link", key),
+                say("baud, format, rs485 and echo are known"));
         if (!good)
-            return fail(Fault::OutOfRange, "link option " + key + "=" + value + " is out of range");
+            return fail(Fault::OutOfRange, say("link option %1=%2 is out of range", key, value));
     }
     return std::make_unique<SerialPortLink>(address, clock, options);
 }

@@ -52,7 +52,7 @@ private:
     void receive();
     void pump();
     void lookAtDriver();
-    void end(const std::string &reason);
+    void end(Error loss);
     [[nodiscard]] std::string name() const { return address().shortName(); }
     [[nodiscard]] bool isHalfDuplex() const { return m_options.rs485 || m_options.echo; }
 

@@ -73,12 +73,13 @@ std::optional<Diagnosis> whyUnusable(const std::string &name, const std::string 
 {
     struct stat file { };
     if (::stat(path.c_str(), &file) != 0)
-        return Diagnosis{Ailment::NotThere, "there is no " + name, "plug in the adapter, or name another port", {}};
+        return Diagnosis{
+            Ailment::NotThere, say("there is no %1", name), say("plug in the adapter, or name another port"), {}};
     if (!S_ISCHR(file.st_mode))
-        return Diagnosis{Ailment::Failed, name + " is no serial port", "name one such as /dev/ttyUSB0", {}};
+        return Diagnosis{Ailment::Failed, say("%1 is no serial port", name), say("name one such as /dev/ttyUSB0"), {}};
     if (::access(path.c_str(), R_OK | W_OK) != 0)
-        return Diagnosis{Ailment::NoPermission, "no permission to use " + name, "become a member of its group",
-            "sudo usermod -aG " + groupOf(path) + " $USER"};
+        return Diagnosis{Ailment::NoPermission, say("no permission to use %1", name),
+            say("become a member of its group"), "sudo usermod -aG " + groupOf(path) + " $USER"};
     return std::nullopt;
 }
 

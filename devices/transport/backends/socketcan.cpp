@@ -245,8 +245,8 @@ void SocketCanLink::take(const can_frame &raw, Instant time)
     }
     deliver(frame);
     if (frame.error && (frame.id & CAN_ERR_BUSOFF) != 0U)
-        end("bus-off: " + address().path
-            + " left the bus after too many errors; check wiring, termination and bit rate");
+        end({Fault::LinkLost, say("bus-off: %1 left the bus after too many errors", address().path),
+            say("check wiring, termination and bit rate"), {}, Ailment::BusOff});
 }
 
 Instant SocketCanLink::stampOf(const msghdr &message, Duration unixOffset, Instant now)
@@ -287,9 +287,8 @@ Result<void> SocketCanLink::doSend(const CanFrame &frame, Priority priority)
 {
     auto &queue = priority == Priority::Urgent ? m_urgent : m_normal;
     if (queue.size() >= mostWaiting)
-        return fail(Fault::LinkLost,
-            address().path + " takes no frames: " + std::to_string(queue.size()) + " wait to be sent",
-            "check that somebody else is on the bus");
+        return fail(Fault::LinkLost, say("%1 takes no frames: %2 wait to be sent", address().path, queue.size()),
+            say("check that somebody else is on the bus"));
     if (priority == Priority::Urgent)
         std::erase_if(m_normal, [&frame](const CanFrame &waiting) { return sameIdentifier(waiting, frame); });
     const bool first = m_urgent.empty() && (priority == Priority::Urgent || m_normal.empty());

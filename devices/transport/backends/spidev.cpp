@@ -21,22 +21,26 @@ constexpr int slowest = 10'000;
 constexpr int quickest = 10'000'000;
 constexpr Duration resetPulse = std::chrono::milliseconds(1);
 
-std::string causeOf(int error, const std::string &path)
+Error causeOf(int error, const std::string &path)
 {
     switch (error) {
     case ENOENT:
-        return "there is no " + path
-            + "; enable SPI in the device tree (on a Raspberry Pi: dtparam=spi=on) and restart";
-    case EACCES: return "no permission to use " + path + "; become a member of its group: sudo usermod -aG spi $USER";
-    case EBUSY: return path + " is used by another program";
-    case EINVAL: return path + " cannot do SPI mode 1 at this speed; try a lower speed=";
-    default: return path + ": " + std::strerror(error);
+        return {Fault::LinkLost, say("there is no %1", path),
+            say("enable SPI in the device tree (on a Raspberry Pi: dtparam=spi=on) and restart"), {},
+            Ailment::NotThere};
+    case EACCES:
+        return {Fault::LinkLost, say("no permission to use %1", path), say("become a member of its group"),
+            "sudo usermod -aG spi $USER", Ailment::NoPermission};
+    case EBUSY: return {Fault::LinkLost, say("%1 is used by another program", path), {}, {}, Ailment::Busy};
+    case EINVAL:
+        return {Fault::LinkLost, say("%1 cannot do SPI mode 1 at this speed", path), say("try a lower speed=")};
+    default: return {Fault::LinkLost, say("%1: %2", path, std::strerror(error))};
     }
 }
 
 tl::unexpected<Error> lost(int error, const std::string &path)
 {
-    return fail(Error::fromPhrase(Fault::LinkLost, causeOf(error, path)));
+    return fail(causeOf(error, path));
 }
 
 } // namespace
@@ -48,11 +52,11 @@ Result<std::unique_ptr<SpidevLink>> SpidevLink::make(const LinkAddress &address,
         if (key == "ready" || key == "reset")
             continue;
         if (key != "speed")
-            return fail(
-                Fault::OutOfRange, "spidev links have no option '" + key + "'", "speed, ready and reset are known");
+            return fail(Fault::OutOfRange, say("spidev links have no option '%1'", key),
+                say("speed, ready and reset are known"));
         const bool whole = takeNumber(value, hertz);
         if (!whole || hertz < slowest || hertz > quickest)
-            return fail(Fault::OutOfRange, "speed is 10000 to 10000000 Hz, not '" + value + "'");
+            return fail(Fault::OutOfRange, say("speed is 10000 to 10000000 Hz, not '%1'", value));
     }
     return std::unique_ptr<SpidevLink>(new SpidevLink(address, clock, hertz));
 }
@@ -187,7 +191,7 @@ void SpidevLink::transferred(Bytes miso, int error)
 Result<void> SpidevLink::doPulseReset()
 {
     if (!m_resetLine.isOpen())
-        return fail(Fault::Unsupported, "no reset line is wired", "add reset=CHIP:LINE to the address");
+        return fail(Fault::Unsupported, say("no reset line is wired"), say("add reset=CHIP:LINE to the address"));
     m_resetLine.set(false);
     m_released.startIn(resetPulse, [this] { m_resetLine.set(true); });
     return {};

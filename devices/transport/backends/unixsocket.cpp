@@ -28,27 +28,32 @@ const sockaddr *generic(const sockaddr_un &address)
     return reinterpret_cast<const sockaddr *>(&address);
 }
 
-std::string causeOf(int error, const std::string &path)
+Error causeOf(int error, const std::string &path)
 {
     switch (error) {
     case ENOENT:
-        return "there is no socket " + path + "; start the simulator first: motorbenchctl simulate --on unix:" + path;
-    case ECONNREFUSED: return "nobody serves " + path + "; start the simulator again";
-    case EACCES: return "no permission to use " + path;
-    case EAGAIN: return path + " is busy: it serves one client at a time";
-    case EADDRINUSE: return path + " is served by another program already";
-    default: return path + ": " + std::strerror(error);
+        return {Fault::LinkLost, say("there is no socket %1", path), say("start the simulator first"),
+            "motorbenchctl simulate --on unix:" + path, Ailment::NotThere};
+    case ECONNREFUSED:
+        return {
+            Fault::LinkLost, say("nobody serves %1", path), say("start the simulator again"), {}, Ailment::NotThere};
+    case EACCES: return {Fault::LinkLost, say("no permission to use %1", path), {}, {}, Ailment::NoPermission};
+    case EAGAIN:
+        return {Fault::LinkLost, say("%1 is busy: it serves one client at a time", path), {}, {}, Ailment::Busy};
+    case EADDRINUSE:
+        return {Fault::LinkLost, say("%1 is served by another program already", path), {}, {}, Ailment::Busy};
+    default: return {Fault::LinkLost, say("%1: %2", path, std::strerror(error))};
     }
 }
 
 tl::unexpected<Error> lost(int error, const std::string &path)
 {
-    return fail(Error::fromPhrase(Fault::LinkLost, causeOf(error, path)));
+    return fail(causeOf(error, path));
 }
 
 tl::unexpected<Error> tooLong(const std::string &path)
 {
-    return fail(Fault::OutOfRange, "'" + path + "' is no path of a socket: it has 1 to 107 characters");
+    return fail(Fault::OutOfRange, say("'%1' is no path of a socket: it has 1 to 107 characters", path));
 }
 
 } // namespace
@@ -91,7 +96,7 @@ Result<int> listenOnUnixSocket(const std::string &path)
     struct stat there { };
     if (::lstat(path.c_str(), &there) == 0) {
         if (!S_ISSOCK(there.st_mode))
-            return fail(Fault::LinkLost, path + " exists and is no socket", "choose another path");
+            return fail(Fault::LinkLost, say("%1 exists and is no socket", path), say("choose another path"));
         if (isServed(*address))
             return lost(EADDRINUSE, path);
         ::unlink(path.c_str());

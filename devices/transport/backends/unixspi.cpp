@@ -125,7 +125,8 @@ Result<void> UnixSpiLink::doPulseReset()
 
 void UnixSpiLink::endOfSimulator()
 {
-    end("the simulator at " + address().path + " closed the connection; start it again");
+    end({Fault::LinkLost, say("the simulator at %1 closed the connection", address().path), say("start it again"), {},
+        Ailment::Gone});
 }
 
 void UnixSpiLink::flush()
@@ -183,16 +184,16 @@ void UnixSpiLink::takeAnswers()
     }
     const std::lock_guard lock(m_wire->mutex);
     if (m_wire->pending.empty() && !m_in.empty())
-        end("the simulator at " + address().path + " sent bytes that nobody asked for");
+        end({Fault::LinkLost, say("the simulator at %1 sent bytes that nobody asked for", address().path)});
 }
 
 /// From the clock: whoever asked is in the middle of it.
-void UnixSpiLink::end(std::string reason)
+void UnixSpiLink::end(Error loss)
 {
     if (m_readable)
         m_readable->setEnabled(false);
     m_failed.startIn(Duration::zero(), [this, reason = std::move(reason)] {
-        lose(reason);
+        lose(std::move(loss));
         dropTransfers();
     });
 }

@@ -51,7 +51,7 @@ private:
     void receive();
     void takeAnswers();
     [[nodiscard]] std::optional<Pending> takePending();
-    void end(std::string reason);
+    void end(Error loss);
 
     std::shared_ptr<Wire> m_wire = std::make_shared<Wire>();
     int m_descriptor = -1;

@@ -58,7 +58,8 @@ void VirtualCanBus::forceBusOff(VirtualCanLink &link)
     CanErrorReport report;
     report.state = BusState::BusOff;
     link.noteError(report, m_clock.now());
-    link.lose("bus-off: the controller left the bus after too many errors; check wiring, termination and bit rate");
+    link.lose({Fault::LinkLost, say("bus-off: the controller left the bus after too many errors"),
+        say("check wiring, termination and bit rate"), {}, Ailment::BusOff});
 }
 
 void VirtualCanBus::arm(Instant deadline)

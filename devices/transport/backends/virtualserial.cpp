@@ -22,7 +22,7 @@ bool VirtualSerialLine::chance(double fraction)
 void VirtualSerialLine::pull(VirtualSerialLink &link)
 {
     detach(link);
-    link.lose("the cable was pulled out; plug it in again");
+    link.lose({Fault::LinkLost, say("the cable was pulled out"), say("plug it in again"), {}, Ailment::Gone});
 }
 
 void VirtualSerialLine::detach(VirtualSerialLink &link)

@@ -30,7 +30,7 @@ VirtualSpiLink::~VirtualSpiLink()
 Result<void> VirtualSpiLink::doOpen()
 {
     if (m_board.m_master && m_board.m_master != this)
-        return fail(Fault::LinkLost, "the simulated board is in use by another link");
+        return fail(Fault::LinkLost, say("the simulated board is in use by another link"));
     m_board.m_master = this;
     setReady(m_board.slave() && m_board.slave()->isReady());
     return {};
@@ -47,7 +47,7 @@ void VirtualSpiLink::doClose()
 void VirtualSpiLink::unplug()
 {
     m_done.stop();
-    lose("the board was unplugged");
+    lose({Fault::LinkLost, say("the board was unplugged"), {}, {}, Ailment::Gone});
     dropTransfers();
 }
 
