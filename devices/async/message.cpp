@@ -13,7 +13,7 @@ std::string textOf(const MessageArgument &argument)
 {
     struct Wording {
         std::string operator()(std::int64_t number) const { return std::to_string(number); }
-        std::string operator()(const Quantity &quantity) const { return mb::textOf(quantity); }
+        std::string operator()(const MessageNumber &quantity) const { return mb::textOf(quantity); }
         std::string operator()(const std::string &text) const { return text; }
         std::string operator()(const Message &message) const { return message.english(); }
     };
@@ -90,6 +90,11 @@ std::ostream &operator<<(std::ostream &out, const Message &message)
     return out << message.english();
 }
 
+Message joined(const Message &one, const Message &other)
+{
+    return one.empty() ? other : other.empty() ? one : say("%1; %2", one, other);
+}
+
 std::string numberText(double number)
 {
     std::array<char, 64> buffer{};
@@ -98,13 +103,13 @@ std::string numberText(double number)
     return number == 0.0 ? "0" : std::string(buffer.data(), end.ptr);
 }
 
-std::string textOf(const Quantity &quantity)
+std::string textOf(const MessageNumber &quantity)
 {
     std::string text = numberText(quantity.value);
     if (quantity.decimals >= 0 && std::isfinite(quantity.value)) {
         std::array<char, 400> buffer{};
-        const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), quantity.value,
-            std::chars_format::fixed, quantity.decimals);
+        const auto end = std::to_chars(
+            buffer.data(), buffer.data() + buffer.size(), quantity.value, std::chars_format::fixed, quantity.decimals);
         text.assign(buffer.data(), end.ptr);
     }
     return quantity.unit.empty() ? text : text + ' ' + quantity.unit;

@@ -13,6 +13,9 @@
 #include <variant>
 #include <vector>
 
+/// Marks a label of a table for scripts/translate; Message::label() looks it up.
+#define MB_LABEL(english) english
+
 namespace mb {
 
 struct MessageArgument;
@@ -40,7 +43,10 @@ public:
     [[nodiscard]] std::span<const MessageArgument> arguments() const;
 
     /// Whether they say the same.
-    friend bool operator==(const Message &a, const Message &b) { return a.m_body == b.m_body || a.english() == b.english(); }
+    friend bool operator==(const Message &a, const Message &b)
+    {
+        return a.m_body == b.m_body || a.english() == b.english();
+    }
     friend std::ostream &operator<<(std::ostream &out, const Message &message);
 
     // For what still glues its sentences; goes when nothing does.
@@ -75,7 +81,7 @@ private:
 };
 
 /// A number as a message says it: with so many decimals, or shortest where that is negative, and its unit behind a blank.
-struct Quantity {
+struct MessageNumber {
     double value = 0.0;
     int decimals = -1;
     std::string unit{};
@@ -83,26 +89,25 @@ struct Quantity {
 
 /// What stands in a place of a message: text stands as it is, a message is translated with it.
 struct MessageArgument {
-    std::variant<std::int64_t, Quantity, std::string, Message> value;
+    std::variant<std::int64_t, MessageNumber, std::string, Message> value;
 
     template <std::integral T>
-        requires(!std::same_as<T, bool> && !std::same_as<T, char>)
-    MessageArgument(T number) // NOLINT(google-explicit-constructor)
+    requires(!std::same_as<T, bool> && !std::same_as<T, char>)
+        MessageArgument(T number) // NOLINT(google-explicit-constructor)
         : value(static_cast<std::int64_t>(number))
     {
     }
     template <std::floating_point T>
     MessageArgument(T number) // NOLINT(google-explicit-constructor)
-        : value(Quantity{number})
+        : value(MessageNumber{number})
     {
     }
     template <std::convertible_to<std::string_view> T>
-        requires(!std::same_as<T, Message>)
-    MessageArgument(const T &text) // NOLINT(google-explicit-constructor)
+    requires(!std::same_as<T, Message>) MessageArgument(const T &text) // NOLINT(google-explicit-constructor)
         : value(std::string(std::string_view(text)))
     {
     }
-    MessageArgument(Quantity quantity) // NOLINT(google-explicit-constructor)
+    MessageArgument(MessageNumber quantity) // NOLINT(google-explicit-constructor)
         : value(std::move(quantity))
     {
     }
@@ -115,7 +120,8 @@ struct MessageArgument {
 /// A literal whose places are as many as the arguments: checked by the compiler.
 template <class... Arguments> class MessageLiteral {
 public:
-    template <std::size_t N> consteval MessageLiteral(const char (&text)[N]) // NOLINT
+    template <std::size_t N>
+    consteval MessageLiteral(const char (&text)[N]) // NOLINT
         : m_text(text, N - 1)
     {
         for (std::size_t i = 0; i + 1 < m_text.size(); ++i) {
@@ -144,9 +150,12 @@ template <class... Arguments>
     return Message::composed(literal.text(), std::move(list));
 }
 
+/// "one; other", or the one that says something.
+[[nodiscard]] Message joined(const Message &one, const Message &other);
+
 /// Shortest text that reads back equal: "0.1", "250", "1e+20"; always with a dot.
 [[nodiscard]] std::string numberText(double number);
 /// "0.1", "250", "12.50 V".
-[[nodiscard]] std::string textOf(const Quantity &quantity);
+[[nodiscard]] std::string textOf(const MessageNumber &quantity);
 
 } // namespace mb

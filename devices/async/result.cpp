@@ -18,8 +18,7 @@ Message Error::help() const
 
 Message Error::message() const
 {
-    const Message helps = help();
-    return helps.empty() ? detail : say("%1; %2", detail, helps);
+    return joined(detail, help());
 }
 
 Error Error::about(const MessageArgument &what) const

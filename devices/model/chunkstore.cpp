@@ -46,7 +46,7 @@ bool ChunkStore::openFile()
             ::unlink(name.c_str());
     }
     if (m_file < 0)
-        m_failure = m_folder + " cannot take old samples: " + std::strerror(errno);
+        m_failure = say("%1 cannot take old samples: %2", m_folder, std::strerror(errno));
     return m_file >= 0;
 }
 
@@ -63,7 +63,7 @@ bool ChunkStore::extend(std::size_t bytes)
         ? ::mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_SHARED, m_file, static_cast<off_t>(m_fileSize))
         : MAP_FAILED;
     if (address == MAP_FAILED) {
-        m_failure = m_folder + " cannot take old samples: " + std::strerror(error != 0 ? error : errno);
+        m_failure = say("%1 cannot take old samples: %2", m_folder, std::strerror(error != 0 ? error : errno));
         return false;
     }
     m_failure.clear();
@@ -96,7 +96,7 @@ std::size_t ChunkStore::stored() const
     return (m_extents.size() * roomsPerExtent - m_free.size()) * m_room;
 }
 
-std::string ChunkStore::failure() const
+Message ChunkStore::failure() const
 {
     const std::lock_guard lock(m_mutex);
     return m_failure;

@@ -34,7 +34,7 @@ public:
     /// Bytes of the file that are in use.
     [[nodiscard]] std::size_t stored() const;
     /// Why the file cannot grow, in English; empty while all is well.
-    [[nodiscard]] std::string failure() const;
+    [[nodiscard]] Message failure() const;
 
 private:
     [[nodiscard]] bool extend(std::size_t bytes);
@@ -49,7 +49,7 @@ private:
     std::size_t m_room = 0; ///< bytes of each
     std::vector<std::pair<void *, std::size_t>> m_extents;
     std::vector<void *> m_free;
-    std::string m_failure;
+    Message m_failure;
 };
 
 } // namespace mb

@@ -67,9 +67,10 @@ Identity Device::shown(Identity probed) const
     if (!chosen || chosen->key == m_probedDialect)
         return probed;
     probed.dialect = chosen->key;
-    probed.detail = "Dialect " + std::string(chosen->key) + " was chosen by hand, "
-        + (m_probedDialect.empty() ? std::string("none was proven") : "the unit answered as " + m_probedDialect) + ". "
-        + std::string(chosen->warning);
+    const Message warning = Message::label(chosen->warning);
+    probed.detail = m_probedDialect.empty()
+        ? say("Dialect %1 was chosen by hand, none was proven. %2", chosen->key, warning)
+        : say("Dialect %1 was chosen by hand, the unit answered as %2. %3", chosen->key, m_probedDialect, warning);
     return probed;
 }
 
@@ -101,9 +102,11 @@ Result<void> Device::calibrate(std::string_view key, std::optional<double> value
         return fail(Fault::Unsupported, say("%1 has no '%2' to be set", m_family.key, key));
     const auto isValue = [value](const Choice &choice) { return static_cast<double>(choice.raw) == value; };
     if (value && !row->choices.empty() && std::none_of(row->choices.begin(), row->choices.end(), isValue)) {
-        std::string legal;
-        for (const Choice &choice : row->choices)
-            legal += (legal.empty() ? "" : ", ") + std::to_string(choice.raw) + " (" + std::string(choice.label) + ')';
+        Message legal;
+        for (const Choice &choice : row->choices) {
+            const Message one = say("%1 (%2)", choice.raw, Message::label(choice.label));
+            legal = legal.empty() ? one : say("%1, %2", legal, one);
+        }
         return fail(Fault::OutOfRange, say("%1: legal is %2", key, legal));
     }
     if (value && (!std::isfinite(*value) || *value < row->minimum || *value > row->maximum))

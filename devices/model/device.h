@@ -125,7 +125,7 @@ public:
     /// Checks the set-point against what the device can do: OutOfRange or Unsupported, nothing sent.
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const { return doCheck(setPoint); }
     /// What the user should know before it is sent although it is legal, as one clause; empty most of the time.
-    [[nodiscard]] std::string caution(const SetPoint &setPoint) const { return doCaution(setPoint); }
+    [[nodiscard]] Message caution(const SetPoint &setPoint) const { return doCaution(setPoint); }
     /// One control frame, now. Unsafe while a guard is needed and does not stand. Must be repeated within the device's watchdog time: SetPointStream does.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
     /// Starts the buffered moves of every device on this link at the same moment (Capabilities::bufferedMoves). Unsafe while a
@@ -196,7 +196,7 @@ private:
     /// Calibration or dialect are others.
     virtual void doProfileChanged() { }
     [[nodiscard]] virtual Result<void> doCheck(const SetPoint &setPoint) const = 0;
-    [[nodiscard]] virtual std::string doCaution(const SetPoint &) const { return {}; }
+    [[nodiscard]] virtual Message doCaution(const SetPoint &) const { return {}; }
     virtual Result<void> doCommand(const SetPoint &setPoint) = 0;
     [[nodiscard]] virtual bool doOffers(ParameterIndex) const { return true; }
     virtual Result<void> doReleaseMoves();

@@ -100,8 +100,8 @@ Message DeviceGuard::reason() const
     if (m_watch && !m_watch->reason().empty())
         return m_watch->reason();
     if (hasFailed())
-        return "this program was held up for so long that the guardian may have stopped the motor";
-    return "the guardian does not stand by yet";
+        return say("this program was held up for so long that the guardian may have stopped the motor");
+    return say("the guardian does not stand by yet");
 }
 
 void DeviceGuard::dismiss()

@@ -94,7 +94,7 @@ struct ExperimentOptions {
 
 struct ExperimentReport {
     std::vector<std::pair<std::string, double>> found; ///< calibrations that it has set, by key
-    std::string sentence;                              ///< the result for people, in English
+    Message sentence;                                  ///< the result for people
 };
 
 /// What a device does not tell, found out by trying: guided by the window, run as a job that can be cancelled.
@@ -124,7 +124,7 @@ class ScanSink {
 public:
     virtual ~ScanSink() = default;
     virtual void found(const Identity &identity) = 0;
-    virtual void progress(const std::string &what, int done, int total) = 0;
+    virtual void progress(const Message &what, int done, int total) = 0;
     /// Who answered on this link in an earlier scan, perhaps of an earlier run: asked first, where a scan takes long.
     [[nodiscard]] virtual std::vector<Identity> remembered() const { return {}; }
     /// Devices of this family that are in the list of this link already.
@@ -203,7 +203,7 @@ struct ImageSummary {
     std::string version;
     std::vector<int> parts;          ///< pages in the order they are written
     std::optional<int> criticalPart; ///< power must not fail while this one is written
-    std::vector<std::string> notes;
+    std::vector<Message> notes;
 };
 
 /// A controller family: data and functions, nothing else. `const`, one per folder, listed in FAMILIES.

@@ -46,7 +46,7 @@ Identity Overhearing::merged(Sighting &sighting, Identity seen)
     if (seen.session && seen.session != known.session) {
         if (sighting.sessions.contains(*seen.session)) {
             out.state = DeviceState::Duplicate;
-            out.detail = "several units answer under this number in the recording";
+            out.detail = say("several units answer under this number in the recording");
             return out;
         }
         if (known.session)

@@ -73,7 +73,7 @@ Result<void> takeRow(const Family &family, const QString &key, const QJsonValue 
 {
     const auto index = findParameter(family.parameters, key.toStdString());
     if (!index) {
-        file.notes.push_back("unknown key " + key.toStdString());
+        file.notes.push_back(say("unknown key %1", key.toStdString()));
         return {};
     }
     if (!row.isObject())
@@ -84,7 +84,7 @@ Result<void> takeRow(const Family &family, const QString &key, const QJsonValue 
     if (*raw)
         file.values.push_back({*index, **raw});
     else
-        file.notes.push_back(key.toStdString() + " was unknown when the file was written");
+        file.notes.push_back(say("%1 was unknown when the file was written", key.toStdString()));
     return {};
 }
 
@@ -145,9 +145,8 @@ Result<ParameterFile> parseParameterFile(const QByteArray &bytes, const Family &
     QJsonParseError error{};
     const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
     if (!document.isObject()) {
-        const std::string why = document.isNull()
-            ? error.errorString().toStdString() + " at byte " + std::to_string(error.offset)
-            : "no object at the top";
+        const Message why = document.isNull() ? say("%1 at byte %2", error.errorString().toStdString(), error.offset)
+                                              : say("no object at the top");
         return fail(Fault::OutOfRange, say("not a parameter file: %1", why));
     }
     const QJsonObject object = document.object();

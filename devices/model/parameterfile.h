@@ -32,7 +32,7 @@ struct ParameterFile {
     std::string serial;
     std::string firmware;
     std::vector<ParameterChange> values; ///< in table order
-    std::vector<std::string> notes;      ///< rows that were left out and why: unknown keys, unknown values
+    std::vector<Message> notes;          ///< rows that were left out and why: unknown keys, unknown values
 };
 
 /// The family that the file says it is for; nothing when it is no such file.

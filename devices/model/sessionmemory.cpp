@@ -44,7 +44,7 @@ void Session::recall(Device &device)
     }
     auto profile = m_profiles->load(device.selector());
     if (!profile)
-        m_profileTrouble.notify(profile.error().text());
+        m_profileTrouble.notify(profile.error().message());
     else if (!profile->isEmpty())
         device.setProfile(std::move(*profile));
 }
@@ -57,7 +57,7 @@ void Session::keep(const Device &device)
     if (m_background)
         keepInBackground(device.selector(), device.profile());
     else if (auto kept = m_profiles->save(device.selector(), device.profile()); !kept)
-        m_profileTrouble.notify(kept.error().text());
+        m_profileTrouble.notify(kept.error().message());
 }
 
 /// In the order in which they were given; until it is on the disk it is read from here.
@@ -78,7 +78,7 @@ void Session::keepInBackground(const std::string &selector, const DeviceProfile 
             if (--written->second.writes == 0)
                 (*session)->m_unsaved.erase(written);
             if (!*kept)
-                (*session)->m_profileTrouble.notify(kept->error().text());
+                (*session)->m_profileTrouble.notify(kept->error().message());
         });
 }
 
@@ -90,7 +90,7 @@ void Session::keepScans(std::string directory)
 void Session::tellMemoryTrouble(const std::string &link, const Error &error)
 {
     if (m_toldOfMemory.insert(link + error.text()).second)
-        m_memoryTrouble.notify(error.text());
+        m_memoryTrouble.notify(error.message());
 }
 
 std::vector<Identity> Session::rememberedOn(const Link &link, const Family &family)

@@ -114,7 +114,7 @@ void SetPointStream::guardChanged()
         return;
     m_waiting = false;
     if (auto sent = sendAll(); !sent)
-        finish(End::Refused, sent.error().text());
+        finish(End::Refused, sent.error().message());
     else
         begin();
 }
@@ -136,7 +136,7 @@ Result<void> SetPointStream::follow(const SetPoint &setPoint)
     remember(setPoint);
     const bool waited = m_waiting;
     if (auto sent = sendOrWait(); !sent) {
-        finish(End::Refused, sent.error().text());
+        finish(End::Refused, sent.error().message());
         return sent;
     }
     if (waited != m_waiting)
@@ -202,7 +202,7 @@ void SetPointStream::tick()
     if (!checkDevice())
         return;
     if (auto sent = sendAll(); !sent) {
-        finish(End::Refused, sent.error().text());
+        finish(End::Refused, sent.error().message());
         return;
     }
     scheduleNext(m_next);

@@ -54,12 +54,12 @@ DeviceView viewOf(Session &session, Device &device)
     view.parameterRevision = device.parameters().revision();
     view.profile = device.profile();
     if (auto allowed = device.mayMove(); !allowed)
-        view.mayNotMove = allowed.error().text();
+        view.mayNotMove = allowed.error().message();
     view.stop = device.stopping().state();
     view.stopsMotion = device.stopping().isForMotion();
     view.mayTurn = device.stopping().mayTurn();
     if (auto allowed = device.mayStop(); !allowed)
-        view.mayNotBeStopped = allowed.error().text();
+        view.mayNotBeStopped = allowed.error().message();
     view.keepsMove = device.keepsMove();
     return view;
 }

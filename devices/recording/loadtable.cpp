@@ -85,7 +85,7 @@ public:
         const std::vector<std::string> heads = fieldsOf(line);
         if (heads.size() < 2 || heads.size() > mostColumns || numberOf(heads[1])
             || line.find('\0') != std::string::npos)
-            return wrong("there is no table here: expected time_s,name (unit),… or t,channel,value,unit");
+            return wrong(say("there is no table here: expected time_s,name (unit),… or t,channel,value,unit"));
         for (std::size_t i = 1; i < heads.size(); ++i) {
             const auto [title, unit] = titleAndUnit(heads[i]);
             addLoadedChannel(*m_loaded, title, unit);
@@ -123,7 +123,7 @@ private:
         m_loaded->simulated = m_loaded->simulated || line.rfind("# simulated:", 0) == 0;
     }
 
-    [[nodiscard]] tl::unexpected<Error> wrong(const std::string &what) const
+    [[nodiscard]] tl::unexpected<Error> wrong(const Message &what) const
     {
         return fail(Fault::OutOfRange, say("%1, line %2: %3", m_path, m_line, what));
     }
@@ -132,15 +132,15 @@ private:
     {
         const auto time = timeOf(fields.front(), m_offset);
         if (!time)
-            return wrong("'" + fields.front() + "' is no time in seconds");
+            return wrong(say("'%1' is no time in seconds", fields.front()));
         if (fields.size() > m_loaded->table.size() + 1)
-            return wrong("more columns than the first line has");
+            return wrong(say("more columns than the first line has"));
         for (std::uint16_t i = 1; i < fields.size(); ++i) {
             if (fields[i].empty())
                 continue;
             const auto value = numberOf(fields[i]);
             if (!value)
-                return wrong("'" + fields[i] + "' is no number");
+                return wrong(say("'%1' is no number", fields[i]));
             const ChannelIndex channel{static_cast<std::uint16_t>(i - 1)};
             if (std::isfinite(*value))
                 m_loaded->telemetry->append({channel, *time, *value});
@@ -164,14 +164,14 @@ private:
         while (next(line)) {
             const std::vector<std::string> fields = fieldsOf(line);
             if (fields.size() != 4)
-                return wrong("expected time, channel, value and unit");
+                return wrong(say("expected time, channel, value and unit"));
             const auto time = timeOf(fields[0], 0.0);
             const auto value = numberOf(fields[2]);
             if (!time || !value || !std::isfinite(*value))
-                return wrong("'" + (time ? fields[2] : fields[0]) + "' is no number");
+                return wrong(say("'%1' is no number", (time ? fields[2] : fields[0])));
             const auto [place, isNew] = places.emplace(fields[1], static_cast<std::uint16_t>(places.size()));
             if (places.size() > mostColumns)
-                return wrong("more than 1000 channels");
+                return wrong(say("more than 1000 channels"));
             if (isNew)
                 addLoadedChannel(*m_loaded, fields[1], fields[3]);
             rows.push_back({*time, place->second, *value});

@@ -43,7 +43,7 @@ public:
                 break;
         }
         if (!m_wrong.empty())
-            return fail(Fault::OutOfRange, m_path + m_wrong);
+            return fail(Fault::OutOfRange, m_wrong);
         if (m_samples.empty())
             return fail(Fault::OutOfRange, say("%1 has no channel of samples", m_path));
         return complete;
@@ -79,7 +79,9 @@ private:
                 m_reader.metadata(name, facts);
             break;
         }
-        case Kind::Chunk: m_wrong = " has chunks; only files that this program wrote can be read"; return false;
+        case Kind::Chunk:
+            m_wrong = say("%1 has chunks; only files that this program wrote can be read", m_path);
+            return false;
         default: break;
         }
         return view.ok();
@@ -138,7 +140,7 @@ private:
     std::vector<std::uint8_t> m_content;
     std::set<std::uint16_t> m_schemas;
     std::set<std::uint16_t> m_samples; ///< channels of samples
-    std::string m_wrong;
+    Message m_wrong;
 };
 
 } // namespace

@@ -20,23 +20,24 @@
 namespace mb {
 namespace {
 
-std::string describe(const CanInterface &interface)
+Message describe(const CanInterface &interface)
 {
     if (interface.kind == CanInterface::Kind::Virtual)
-        return "virtual";
-    std::string text = interface.driver;
-    const auto add = [&text](const std::string &part) { text += (text.empty() ? "" : ", ") + part; };
+        return say("virtual");
+    Message text = Message::verbatim(interface.driver);
+    const auto add = [&text](const Message &part) { text = text.empty() ? part : say("%1, %2", text, part); };
     if (interface.bitrate > 0)
-        add(bitrateText(interface.bitrate));
-    if (interface.samplePoint > 0.0) {
-        const int permille = static_cast<int>(std::lround(interface.samplePoint * 1000));
-        add("sample point " + std::to_string(permille / 10)
-            + (permille % 10 != 0 ? "." + std::to_string(permille % 10) : std::string()) + " %");
-    }
+        add(Message::verbatim(bitrateText(interface.bitrate)));
+    if (interface.samplePoint > 0.0)
+        add(say("sample point %1 %", std::round(interface.samplePoint * 1000.0) / 10.0));
     if (interface.listenOnly)
-        add("listen-only: nothing can be sent");
-    if (interface.state != BusState::Active)
-        add(std::string(toString(interface.state)));
+        add(say("listen-only: nothing can be sent"));
+    if (interface.state == BusState::Warning)
+        add(say("error-warning"));
+    else if (interface.state == BusState::Passive)
+        add(say("error-passive"));
+    else if (interface.state == BusState::BusOff)
+        add(say("bus-off"));
     return text;
 }
 
@@ -47,7 +48,7 @@ LinkListing listed(const CanInterface &interface)
     row.diagnosis = diagnose(interface);
     if (!row.diagnosis.isHealthy()) {
         row.state = row.diagnosis.ailment == Ailment::BusOff ? "bus-off" : "down";
-        row.detail = row.diagnosis.text();
+        row.detail = row.diagnosis.message();
         row.openable = false;
     }
     return row;
@@ -56,7 +57,7 @@ LinkListing listed(const CanInterface &interface)
 LinkListing absentCan(const Diagnosis &cause)
 {
     const char *state = cause.ailment == Ailment::NoPermission ? "no-permission" : "absent";
-    return {{"socketcan", {}, {}}, LinkKind::Can, state, cause.text(), false, cause, false};
+    return {{"socketcan", {}, {}}, LinkKind::Can, state, cause.message(), false, cause, false};
 }
 
 void listCan(std::vector<LinkListing> &rows)
@@ -69,7 +70,7 @@ void listCan(std::vector<LinkListing> &rows)
     if (!interfaces)
         rows.push_back(absentCan({Ailment::Failed, interfaces.error().detail, {}, {}}));
     else if (interfaces->empty())
-        rows.push_back(absentCan({Ailment::NotThere, "there is no CAN interface", "plug in an adapter", {}}));
+        rows.push_back(absentCan({Ailment::NotThere, say("there is no CAN interface"), say("plug in an adapter"), {}}));
     for (const CanInterface &interface : interfaces.value_or(std::vector<CanInterface>{}))
         rows.push_back(listed(interface));
 }
@@ -79,9 +80,9 @@ LinkListing listedSpi(const std::string &path)
     LinkListing row{{"spidev", path, {}}, LinkKind::Spi, "available", {}, true, {}, false};
     if (::access(path.c_str(), R_OK | W_OK) != 0) {
         row.state = "no-permission";
-        row.diagnosis = {Ailment::NoPermission, "no permission to use " + path, "become a member of its group",
-            "sudo usermod -aG spi $USER"};
-        row.detail = row.diagnosis.text();
+        row.diagnosis = {Ailment::NoPermission, say("no permission to use %1", path),
+            say("become a member of its group"), "sudo usermod -aG spi $USER"};
+        row.detail = row.diagnosis.message();
         row.openable = false;
     }
     return row;
@@ -93,7 +94,7 @@ void listSerial(std::vector<LinkListing> &rows)
         rows.push_back({{"serial", port.path, {}}, LinkKind::Serial, "available", port.description, true, {}, false});
         if (auto cause = whyUnusable(port.path, port.path)) {
             rows.back().state = "no-permission";
-            rows.back().detail = cause->text();
+            rows.back().detail = cause->message();
             rows.back().diagnosis = std::move(*cause);
             rows.back().openable = false;
         }
@@ -126,7 +127,7 @@ std::vector<LinkListing> listPluginLinks()
         if (!adapter.missing.empty()) {
             row.diagnosis = {Ailment::NotThere, adapter.missing, adapter.remedy, {}};
             row.state = "absent";
-            row.detail = row.diagnosis.text();
+            row.detail = row.diagnosis.message();
             row.openable = false;
         }
         rows.push_back(std::move(row));

@@ -11,11 +11,17 @@
 
 namespace mb {
 
+/// A cause and a remedy, each a label of its own (`QT_TRANSLATE_NOOP("table", …)`).
+struct Advice {
+    std::string_view cause;
+    std::string_view remedy;
+};
+
 /// What a piece of an external program's output means for people.
 struct ProgramMeaning {
     std::string_view words; ///< lower case
     Fault fault = Fault::BadReply;
-    std::string_view line; ///< cause and remedy
+    Advice advice;
 };
 
 /// ASCII letters only.
@@ -32,7 +38,7 @@ struct ProgramMeaning {
 {
     for (const ProgramMeaning &meaning : table) {
         if (output.find(meaning.words) != std::string_view::npos)
-            return Error{meaning.fault, std::string(meaning.line)};
+            return Error{meaning.fault, Message::label(meaning.advice.cause), Message::label(meaning.advice.remedy)};
     }
     return std::nullopt;
 }

@@ -98,7 +98,7 @@ Task<TuneReport> autotune(Device &device, SetPointStream &stream, TunePlan plan,
         if (!run.hasMoved())
             co_return fail(performed.error());
         report.result = report.result == TuneResult::RolledBack ? report.result : TuneResult::Refused;
-        report.evidence = performed.error().text();
+        report.evidence = performed.error().message();
     }
     if (run.isOver())
         report.result = TuneResult::Stopped;

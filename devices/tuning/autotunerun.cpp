@@ -23,11 +23,6 @@ constexpr double leastCurrent = 0.08;  ///< s that it is held
 constexpr double longestCurrent = 0.2; ///< s
 constexpr double notableRest = 0.02;   ///< of the step
 
-std::string whole(double number)
-{
-    return numberText(std::round(number));
-}
-
 } // namespace
 
 AutotuneRun::AutotuneRun(Device &device, SetPointStream &stream, TunePlan plan, ExperimentSurroundings surroundings)
@@ -279,7 +274,7 @@ Task<void> AutotuneRun::prove()
             co_return {};
     }
     m_report.measured = worseOf(m_report.proof);
-    const std::string wrong = judgeProof(m_report.measured, m_report.predicted->metrics, m_step, resting());
+    const Message wrong = judgeProof(m_report.measured, m_report.predicted->metrics, m_step, resting());
     if (!wrong.empty()) {
         m_report.result = TuneResult::RolledBack;
         m_report.evidence = wrong;
@@ -293,18 +288,22 @@ Task<void> AutotuneRun::keep()
     co_await std::move(writing);
     m_report.result = TuneResult::Kept;
     const Capabilities &can = m_device.family().capabilities;
-    m_report.evidence = std::string("the steps in both directions did what was predicted; the gains were written")
-        + (can.readback ? " and read back" : ", which this family cannot read back");
+    m_report.evidence = can.readback
+        ? say("the steps in both directions did what was predicted; the gains were written and read back")
+        : say("the steps in both directions did what was predicted; the gains were written, which this family cannot "
+              "read "
+              "back");
     const bool tried = m_report.scale.has_value();
     if (resting() > notableRest * m_step)
-        m_report.evidence += "; it may rest " + whole(resting()) + " short of its target, less does not move its "
-            + (tried ? "motor" : "integral");
+        m_report.evidence = joined(m_report.evidence,
+            tried ? say("it may rest %1 short of its target, less does not move its motor", std::round(resting()))
+                  : say("it may rest %1 short of its target, less does not move its integral", std::round(resting())));
     if (std::any_of(m_report.proof.begin(), m_report.proof.end(),
             [](const Trial &trial) { return trial.has(flag::restartNeeded); }))
-        m_report.evidence += "; a part of them is in force after a restart only";
+        m_report.evidence = joined(m_report.evidence, say("a part of them is in force after a restart only"));
     if (can.storesAfter > std::chrono::seconds(0))
         m_report.evidence
-            += "; the unit stores them by itself within " + std::to_string(can.storesAfter.count()) + " s";
+            = joined(m_report.evidence, say("the unit stores them by itself within %1 s", can.storesAfter.count()));
     co_return {};
 }
 

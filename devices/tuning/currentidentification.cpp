@@ -172,10 +172,10 @@ Result<void> CurrentIdentification::conclude(AutotuneRun &run) const
     found.supply = ohm->supply;
     found.unit = "A per duty";
     std::vector<Gate> gates{
-        {"resistance", "the pushes differ by " + percentText(ohm->scatter) + " in their resistance, at most 15 %",
-            ohm->scatter <= mostUnlike, "see whether brushes and plugs make contact"},
-        {"fit", "the resistance is known within " + percentText(doubt) + ", at most 10 %", doubt <= mostDoubt,
-            "allow more current or duty"}};
+        {"resistance", say("the pushes differ by %1 in their resistance, at most 15 %", percentText(ohm->scatter)),
+            ohm->scatter <= mostUnlike, say("see whether brushes and plugs make contact")},
+        {"fit", say("the resistance is known within %1, at most 10 %", percentText(doubt)), doubt <= mostDoubt,
+            say("allow more current or duty")}};
     const PlantModel plant{ohm->gain, electricalTime, currentDelays * run.device().family().loop->cycle, 0.0};
     return run.take({std::move(found), plant, std::move(gates), std::nullopt});
 }

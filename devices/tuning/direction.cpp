@@ -55,7 +55,7 @@ std::string verdictKey(const Device &device, int axis)
     return axisKey(device.family().capabilities.axes > 1 ? axis : 0, "direction");
 }
 
-tl::unexpected<Error> wrong(Device &device, int axis, std::optional<Trip> &trip, Guard guard, std::string detail)
+tl::unexpected<Error> wrong(Device &device, int axis, std::optional<Trip> &trip, Guard guard, Message detail)
 {
     device.setVerdict(verdictKey(device, axis), guard == Guard::NoMotion ? "no motion" : "reversed");
     trip = Trip{guard, detail, device.clock().now()};
@@ -104,14 +104,16 @@ Task<double> checkDirection(Device &device, SetPointStream &stream, TrialRecorde
             co_return pushed;
         }
     }
-    const std::string how = traits.nudge > 0.0 ? "when it was sent 20 counts up"
-                                               : "at up to " + numberText(std::round(largest * 100.0)) + " % duty";
     if (std::abs(moved) < enough)
         co_return wrong(device, axis, trip, Guard::NoMotion,
-            "the motor did not move " + how + " (" + numberText(moved) + " counts): stalled, or the encoder is dead");
+            traits.nudge > 0.0
+                ? say("the motor did not move when it was sent 20 counts up (%1 counts): stalled, or the encoder is "
+                      "dead",
+                    moved)
+                : say("the motor did not move at up to %1 % duty (%2 counts): stalled, or the encoder is dead",
+                    std::round(largest * 100.0), moved));
     co_return wrong(device, axis, trip, Guard::WrongDirection,
-        "the sensor counts down when the motor is driven up (" + numberText(moved)
-            + " counts): one of them is reversed");
+        say("the sensor counts down when the motor is driven up (%1 counts): one of them is reversed", moved));
 }
 
 Task<bool> confirmStop(Device &device)

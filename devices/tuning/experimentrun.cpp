@@ -128,7 +128,7 @@ Task<void> ExperimentRun::perform()
     co_await std::move(raising);
     auto finding = findDirection();
     co_await std::move(finding);
-    if (const std::string caution = m_device.caution(setPointAt(m_trial.stimulus.to)); !caution.empty())
+    if (const Message caution = m_device.caution(setPointAt(m_trial.stimulus.to)); !caution.empty())
         note(caution);
     auto driving = drive();
     co_await std::move(driving);

@@ -9,12 +9,12 @@
 namespace mb::tuning {
 
 /// "12.5 %"
-[[nodiscard]] inline Quantity percentText(double share)
+[[nodiscard]] inline MessageNumber percentText(double share)
 {
     return {std::round(share * 1000.0) / 10.0, -1, "%"};
 }
 /// "250 ms"
-[[nodiscard]] inline Quantity millisecondsText(double seconds)
+[[nodiscard]] inline MessageNumber millisecondsText(double seconds)
 {
     return {std::round(seconds * 1000.0), -1, "ms"};
 }

@@ -181,7 +181,7 @@ Task<FrequencyResponse> measureFrequencyResponse(
         if (!trial && response.trials.empty())
             co_return fail(trial.error());
         if (!trial) {
-            response.evidence = trial.error().text();
+            response.evidence = trial.error().message();
             co_return response;
         }
         if (trial->number)
@@ -195,12 +195,12 @@ Task<FrequencyResponse> measureFrequencyResponse(
         if (const auto point = frequencyPoint(*trial, plant.tau))
             response.points.push_back(*point);
         else
-            response.evidence = point.error().text();
+            response.evidence = point.error().message();
         sign = -sign; // it ends about where it began
     }
     if (response.evidence.empty())
-        response.evidence = "to be trusted up to " + numberText(std::round(100.0 * response.trustedUpTo()) / 100.0)
-            + " Hz, as far as ten samples a swing and a coherence of 0.9";
+        response.evidence = say("to be trusted up to %1 Hz, as far as ten samples a swing and a coherence of 0.9",
+            std::round(100.0 * response.trustedUpTo()) / 100.0);
     co_return response;
 }
 

@@ -33,7 +33,7 @@ double rounded(double value)
     return std::round(value * 100.0) / 100.0;
 }
 
-Quantity milliseconds(Duration time)
+MessageNumber milliseconds(Duration time)
 {
     return {rounded(inSeconds(time) * 1e3), -1, "ms"};
 }

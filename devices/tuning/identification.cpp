@@ -183,16 +183,16 @@ std::vector<Gate> judge(const MotorFound &found, const std::vector<Trial> &pushe
     }
     const double cost = std::round(found.pushes.cost * 100.0) / 100.0;
     std::vector<Gate> gates;
-    gates.push_back({"fit", "residual " + numberText(cost) + " of what counts and clocks explain, at most 3",
-        found.pushes.cost <= mostCost});
-    gates.push_back({"friction",
-        "friction takes " + percentText(found.line.friction) + " duty of pushes of " + percentText(smallest),
-        found.line.friction <= mostFrictionShare * smallest, "allow more duty"});
     gates.push_back(
-        {"asymmetric load", "the two directions differ by " + percentText(found.line.asymmetry()) + ", at most 10 %",
-            found.line.asymmetry() <= mostAsymmetry, "see whether a load always pulls one way"});
+        {"fit", say("residual %1 of what counts and clocks explain, at most 3", cost), found.pushes.cost <= mostCost});
+    gates.push_back({"friction",
+        say("friction takes %1 duty of pushes of %2", percentText(found.line.friction), percentText(smallest)),
+        found.line.friction <= mostFrictionShare * smallest, say("allow more duty")});
+    gates.push_back(
+        {"asymmetric load", say("the two directions differ by %1, at most 10 %", percentText(found.line.asymmetry())),
+            found.line.asymmetry() <= mostAsymmetry, say("see whether a load always pulls one way")});
     gates.push_back({"current limit",
-        limited ? "the current limit cut into the pushes" : "no push met the current limit", !limited});
+        limited ? say("the current limit cut into the pushes") : say("no push met the current limit"), !limited});
     return gates;
 }
 

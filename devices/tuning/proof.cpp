@@ -157,23 +157,23 @@ Metrics worseOf(const std::vector<Trial> &trials)
     return worst;
 }
 
-std::string judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting)
+Message judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting)
 {
     if (!measured.rise || !measured.overshoot)
-        return "the response could not be measured";
+        return say("the response could not be measured");
     const double overshoot = std::min(predicted.overshoot.value_or(0.0) + moreOvershoot, mostOvershoot);
     if (*measured.overshoot > overshoot)
-        return "it overshot by " + percentText(*measured.overshoot) + ", predicted were "
-            + percentText(predicted.overshoot.value_or(0.0));
+        return say("it overshot by %1, predicted were %2", percentText(*measured.overshoot),
+            percentText(predicted.overshoot.value_or(0.0)));
     const double settle = moreSettle * predicted.settle.value_or(*measured.rise * 4.0) + laterSettle;
     const bool blurred = !measured.settle && measured.noise.value_or(0.0) > mostNoise; // noise alone leaves the band
     if (!blurred && (!measured.settle || *measured.settle > settle))
-        return measured.settle ? "it took " + millisecondsText(*measured.settle) + " to settle, predicted were "
-                + millisecondsText(predicted.settle.value_or(0.0))
-                               : "it did not settle";
+        return measured.settle ? say("it took %1 to settle, predicted were %2", millisecondsText(*measured.settle),
+                   millisecondsText(predicted.settle.value_or(0.0)))
+                               : say("it did not settle");
     const double error = std::max(leastError, 1.2 * resting / std::abs(step));
     if (std::abs(measured.sse.value_or(0.0)) > error)
-        return "it came to rest " + percentText(std::abs(*measured.sse)) + " of the step away from its target";
+        return say("it came to rest %1 of the step away from its target", percentText(std::abs(*measured.sse)));
     return {};
 }
 

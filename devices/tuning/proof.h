@@ -38,6 +38,6 @@ void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel 
     const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains, double seconds);
 
 /// Empty when a proof did what was predicted; else what it did instead, with the numbers. `resting` error in the unit of the step.
-[[nodiscard]] std::string judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting);
+[[nodiscard]] Message judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting);
 
 } // namespace mb::tuning

@@ -34,7 +34,7 @@ constexpr double prbsBitTime = 0.125;
 constexpr int prbsLength = 127;
 constexpr double beatsPerSwing = 10.0; ///< a swing of fewer is no sine any more
 
-tl::unexpected<Error> tooFine(const Stimulus &stimulus, const std::string &what, double seconds, double beat)
+tl::unexpected<Error> tooFine(const Stimulus &stimulus, const Message &what, double seconds, double beat)
 {
     return fail(Fault::OutOfRange,
         say("%1: %2 of %3 ms is finer than the device follows, which takes a set-point every %4 ms",
@@ -45,15 +45,15 @@ tl::unexpected<Error> tooFine(const Stimulus &stimulus, const std::string &what,
 Result<Stimulus> checked(const Stimulus &stimulus, double beat)
 {
     if (stimulus.time < 2.0 * beat)
-        return tooFine(stimulus, "a time", stimulus.time, beat);
+        return tooFine(stimulus, say("a time"), stimulus.time, beat);
     switch (stimulus.profile) {
     case Profile::Square:
         if (stimulus.hold() < 2.0 * beat)
-            return tooFine(stimulus, "a half swing", stimulus.hold(), beat);
+            return tooFine(stimulus, say("a half swing"), stimulus.hold(), beat);
         break;
     case Profile::Sine:
         if (stimulus.period < beatsPerSwing * beat)
-            return tooFine(stimulus, "a swing", stimulus.period, beat);
+            return tooFine(stimulus, say("a swing"), stimulus.period, beat);
         break;
     case Profile::Chirp:
         if (stimulus.low * stimulus.time < 1.0)
@@ -62,7 +62,7 @@ Result<Stimulus> checked(const Stimulus &stimulus, double beat)
         break;
     case Profile::Prbs:
         if (stimulus.period < 2.0 * beat)
-            return tooFine(stimulus, "a bit", stimulus.period, beat);
+            return tooFine(stimulus, say("a bit"), stimulus.period, beat);
         break;
     case Profile::Step:
     case Profile::Ramp: break;

@@ -147,7 +147,8 @@ Task<void> TwoPointIdentification::begin(AutotuneRun &run)
             break;
     }
     if (run.report().stopReason == toString(Guard::NoMotion))
-        run.report().evidence += "; where it is neither, its gain.p is too small for so short a way";
+        run.report().evidence
+            = joined(run.report().evidence, say("where it is neither, its gain.p is too small for so short a way"));
     if (run.report().stopReason == toString(Guard::Oscillation))
         run.forgive(); // the gains that swing are what is to be replaced
     co_return {};
@@ -294,16 +295,17 @@ bool TwoPointIdentification::isLinear() const
 std::vector<Gate> TwoPointIdentification::gatesOf(const TwoPointFit &fit, double friction, double load) const
 {
     const bool linear = isLinear();
-    return {{"fit", "what is left over is " + percentText(fit.residual) + " of the steps, at most 8 %",
-                fit.residual <= mostResidual, "see that nothing is loose and that steps look alike"},
-        {"damping", "what D does is known within " + percentText(fit.dError / fit.d) + ", at most 30 %",
-            fit.dError <= mostUncertainty * fit.d, "write a larger gain.d once, with which it still comes to rest"},
-        {"friction", "friction takes " + percentText(friction / m_drive) + " of what P makes of a step, at most 60 %",
-            friction <= mostFriction * m_drive, "allow more travel or duty"},
-        {"asymmetric load", "a load takes " + percentText(load / m_drive) + " of what P makes of a step, at most 10 %",
-            load <= mostLoad * m_drive, "see whether a load always pulls one way"},
-        {"output", linear ? "no step met the end of the output" : "the steps met the end of the output", linear,
-            "write a smaller gain.p once"}};
+    return {{"fit", say("what is left over is %1 of the steps, at most 8 %", percentText(fit.residual)),
+                fit.residual <= mostResidual, say("see that nothing is loose and that steps look alike")},
+        {"damping", say("what D does is known within %1, at most 30 %", percentText(fit.dError / fit.d)),
+            fit.dError <= mostUncertainty * fit.d,
+            say("write a larger gain.d once, with which it still comes to rest")},
+        {"friction", say("friction takes %1 of what P makes of a step, at most 60 %", percentText(friction / m_drive)),
+            friction <= mostFriction * m_drive, say("allow more travel or duty")},
+        {"asymmetric load", say("a load takes %1 of what P makes of a step, at most 10 %", percentText(load / m_drive)),
+            load <= mostLoad * m_drive, say("see whether a load always pulls one way")},
+        {"output", linear ? say("no step met the end of the output") : say("the steps met the end of the output"),
+            linear, say("write a smaller gain.p once")}};
 }
 
 Result<void> TwoPointIdentification::conclude(AutotuneRun &run) const

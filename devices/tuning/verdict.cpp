@@ -144,7 +144,7 @@ void nameEnding(Trial &trial, const Ending &ending)
         trial.detail = ending.error ? ending.error->detail : ending.streamReason;
     } else if (ending.interrupted) {
         trial.reason = "interrupted";
-        trial.detail = "the user stopped it";
+        trial.detail = say("the user stopped it");
     } else if (ending.error) {
         trial.detail = ending.error->detail;
     } else if (ending.stream == End::LeaseExpired) {

@@ -34,47 +34,47 @@ constexpr std::uint8_t placeAcknowledge = 0x19;
 using Named = std::pair<std::uint8_t, const char *>;
 
 constexpr auto violations = std::to_array<Named>({
-    {0x01, "bit error"},
-    {0x02, "form error"},
-    {0x04, "stuff error"},
-    {0x08, "dominant bit not sent"},
-    {0x10, "recessive bit not sent"},
-    {0x20, "bus overload"},
-    {0x40, "active error flag"},
+    {0x01, MB_LABEL("bit error")},
+    {0x02, MB_LABEL("form error")},
+    {0x04, MB_LABEL("stuff error")},
+    {0x08, MB_LABEL("dominant bit not sent")},
+    {0x10, MB_LABEL("recessive bit not sent")},
+    {0x20, MB_LABEL("bus overload")},
+    {0x40, MB_LABEL("active error flag")},
 });
 
 constexpr auto places = std::to_array<Named>({
-    {0x02, "the identifier"},
-    {0x03, "the start of frame"},
-    {0x04, "the substitute remote bit"},
-    {0x05, "the identifier extension bit"},
-    {0x06, "the identifier"},
-    {0x07, "the identifier"},
-    {0x08, "the checksum"},
-    {0x09, "a reserved bit"},
-    {0x0A, "the data"},
-    {0x0B, "the length"},
-    {0x0C, "the remote bit"},
-    {0x0D, "a reserved bit"},
-    {0x0E, "the identifier"},
-    {0x0F, "the identifier"},
-    {0x12, "the intermission"},
-    {0x18, "the checksum delimiter"},
-    {0x19, "the acknowledge slot"},
-    {0x1A, "the end of frame"},
-    {0x1B, "the acknowledge delimiter"},
+    {0x02, MB_LABEL("the identifier")},
+    {0x03, MB_LABEL("the start of frame")},
+    {0x04, MB_LABEL("the substitute remote bit")},
+    {0x05, MB_LABEL("the identifier extension bit")},
+    {0x06, MB_LABEL("the identifier")},
+    {0x07, MB_LABEL("the identifier")},
+    {0x08, MB_LABEL("the checksum")},
+    {0x09, MB_LABEL("a reserved bit")},
+    {0x0A, MB_LABEL("the data")},
+    {0x0B, MB_LABEL("the length")},
+    {0x0C, MB_LABEL("the remote bit")},
+    {0x0D, MB_LABEL("a reserved bit")},
+    {0x0E, MB_LABEL("the identifier")},
+    {0x0F, MB_LABEL("the identifier")},
+    {0x12, MB_LABEL("the intermission")},
+    {0x18, MB_LABEL("the checksum delimiter")},
+    {0x19, MB_LABEL("the acknowledge slot")},
+    {0x1A, MB_LABEL("the end of frame")},
+    {0x1B, MB_LABEL("the acknowledge delimiter")},
 });
 
 constexpr auto wirings = std::to_array<Named>({
-    {0x04, "CAN high is not connected"},
-    {0x05, "CAN high is short to battery"},
-    {0x06, "CAN high is short to supply"},
-    {0x07, "CAN high is short to ground"},
-    {0x40, "CAN low is not connected"},
-    {0x50, "CAN low is short to battery"},
-    {0x60, "CAN low is short to supply"},
-    {0x70, "CAN low is short to ground"},
-    {0x80, "CAN low is short to CAN high"},
+    {0x04, MB_LABEL("CAN high is not connected")},
+    {0x05, MB_LABEL("CAN high is short to battery")},
+    {0x06, MB_LABEL("CAN high is short to supply")},
+    {0x07, MB_LABEL("CAN high is short to ground")},
+    {0x40, MB_LABEL("CAN low is not connected")},
+    {0x50, MB_LABEL("CAN low is short to battery")},
+    {0x60, MB_LABEL("CAN low is short to supply")},
+    {0x70, MB_LABEL("CAN low is short to ground")},
+    {0x80, MB_LABEL("CAN low is short to CAN high")},
 });
 
 template <std::size_t Size> const char *nameOf(const std::array<Named, Size> &table, std::uint8_t code)
@@ -103,24 +103,35 @@ std::optional<BusState> stateOf(std::uint32_t classes, std::uint8_t controller)
     return std::nullopt;
 }
 
-std::string violationText(const CanErrorReport &report)
+Message violationText(const CanErrorReport &report)
 {
-    std::string text;
+    Message text;
     for (const auto &[bit, name] : violations) {
         if ((report.violation & bit) != 0)
-            text += (text.empty() ? "" : " and ") + std::string(name);
+            text = text.empty() ? Message::label(name) : say("%1 and %2", text, Message::label(name));
     }
     if (text.empty())
-        text = "protocol error";
+        text = say("protocol error");
     if (const char *place = nameOf(places, report.place))
-        text += " in " + std::string(place);
+        text = say("%1 in %2", text, Message::label(place));
     return text;
 }
 
-std::string wiringText(std::uint8_t code)
+Message wiringText(std::uint8_t code)
 {
     const char *name = nameOf(wirings, code);
-    return name != nullptr ? name : "the transceiver reports an error";
+    return name != nullptr ? Message::label(name) : say("the transceiver reports an error");
+}
+
+Message stateText(BusState state)
+{
+    switch (state) {
+    case BusState::Active: return say("error-active");
+    case BusState::Warning: return say("error-warning");
+    case BusState::Passive: return say("error-passive");
+    case BusState::BusOff: return say("bus-off");
+    }
+    return {};
 }
 
 } // namespace
@@ -165,30 +176,27 @@ CanErrorReport decodeError(const CanFrame &frame)
     return report;
 }
 
-std::string describe(const CanErrorReport &report)
+Message describe(const CanErrorReport &report)
 {
-    std::string text;
-    const auto add = [&text](bool holds, const std::string &clause) {
+    Message text;
+    const auto add = [&text](bool holds, const Message &clause) {
         if (holds)
-            text += (text.empty() ? "" : ", ") + clause;
+            text = text.empty() ? clause : say("%1, %2", text, clause);
     };
-    add(report.transmitTimeout, "transmission timed out");
+    add(report.transmitTimeout, say("transmission timed out"));
     add(report.arbitrationLost,
-        "arbitration lost"
-            + (report.arbitrationBit > 0 ? " at bit " + std::to_string(report.arbitrationBit) : std::string()));
-    add(report.noAcknowledge, "nobody acknowledged");
+        report.arbitrationBit > 0 ? say("arbitration lost at bit %1", report.arbitrationBit) : say("arbitration lost"));
+    add(report.noAcknowledge, say("nobody acknowledged"));
     add(report.protocol, violationText(report));
-    add(report.overrun, "the controller lost received frames");
-    add(report.transmitOverrun, "the controller lost frames to send");
+    add(report.overrun, say("the controller lost received frames"));
+    add(report.transmitOverrun, say("the controller lost frames to send"));
     add(report.transceiver, wiringText(report.wiring));
-    add(report.restarted, "the controller started again");
+    add(report.restarted, say("the controller started again"));
     if (report.transmitErrors && report.receiveErrors)
-        add(true,
-            std::to_string(*report.transmitErrors) + " transmit and " + std::to_string(*report.receiveErrors)
-                + " receive errors");
+        add(true, say("%1 transmit and %2 receive errors", *report.transmitErrors, *report.receiveErrors));
     if (report.state)
-        add(true, std::string(toString(*report.state)));
-    add(text.empty(), report.busError ? "bus error" : "unknown error");
+        add(true, stateText(*report.state));
+    add(text.empty(), report.busError ? say("bus error") : say("unknown error"));
     return text;
 }
 

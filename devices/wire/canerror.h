@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/message.h"
 #include "wire/canframe.h"
 
 #include <cstdint>
@@ -45,6 +46,6 @@ struct CanErrorReport {
 /// Decodes an error frame; `frame.error` is set. A class of the frame that is unknown is passed over.
 [[nodiscard]] CanErrorReport decodeError(const CanFrame &frame);
 /// For people, in one clause: "stuff error in the data, 130 transmit errors, error-passive".
-[[nodiscard]] std::string describe(const CanErrorReport &report);
+[[nodiscard]] Message describe(const CanErrorReport &report);
 
 } // namespace mb

@@ -179,7 +179,7 @@ TEST(SupermodifiedCodec, RefusesWhatADialectHasNotOrCannotHold)
 
 TEST(SupermodifiedCodec, NoFrameOfDialectsD1AndD2HoldsMoreThanSixteenBytes)
 {
-    for (const Message &message : messages()) {
+    for (const CommandForm &message : messages()) {
         for (const Dialect dialect : {Dialect::D1, Dialect::D2})
             EXPECT_LE(sizeOf(message.formatIn(dialect)), mostDataD1D2) << message.name;
         EXPECT_LE(sizeOf(message.formatIn(Dialect::D3)), mostData) << message.name;

@@ -109,7 +109,7 @@ std::optional<double> Controller::feedback(Loop loop) const
     }
 }
 
-std::string Controller::doCaution(const SetPoint &setPoint) const
+Message Controller::doCaution(const SetPoint &setPoint) const
 {
     const auto command = commandOf(setPoint, profile());
     if (!command || knowsGains(parameters(), command->loop))
@@ -117,8 +117,9 @@ std::string Controller::doCaution(const SetPoint &setPoint) const
     const double lead = greatestError(parameters(), command->loop);
     if (std::abs(command->target - feedback(command->loop).value_or(0.0)) <= lead)
         return {};
-    return "the gains of this loop are not known here, so its target stays within " + numberText(lead)
-        + " of where it is: a weak loop may not move it; write its p and divisor once";
+    return say("the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop "
+               "may not move it; write its p and divisor once",
+        lead);
 }
 
 Result<void> Controller::doCommand(const SetPoint &setPoint)

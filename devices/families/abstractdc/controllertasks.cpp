@@ -136,9 +136,8 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
         auto saving = save(loop, unheard);
         co_await std::move(saving);
         Identity known = identity();
-        known.detail = QT_TRANSLATE_NOOP("table",
-            "Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may "
-            "overwrite its memory.");
+        known.detail = say("Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: "
+                           "until then it may overwrite its memory.");
         setIdentity(std::move(known));
     }
     co_return raw;

@@ -75,13 +75,13 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
     ExternalProgram openocd(clock);
     if (!ExternalProgram::locate("openocd"))
         co_return fail(
-            Fault::LinkLost, say("openocd is not installed"), say("install it with: sudo apt install openocd"));
+            Fault::LinkLost, say("openocd is not installed"), say("install it with"), "sudo apt install openocd");
     if (auto started = openocd.start(openocd::commandOf(job)); !started)
         co_return fail(started.error());
     openocd::Reading reading;
     const int total = static_cast<int>(Stage::Over);
     for (;;) {
-        progress.step(std::string(titleOf(reading.stage())), static_cast<int>(reading.stage()), total);
+        progress.step(titleOf(reading.stage()), static_cast<int>(reading.stage()), total);
         const auto piece = co_await openocd.next(patience);
         if (!piece)
             co_return fail(piece.error().fault, say("OpenOCD said nothing for a minute and was ended"),
@@ -96,7 +96,7 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
             mark(PartState::Active);
         if (reading.stage() != before && reading.stage() == Stage::Verifying)
             mark(PartState::Done);
-        progress.log(Severity::Info, (*piece)->text);
+        progress.log(Severity::Info, Message::verbatim((*piece)->text));
     }
     if (!openocd.exit().isSuccess() || !reading.isVerified())
         co_return fail(reading.failure(job));
@@ -174,9 +174,9 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
             summary.parts.push_back(static_cast<int>((page - flashBegin) / pageSize));
     }
     summary.notes.emplace_back(
-        "The drive tells no version: the programmer's own verify and the drive's answer prove the update.");
+        say("The drive tells no version: the programmer's own verify and the drive's answer prove the update."));
     if (touchesSettings(image))
-        summary.notes.emplace_back("The image writes the settings pages: stored gains are replaced.");
+        summary.notes.emplace_back(say("The image writes the settings pages: stored gains are replaced."));
     return summary;
 }
 
@@ -191,7 +191,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     UpdateReport report;
     if (options.dryRun) {
         report.outcome = UpdateOutcome::Done;
-        report.evidence = "nothing was written; the image fits, " + std::to_string(summary->parts.size()) + " pages";
+        report.evidence = say("nothing was written; the image fits, %1 pages", summary->parts.size());
         co_return report;
     }
     const auto file = written(image);
@@ -205,7 +205,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     device.stop();
     auto programming = program(device.clock(), *job, summary->parts, progress);
     const openocd::Reading reading = co_await std::move(programming);
-    progress.step(std::string(titleOf(Stage::Over)), static_cast<int>(Stage::Over), static_cast<int>(Stage::Over));
+    progress.step(titleOf(Stage::Over), static_cast<int>(Stage::Over), static_cast<int>(Stage::Over));
     if (reading.isErased())
         static_cast<Controller &>(device).settingsErased();
     auto asking = answers(device);
@@ -213,9 +213,10 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     report.pages = static_cast<int>(summary->parts.size());
     report.outcome = answered ? UpdateOutcome::Done : UpdateOutcome::Failed;
     report.verified = answered;
-    report.evidence = answered ? "OpenOCD verified the flash, and the drive answers again"
-                               : "OpenOCD verified the flash, but nothing answers as " + device.selector()
-            + "; the new firmware may have another offset or bit rate: scan again";
+    report.evidence = answered ? say("OpenOCD verified the flash, and the drive answers again")
+                               : say("OpenOCD verified the flash, but nothing answers as %1; the new firmware may have "
+                                     "another offset or bit rate: scan again",
+                                   device.selector());
     if (!answered)
         report.fault = Fault::Timeout;
     co_return report;

@@ -57,41 +57,39 @@ std::string_view transportOf(std::string_view interface)
 }
 
 /// The first that is found counts.
-constexpr std::string_view noProbe = QT_TRANSLATE_NOOP(
-    "table", "OpenOCD finds no debug probe; plug it in, and check that its kind is the one named after openocd:");
+constexpr Advice noProbe{QT_TRANSLATE_NOOP("table", "OpenOCD finds no debug probe"),
+    QT_TRANSLATE_NOOP("table", "plug it in, and check that its kind is the one named after openocd:")};
 constexpr std::array meanings{
     ProgramMeaning{"can't find interface/", Fault::OutOfRange,
-        QT_TRANSLATE_NOOP(
-            "table", "OpenOCD has no interface of this name; name one of its interface files, such as openocd:stlink")},
+        {QT_TRANSLATE_NOOP("table", "OpenOCD has no interface of this name"),
+            QT_TRANSLATE_NOOP("table", "name one of its interface files, such as openocd:stlink")}},
     ProgramMeaning{"can't change session's transport", Fault::OutOfRange,
-        QT_TRANSLATE_NOOP(
-            "table", "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink")},
+        {QT_TRANSLATE_NOOP("table", "this interface does not speak SWD"),
+            QT_TRANSLATE_NOOP("table", "name a debug probe that does, such as openocd:stlink")}},
     ProgramMeaning{"doesn't support '", Fault::OutOfRange,
-        QT_TRANSLATE_NOOP(
-            "table", "this interface does not speak SWD; name a debug probe that does, such as openocd:stlink")},
+        {QT_TRANSLATE_NOOP("table", "this interface does not speak SWD"),
+            QT_TRANSLATE_NOOP("table", "name a debug probe that does, such as openocd:stlink")}},
     ProgramMeaning{"** verify failed **", Fault::BadCheck,
-        QT_TRANSLATE_NOOP("table",
-            "the microcontroller does not hold what was written; run it again with shorter wires or a lower speed")},
+        {QT_TRANSLATE_NOOP("table", "the microcontroller does not hold what was written"),
+            QT_TRANSLATE_NOOP("table", "run it again with shorter wires or a lower speed")}},
     ProgramMeaning{"** programming failed **", Fault::Refused,
-        QT_TRANSLATE_NOOP("table",
-            "the microcontroller refused to be written; it may be protected, or be another kind than --target says")},
+        {QT_TRANSLATE_NOOP("table", "the microcontroller refused to be written"),
+            QT_TRANSLATE_NOOP("table", "it may be protected, or be another kind than --target says")}},
     ProgramMeaning{"unexpected idcode", Fault::Refused,
-        QT_TRANSLATE_NOOP(
-            "table", "the microcontroller is another kind than --target says; choose the other one of f1 and f4")},
+        {QT_TRANSLATE_NOOP("table", "the microcontroller is another kind than --target says"),
+            QT_TRANSLATE_NOOP("table", "choose the other one of f1 and f4")}},
     ProgramMeaning{"unable to connect to the target", Fault::Timeout,
-        QT_TRANSLATE_NOOP("table",
-            "the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the "
-            "drive")},
+        {QT_TRANSLATE_NOOP("table", "the probe is there, but no microcontroller answers it"),
+            QT_TRANSLATE_NOOP("table", "check SWDIO, SWCLK, ground and the power of the drive")}},
     ProgramMeaning{"cannot read idr", Fault::Timeout,
-        QT_TRANSLATE_NOOP("table",
-            "the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the "
-            "drive")},
+        {QT_TRANSLATE_NOOP("table", "the probe is there, but no microcontroller answers it"),
+            QT_TRANSLATE_NOOP("table", "check SWDIO, SWCLK, ground and the power of the drive")}},
     ProgramMeaning{"unable to reset target", Fault::Timeout,
-        QT_TRANSLATE_NOOP(
-            "table", "the microcontroller could not be halted; check the reset wire and the power of the drive")},
+        {QT_TRANSLATE_NOOP("table", "the microcontroller could not be halted"),
+            QT_TRANSLATE_NOOP("table", "check the reset wire and the power of the drive")}},
     ProgramMeaning{"libusb_error_access", Fault::LinkLost,
-        QT_TRANSLATE_NOOP("table",
-            "the debug probe is there but may not be opened; install OpenOCD's udev rules or ask your administrator")},
+        {QT_TRANSLATE_NOOP("table", "the debug probe is there but may not be opened"),
+            QT_TRANSLATE_NOOP("table", "install OpenOCD's udev rules or ask your administrator")}},
     ProgramMeaning{"open failed", Fault::LinkLost, noProbe},
     ProgramMeaning{"unable to find", Fault::LinkLost, noProbe},
     ProgramMeaning{"unable to open", Fault::LinkLost, noProbe},
@@ -140,17 +138,17 @@ ExternalProgram::Command commandOf(const Job &job)
     return {"openocd", std::move(arguments)};
 }
 
-std::string_view titleOf(Stage stage)
+Message titleOf(Stage stage)
 {
     switch (stage) {
-    case Stage::Connecting: return "Connecting through OpenOCD";
-    case Stage::Erasing: return "Erasing the stored settings";
-    case Stage::Writing: return "Writing flash";
-    case Stage::Verifying: return "Verifying flash";
-    case Stage::Resetting: return "Restarting the drive";
-    case Stage::Over: return "Looking for the drive";
+    case Stage::Connecting: return say("Connecting through OpenOCD");
+    case Stage::Erasing: return say("Erasing the stored settings");
+    case Stage::Writing: return say("Writing flash");
+    case Stage::Verifying: return say("Verifying flash");
+    case Stage::Resetting: return say("Restarting the drive");
+    case Stage::Over: return say("Looking for the drive");
     }
-    return "";
+    return Message();
 }
 
 void Reading::take(std::string_view line)
@@ -180,8 +178,9 @@ Error Reading::failure(const Job &job) const
     if (const auto meaning = meaningOf(meanings, m_all))
         return *meaning;
     if (m_firstError.empty())
-        return {Fault::BadReply, "OpenOCD ended without saying why", "run it by hand with interface " + job.interface};
-    return {Fault::BadReply, "OpenOCD: " + m_firstError, "run it by hand to see all it says"};
+        return {Fault::BadReply, say("OpenOCD ended without saying why"),
+            say("run it by hand with interface %1", job.interface)};
+    return {Fault::BadReply, say("OpenOCD: %1", m_firstError), say("run it by hand to see all it says")};
 }
 
 } // namespace mb::abstractdc::openocd

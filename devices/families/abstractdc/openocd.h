@@ -25,7 +25,7 @@ struct Job {
 
 /// How far a run has come, in the order of the steps.
 enum class Stage { Connecting, Erasing, Writing, Verifying, Resetting, Over };
-[[nodiscard]] std::string_view titleOf(Stage stage);
+[[nodiscard]] Message titleOf(Stage stage);
 
 /// Reads the output line by line.
 class Reading {

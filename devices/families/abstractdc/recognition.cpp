@@ -97,12 +97,12 @@ Identity Recognition::identityOf(int offset, const Dialect *dialect)
     proven = proven ? proven : dialect;
     Identity identity = abstractdc::identityOf(offset, proven);
     if (!proven)
-        identity.detail = QT_TRANSLATE_NOOP(
-            "table", "The recording does not tell which codes it speaks: it was asked for what all answer alike.");
+        identity.detail
+            = say("The recording does not tell which codes it speaks: it was asked for what all answer alike.");
     if (!differs)
         return identity;
     identity.state = DeviceState::Duplicate;
-    identity.detail = QT_TRANSLATE_NOOP("table", "Drives of two dialects answer with this offset in the recording.");
+    identity.detail = say("Drives of two dialects answer with this offset in the recording.");
     return identity;
 }
 

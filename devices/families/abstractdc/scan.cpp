@@ -27,21 +27,18 @@ Identity identityOf(int offset, const Dialect *dialect)
     identity.family = "abstractdc";
     identity.address = offset;
     if (!dialect) {
-        identity.detail
-            = QT_TRANSLATE_NOOP("table", "It answers, but not as any known dialect; it can be watched but not driven.");
+        identity.detail = say("It answers, but not as any known dialect; it can be watched but not driven.");
         return identity;
     }
     identity.dialect = dialect->key;
     if (dialect == &dialectF)
-        identity.detail = QT_TRANSLATE_NOOP("table", "Speaks the firmware's codes, not the document's.");
+        identity.detail = say("Speaks the firmware's codes, not the document's.");
     else if (dialect == &dialectL)
-        identity.detail
-            = QT_TRANSLATE_NOOP("table", "Speaks the legacy frames of 8 bytes, as the published master does.");
+        identity.detail = say("Speaks the legacy frames of 8 bytes, as the published master does.");
     else if (dialect == &dialectLL)
-        identity.detail = QT_TRANSLATE_NOOP(
-            "table", "So old that nothing but its power stops it; it can be watched but not driven.");
+        identity.detail = say("So old that nothing but its power stops it; it can be watched but not driven.");
     else
-        identity.detail = QT_TRANSLATE_NOOP("table", "Speaks the document's codes, which no published firmware does.");
+        identity.detail = say("Speaks the document's codes, which no published firmware does.");
     return identity;
 }
 
@@ -100,8 +97,9 @@ public:
                 continue;
             Identity identity = identityOf(found.offset, found.dialect);
             identity.state = DeviceState::Duplicate;
-            identity.detail = "Several drives answer with offset " + std::to_string(found.offset)
-                + "; offsets are compiled into the firmware, so give one of them another and flash it.";
+            identity.detail = say("Several drives answer with offset %1; offsets are compiled into the firmware, so "
+                                  "give one of them another and flash it.",
+                found.offset);
             m_sink.found(identity);
         }
     }
@@ -160,14 +158,14 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
         co_return fail(Fault::Unsupported, say("Abstract DC Drives are found on CAN links only"));
     Round round(*can, clock, sink);
     for (int i = 0; i < broadcasts; ++i) {
-        sink.progress("Looking for Abstract DC Drives", i, broadcasts);
+        sink.progress(say("Looking for Abstract DC Drives"), i, broadcasts);
         auto asking = round.askAll();
         co_await std::move(asking);
     }
     auto oldest = round.askOldest();
     co_await std::move(oldest);
     round.tellTwins();
-    sink.progress("Abstract DC Drives found: " + std::to_string(round.count()), broadcasts, broadcasts);
+    sink.progress(say("Abstract DC Drives found: %1", round.count()), broadcasts, broadcasts);
     if (can->state() != LinkState::Open)
         co_return fail(Fault::LinkLost, say("%1: %2", can->address().shortName(), can->reason()));
     co_return {};

@@ -194,7 +194,7 @@ void Controller::onVendorStatus(const VendorStatus &status)
     if (identity().state == DeviceState::Duplicate)
         return; // whose status is it?
     if (status.status == CommandStatus::InBootloader)
-        setState(DeviceState::Bootloader, "The bootloader runs; restart the unit or update its firmware.");
+        setState(DeviceState::Bootloader, say("The bootloader runs; restart the unit or update its firmware."));
     else if (status.status == CommandStatus::AckReset) {
         if (identity().state == DeviceState::Bootloader)
             setState(DeviceState::Online, {});

@@ -83,7 +83,7 @@ private:
     void restarted();
     void enumerate();
     void updateLiveness();
-    void setState(DeviceState state, std::string detail);
+    void setState(DeviceState state, Message detail);
 
     [[nodiscard]] ParameterExchange::Target target() const { return {identity().address, session()}; }
     [[nodiscard]] std::uint16_t session() const { return static_cast<std::uint16_t>(identity().session.value_or(0)); }

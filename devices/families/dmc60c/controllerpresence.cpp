@@ -125,7 +125,7 @@ void Controller::restarted()
     updateLiveness();
 }
 
-void Controller::setState(DeviceState state, std::string detail)
+void Controller::setState(DeviceState state, Message detail)
 {
     Identity known = identity();
     known.state = state;

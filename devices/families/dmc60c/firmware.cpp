@@ -28,7 +28,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     if (!application) {
         UpdateReport report;
         report.outcome = UpdateOutcome::Refused;
-        report.evidence = application.error().text();
+        report.evidence = application.error().message();
         report.fault = application.error().fault;
         co_return report;
     }

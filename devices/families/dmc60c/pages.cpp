@@ -31,9 +31,9 @@ struct Region {
     std::string_view name;
 };
 constexpr std::array otherRegions{
-    Region{addressOf(31), lastAddressOf(34), "pages 31-34 (configuration and descriptors)"},
-    Region{addressOf(35), lastAddressOf(42), "pages 35-42 (bootloader and flash configuration)"},
-    Region{0x1001FF0, 0x1001FFF, "the user-ID words"},
+    Region{addressOf(31), lastAddressOf(34), MB_LABEL("pages 31-34 (configuration and descriptors)")},
+    Region{addressOf(35), lastAddressOf(42), MB_LABEL("pages 35-42 (bootloader and flash configuration)")},
+    Region{0x1001FF0, 0x1001FFF, MB_LABEL("the user-ID words")},
 };
 
 struct PaddedPage {
@@ -55,12 +55,12 @@ PaddedPage paddedPage(const FirmwareImage &image, int number)
     return padded;
 }
 
-std::string counted(std::size_t bytes)
+Message counted(std::size_t bytes)
 {
-    return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
+    return bytes == 1 ? say("1 byte") : say("%1 bytes", bytes);
 }
 
-void noteIgnored(const FirmwareImage &image, std::vector<std::string> &notes)
+void noteIgnored(const FirmwareImage &image, std::vector<Message> &notes)
 {
     constexpr std::uint32_t beyond = addressOf(lastPage + 1);
     std::size_t rest = image.byteCount(beyond, std::numeric_limits<std::uint32_t>::max());
@@ -68,10 +68,10 @@ void noteIgnored(const FirmwareImage &image, std::vector<std::string> &notes)
         const std::size_t count = image.byteCount(region.first, region.last);
         rest -= count;
         if (count != 0)
-            notes.push_back("not sent: " + counted(count) + " for " + std::string(region.name));
+            notes.push_back(say("not sent: %1 for %2", counted(count), Message::label(region.name)));
     }
     if (rest != 0)
-        notes.push_back("not sent: " + counted(rest) + " outside the controller's flash");
+        notes.push_back(say("not sent: %1 outside the controller's flash", counted(rest)));
 }
 
 bool hasVersion(const FirmwareImage &image)
@@ -110,8 +110,9 @@ Application pagesOf(const FirmwareImage &image)
         application.version = readU16le(application.pages.front().bytes, versionOffset);
     noteIgnored(image, application.notes);
     if (oddBytes != 0)
-        application.notes.push_back("not sent: " + counted(oddBytes)
-            + " where a 24-bit instruction has none, the file may be for another processor");
+        application.notes.push_back(
+            say("not sent: %1 where a 24-bit instruction has none, the file may be for another processor",
+                counted(oddBytes)));
     return application;
 }
 

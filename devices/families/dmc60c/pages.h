@@ -26,7 +26,7 @@ struct Application {
     std::vector<Page>
         pages; ///< those of the file, in the order to write them: lastPage, then downwards, firstPage last
     std::uint16_t version = noApplication; ///< major in the high byte; noApplication when the file has none
-    std::vector<std::string> notes;        ///< one sentence each on what of the file is not sent, or looks odd
+    std::vector<Message> notes;            ///< one sentence each on what of the file is not sent, or looks odd
 };
 
 /// The pages of the file without any judgement.

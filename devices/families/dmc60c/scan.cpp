@@ -133,7 +133,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
         co_return fail(Fault::Unsupported, say("DMC60C controllers are found on CAN links only"));
     Census census(*can, sink);
     for (int round = 0; round < enumRounds + (census.hasHalves() ? extraRounds : 0); ++round) {
-        sink.progress("Looking for DMC60C", round, enumRounds);
+        sink.progress(say("Looking for DMC60C"), round, enumRounds);
         const Instant end = clock.now() + enumWindow;
         if (auto sent = can->send(encodeEnumerate()); !sent)
             co_return fail(sent.error());
@@ -146,7 +146,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
     // A unit that only the last round found, or whose bytes were lost, gets what tries it has left.
     auto describing = describeUnits(*can, clock, census, Instant::max());
     co_await std::move(describing);
-    sink.progress("DMC60C found: " + std::to_string(census.complete()), enumRounds, enumRounds);
+    sink.progress(say("DMC60C found: %1", census.complete()), enumRounds, enumRounds);
     if (can->state() != LinkState::Open)
         co_return fail(Fault::LinkLost, say("%1: %2", can->address().shortName(), can->reason()));
     co_return {};

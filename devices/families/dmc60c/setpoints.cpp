@@ -49,7 +49,7 @@ Result<std::int32_t> targetOf(const SetPoint &setPoint, const Scale &scale, int 
     if (setPoint.target < scale.low || setPoint.target > scale.high) {
         const std::string unit(unitOf(setPoint.mode));
         return fail(Fault::OutOfRange,
-            say("%1 %2 is outside %3 … %4", name, setPoint.target, scale.low, Quantity{scale.high, -1, unit}));
+            say("%1 %2 is outside %3 … %4", name, setPoint.target, scale.low, MessageNumber{scale.high, -1, unit}));
     }
     if (setPoint.mode == Mode::Follow && setPoint.target != std::floor(setPoint.target))
         return fail(Fault::OutOfRange, say("follow needs the number of a device"));

@@ -42,16 +42,16 @@ std::string withHex(std::uint16_t version)
                                     : versionText(version) + " (" + hex.data() + ')';
 }
 
-std::string detailOf(DeviceState state, bool hasApplication)
+Message detailOf(DeviceState state, bool hasApplication)
 {
     switch (state) {
     case DeviceState::Unassigned:
         return hasApplication
-            ? "This unit has no number yet; assign one from 1 to 62."
-            : "This unit has no number and no application; assign a number, then update its firmware.";
+            ? say("This unit has no number yet; assign one from 1 to 62.")
+            : say("This unit has no number and no application; assign a number, then update its firmware.");
     case DeviceState::Bootloader:
-        return hasApplication ? "The bootloader runs; restart the unit or update its firmware."
-                              : "No application runs; update its firmware.";
+        return hasApplication ? say("The bootloader runs; restart the unit or update its firmware.")
+                              : say("No application runs; update its firmware.");
     case DeviceState::Duplicate:
     case DeviceState::Online: break;
     }
@@ -91,8 +91,8 @@ Identity identityOf(const EnumResponse0 &first, const EnumResponse1 &second)
     std::snprintf(hex.data(), hex.size(), "0x%08X", static_cast<unsigned>(first.productId));
     setEntry(identity.descriptors, "product_id", hex.data());
     if (first.productId >> 20U != productDmc60c) {
-        const std::string warning = "Product " + std::string(hex.data()) + " is not known to be a DMC60C.";
-        identity.detail += (identity.detail.empty() ? "" : " ") + warning;
+        const Message warning = say("Product %1 is not known to be a DMC60C.", hex.data());
+        identity.detail = identity.detail.empty() ? warning : say("%1 %2", identity.detail, warning);
     }
     return identity;
 }
@@ -149,8 +149,8 @@ void carryDescriptors(Identity &to, const Identity &from)
 void markDuplicate(Identity &identity, int units)
 {
     identity.state = DeviceState::Duplicate;
-    identity.detail = "Number " + std::to_string(identity.address) + " is used by " + std::to_string(units)
-        + " units; give each its own before one is driven.";
+    identity.detail
+        = say("Number %1 is used by %2 units; give each its own before one is driven.", identity.address, units);
 }
 
 } // namespace mb::dmc60c

@@ -58,9 +58,9 @@ UpdateReport Updater::failed(const Error &error) const
     report.outcome = m_touched         ? UpdateOutcome::Failed
         : error.fault == Fault::Unsafe ? UpdateOutcome::Refused
                                        : UpdateOutcome::Failed;
-    report.evidence = error.text();
+    report.evidence = error.message();
     if (m_touched)
-        report.evidence += "; the unit waits in its bootloader, run the update again";
+        report.evidence = joined(report.evidence, say("the unit waits in its bootloader, run the update again"));
     return report;
 }
 

@@ -126,8 +126,7 @@ Task<VendorReply> vendorExchange(CanLink &link, Clock &clock, VendorRequest requ
         if (last.fault == Fault::LinkLost)
             break;
     }
-    last.detail = std::string(toString(request.command.command)) + " to number " + std::to_string(request.device) + ": "
-        + last.detail;
+    last.detail = say("%1 to number %2: %3", toString(request.command.command), request.device, last.detail);
     co_return fail(last);
 }
 
@@ -146,8 +145,7 @@ Result<void> check(Command command, const VendorReply &reply)
 {
     if (reply.status == successOf(command))
         return {};
-    const std::string detail
-        = std::string(toString(command)) + ": the device answers '" + std::string(toString(reply.status)) + "'";
+    const Message detail = say("%1: the device answers '%2'", toString(command), toString(reply.status));
     switch (reply.status) {
     case CommandStatus::NotSupported: return fail(Fault::Unsupported, detail);
     case CommandStatus::DataRcvMore:

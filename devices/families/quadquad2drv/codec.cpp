@@ -269,17 +269,17 @@ std::optional<std::int8_t> returnCode(const Packet &reply)
     return static_cast<std::int8_t>(reply.payload[0]);
 }
 
-std::string_view explain(std::int8_t code)
+Message explain(std::int8_t code)
 {
     switch (static_cast<ReturnCode>(code)) {
-    case ReturnCode::Ok: return "accepted";
-    case ReturnCode::Overflow: return "the packet is too long for the board";
-    case ReturnCode::InvalidCommand: return "the board does not know this command";
-    case ReturnCode::InvalidParameter: return "the board refused a value";
-    case ReturnCode::InvalidData: return "the board found the packet malformed";
+    case ReturnCode::Ok: return say("accepted");
+    case ReturnCode::Overflow: return say("the packet is too long for the board");
+    case ReturnCode::InvalidCommand: return say("the board does not know this command");
+    case ReturnCode::InvalidParameter: return say("the board refused a value");
+    case ReturnCode::InvalidData: return say("the board found the packet malformed");
     case ReturnCode::Unspecified: break;
     }
-    return "the board answered with an error that its documents do not name";
+    return say("the board answered with an error that its documents do not name");
 }
 
 std::optional<Version> parseVersion(const Packet &reply)

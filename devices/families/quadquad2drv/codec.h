@@ -107,7 +107,7 @@ struct Motion {
 
 /// The return code that a reply begins with; nothing for an empty one.
 [[nodiscard]] std::optional<std::int8_t> returnCode(const Packet &reply);
-[[nodiscard]] std::string_view explain(std::int8_t code);
+[[nodiscard]] Message explain(std::int8_t code);
 [[nodiscard]] std::optional<Version> parseVersion(const Packet &reply);
 [[nodiscard]] std::optional<std::uint16_t> parseStreamPeriod(const Packet &reply);
 [[nodiscard]] std::optional<std::uint8_t> parseStreamConfig(const Packet &reply);

@@ -123,8 +123,8 @@ Task<ExperimentReport> findInputReading(Device &device, SetPointStream &, Experi
         co_return fail(kept.error());
     ExperimentReport report;
     report.found.emplace_back(calibration::inputReading, reading);
-    report.sentence = bitZeroIsHigh ? "polarity 0 is active high: the board follows the maker's library"
-                                    : "polarity 0 is active low: the board follows the data sheet";
+    report.sentence = bitZeroIsHigh ? say("polarity 0 is active high: the board follows the maker's library")
+                                    : say("polarity 0 is active low: the board follows the data sheet");
     co_return report;
 }
 

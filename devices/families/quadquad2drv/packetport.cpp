@@ -135,7 +135,7 @@ Task<Packet> PacketPort::request(Bytes request, int tries, Gate gate)
                 co_return std::move(*reply);
             if (code)
                 co_return fail(Fault::Refused, say("%1 (code %2)", explain(*code), *code));
-            last = {Fault::BadReply, "the board sent a reply without a return code"};
+            last = {Fault::BadReply, say("the board sent a reply without a return code")};
             continue;
         }
         if (reply.error().fault != Fault::Timeout)

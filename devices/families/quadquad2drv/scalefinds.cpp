@@ -71,7 +71,8 @@ void ScaleSearch::found(std::string_view key, double scale)
 {
     const double value = rounded(scale);
     m_report.found.emplace_back(key, value);
-    m_report.sentence += (m_report.sentence.empty() ? "" : ", ") + std::string(key) + ' ' + numberText(value);
+    const Message one = say("%1 %2", key, value);
+    m_report.sentence = m_report.sentence.empty() ? one : say("%1, %2", m_report.sentence, one);
     m_progress.log(Severity::Good, say("%1 is %2", key, value));
 }
 

@@ -15,8 +15,9 @@ void setVersion(Identity &identity, int major, int minor, int protocol)
     identity.firmware = std::to_string(major) + '.' + std::to_string(minor);
     identity.dialect = "protocol " + std::to_string(protocol);
     if (protocol != knownProtocol)
-        identity.detail = "the board speaks protocol " + std::to_string(protocol)
-            + ", this program was written for protocol 1; watch it before it is driven";
+        identity.detail
+            = say("the board speaks protocol %1, this program was written for protocol 1; watch it before it is driven",
+                protocol);
 }
 
 Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
@@ -24,7 +25,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
     if (link.kind() != LinkKind::Spi)
         co_return fail(Fault::Unsupported, say("a QuadQuad2Drv lives on an SPI link"));
     PacketPort port(static_cast<SpiLink &>(link), clock);
-    sink.progress("asking for the version", 0, 1);
+    sink.progress(say("asking for the version"), 0, 1);
     auto asking = port.request(getRequest(PacketId::GetVersion));
     const Result<Packet> reply = co_await std::move(asking).attempt();
     if (!reply && reply.error().fault == Fault::LinkLost)
@@ -36,7 +37,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
         setVersion(identity, version->major, version->minor, version->protocol);
         sink.found(identity);
     }
-    sink.progress("asking for the version", 1, 1);
+    sink.progress(say("asking for the version"), 1, 1);
     co_return {};
 }
 
@@ -65,9 +66,8 @@ Task<void> probe(Link &link, Clock &clock, int address, ScanSink &sink)
         Identity silent;
         silent.family = "quadquad2drv";
         silent.state = DeviceState::Bootloader;
-        silent.detail
-            = "nothing answers over SPI; the board has no power or wrong wiring, or it waits in its bootloader: "
-              "update it, or take the jumper out and reset it";
+        silent.detail = say("nothing answers over SPI; the board has no power or wrong wiring, or it waits in its "
+                            "bootloader: update it, or take the jumper out and reset it");
         sink.found(silent);
     }
     co_return {};

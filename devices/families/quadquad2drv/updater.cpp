@@ -67,12 +67,12 @@ void Updater::leaveStep(Step step)
 
 void Updater::tell(const std::string &text)
 {
-    m_progress.log(Severity::Info, say("> %1", text));
+    m_progress.log(Severity::Info, Message::verbatim("> " + text));
 }
 
 void Updater::heard(const std::string &text)
 {
-    m_progress.log(isFailure(text) ? Severity::Danger : Severity::Info, say("< %1", text));
+    m_progress.log(isFailure(text) ? Severity::Danger : Severity::Info, Message::verbatim("< " + text));
 }
 
 void Updater::resetBoard()
@@ -87,10 +87,12 @@ UpdateReport Updater::failed(const Error &error) const
     UpdateReport report = m_report;
     report.outcome = UpdateOutcome::Failed;
     report.fault = error.fault;
-    report.evidence = error.text();
+    report.evidence = error.message();
     if (m_sent > 0)
-        report.evidence += "; " + std::to_string(m_sent) + " of " + std::to_string(m_image.lines().size())
-            + " lines were confirmed. The bootloader keeps waiting: leave the jumper in and run the update again";
+        report.evidence = joined(report.evidence,
+            say("%1 of %2 lines were confirmed. The bootloader keeps waiting: leave the jumper in and run the update "
+                "again",
+                m_sent, m_image.lines().size()));
     return report;
 }
 
@@ -98,8 +100,8 @@ Task<UpdateReport> Updater::run(bool dryRun)
 {
     if (dryRun) {
         m_report.outcome = UpdateOutcome::Done;
-        m_report.evidence = "dry run: " + std::to_string(m_image.lines().size()) + " lines would be sent over "
-            + m_link.address().text();
+        m_report.evidence
+            = say("dry run: %1 lines would be sent over %2", m_image.lines().size(), m_link.address().text());
         co_return m_report;
     }
     auto opening = openLine();
@@ -194,7 +196,7 @@ Task<void> Updater::sendLine(std::size_t index)
         const Duration left = begin + m_settings.answerTime - m_clock.now();
         auto listening = m_console.line(std::max<Duration>(left, 1ms));
         const Result<std::string> answer = co_await std::move(listening).attempt();
-        const std::string line = "line " + std::to_string(index + 1);
+        const Message line = say("line %1", index + 1);
         if (!answer && answer.error().fault == Fault::Timeout)
             co_return fail(Fault::Timeout, say("%1 was not confirmed", line));
         if (!answer)
@@ -252,9 +254,12 @@ Task<void> Updater::verify()
             m_report.to = m_device.identity().firmware;
             m_report.verified = m_report.to != m_report.from; // the file does not name its version
             m_report.outcome = UpdateOutcome::Done;
-            m_report.evidence = "every line was confirmed, and the board answers with version " + m_report.to;
-            if (!m_report.verified)
-                m_report.evidence += ", the same as before, so that nothing proves the new firmware";
+            m_report.evidence = m_report.verified
+                ? say("every line was confirmed, and the board answers with version %1", m_report.to)
+                : say("every line was confirmed, and the board answers with version %1, the same as before, so that "
+                      "nothing "
+                      "proves the new firmware",
+                    m_report.to);
             co_return {};
         }
         if (answered.error().fault == Fault::LinkLost)

@@ -19,19 +19,22 @@ bool isName(std::string_view text)
         == std::string_view::npos;
 }
 
-constexpr std::string_view noPort = "the port cannot be opened; check its name and that it is plugged in";
-constexpr std::string_view noProgrammer
-    = "avrdude finds no such programmer on USB; plug it in, and check that its kind is the one named after avrdude:";
-constexpr std::string_view unequal
-    = "the microcontroller does not hold what was written; run it again, with a shorter cable";
-constexpr std::string_view noController
-    = "the programmer is there, but no microcontroller answers it; check the six pins and the supply";
+constexpr Advice noPort{QT_TRANSLATE_NOOP("table", "the port cannot be opened"),
+    QT_TRANSLATE_NOOP("table", "check its name and that it is plugged in")};
+constexpr Advice noProgrammer{QT_TRANSLATE_NOOP("table", "avrdude finds no such programmer on USB"),
+    QT_TRANSLATE_NOOP("table", "plug it in, and check that its kind is the one named after avrdude:")};
+constexpr Advice unequal{QT_TRANSLATE_NOOP("table", "the microcontroller does not hold what was written"),
+    QT_TRANSLATE_NOOP("table", "run it again, with a shorter cable")};
+constexpr Advice noController{QT_TRANSLATE_NOOP("table", "the programmer is there, but no microcontroller answers it"),
+    QT_TRANSLATE_NOOP("table", "check the six pins and the supply")};
 /// The first that is found counts.
 constexpr std::array meanings{
     ProgramMeaning{"cannot find programmer", Fault::OutOfRange,
-        "avrdude knows no programmer of this name; 'avrdude -c ?' lists them"},
+        {QT_TRANSLATE_NOOP("table", "avrdude knows no programmer of this name"),
+            QT_TRANSLATE_NOOP("table", "'avrdude -c ?' lists them")}},
     ProgramMeaning{"permission denied", Fault::LinkLost,
-        "the port may not be opened; add yourself to the group dialout and log in again"},
+        {QT_TRANSLATE_NOOP("table", "the port may not be opened"),
+            QT_TRANSLATE_NOOP("table", "add yourself to the group dialout and log in again")}},
     ProgramMeaning{"cannot open port", Fault::LinkLost, noPort},
     ProgramMeaning{"unable to open port", Fault::LinkLost, noPort},
     ProgramMeaning{"did not find any usb device", Fault::LinkLost, noProgrammer},
@@ -40,11 +43,15 @@ constexpr std::array meanings{
     ProgramMeaning{"content mismatch", Fault::BadCheck, unequal},
     ProgramMeaning{"verification error", Fault::BadCheck, unequal},
     ProgramMeaning{"expected signature", Fault::Refused,
-        "what answers is no ATmega328P; check that the programmer sits on the controller"},
+        {QT_TRANSLATE_NOOP("table", "what answers is no ATmega328P"),
+            QT_TRANSLATE_NOOP("table", "check that the programmer sits on the controller")}},
     ProgramMeaning{"not in sync", Fault::Timeout,
-        "no bootloader answers; restart the controller just before the start, or use a programmer on its pins"},
+        {QT_TRANSLATE_NOOP("table", "no bootloader answers"),
+            QT_TRANSLATE_NOOP(
+                "table", "restart the controller just before the start, or use a programmer on its pins")}},
     ProgramMeaning{"not responding", Fault::Timeout,
-        "nothing answers the programmer; check its cable and the supply of the controller"},
+        {QT_TRANSLATE_NOOP("table", "nothing answers the programmer"),
+            QT_TRANSLATE_NOOP("table", "check its cable and the supply of the controller")}},
     ProgramMeaning{"initialization failed", Fault::Timeout, noController},
     ProgramMeaning{"target doesn't answer", Fault::Timeout, noController},
 };
@@ -89,15 +96,15 @@ ExternalProgram::Command commandOf(const Job &job)
     return {"avrdude", std::move(arguments)};
 }
 
-std::string_view titleOf(Stage stage)
+Message titleOf(Stage stage)
 {
     switch (stage) {
-    case Stage::Connecting: return "Connecting through avrdude";
-    case Stage::Erasing: return "Erasing flash";
-    case Stage::Writing: return "Writing flash";
-    case Stage::Verifying: return "Verifying flash";
+    case Stage::Connecting: return say("Connecting through avrdude");
+    case Stage::Erasing: return say("Erasing flash");
+    case Stage::Writing: return say("Writing flash");
+    case Stage::Verifying: return say("Verifying flash");
     }
-    return "";
+    return Message();
 }
 
 void Reading::take(std::string_view line, bool complete)
@@ -129,8 +136,9 @@ Error Reading::failure(const Job &job) const
     if (const auto meaning = meaningOf(meanings, m_all))
         return *meaning;
     if (m_lastError.empty())
-        return {Fault::BadReply, "avrdude ended without saying why", "run it by hand with -c " + job.programmer};
-    return {Fault::BadReply, m_lastError, "run avrdude by hand to see all it says"};
+        return {
+            Fault::BadReply, say("avrdude ended without saying why"), say("run it by hand with -c %1", job.programmer)};
+    return {Fault::BadReply, Message::verbatim(m_lastError), say("run avrdude by hand to see all it says")};
 }
 
 } // namespace mb::supermodified::avrdude

@@ -32,7 +32,7 @@ struct Job {
 [[nodiscard]] ExternalProgram::Command commandOf(const Job &job);
 
 enum class Stage { Connecting, Erasing, Writing, Verifying };
-[[nodiscard]] std::string_view titleOf(Stage stage);
+[[nodiscard]] Message titleOf(Stage stage);
 
 /// Reads the output, line by line, growing bars included.
 class Reading {

@@ -29,89 +29,89 @@ constexpr bool stored = true;
 // One row per line, whatever its length.
 // clang-format off
 constexpr std::array messageTable{
-    Message{Command::P, "PID P", "P", "", u16, false, stored},
-    Message{Command::I, "PID I", "I", "", u16, false, stored},
-    Message{Command::D, "PID D", "D", "", u16, false, stored},
-    Message{Command::ProfileAcceleration, "profile acceleration", "acceleration", "ticks/s²", profile, false, stored},
-    Message{Command::ProfileVelocity, "profile velocity", "velocity", "ticks/s", profile, false, stored},
-    Message{Command::CurrentLimit, "current limit", "current", "mA", u16, false, stored},
-    Message{Command::CurrentLimitDuration, "current-limit duration", "duration", "ms", u16, false, stored},
-    Message{Command::MoveVelocity, "velocity move", "velocity", "ticks/s", speed, control},
-    Message{Command::MoveAbsolute, "absolute move", "position", "ticks", placeFormats, control},
-    Message{Command::MoveRelative, "relative move", "distance", "ticks", placeFormats, control},
-    Message{Command::MoveProfiledVelocity, "profiled velocity", "velocity", "ticks/s", speed, control},
-    Message{Command::MoveProfiledAbsolute, "profiled absolute", "position", "ticks", placeFormats, control},
-    Message{Command::MoveProfiledRelative, "profiled relative", "distance", "ticks", placeFormats, control},
-    Message{Command::BufferVelocity, "buffer velocity", "velocity", "ticks/s", speed},
-    Message{Command::BufferAbsolute, "buffer absolute", "position", "ticks", placeFormats},
-    Message{Command::BufferRelative, "buffer relative", "distance", "ticks", placeFormats},
-    Message{Command::BufferProfiledVelocity, "buffer profiled velocity", "velocity", "ticks/s", speed},
-    Message{Command::BufferProfiledAbsolute, "buffer profiled absolute", "position", "ticks", placeFormats},
-    Message{Command::BufferProfiledRelative, "buffer profiled relative", "distance", "ticks", placeFormats},
-    Message{Command::IoDirection, "DIO direction", "direction", "", u8, false, stored},
-    Message{Command::Outputs, "digital outputs", "outputs", "", u8},
-    Message{Command::NodeId, "node id", "id", "", u8, false, stored},
-    Message{Command::NodeMask, "local acceptance mask", "mask", "", u8, false, stored},
-    Message{Command::Baudrate, "UART baud", "baud", "bit/s", u32, false, stored},
-    Message{Command::ResetPosition, "reset position", "", "", none, control},
-    Message{Command::Start, "start", "", "", none, control},
-    Message{Command::Halt, "halt", "", "", none, control},
-    Message{Command::Stop, "stop", "", "", none},
-    Message{Command::ErrorLevel, "error-reporting level", "level", "", {F::U8, F::U8, F::Reactions}, false, stored},
-    Message{Command::AntiWindup, "anti-windup", "limit", "", onlyThird, false, stored},
-    Message{Command::ResetErrors, "reset errors", "", "", {F::Absent, F::Absent, F::None}},
-    Message{Command::GetP, "get PID P", "P", "", u16},
-    Message{Command::GetI, "get PID I", "I", "", u16},
-    Message{Command::GetD, "get PID D", "D", "", u16},
-    Message{Command::GetProfileAcceleration, "get profile acceleration", "acceleration", "ticks/s²", profile},
-    Message{Command::GetProfileVelocity, "get profile velocity", "velocity", "ticks/s", profile},
-    Message{Command::GetCurrentLimit, "get current limit", "current", "mA", u16},
-    Message{Command::GetCurrentLimitDuration, "get current-limit duration", "duration", "ms", u16},
-    Message{Command::GetIoDirection, "get DIO direction", "direction", "", u8},
-    Message{Command::GetNodeMask, "get local acceptance mask", "mask", "", u8},
-    Message{Command::GetInputs, "get digital inputs", "inputs", "", u8},
-    Message{Command::GetAnalog, "get analog inputs", "", "1/1024 of 5 V", analogFormats},
-    Message{Command::GetPosition, "get position", "position", "ticks", placeFormats},
-    Message{Command::GetAbsolutePosition, "get absolute position", "position", "ticks", u16},
-    Message{Command::GetVelocity, "get velocity", "velocity", "ticks/s", speed},
-    Message{Command::GetCurrent, "get current", "current", "", i16},
-    Message{Command::GetWarnings, "get warnings", "", "", {F::Codes, F::Codes, F::Reactions}},
-    Message{Command::GetAntiWindup, "get anti-windup", "limit", "", onlyThird},
-    Message{Command::DoMove, "do move", "", "", none, control},
-    Message{Command::GlobalStart, "global start", "", "", none, control},
-    Message{Command::GlobalHalt, "global halt", "", "", none, control},
-    Message{Command::GlobalStop, "global stop", "", "", none},
-    Message{Command::Error, "error", "", "", {F::Codes, F::Codes, F::Codes}},
+    CommandForm{Command::P, "PID P", "P", "", u16, false, stored},
+    CommandForm{Command::I, "PID I", "I", "", u16, false, stored},
+    CommandForm{Command::D, "PID D", "D", "", u16, false, stored},
+    CommandForm{Command::ProfileAcceleration, "profile acceleration", "acceleration", "ticks/s²", profile, false, stored},
+    CommandForm{Command::ProfileVelocity, "profile velocity", "velocity", "ticks/s", profile, false, stored},
+    CommandForm{Command::CurrentLimit, "current limit", "current", "mA", u16, false, stored},
+    CommandForm{Command::CurrentLimitDuration, "current-limit duration", "duration", "ms", u16, false, stored},
+    CommandForm{Command::MoveVelocity, "velocity move", "velocity", "ticks/s", speed, control},
+    CommandForm{Command::MoveAbsolute, "absolute move", "position", "ticks", placeFormats, control},
+    CommandForm{Command::MoveRelative, "relative move", "distance", "ticks", placeFormats, control},
+    CommandForm{Command::MoveProfiledVelocity, "profiled velocity", "velocity", "ticks/s", speed, control},
+    CommandForm{Command::MoveProfiledAbsolute, "profiled absolute", "position", "ticks", placeFormats, control},
+    CommandForm{Command::MoveProfiledRelative, "profiled relative", "distance", "ticks", placeFormats, control},
+    CommandForm{Command::BufferVelocity, "buffer velocity", "velocity", "ticks/s", speed},
+    CommandForm{Command::BufferAbsolute, "buffer absolute", "position", "ticks", placeFormats},
+    CommandForm{Command::BufferRelative, "buffer relative", "distance", "ticks", placeFormats},
+    CommandForm{Command::BufferProfiledVelocity, "buffer profiled velocity", "velocity", "ticks/s", speed},
+    CommandForm{Command::BufferProfiledAbsolute, "buffer profiled absolute", "position", "ticks", placeFormats},
+    CommandForm{Command::BufferProfiledRelative, "buffer profiled relative", "distance", "ticks", placeFormats},
+    CommandForm{Command::IoDirection, "DIO direction", "direction", "", u8, false, stored},
+    CommandForm{Command::Outputs, "digital outputs", "outputs", "", u8},
+    CommandForm{Command::NodeId, "node id", "id", "", u8, false, stored},
+    CommandForm{Command::NodeMask, "local acceptance mask", "mask", "", u8, false, stored},
+    CommandForm{Command::Baudrate, "UART baud", "baud", "bit/s", u32, false, stored},
+    CommandForm{Command::ResetPosition, "reset position", "", "", none, control},
+    CommandForm{Command::Start, "start", "", "", none, control},
+    CommandForm{Command::Halt, "halt", "", "", none, control},
+    CommandForm{Command::Stop, "stop", "", "", none},
+    CommandForm{Command::ErrorLevel, "error-reporting level", "level", "", {F::U8, F::U8, F::Reactions}, false, stored},
+    CommandForm{Command::AntiWindup, "anti-windup", "limit", "", onlyThird, false, stored},
+    CommandForm{Command::ResetErrors, "reset errors", "", "", {F::Absent, F::Absent, F::None}},
+    CommandForm{Command::GetP, "get PID P", "P", "", u16},
+    CommandForm{Command::GetI, "get PID I", "I", "", u16},
+    CommandForm{Command::GetD, "get PID D", "D", "", u16},
+    CommandForm{Command::GetProfileAcceleration, "get profile acceleration", "acceleration", "ticks/s²", profile},
+    CommandForm{Command::GetProfileVelocity, "get profile velocity", "velocity", "ticks/s", profile},
+    CommandForm{Command::GetCurrentLimit, "get current limit", "current", "mA", u16},
+    CommandForm{Command::GetCurrentLimitDuration, "get current-limit duration", "duration", "ms", u16},
+    CommandForm{Command::GetIoDirection, "get DIO direction", "direction", "", u8},
+    CommandForm{Command::GetNodeMask, "get local acceptance mask", "mask", "", u8},
+    CommandForm{Command::GetInputs, "get digital inputs", "inputs", "", u8},
+    CommandForm{Command::GetAnalog, "get analog inputs", "", "1/1024 of 5 V", analogFormats},
+    CommandForm{Command::GetPosition, "get position", "position", "ticks", placeFormats},
+    CommandForm{Command::GetAbsolutePosition, "get absolute position", "position", "ticks", u16},
+    CommandForm{Command::GetVelocity, "get velocity", "velocity", "ticks/s", speed},
+    CommandForm{Command::GetCurrent, "get current", "current", "", i16},
+    CommandForm{Command::GetWarnings, "get warnings", "", "", {F::Codes, F::Codes, F::Reactions}},
+    CommandForm{Command::GetAntiWindup, "get anti-windup", "limit", "", onlyThird},
+    CommandForm{Command::DoMove, "do move", "", "", none, control},
+    CommandForm{Command::GlobalStart, "global start", "", "", none, control},
+    CommandForm{Command::GlobalHalt, "global halt", "", "", none, control},
+    CommandForm{Command::GlobalStop, "global stop", "", "", none},
+    CommandForm{Command::Error, "error", "", "", {F::Codes, F::Codes, F::Codes}},
 };
 
 constexpr std::array codeTable{
-    CodeName{0x01, "motor_stalled", "the motor stalled"},
-    CodeName{0x02, "encoder_overflow", "the position left its range upwards"},
-    CodeName{0x03, "encoder_underflow", "the position left its range downwards"},
-    CodeName{0x11, "invalid_command", "it has no such command"},
-    CodeName{0x12, "invalid_byte_count", "wrong number of data bytes"},
-    CodeName{0x13, "invalid_argument", "a value that it does not take"},
-    CodeName{0x14, "invalid_for_state", "not possible while the motor is not started"},
-    CodeName{0x15, "unexpected_data", "data bytes where none belong"},
-    CodeName{0x21, "i2c_no_device", "I2C: nobody answers"},
-    CodeName{0x22, "i2c_bus_error", "I2C: bus error"},
-    CodeName{0x23, "i2c_arbitration", "I2C: arbitration lost"},
-    CodeName{0x24, "i2c_indeterminate", "I2C: indeterminate state"},
-    CodeName{0x25, "i2c_ready_timeout", "I2C: the bus did not become ready"},
-    CodeName{0x26, "i2c_transmit_timeout", "I2C: sending took too long"},
-    CodeName{0x27, "i2c_receive_timeout", "I2C: receiving took too long"},
-    CodeName{0x31, "packet_overwritten", "I2C: a packet was overwritten"},
-    CodeName{0x32, "packet_length", "I2C: a packet of wrong length"},
-    CodeName{0x41, "uart_memory", "UART: out of memory"},
-    CodeName{0x43, "uart_frame", "UART: framing error"},
-    CodeName{0x44, "uart_parity", "UART: parity error"},
-    CodeName{0x45, "uart_overflow", "UART: receive buffer overflow"},
-    CodeName{0x46, "uart_overrun", "UART: data overrun (the datasheet means a framing error)"},
-    CodeName{0x47, "uart_timeout", "UART: sending took too long (the datasheet means a parity error)"},
-    CodeName{0x48, "uart_overflow_datasheet", "UART: receive buffer overflow, by the datasheet's number"},
-    CodeName{0x49, "uart_overrun_datasheet", "UART: data overrun, by the datasheet's number"},
-    CodeName{0x51, "half_packet", "a frame paused for more than 50 ms"},
-    CodeName{0x52, "wrong_checksum", "wrong checksum"},
+    CodeName{0x01, "motor_stalled", QT_TRANSLATE_NOOP("table", "the motor stalled")},
+    CodeName{0x02, "encoder_overflow", QT_TRANSLATE_NOOP("table", "the position left its range upwards")},
+    CodeName{0x03, "encoder_underflow", QT_TRANSLATE_NOOP("table", "the position left its range downwards")},
+    CodeName{0x11, "invalid_command", QT_TRANSLATE_NOOP("table", "it has no such command")},
+    CodeName{0x12, "invalid_byte_count", QT_TRANSLATE_NOOP("table", "wrong number of data bytes")},
+    CodeName{0x13, "invalid_argument", QT_TRANSLATE_NOOP("table", "a value that it does not take")},
+    CodeName{0x14, "invalid_for_state", QT_TRANSLATE_NOOP("table", "not possible while the motor is not started")},
+    CodeName{0x15, "unexpected_data", QT_TRANSLATE_NOOP("table", "data bytes where none belong")},
+    CodeName{0x21, "i2c_no_device", QT_TRANSLATE_NOOP("table", "I2C: nobody answers")},
+    CodeName{0x22, "i2c_bus_error", QT_TRANSLATE_NOOP("table", "I2C: bus error")},
+    CodeName{0x23, "i2c_arbitration", QT_TRANSLATE_NOOP("table", "I2C: arbitration lost")},
+    CodeName{0x24, "i2c_indeterminate", QT_TRANSLATE_NOOP("table", "I2C: indeterminate state")},
+    CodeName{0x25, "i2c_ready_timeout", QT_TRANSLATE_NOOP("table", "I2C: the bus did not become ready")},
+    CodeName{0x26, "i2c_transmit_timeout", QT_TRANSLATE_NOOP("table", "I2C: sending took too long")},
+    CodeName{0x27, "i2c_receive_timeout", QT_TRANSLATE_NOOP("table", "I2C: receiving took too long")},
+    CodeName{0x31, "packet_overwritten", QT_TRANSLATE_NOOP("table", "I2C: a packet was overwritten")},
+    CodeName{0x32, "packet_length", QT_TRANSLATE_NOOP("table", "I2C: a packet of wrong length")},
+    CodeName{0x41, "uart_memory", QT_TRANSLATE_NOOP("table", "UART: out of memory")},
+    CodeName{0x43, "uart_frame", QT_TRANSLATE_NOOP("table", "UART: framing error")},
+    CodeName{0x44, "uart_parity", QT_TRANSLATE_NOOP("table", "UART: parity error")},
+    CodeName{0x45, "uart_overflow", QT_TRANSLATE_NOOP("table", "UART: receive buffer overflow")},
+    CodeName{0x46, "uart_overrun", QT_TRANSLATE_NOOP("table", "UART: data overrun (the datasheet means a framing error)")},
+    CodeName{0x47, "uart_timeout", QT_TRANSLATE_NOOP("table", "UART: sending took too long (the datasheet means a parity error)")},
+    CodeName{0x48, "uart_overflow_datasheet", QT_TRANSLATE_NOOP("table", "UART: receive buffer overflow, by the datasheet's number")},
+    CodeName{0x49, "uart_overrun_datasheet", QT_TRANSLATE_NOOP("table", "UART: data overrun, by the datasheet's number")},
+    CodeName{0x51, "half_packet", QT_TRANSLATE_NOOP("table", "a frame paused for more than 50 ms")},
+    CodeName{0x52, "wrong_checksum", QT_TRANSLATE_NOOP("table", "wrong checksum")},
 };
 // clang-format on
 
@@ -178,28 +178,28 @@ std::size_t sizeOf(Format format)
     return formatSizes.at(static_cast<std::size_t>(format));
 }
 
-std::string_view Message::nameOf(Format format) const
+std::string_view CommandForm::nameOf(Format format) const
 {
     if (format != Format::Reactions)
         return name;
     return isGet(static_cast<std::uint8_t>(command)) ? "get error reaction" : "error reaction";
 }
 
-std::span<const Message> messages()
+std::span<const CommandForm> messages()
 {
     return messageTable;
 }
 
-const Message *messageOf(std::uint8_t command)
+const CommandForm *messageOf(std::uint8_t command)
 {
     const auto *const row = std::find_if(messageTable.begin(), messageTable.end(),
-        [command](const Message &m) { return static_cast<std::uint8_t>(m.command) == command; });
+        [command](const CommandForm &m) { return static_cast<std::uint8_t>(m.command) == command; });
     return row == messageTable.end() ? nullptr : row;
 }
 
 Format formatOf(Command command, Dialect dialect)
 {
-    const Message *const message = messageOf(static_cast<std::uint8_t>(command));
+    const CommandForm *const message = messageOf(static_cast<std::uint8_t>(command));
     return message ? message->formatIn(dialect) : Format::Absent;
 }
 
@@ -212,7 +212,7 @@ Frame request(int node, int host, Command command)
 Result<Frame> request(int node, int host, Command command, Dialect dialect, std::int64_t value)
 {
     const Format format = formatOf(command, dialect);
-    const Message *const message = messageOf(static_cast<std::uint8_t>(command));
+    const CommandForm *const message = messageOf(static_cast<std::uint8_t>(command));
     if (format == Format::Absent || message == nullptr)
         return fail(Fault::Unsupported,
             message ? say("%1 is not known to firmware of dialect %2", message->name, toString(dialect))
@@ -300,21 +300,21 @@ std::span<const CodeName> codeNames()
     return codeTable;
 }
 
-std::string codeText(std::uint8_t code)
+Message codeText(std::uint8_t code)
 {
     const auto *const row
         = std::find_if(codeTable.begin(), codeTable.end(), [code](const CodeName &c) { return c.code == code; });
     std::array<char, 8> number{};
     std::snprintf(number.data(), number.size(), "%02X", static_cast<unsigned>(code));
-    return (row == codeTable.end() ? "error" : std::string(row->text)) + " (" + number.data() + ')';
+    return say("%1 (%2)", row == codeTable.end() ? say("error") : Message::label(row->text), number.data());
 }
 
-std::string codesText(std::span<const std::uint8_t> codes)
+Message codesText(std::span<const std::uint8_t> codes)
 {
-    std::string text;
+    Message all;
     for (const std::uint8_t code : codes)
-        text += (text.empty() ? "" : ", ") + codeText(code);
-    return text;
+        all = all.empty() ? codeText(code) : say("%1, %2", all, codeText(code));
+    return all;
 }
 
 } // namespace mb::supermodified

@@ -32,7 +32,7 @@ enum class Format : std::uint8_t {
 [[nodiscard]] std::size_t sizeOf(Format format);
 
 /// One row of the tables in section 2.
-struct Message {
+struct CommandForm {
     Command command = Command::Stop;
     std::string_view name;
     std::string_view field; ///< of its value
@@ -45,9 +45,9 @@ struct Message {
     /// D3 uses two ids of D1 and D2 for something else.
     [[nodiscard]] std::string_view nameOf(Format format) const;
 };
-[[nodiscard]] std::span<const Message> messages();
+[[nodiscard]] std::span<const CommandForm> messages();
 /// nullptr for a command that no dialect has.
-[[nodiscard]] const Message *messageOf(std::uint8_t command);
+[[nodiscard]] const CommandForm *messageOf(std::uint8_t command);
 [[nodiscard]] Format formatOf(Command command, Dialect dialect);
 
 // Requests, host to node
@@ -86,7 +86,7 @@ struct CodeName {
 };
 [[nodiscard]] std::span<const CodeName> codeNames();
 /// "the motor stalled (01)"; an unknown code as its number.
-[[nodiscard]] std::string codeText(std::uint8_t code);
-[[nodiscard]] std::string codesText(std::span<const std::uint8_t> codes);
+[[nodiscard]] Message codeText(std::uint8_t code);
+[[nodiscard]] Message codesText(std::span<const std::uint8_t> codes);
 
 } // namespace mb::supermodified

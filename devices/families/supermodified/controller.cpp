@@ -86,7 +86,7 @@ Result<void> Controller::doCheck(const SetPoint &setPoint) const
 /// A node that follows this one would move too, unwatched, and one that takes answers for commands might.
 Result<void> Controller::doMayMove() const
 {
-    if (const std::string lock = m_line->roster().lockOf(m_node.id); !lock.empty())
+    if (const Message lock = m_line->roster().lockOf(m_node.id); !lock.empty())
         return fail(Fault::Unsafe, lock);
     return {};
 }
@@ -182,7 +182,7 @@ void Controller::onCodes(std::span<const std::uint8_t> codes)
             continue;
         reported.active = true;
         if (m_motion.isEnergized())
-            m_motion.tripped(codeText(code) + ", and the device switched its output off");
+            m_motion.tripped(say("%1, and the device switched its output off", codeText(code)));
     }
     updateLiveness();
 }
@@ -197,7 +197,7 @@ void Controller::onPosition(std::int64_t raw)
 
 void Controller::onOverheard(const Frame &frame)
 {
-    const Message *const message = messageOf(frame.command);
+    const CommandForm *const message = messageOf(frame.command);
     const bool forUs = frame.to == m_node.id || frame.to == broadcastId;
     if (!forUs || frame.from == m_line->roster().hostId() || message == nullptr || !message->control)
         return;

@@ -211,7 +211,7 @@ Task<void> Controller::doZeroPosition()
         Sleep nap(clock(), lookAgain);
         co_await nap;
     }
-    if (const std::string lock = m_line->roster().lockOf(m_node.id); !lock.empty())
+    if (const Message lock = m_line->roster().lockOf(m_node.id); !lock.empty())
         co_return fail(Fault::Unsafe, say("the position was not reset: %1", lock));
     if (!m_motion.isKnownOff()) // trap 18
         co_return fail(Fault::Unsafe, say("somebody may have started it again, so the position was not reset"));

@@ -14,7 +14,7 @@ constexpr std::array<std::string_view, reactionCount> reactionNames{"r0", "r1", 
     "r8", "r9", "r10", "r11", "r12", "r13", "r14", "r15", "r16", "r17", "r18", "r19"};
 
 /// The format of some dialect that has data of this length.
-std::optional<Format> formatFor(const Message &message, std::size_t size)
+std::optional<Format> formatFor(const CommandForm &message, std::size_t size)
 {
     for (const Format format : message.formats) {
         const bool fits = format == Format::Codes ? size <= mostCodes : sizeOf(format) == size;
@@ -24,7 +24,7 @@ std::optional<Format> formatFor(const Message &message, std::size_t size)
     return std::nullopt;
 }
 
-bool takesData(const Message &message)
+bool takesData(const CommandForm &message)
 {
     return std::any_of(message.formats.begin(), message.formats.end(),
         [](Format format) { return format != Format::Absent && format != Format::None; });
@@ -36,7 +36,7 @@ bool isHost(int id)
 }
 
 /// Whether a node sent it. Without data on both ways (start, stop …) only the usual ids of hosts tell.
-bool isReply(const Frame &frame, const Message &message)
+bool isReply(const Frame &frame, const CommandForm &message)
 {
     if (frame.is(Command::Error))
         return true;
@@ -54,7 +54,7 @@ void addBytes(DecodedFrame &decoded, std::span<const std::uint8_t> bytes, const 
         decoded.fields.push_back({names.at(i), static_cast<double>(bytes[i]), {}});
 }
 
-bool addData(DecodedFrame &decoded, const Frame &frame, const Message &message)
+bool addData(DecodedFrame &decoded, const Frame &frame, const CommandForm &message)
 {
     const auto format = formatFor(message, frame.size);
     if (!format)
@@ -83,7 +83,7 @@ bool addData(DecodedFrame &decoded, const Frame &frame, const Message &message)
 
 std::optional<DecodedFrame> decodeFrame(const Frame &frame)
 {
-    const Message *const message = messageOf(frame.command);
+    const CommandForm *const message = messageOf(frame.command);
     if (!message || (frame.is(Command::Error) && !codesOf(frame)))
         return std::nullopt;
     const bool reply = isReply(frame, *message);

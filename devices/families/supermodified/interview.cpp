@@ -100,11 +100,11 @@ Identity identityOf(const Line &line, const Node &node, const Interview &intervi
     if (interview.mask != exactMask)
         identity.descriptors.emplace_back(maskKey, std::to_string(interview.mask));
     if (interview.levelOne)
-        identity.detail = "Its error level is 1, so every reading fails. Set error.level to 0.";
+        identity.detail = say("Its error level is 1, so every reading fails. Set error.level to 0.");
     else if (!interview.dialect)
-        identity.detail = "Its answers fit no known dialect.";
+        identity.detail = say("Its answers fit no known dialect.");
     else if (const auto lock = line.roster().lockOf(node.id); !lock.empty())
-        identity.detail = "It is not driven: " + lock + ".";
+        identity.detail = say("It is not driven: %1.", lock);
     return identity;
 }
 

@@ -69,7 +69,7 @@ Result<void> Motion::check(const SetPoint &setPoint) const
     const auto command = commandFor(setPoint);
     if (!command)
         return mb::fail(command.error());
-    if (auto good = checkNumber("the target", setPoint.target, -9e15, 9e15, unitOf(setPoint.mode)); !good)
+    if (auto good = checkNumber(say("the target"), setPoint.target, -9e15, 9e15, unitOf(setPoint.mode)); !good)
         return good;
     if (auto fits = request(m_node.id, usualHostId, *command, dialect(), valueFor(setPoint)); !fits)
         return mb::fail(fits.error());
@@ -269,8 +269,8 @@ void Motion::watchRun()
     if (!m_run || !m_energized || m_stopping)
         return;
     if ((static_cast<double>(*m_position) - m_run->target) * m_run->direction > m_run->overrun)
-        abort("the profiled move passed its target by more than its stopping distance, as this firmware may above 2500 "
-              "counts/s; use a lower profile.velocity");
+        abort(say("the profiled move passed its target by more than its stopping distance, as this firmware may above "
+                  "2500 counts/s; use a lower profile.velocity"));
 }
 
 void Motion::setPosition(std::int64_t raw)
@@ -285,7 +285,7 @@ void Motion::zeroed()
     m_position = 0;
 }
 
-void Motion::abort(std::string why)
+void Motion::abort(Message why)
 {
     stop();
     m_failure = std::move(why);
@@ -310,7 +310,7 @@ void Motion::reassert()
     pump();
 }
 
-void Motion::fail(std::string why)
+void Motion::fail(Message why)
 {
     m_ticket.reset();
     m_step.reset();
@@ -320,7 +320,7 @@ void Motion::fail(std::string why)
     m_events.changed();
 }
 
-void Motion::tripped(std::string why)
+void Motion::tripped(Message why)
 {
     m_energized = false;
     m_line.setDriving(m_node.id, false);

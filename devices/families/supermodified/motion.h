@@ -31,7 +31,7 @@ public:
     /// Whether the node could do it: Unsupported, OutOfRange. A node of unknown dialect is taken for the widest.
     [[nodiscard]] Result<void> check(const SetPoint &setPoint) const;
     /// What is worth knowing of one that is legal: settings that it changes for good, targets that it may pass.
-    [[nodiscard]] std::string caution(const SetPoint &setPoint) const { return bounds().caution(setPoint); }
+    [[nodiscard]] Message caution(const SetPoint &setPoint) const { return bounds().caution(setPoint); }
     /// Takes a set-point; what it needs is sent one after the other. Fails with why the motion before it ended (stall, no
     /// answer) until stop() was called, and while a stop is not acknowledged.
     [[nodiscard]] Result<void> command(const SetPoint &setPoint);
@@ -43,7 +43,7 @@ public:
     /// a node that lost its power says that it is not started.
     void reassert();
     /// The node switched its bridge off by itself.
-    void tripped(std::string why);
+    void tripped(Message why);
     /// The link is open again.
     void resume();
     /// Somebody else may have started it, or its supply was gone.
@@ -85,7 +85,7 @@ private:
     }
     void beginRun(const SetPoint &setPoint);
     void watchRun();
-    void abort(std::string why);
+    void abort(Message why);
     [[nodiscard]] bool isHold(const SetPoint &setPoint) const;
     [[nodiscard]] Dialect dialect() const { return m_node.dialect.value_or(Dialect::D3); }
     void pump();
@@ -96,7 +96,7 @@ private:
     void done(Step step, const Frame &reply);
     void stored(Step step);
     void refused(Step step, std::span<const std::uint8_t> codes);
-    void fail(std::string why);
+    void fail(Message why);
     void sendStop(Duration delay);
     void stopAnswered(const Result<Frame> &reply);
     void setEnergized(bool energized);

@@ -82,24 +82,24 @@ std::optional<double> MoveBounds::acceleration(const SetPoint &setPoint) const
                                        : std::nullopt;
 }
 
-std::string MoveBounds::caution(const SetPoint &setPoint) const
+Message MoveBounds::caution(const SetPoint &setPoint) const
 {
     if (!isProfiled(setPoint.mode) || !m_node.dialect)
         return {};
-    std::string text;
-    const auto changes = [&text](std::string_view key, double wanted, std::optional<std::int64_t> stands) {
+    Message all;
+    const auto changes = [&all](std::string_view key, double wanted, std::optional<std::int64_t> stands) {
         if (wanted <= 0.0 || stands == std::llround(wanted))
             return;
-        text += (text.empty() ? "" : "; ") + std::string(key) + " becomes " + numberText(std::round(wanted))
-            + (stands ? ", it was " + std::to_string(*stands) : std::string()) + ": the device stores it";
+        all = joined(all,
+            stands ? say("%1 becomes %2, it was %3: the device stores it", key, std::round(wanted), *stands)
+                   : say("%1 becomes %2: the device stores it", key, std::round(wanted)));
     };
     changes("profile.velocity", setPoint.velocity, m_known.profileVelocity);
     changes("profile.acceleration", setPoint.acceleration, m_known.profileAcceleration);
     if (isNarrow() && setPoint.mode == Mode::RampPosition && velocity(setPoint).value_or(0.0) > surestProfile)
-        text += (text.empty() ? "" : "; ")
-            + std::string(
-                "this firmware may pass the target of a profiled move above 2500 counts/s; it is stopped then");
-    return text;
+        all = joined(
+            all, say("this firmware may pass the target of a profiled move above 2500 counts/s; it is stopped then"));
+    return all;
 }
 
 /// A short move never gets as fast as it may.

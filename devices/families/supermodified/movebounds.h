@@ -26,7 +26,7 @@ public:
     /// where the motor is, as the set-point counts. OutOfRange, or Unsafe when P or the position is not known.
     [[nodiscard]] Result<void> checkReach(const SetPoint &setPoint, std::optional<std::int64_t> position) const;
     /// Settings that it changes for good, targets that it may pass; empty most of the time.
-    [[nodiscard]] std::string caution(const SetPoint &setPoint) const;
+    [[nodiscard]] Message caution(const SetPoint &setPoint) const;
     /// Ticks behind its target from which a profiled move over this distance has gone wrong; nothing where none does.
     [[nodiscard]] std::optional<double> overrun(const SetPoint &setPoint, double distance) const;
 

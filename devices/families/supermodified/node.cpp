@@ -14,7 +14,7 @@ Error refusal(std::span<const std::uint8_t> codes, bool reading)
 {
     Error error{Fault::Refused, codesText(codes)};
     if (reading && codes.back() == code::invalidGetCount)
-        error.remedy = "its error level is 1, which makes every reading fail: set error.level to 0";
+        error.remedy = say("its error level is 1, which makes every reading fail: set error.level to 0");
     return error;
 }
 
@@ -41,7 +41,7 @@ Result<Line::Request> setting(const Node &node, Command command, std::int64_t va
     Line::Request ask;
     ask.frame = *frame;
     ask.baudrate = node.baudrate;
-    const Message *const message = messageOf(frame->command);
+    const CommandForm *const message = messageOf(frame->command);
     if (message != nullptr && message->stored)
         ask.patience = storedAnswerTime + eepromByteTime * static_cast<int>(frame->size);
     return ask;

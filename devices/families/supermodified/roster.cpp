@@ -97,15 +97,15 @@ std::vector<int> Roster::followersOf(int node) const
     return followers;
 }
 
-std::string Roster::lockOf(int node) const
+Message Roster::lockOf(int node) const
 {
     if (const auto followers = followersOf(node); !followers.empty())
-        return "what is sent to node " + std::to_string(node) + " is also done by node " + listOf(followers)
-            + ", now or after a restart, because of an acceptance mask; set its node.mask to 255 and restart it";
+        return say("what is sent to node %1 is also done by node %2, now or after a restart, because of an acceptance "
+                   "mask; set its node.mask to 255 and restart it",
+            node, listOf(followers));
     if (!m_hostIsFree)
-        return "every id that this program could use on the line belongs to the group of a node, so answers would be "
-               "taken "
-               "for commands; set node.mask to 255 and restart the nodes";
+        return say("every id that this program could use on the line belongs to the group of a node, so answers would "
+                   "be taken for commands; set node.mask to 255 and restart the nodes");
     return {};
 }
 

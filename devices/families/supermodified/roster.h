@@ -44,7 +44,7 @@ public:
     /// Other nodes that act on what is sent to `node`, or will after a restart.
     [[nodiscard]] std::vector<int> followersOf(int node) const;
     /// Why nothing may be moved on this line through `node`, with the remedy; empty when nothing stands against it.
-    [[nodiscard]] std::string lockOf(int node) const;
+    [[nodiscard]] Message lockOf(int node) const;
 
 private:
     [[nodiscard]] static bool follows(int node, const Entry &known, int address);

@@ -162,7 +162,7 @@ Task<void> Search::lookAll(std::vector<Place> places, bool patiently)
     const int total = static_cast<int>(places.size());
     int done = 0;
     for (const Place &place : places) {
-        report("Looking for Supermodified nodes at " + std::to_string(place.first) + " bit/s", done++, total);
+        report(say("Looking for Supermodified nodes at %1 bit/s", place.first), done++, total);
         if (isDone(place))
             continue;
         auto looking = look(place, patiently ? answerTime : silence());
@@ -226,7 +226,7 @@ Task<void> Search::run()
         auto everywhere = lookEverywhere();
         co_await std::move(everywhere);
     }
-    report("Supermodified found: " + std::to_string(m_found.size()), 1, 1);
+    report(say("Supermodified found: %1", m_found.size()), 1, 1);
     co_return {};
 }
 
@@ -254,7 +254,7 @@ Task<void> Search::lookEverywhere()
         if (fault == Fault::LinkLost || fault == Fault::Unsafe)
             co_return fail(looked.error());
         if (!looked) // an adapter need not have every rate
-            report("The adapter has no " + std::to_string(rate) + " bit/s", 1, 1);
+            report(say("The adapter has no %1 bit/s", rate), 1, 1);
     }
     co_return {};
 }

@@ -187,10 +187,11 @@ std::vector<QtCanAdapter> qtCanAdapters()
         QString cause;
         const auto devices = QCanBus::instance()->availableDevices(plugin, &cause);
         for (const QCanBusDeviceInfo &device : devices) {
-            QtCanAdapter adapter{name + ':' + device.name().toStdString(), device.description().toStdString(), {}, {}};
+            QtCanAdapter adapter{name + ':' + device.name().toStdString(),
+                Message::verbatim(device.description().toStdString()), {}, {}};
             if (plugin == QLatin1String("socketcan"))
                 adapter.description
-                    = "the same interface as socketcan:" + device.name().toStdString() + ", which also counts losses";
+                    = say("the same interface as socketcan:%1, which also counts losses", device.name().toStdString());
             adapters.push_back(std::move(adapter));
         }
         if (!devices.isEmpty())
@@ -199,9 +200,10 @@ std::vector<QtCanAdapter> qtCanAdapters()
         QString first = cause.section(QLatin1Char('('), 0, 0).trimmed();
         first.chop(first.endsWith(QLatin1Char(':')) ? 1 : 0);
         const std::string why = first.toStdString();
-        adapters.push_back(
-            {name, {}, "the plugin " + name + " finds no adapter" + (why.empty() ? "" : " (" + why + ')'),
-                why.empty() ? "plug one in" : "install its vendor's driver"});
+        adapters.push_back({name, {},
+            why.empty() ? say("the plugin %1 finds no adapter", name)
+                        : say("the plugin %1 finds no adapter (%2)", name, why),
+            why.empty() ? say("plug one in") : say("install its vendor's driver")});
     }
     return adapters;
 }

@@ -12,9 +12,9 @@ namespace mb {
 /// What one plugin of QtSerialBus offers.
 struct QtCanAdapter {
     std::string path; ///< "peakcan:usb0"; the plugin alone where it has no adapter
-    std::string description;
-    std::string missing; ///< why it has none, in one clause; empty when it has
-    std::string remedy;
+    Message description;
+    Message missing; ///< why it has none, in one clause; empty when it has
+    Message remedy;
 };
 
 /// Every plugin that is installed, and its adapters. Slow the first time: plugins load their vendor's library.

@@ -23,24 +23,21 @@ bool hasHardware(const fs::path &terminal)
 }
 
 /// USB devices keep their texts a few folders above the port.
-std::string descriptionOf(const fs::path &terminal)
+Message descriptionOf(const fs::path &terminal)
 {
     std::error_code failed;
     fs::path folder = fs::canonical(terminal / "device", failed);
     for (int level = 0; !failed && level < 4; ++level, folder = folder.parent_path()) {
         if (firstLine(folder / "product").empty() && firstLine(folder / "idVendor").empty())
             continue;
-        std::string text;
-        const auto add = [&text](const char *separator, const std::string &part) {
-            if (!part.empty())
-                text += (text.empty() ? "" : separator) + part;
-        };
-        add("", firstLine(folder / "manufacturer"));
-        add(" ", firstLine(folder / "product"));
-        const std::string serial = firstLine(folder / "serial");
-        add(", ", serial.empty() ? serial : "serial number " + serial);
-        const std::string vendor = firstLine(folder / "idVendor");
-        add(", ", vendor.empty() ? vendor : vendor + ':' + firstLine(folder / "idProduct"));
+        const std::string maker = firstLine(folder / "manufacturer");
+        const std::string product = firstLine(folder / "product");
+        Message text = Message::verbatim(maker.empty() || product.empty() ? maker + product : maker + ' ' + product);
+        const auto add = [&text](const Message &part) { text = text.empty() ? part : say("%1, %2", text, part); };
+        if (const std::string serial = firstLine(folder / "serial"); !serial.empty())
+            add(say("serial number %1", serial));
+        if (const std::string vendor = firstLine(folder / "idVendor"); !vendor.empty())
+            add(Message::verbatim(vendor + ':' + firstLine(folder / "idProduct")));
         return text;
     }
     return {};

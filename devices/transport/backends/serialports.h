@@ -11,8 +11,8 @@
 namespace mb {
 
 struct SerialPort {
-    std::string path;        ///< "/dev/ttyUSB0"
-    std::string description; ///< of a USB device: maker, product, serial number, VID:PID; empty for others
+    std::string path;    ///< "/dev/ttyUSB0"
+    Message description; ///< of a USB device: maker, product, serial number, VID:PID; empty for others
 };
 
 /// Serial ports with hardware behind them, by name; none is opened. Read from sysfs, which takes about a millisecond
