@@ -73,10 +73,10 @@ void Conditions::followLink(const LinkView &link)
     const QString key = QStringLiteral("link ") + QString::fromStdString(link.address);
     const QString name = QString::fromStdString(link.name);
     if (link.state == LinkState::Lost)
-        m_banners.post(key, BannerKind::Danger, tr("%1 is lost").arg(name), tableText(link.reason));
+        m_banners.post(key, BannerKind::Danger, tr("%1 is lost").arg(name), messageText(link.reason));
     else if (!link.diagnosis.isHealthy())
-        m_banners.post(key, BannerKind::Caution, name + QStringLiteral(": ") + tableText(link.diagnosis.cause),
-            tableText(link.diagnosis.remedy));
+        m_banners.post(key, BannerKind::Caution, name + QStringLiteral(": ") + messageText(link.diagnosis.cause),
+            messageText(link.diagnosis.remedy));
     else
         m_banners.clear(key);
 }
@@ -105,7 +105,7 @@ void Conditions::followUpdates()
         standing.insert(key);
         m_banners.post(key, status.mayInterrupt ? BannerKind::Info : BannerKind::Caution,
             tr("Firmware is being written to %1").arg(placeOf(shot, *update)),
-            status.total == 0         ? tableText(status.step)
+            status.total == 0         ? messageText(status.step)
                 : status.mayInterrupt ? tr("%1 of %2. Keep power on.").arg(status.done).arg(status.total)
                                       : tr("%1 of %2. It must not be cut now.").arg(status.done).arg(status.total));
     }

@@ -52,13 +52,13 @@ struct Engine::Room {
         , list(clock)
     {
         QObject::connect(&arrivals, &QSocketNotifier::activated, &arrivals, [this] { engine.m_toEngine.drain(); });
-        noticed = core.noticed().add([this](Severity severity, const std::string &device, const std::string &text) {
+        noticed = core.noticed().add([this](Severity severity, const std::string &device, const Message &text) {
             engine.m_toWindow.post([to = &engine, severity, device, text] {
-                to->report(severity, QString::fromStdString(device), tableText(text));
+                to->report(severity, QString::fromStdString(device), messageText(text));
             });
         });
-        mayBeSuspended = inhibitor.troubled().add([this](const std::string &text) {
-            engine.m_toWindow.post([to = &engine, text] { to->report(Severity::Caution, {}, tableText(text)); });
+        mayBeSuspended = inhibitor.troubled().add([this](const Message &text) {
+            engine.m_toWindow.post([to = &engine, text] { to->report(Severity::Caution, {}, messageText(text)); });
         });
         core.setBackground(&workers);
         core.setJournal(&journal);
@@ -96,16 +96,16 @@ struct Engine::Room {
     /// Samples that could not go to disk stay in memory; somebody should know before it is full.
     void tellStore()
     {
-        const std::string failure = store->failure();
+        const Message failure = store->failure();
         if (failure != toldFailure && !failure.empty())
             engine.m_toWindow.post(
-                [to = &engine, failure] { to->report(Severity::Caution, {}, QString::fromStdString(failure)); });
+                [to = &engine, failure] { to->report(Severity::Caution, {}, messageText(failure)); });
         toldFailure = failure;
     }
 
     Engine &engine;
     std::shared_ptr<ChunkStore> store = historyStore();
-    std::string toldFailure;
+    Message toldFailure;
     QtClock clock;
     GuardianClient guardian;
     WorkerThreads workers;

@@ -149,7 +149,7 @@ void EngineCore::refreshRestarted()
         device->parameters().forgetAll();
         m_met.erase(id);
         beginSimple(
-            id, "Look at the restarted unit", [](Device &unit, Progress &) { return unit.refresh(); },
+            id, say("Look at the restarted unit"), [](Device &unit, Progress &) { return unit.refresh(); },
             [this, id](const Result<void> &result) {
                 if (result)
                     readParameters(id);
@@ -170,11 +170,11 @@ void EngineCore::prune()
 }
 
 EngineCore::Running *EngineCore::beginSimple(
-    DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished)
+    DeviceId id, const Message &title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished)
 {
     return begin<void>(
         id, title, make,
-        [this, id, title = std::string(title), finished](Running &, const Result<void> &result) {
+        [this, id, title, finished](Running &, const Result<void> &result) {
             if (const Device *device = m_session.find(id); device && !result)
                 notice(Severity::Danger, labelOf(*device), say("%1: %2", title, result.error().message()));
             answer(finished, result);
@@ -185,7 +185,7 @@ EngineCore::Running *EngineCore::beginSimple(
 void EngineCore::readParameters(DeviceId id)
 {
     begin<std::vector<TransferOutcome>>(
-        id, "Read parameters",
+        id, say("Read parameters"),
         [](Device &device, Progress &progress) { return mb::readParameters(device, readable(device), progress); },
         [this, id](Running &running, const Result<std::vector<TransferOutcome>> &outcomes) {
             const Device *device = m_session.find(id);
@@ -205,14 +205,14 @@ void EngineCore::readParameters(DeviceId id)
 void EngineCore::storeParameters(DeviceId id, Finished finished)
 {
     begin<bool>(
-        id, "Store to flash", [](Device &device, Progress &progress) { return device.store(progress); },
+        id, say("Store to flash"), [](Device &device, Progress &progress) { return device.store(progress); },
         [this, id, finished](Running &, const Result<bool> &proved) {
             const Device *device = m_session.find(id);
             if (device && proved)
                 notice(*proved ? Severity::Good : Severity::Caution, labelOf(*device),
                     *proved ? say("stored, the flash sequence number advanced") : say("stored, not verifiable"));
             else if (device)
-                notice(Severity::Danger, labelOf(*device), proved.error().text());
+                notice(Severity::Danger, labelOf(*device), proved.error().message());
             answer(finished, proved ? Result<void>() : Result<void>(fail(proved.error())));
         },
         finished);
@@ -221,26 +221,26 @@ void EngineCore::storeParameters(DeviceId id, Finished finished)
 void EngineCore::identify(DeviceId id, Finished finished)
 {
     beginSimple(
-        id, "Identify", [](Device &device, Progress &) { return device.identify(); }, std::move(finished));
+        id, say("Identify"), [](Device &device, Progress &) { return device.identify(); }, std::move(finished));
 }
 
 void EngineCore::rename(DeviceId id, const std::string &name, Finished finished)
 {
     beginSimple(
-        id, "Rename", [name](Device &device, Progress &) { return device.rename(name); }, std::move(finished));
+        id, say("Rename"), [name](Device &device, Progress &) { return device.rename(name); }, std::move(finished));
 }
 
 void EngineCore::renumber(DeviceId id, int address, Finished finished)
 {
     beginSimple(
-        id, "Assign number", [address](Device &device, Progress &) { return device.renumber(address); },
+        id, say("Assign number"), [address](Device &device, Progress &) { return device.renumber(address); },
         std::move(finished));
 }
 
 void EngineCore::clearFaults(DeviceId id, Finished finished)
 {
     begin<std::vector<FaultRecord>>(
-        id, "Read and clear faults", [](Device &device, Progress &) { return device.clearFaults(); },
+        id, say("Read and clear faults"), [](Device &device, Progress &) { return device.clearFaults(); },
         [finished](Running &, const Result<std::vector<FaultRecord>> &faults) {
             answer(finished, faults ? Result<void>() : Result<void>(fail(faults.error())));
         },
@@ -274,7 +274,7 @@ void EngineCore::setRate(DeviceId id, ChannelIndex channel, double hertz)
         return;
     }
     begin<void>(
-        id, "Set telemetry rate",
+        id, say("Set telemetry rate"),
         [channel, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); },
         [this, id](Running &, const Result<void> &result) {
             const Device *device = m_session.find(id);
@@ -340,7 +340,7 @@ void EngineCore::zeroPosition(DeviceId id, Finished finished)
     if (Device *device = m_session.find(id))
         m_session.stream(*device).stop();
     beginSimple(
-        id, "Count from 0", [](Device &device, Progress &) { return device.zeroPosition(); }, std::move(finished));
+        id, say("Count from 0"), [](Device &device, Progress &) { return device.zeroPosition(); }, std::move(finished));
 }
 
 void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image, const UpdateOptions &options)
@@ -351,9 +351,9 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
         return;
     }
     begin<UpdateReport>(
-        id, updateTitle,
+        id, updateTitle(),
         [this, image, options](Device &device, Progress &progress) {
-            device.setBusy("firmware update");
+            device.setBusy(say("firmware update"));
             return after<UpdateReport>(keptBefore(device, settings::Occasion::Update, progress),
                 device.family().update(device, *image, options, progress));
         },
@@ -362,7 +362,7 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
             if (!report)
                 report = UpdateReport{
                     report.error().fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed, {}, {},
-                    0, 0, false, report.error().text(), report.error().fault};
+                    0, 0, false, report.error().message(), report.error().fault};
             running.update = *report;
             if (!device)
                 return;
@@ -374,7 +374,7 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
         },
         [this, id](const Result<void> &result) {
             if (const Device *device = m_session.find(id))
-                notice(Severity::Caution, labelOf(*device), result.error().text());
+                notice(Severity::Caution, labelOf(*device), result.error().message());
         });
 }
 

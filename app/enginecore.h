@@ -142,7 +142,7 @@ private:
     };
     struct Watched {
         bool scanning = false;
-        std::string step; ///< of the scan
+        Message step; ///< of the scan
         int done = 0;
         int total = 0;
         bool byItself = false; ///< nobody asked for it
@@ -161,10 +161,10 @@ private:
     /// Starts a job that has the device for itself; refuses when another one has it, and yields nullptr. The maker runs at
     /// once.
     template <class T>
-    Running *begin(DeviceId id, const char *title, const std::function<Task<T>(Device &, Progress &)> &make,
+    Running *begin(DeviceId id, const Message &title, const std::function<Task<T>(Device &, Progress &)> &make,
         std::function<void(Running &, Result<T>)> finished, const Finished &refused);
-    Running *beginSimple(
-        DeviceId id, const char *title, const std::function<Task<void>(Device &, Progress &)> &make, Finished finished);
+    Running *beginSimple(DeviceId id, const Message &title, const std::function<Task<void>(Device &, Progress &)> &make,
+        Finished finished);
     void watch(Link &link);
     void keepTraffic(Link &link);
     [[nodiscard]] Link *linkUnder(const std::string &address) const;
@@ -188,7 +188,7 @@ private:
     template <class T>
     using MovingStory = std::function<Task<T>(Device &, SetPointStream &, tuning::ExperimentSurroundings)>;
     template <class T>
-    void runMoving(DeviceId id, const char *title, const MovingStory<T> &story,
+    void runMoving(DeviceId id, const Message &title, const MovingStory<T> &story,
         const std::function<Notable(const T &)> &judge, const std::function<void(Result<T>)> &finished);
     void write(DeviceId id, std::vector<ParameterChange> changes, settings::Purpose purpose, Finished finished);
     [[nodiscard]] Task<void> keptBefore(Device &device, settings::Occasion occasion, Progress &progress);
@@ -226,7 +226,7 @@ private:
     void saveTranscript(const Running &running, const Device &device);
     [[nodiscard]] Task<std::string> keepTranscript(Transcript transcript);
     void probeSilent(Link &link);
-    [[nodiscard]] static std::string proofOf(const std::vector<TransferOutcome> &outcomes);
+    [[nodiscard]] static Message proofOf(const std::vector<TransferOutcome> &outcomes);
     void streamChanged(DeviceId id);
     void prune();
     void touch() { m_changed.notify(); }
@@ -239,7 +239,7 @@ private:
     /// "DMC60C #5", with the link where another one has such a device, too.
     [[nodiscard]] std::string labelOf(const Device &device) const;
 
-    static constexpr const char *updateTitle = "Update firmware";
+    static Message updateTitle() { return say("Update firmware"); }
 
     Clock &m_clock;
     bool m_opensByItself;

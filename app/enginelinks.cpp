@@ -58,7 +58,7 @@ Task<void> EngineCore::openAll(std::vector<LinkAddress> addresses)
 
 void EngineCore::couldNotOpen(const LinkAddress &address, const Error &error)
 {
-    notice(Severity::Danger, address.shortName(), error.text());
+    notice(Severity::Danger, address.shortName(), error.message());
     m_awaited.add(address);
     m_failed[address.text()] = diagnose(error);
     touch();

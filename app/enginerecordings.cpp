@@ -97,14 +97,14 @@ void EngineCore::recorderChanged(Link &link)
     touch();
     if (std::exchange(watched.toldOfRecording, true))
         return;
-    const std::string frames = std::to_string(state.frames) + " frames";
     if (!state.problem.empty()) {
         watched.recorder->stop();
         notice(Severity::Danger, link.address().shortName(), say("the recording has ended: %1", state.problem));
     } else if (state.lost > 0)
-        notice(Severity::Caution, link.address().shortName(), say("%1 recorded, %2 are missing", frames, state.lost));
+        notice(Severity::Caution, link.address().shortName(),
+            say("%1 frames recorded, %2 are missing", state.frames, state.lost));
     else
-        notice(Severity::Good, link.address().shortName(), say("%1 recorded, none is missing", frames));
+        notice(Severity::Good, link.address().shortName(), say("%1 frames recorded, none is missing", state.frames));
 }
 
 void EngineCore::stopRecording(const std::string &link)
@@ -171,7 +171,7 @@ void EngineCore::forgetWork(const Link &link)
             continue;
         const DeviceId id = m_session.idOf(*device);
         m_streams.erase(id);
-        dismissWork(id, {Fault::LinkLost, "the device is gone"});
+        dismissWork(id, {Fault::LinkLost, say("the device is gone")});
         std::erase_if(m_operations, [id](const Running &running) { return running.device == id; });
     }
 }

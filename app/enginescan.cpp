@@ -20,7 +20,7 @@ void EngineCore::scan(Link &link, ScanExtent extent)
     touch();
     ScanOptions options;
     options.extent = extent;
-    options.progress = [this, &watched](const std::string &step, int done, int total) {
+    options.progress = [this, &watched](const Message &step, int done, int total) {
         watched.step = step;
         watched.done = done;
         watched.total = total;
@@ -36,7 +36,7 @@ void EngineCore::scanned(Link &link, const Result<std::vector<Device *>> &device
     endScan(m_watched[&link]);
     m_lastScan = m_clock.now();
     if (!devices)
-        notice(Severity::Caution, link.address().shortName(), devices.error().text());
+        notice(Severity::Caution, link.address().shortName(), devices.error().message());
     probeSilent(link);
     playWhenKnown(link);
 }

@@ -78,7 +78,7 @@ void EngineCore::write(DeviceId id, std::vector<ParameterChange> changes, Purpos
     if (const Device *device = m_session.find(id))
         before.assign(device->parameters().entries().begin(), device->parameters().entries().end());
     begin<std::vector<TransferOutcome>>(
-        id, "Write parameters",
+        id, say("Write parameters"),
         [this, changes, purpose](Device &device, Progress &progress) {
             return writeWhole(device, changes, purpose, m_settingsLog, progress);
         },
@@ -94,7 +94,7 @@ void EngineCore::write(DeviceId id, std::vector<ParameterChange> changes, Purpos
             if (device && result)
                 notice(Severity::Good, labelOf(*device), proofOf(*outcomes));
             else if (device)
-                notice(Severity::Danger, labelOf(*device), result.error().text());
+                notice(Severity::Danger, labelOf(*device), result.error().message());
             answer(finished, result);
         },
         finished);
@@ -115,16 +115,15 @@ void EngineCore::noteWrites(const Device &device, const std::vector<ParameterSto
 }
 
 /// Of writes that all went well: what is known of them.
-std::string EngineCore::proofOf(const std::vector<TransferOutcome> &outcomes)
+Message EngineCore::proofOf(const std::vector<TransferOutcome> &outcomes)
 {
     const auto blind = std::count_if(
         outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return !outcome.verified; });
-    const std::string all = std::to_string(outcomes.size());
     if (blind == 0)
-        return all + " written, read back and equal";
+        return say("%1 written, read back and equal", outcomes.size());
     if (static_cast<std::size_t>(blind) == outcomes.size())
-        return all + " written; they cannot be read back";
-    return all + " written; " + std::to_string(blind) + " of them cannot be read back";
+        return say("%1 written; they cannot be read back", outcomes.size());
+    return say("%1 written; %2 of them cannot be read back", outcomes.size(), blind);
 }
 
 void EngineCore::undoWrite(DeviceId id, bool again, Finished finished)
@@ -132,7 +131,7 @@ void EngineCore::undoWrite(DeviceId id, bool again, Finished finished)
     if (!m_settingsLog)
         return answer(finished, fail(Fault::Unsupported, say("no history is kept here")));
     begin<settings::SettingsChange>(
-        id, again ? "Do a write again" : "Undo a write",
+        id, again ? say("Do a write again") : say("Undo a write"),
         [this, again](Device &device, Progress &progress) {
             return again ? settings::redo(device, Origin::Window, *m_settingsLog, progress)
                          : settings::undo(device, Origin::Window, *m_settingsLog, progress);
@@ -143,7 +142,7 @@ void EngineCore::undoWrite(DeviceId id, bool again, Finished finished)
                     again ? say("written again: %1", settings::textOf(device->family(), *change))
                           : say("undone: %1", settings::textOf(device->family(), *change)));
             else if (device)
-                notice(Severity::Danger, labelOf(*device), change.error().text());
+                notice(Severity::Danger, labelOf(*device), change.error().message());
             answer(finished, change ? Result<void>() : Result<void>(fail(change.error())));
         },
         finished);
@@ -154,7 +153,7 @@ void EngineCore::takeSnapshot(DeviceId id, const std::string &name, Finished fin
     if (!m_settingsLog)
         return answer(finished, fail(Fault::Unsupported, say("no snapshots are kept here")));
     begin<ParameterSnapshot>(
-        id, "Take a snapshot",
+        id, say("Take a snapshot"),
         [this, name](Device &device, Progress &progress) {
             return settings::takeSnapshot(device, Occasion::Hand, name, *m_settingsLog, progress);
         },
@@ -182,7 +181,7 @@ void EngineCore::meetUnits()
             continue;
         m_met[id] = unit;
         Running *const running = begin<ParameterSnapshot>(
-            id, "Take a snapshot",
+            id, say("Take a snapshot"),
             [this](Device &unitMet, Progress &progress) { return meetUnit(unitMet, *m_settingsLog, progress); },
             [this, id](Running &done, const Result<ParameterSnapshot> &taken) { met(id, done, taken); }, {});
         if (running)
@@ -209,7 +208,7 @@ void EngineCore::makeWay(DeviceId id)
 {
     for (Running &running : m_operations) {
         if (running.device == id && running.yields && running.operation->isRunning())
-            running.operation->dismiss({Fault::Cancelled, "made way for an order"});
+            running.operation->dismiss({Fault::Cancelled, say("made way for an order")});
     }
 }
 

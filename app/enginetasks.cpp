@@ -80,7 +80,7 @@ void EngineCore::probeSilent(Link &link)
 
 void EngineCore::rewriteSettings(DeviceId id, const Finished &finished)
 {
-    beginSimple(id, "Write settings again", rewrite, [this, id, finished](const Result<void> &result) {
+    beginSimple(id, say("Write settings again"), rewrite, [this, id, finished](const Result<void> &result) {
         if (const Device *device = m_session.find(id); device && result)
             notice(Severity::Good, labelOf(*device), say("the settings that the reset took are written again"));
         if (finished)
@@ -166,7 +166,7 @@ const Device *EngineCore::updatedBeside(DeviceId id) const
     for (const Running &running : m_operations) {
         const Device *other = m_session.find(running.device);
         if (device && other && other != device && &other->link() == &device->link() && running.operation->isRunning()
-            && running.operation->status().title == updateTitle)
+            && running.operation->status().title == updateTitle())
             return other;
     }
     return nullptr;

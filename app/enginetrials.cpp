@@ -14,10 +14,6 @@ namespace {
 
 using tuning::Trial;
 
-constexpr const char *trialTitle = "Experiment";
-constexpr const char *tuningTitle = "Autotune";
-constexpr const char *sweepTitle = "Frequency response";
-
 /// The interruption lives as long as the story that looks at it.
 template <class T> Task<T> keeping(std::shared_ptr<tuning::Interruption> interruption, Task<T> story)
 {
@@ -49,16 +45,16 @@ Task<tuning::TuneReport> tuneKept(
     co_return report;
 }
 
-std::string nameOf(const Trial &trial)
+Message nameOf(const Trial &trial)
 {
-    return trial.number ? "trial #" + std::to_string(*trial.number) : std::string("a trial that is not kept");
+    return trial.number ? say("trial #%1", *trial.number) : say("a trial that is not kept");
 }
 
 } // namespace
 
 /// An operation that moves the device by experiments: what is notable in it is told, what it interrupts puts back what it changed.
 template <class T>
-void EngineCore::runMoving(DeviceId id, const char *title, const MovingStory<T> &story,
+void EngineCore::runMoving(DeviceId id, const Message &title, const MovingStory<T> &story,
     const std::function<Notable(const T &)> &judge, const std::function<void(Result<T>)> &finished)
 {
     const Finished refused = [finished](const Result<void> &result) {
@@ -76,8 +72,9 @@ void EngineCore::runMoving(DeviceId id, const char *title, const MovingStory<T> 
         [this, judge, finished](Running &done, Result<T> result) {
             experimentEnded(done);
             if (const Device *device = m_session.find(done.device)) {
-                const Notable told
-                    = result ? judge(*result) : Notable{Severity::Danger, "no experiment: " + result.error().text()};
+                const Notable told = result
+                    ? judge(*result)
+                    : Notable{Severity::Danger, say("no experiment: %1", result.error().message())};
                 notice(told.severity, labelOf(*device), told.text);
             }
             if (finished)
@@ -92,15 +89,15 @@ void EngineCore::runTrial(
     DeviceId id, const tuning::ExperimentPlan &plan, const TrialMeasured &measured, const TrialFinished &finished)
 {
     runMoving<Trial>(
-        id, trialTitle,
+        id, say("Experiment"),
         [plan, measured](Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
             around.measured = measured;
             return tuning::runExperiment(device, stream, plan, std::move(around));
         },
         [](const Trial &trial) {
             return trial.reason == "done"
-                ? Notable{Severity::Good, nameOf(trial) + " is done"}
-                : Notable{Severity::Danger, nameOf(trial) + " was stopped: " + trial.reason + ", " + trial.detail};
+                ? Notable{Severity::Good, say("%1 is done", nameOf(trial))}
+                : Notable{Severity::Danger, say("%1 was stopped: %2, %3", nameOf(trial), trial.reason, trial.detail)};
         },
         finished);
 }
@@ -109,14 +106,14 @@ void EngineCore::runTuning(DeviceId id, const tuning::TunePlan &plan, const Tuni
 {
     using tuning::TuneResult;
     runMoving<tuning::TuneReport>(
-        id, tuningTitle,
+        id, say("Autotune"),
         [this, plan](Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
             return tuneKept(device, plan, m_settingsLog, tuning::autotune(device, stream, plan, std::move(around)));
         },
         [](const tuning::TuneReport &report) {
             const bool good = report.result == TuneResult::Kept || report.result == TuneResult::Proposed;
             return Notable{good ? Severity::Good : Severity::Danger,
-                "tuning " + std::string(toString(report.result)) + ": " + report.evidence};
+                say("tuning %1: %2", Message::label(toString(report.result)), report.evidence)};
         },
         finished);
 }
@@ -125,13 +122,13 @@ void EngineCore::runSweep(
     DeviceId id, const tuning::SweepPlan &plan, const tuning::PlantModel &plant, const SweepFinished &finished)
 {
     runMoving<tuning::FrequencyResponse>(
-        id, sweepTitle,
+        id, say("Frequency response"),
         [plan, plant](Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
             return tuning::measureFrequencyResponse(device, stream, plan, plant, std::move(around));
         },
         [](const tuning::FrequencyResponse &response) {
             return Notable{response.stopReason.empty() ? Severity::Good : Severity::Danger,
-                "frequency response: " + response.evidence};
+                say("frequency response: %1", response.evidence)};
         },
         finished);
 }
@@ -212,7 +209,7 @@ void EngineCore::lookForOwed()
 void EngineCore::compareOwed(DeviceId id, const std::string &unit)
 {
     begin<std::vector<tuning::OwedGains>>(
-        id, "Look for gains that are owed",
+        id, say("Look for gains that are owed"),
         [this](Device &device, Progress &) { return tuning::lookForOwed(device, *m_journal); },
         [this, id](Running &, const Result<std::vector<tuning::OwedGains>> &owed) {
             if (owed && !owed->empty())
@@ -243,7 +240,7 @@ void EngineCore::payGains(DeviceId id, std::int64_t trial, Finished finished)
     if (found == all.end())
         return answer(finished, fail(Fault::OutOfRange, say("this trial owes nothing to the unit")));
     beginSimple(
-        id, "Put gains back",
+        id, say("Put gains back"),
         [this, owed = *found](Device &device, Progress &) { return tuning::payOwed(device, *m_journal, owed); },
         [this, id, trial, finished](const Result<void> &result) {
             if (result) {
@@ -262,7 +259,7 @@ void EngineCore::dismissGains(DeviceId id, std::int64_t trial, Finished finished
     if (!m_journal)
         return answer(finished, {});
     beginSimple(
-        id, "Keep the gains of a trial", [this, trial](Device &, Progress &) { return settle(*m_journal, trial); },
+        id, say("Keep the gains of a trial"), [this, trial](Device &, Progress &) { return settle(*m_journal, trial); },
         [this, id, trial, finished](const Result<void> &result) {
             if (result)
                 endOwed(id, trial);

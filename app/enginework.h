@@ -20,7 +20,7 @@ template <class T> Task<T> after(Task<void> first, Task<T> then)
 }
 
 template <class T>
-EngineCore::Running *EngineCore::begin(DeviceId id, const char *title,
+EngineCore::Running *EngineCore::begin(DeviceId id, const Message &title,
     const std::function<Task<T>(Device &, Progress &)> &make, std::function<void(Running &, Result<T>)> finished,
     const Finished &refused)
 {

@@ -32,9 +32,9 @@ LinkStatus chipOf(const LinkView &link, const Snapshot &shot)
                               .arg(link.counters.tx)
                               .arg(link.counters.lost)
                               .arg(link.counters.errors)
-                        : tableText(link.reason);
+                        : messageText(link.reason);
     if (!link.diagnosis.isHealthy())
-        chip.tooltip = tableText(link.diagnosis.text()) + QLatin1Char('\n') + chip.tooltip;
+        chip.tooltip = messageText(link.diagnosis.message()) + QLatin1Char('\n') + chip.tooltip;
     return chip;
 }
 

@@ -45,8 +45,8 @@ int plotFile(const Options &options)
 {
     const QString suffix = QFileInfo(options.out).suffix().toLower();
     if (suffix != QLatin1String("png") && suffix != QLatin1String("svg") && suffix != QLatin1String("pdf"))
-        return refuse({Fault::OutOfRange, "--out '" + options.out.toStdString() + "' is no picture",
-                          "give a name that ends in .png, .svg or .pdf"},
+        return refuse({Fault::OutOfRange, say("--out '%1' is no picture", options.out.toStdString()),
+                          say("give a name that ends in .png, .svg or .pdf")},
             options.json);
     const auto recording = loadRecording(options.plot.toLocal8Bit().toStdString());
     if (!recording)

@@ -20,7 +20,7 @@ int printReport(const Options &options)
         return refuse(html.error(), options.json);
     const QByteArray pdf = pdfOf(QString::fromUtf8(*html));
     if (pdf.isEmpty())
-        return refuse({Fault::OutOfRange, "the report cannot be painted", {}}, options.json);
+        return refuse({Fault::OutOfRange, say("the report cannot be painted"), {}}, options.json);
     if (const auto saved = saveFile(options.out.toLocal8Bit().toStdString(), pdf); !saved)
         return refuse(saved.error(), options.json);
     return 0;

@@ -52,8 +52,8 @@ void Output::line(std::string_view text)
     m_buffer += text;
     m_buffer += '\n';
     if (m_buffer.size() >= mostWaiting)
-        failed({Fault::Refused, "nobody reads standard output, and what waits has grown too long",
-            "read it, or write to a file"});
+        failed({Fault::Refused, say("nobody reads standard output, and what waits has grown too long"),
+            say("read it, or write to a file")});
     else if (m_writable.isEnabled())
         return;
     else if (m_buffer.size() >= enough)
@@ -88,7 +88,8 @@ void Output::flush()
 void Output::abandon()
 {
     if (!isDone())
-        failed({Fault::Refused, "standard output was not read, and its end is lost", "read it, or write to a file"});
+        failed({Fault::Refused, say("standard output was not read, and its end is lost"),
+            say("read it, or write to a file")});
 }
 
 void Output::failed(Error error)

@@ -13,7 +13,7 @@ constexpr int highestPort = 65535;
 
 Error notAnAddress(const std::string &text, const std::string &why)
 {
-    return {Fault::OutOfRange, "--to '" + text + "': " + why, "give mqtt://HOST/TOPIC or udp://HOST:PORT"};
+    return {Fault::OutOfRange, say("--to '%1': %2", text, why), say("give mqtt://HOST/TOPIC or udp://HOST:PORT")};
 }
 
 /// HOST or HOST:PORT; [::1]:PORT for numbers of IPv6.

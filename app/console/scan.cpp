@@ -19,8 +19,8 @@ Task<std::vector<Device *>> scanPatiently(Console &console, Link &link, ScanOpti
     const Patience &patience = console.options().patience;
     Result<std::vector<Device *>> found;
     for (int tries = 0; tries <= patience.retries; ++tries) {
-        auto looking = within(
-            console.clock(), console.session().scan(link, options), patience.timeout, {Fault::Timeout, "not complete"});
+        auto looking = within(console.clock(), console.session().scan(link, options), patience.timeout,
+            {Fault::Timeout, say("not complete")});
         found = co_await std::move(looking).attempt();
         if (!found && found.error().fault == Fault::Timeout) {
             console.note(link.address().text() + ": the scan was cut off after "

@@ -65,7 +65,7 @@ QJsonValue qualityToJson(const TuneReport &report)
     QJsonArray gates;
     for (const Gate &gate : report.gates)
         gates.append(QJsonObject{{QStringLiteral("gate"), qt(gate.name)}, {QStringLiteral("passed"), gate.passed},
-            {QStringLiteral("detail"), qt(gate.detail)}});
+            {QStringLiteral("detail"), qt(gate.detail.english())}});
     return gates;
 }
 
@@ -136,7 +136,7 @@ QJsonObject toJson(const TuneReport &report)
         {QStringLiteral("axis"), report.axis}, {QStringLiteral("slot"), report.slot},
         {QStringLiteral("simulated"), report.simulated}, {QStringLiteral("stopped"), report.stopped},
         {QStringLiteral("seconds"), report.seconds}, {QStringLiteral("trials"), trials},
-        {QStringLiteral("evidence"), qt(report.evidence)}, {QStringLiteral("quality"), qualityToJson(report)},
+        {QStringLiteral("evidence"), qt(report.evidence.english())}, {QStringLiteral("quality"), qualityToJson(report)},
         {QStringLiteral("gains"), gainsToJson(report)}};
     object.insert(QStringLiteral("model"), report.motor ? QJsonValue(modelToJson(report)) : QJsonValue());
     object.insert(QStringLiteral("predicted"),

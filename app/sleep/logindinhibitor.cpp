@@ -87,8 +87,10 @@ private:
     {
         if (std::exchange(m_told, true))
             return;
-        const std::string text = "this computer is not kept awake while motors are driven or firmware is written: "
-            + cause.toStdString() + "; switch its automatic suspend off meanwhile";
+        const Message text
+            = say("this computer is not kept awake while motors are driven or firmware is written: %1; switch its "
+                  "automatic suspend off meanwhile",
+                cause.toStdString());
         QMetaObject::invokeMethod(
             &m_outside, [this, text] { m_owner.troubled().notify(text); }, Qt::QueuedConnection);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/listeners.h"
+#include "async/message.h"
 
 #include <string>
 
@@ -18,10 +19,10 @@ public:
     /// From now on, or no longer. Never waits.
     virtual void keepAwake(bool awake) = 0;
     /// It cannot: one line for people with cause and remedy, once.
-    [[nodiscard]] Listeners<const std::string &> &troubled() { return m_troubled; }
+    [[nodiscard]] Listeners<const Message &> &troubled() { return m_troubled; }
 
 private:
-    Listeners<const std::string &> m_troubled;
+    Listeners<const Message &> m_troubled;
 };
 
 } // namespace mb

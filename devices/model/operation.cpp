@@ -3,7 +3,7 @@
 
 namespace mb {
 
-Operation::Operation(Clock &clock, std::string title)
+Operation::Operation(Clock &clock, Message title)
     : m_clock(clock)
     , m_timer(clock)
 {
@@ -24,7 +24,7 @@ bool Operation::cancel()
     m_timer.startIn(Duration::zero(), [this] {
         const auto keep = m_job; // the callback may destroy this operation
         if (m_status.mayInterrupt)
-            keep->cut(*this, {Fault::Cancelled, "cancelled"});
+            keep->cut(*this, {Fault::Cancelled, say("cancelled")});
     });
     return true;
 }

@@ -39,7 +39,7 @@ public:
         {
             round.m_session.adopt(round.m_link, family, identity, round.seen);
         }
-        void progress(const std::string &what, int done, int total) override
+        void progress(const Message &what, int done, int total) override
         {
             if (round.m_options.progress)
                 round.m_options.progress(what, done, total);

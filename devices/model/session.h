@@ -28,7 +28,7 @@ struct DeviceId {
 struct ScanOptions {
     ScanExtent extent = ScanExtent::Quick;
     /// What is looked for, of families that take long; in the thread of the session.
-    std::function<void(const std::string &what, int done, int total)> progress;
+    std::function<void(const Message &what, int done, int total)> progress;
 };
 
 /// Everything that one process works on: links, the devices found on them, their set-point streams. One thread: the engine's

@@ -68,7 +68,7 @@ QString modelHtml(const TuneReport &report, const Report &whole)
     const auto error = [&motor](double of) { return motor ? std::optional(of) : std::nullopt; };
     const MotorFound found = motor.value_or(MotorFound());
     add(ReportText::tr("Gain K"), report.plant.gain, error(found.line.gainError),
-        whole.phrase ? whole.phrase(found.unit) : qt(found.unit));
+        whole.phrase ? whole.phrase(Message::label(found.unit)) : qt(found.unit));
     add(ReportText::tr("Lag τ"), 1e3 * report.plant.tau, error(1e3 * found.pushes.tauError), QStringLiteral("ms"));
     add(ReportText::tr("Dead time θ of the loop"), 1e3 * report.plant.delay, error(1e3 * found.pushes.delayError),
         QStringLiteral("ms"));
@@ -84,7 +84,7 @@ QString gatesHtml(const TuneReport &report, const Report &whole)
 {
     QString html;
     for (const Gate &gate : report.gates) {
-        const QString detail = escaped(whole.phrase ? whole.phrase(gate.detail) : qt(gate.detail));
+        const QString detail = escaped(whole.phrase ? whole.phrase(gate.detail) : qt(gate.detail.english()));
         html += (gate.passed ? strong(ReportText::tr("passed"), "ok") : strong(ReportText::tr("failed"), "danger"))
             + QStringLiteral(" ") + detail + QStringLiteral("<br>");
     }
@@ -239,7 +239,7 @@ QString tuningHtml(const KeptTuning &kept, const ReportUnit &unit, const Report 
         words << ReportText::tr("trials %1").arg(numbers.join(QStringLiteral(", ")));
     html += paragraph(escaped(words.join(QStringLiteral(" · "))), "dim");
     html += paragraph(verdictHtml(report) + QStringLiteral(": ")
-        + escaped(whole.phrase ? whole.phrase(report.evidence) : qt(report.evidence)));
+        + escaped(whole.phrase ? whole.phrase(report.evidence) : qt(report.evidence.english())));
     if (report.plant.gain > 0.0)
         html += beside(modelHtml(report, whole), proofHtml(report));
     html += figureBlock(stepSvg(report));

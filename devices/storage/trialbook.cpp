@@ -2,6 +2,7 @@
 #include "storage/trialbook.h"
 
 #include "model/qttext.h"
+#include "storage/messagejson.h"
 #include "storage/trialjson.h"
 #include "storage/tuningjson.h"
 
@@ -59,7 +60,7 @@ KeptTrial trialOf(const QSqlQuery &row)
     readMetrics(parsed(row.value(12)).object(), trial);
     readFlags(parsed(row.value(13)).array(), trial);
     trial.reason = text(row, 14);
-    trial.detail = text(row, 15);
+    trial.detail = messageFrom(text(row, 15));
     trial.stopped = row.value(16).toBool();
     trial.samples = row.value(17).toULongLong();
     trial.lost = row.value(18).toULongLong();
@@ -86,7 +87,7 @@ KeptTuning tuningOf(const QSqlQuery &row)
         if (toString(result) == text(row, 9))
             report.result = result;
     }
-    report.evidence = text(row, 10);
+    report.evidence = messageFrom(text(row, 10));
     readTuning(parsed(row.value(11)).object(), report);
     return kept;
 }
@@ -174,8 +175,8 @@ Task<void> TrialBook::complete(std::int64_t number, tuning::Trial trial)
             "lost = ? "
             "WHERE id = ?",
             {textOf(stimulusToJson(trial)), textOf(gainsToJson(trial)), textOf(metricsToJson(trial)),
-                textOf(flagsToJson(trial)), reason, qt(trial.detail), trial.stopped, static_cast<qint64>(trial.samples),
-                static_cast<qint64>(trial.lost), static_cast<qint64>(number)});
+                textOf(flagsToJson(trial)), reason, savedText(trial.detail), trial.stopped,
+                static_cast<qint64>(trial.samples), static_cast<qint64>(trial.lost), static_cast<qint64>(number)});
         return changed ? keepSignals(number, trial.signals) : changed;
     });
 }
@@ -229,7 +230,7 @@ Task<void> TrialBook::keepTuning(tuning::TuneReport report)
         "INSERT INTO tuning (time, device, unit, firmware, simulated, loop, axis, slot, result, evidence, report) "
         "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
         {now(), qt(report.device), qt(report.unit), qt(report.firmware), report.simulated, qt(toString(report.loop)),
-            report.axis, report.slot, qt(toString(report.result)), qt(report.evidence), textOf(toJson(report))});
+            report.axis, report.slot, qt(toString(report.result)), savedText(report.evidence), textOf(toJson(report))});
 }
 
 Result<std::vector<KeptTuning>> TrialBook::tuningsOf(const std::string &unit)

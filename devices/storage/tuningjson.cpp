@@ -2,6 +2,7 @@
 #include "storage/tuningjson.h"
 
 #include "model/qttext.h"
+#include "storage/messagejson.h"
 
 #include <QJsonArray>
 
@@ -219,7 +220,7 @@ QJsonArray gatesToJson(const std::vector<Gate> &gates)
     QJsonArray array;
     for (const Gate &gate : gates)
         array.append(QJsonObject{{QStringLiteral("gate"), qt(gate.name)}, {QStringLiteral("passed"), gate.passed},
-            {QStringLiteral("detail"), qt(gate.detail)}, {QStringLiteral("remedy"), qt(gate.remedy)}});
+            {QStringLiteral("detail"), toJson(gate.detail)}, {QStringLiteral("remedy"), toJson(gate.remedy)}});
     return array;
 }
 
@@ -231,8 +232,8 @@ std::vector<Gate> gatesFrom(const QJsonArray &array)
     };
     for (const QJsonValue &value : array) {
         const QJsonObject gate = value.toObject();
-        gates.push_back({text(gate, "gate"), text(gate, "detail"), gate.value(QStringLiteral("passed")).toBool(),
-            text(gate, "remedy")});
+        gates.push_back({text(gate, "gate"), messageFrom(gate.value(QLatin1String("detail"))),
+            gate.value(QStringLiteral("passed")).toBool(), messageFrom(gate.value(QLatin1String("remedy")))});
     }
     return gates;
 }

@@ -154,7 +154,7 @@ TEST(Sleep, WhoMayNotForbidTheLidStillForbidsTheRest)
     bus.offer(logind);
     LogindInhibitor inhibitor(bus.address.toStdString());
     std::string trouble;
-    const Subscription told = inhibitor.troubled().add([&](const std::string &text) { trouble = text; });
+    const Subscription told = inhibitor.troubled().add([&](const Message &text) { trouble = text; });
     inhibitor.keepAwake(true);
     ASSERT_TRUE(loop.runUntil([&] { return logind.held() == 1; }));
     EXPECT_EQ(logind.asked.back().value(0).toString(), QStringLiteral("sleep"));
@@ -168,7 +168,7 @@ TEST(Sleep, WithoutLogindOneWordIsSaidAndNoMore)
     PrivateBus bus;
     LogindInhibitor inhibitor(bus.address.toStdString());
     std::vector<std::string> troubles;
-    const Subscription told = inhibitor.troubled().add([&](const std::string &text) { troubles.push_back(text); });
+    const Subscription told = inhibitor.troubled().add([&](const Message &text) { troubles.push_back(text); });
     inhibitor.keepAwake(true);
     ASSERT_TRUE(loop.runUntil([&] { return !troubles.empty(); }));
     EXPECT_NE(troubles[0].find("not kept awake"), std::string::npos) << troubles[0];
@@ -185,7 +185,7 @@ TEST(Sleep, WithoutABusAWordIsSaid)
     test::EventLoop loop;
     LogindInhibitor inhibitor("unix:path=/nonexistent/bus");
     std::string trouble;
-    const Subscription told = inhibitor.troubled().add([&](const std::string &text) { trouble = text; });
+    const Subscription told = inhibitor.troubled().add([&](const Message &text) { trouble = text; });
     inhibitor.keepAwake(true);
     EXPECT_TRUE(loop.runUntil([&] { return !trouble.empty(); }));
 }

@@ -49,7 +49,7 @@ public:
     }
     struct Found final : ScanSink {
         void found(const Identity &identity) override { rows.push_back(identity); }
-        void progress(const std::string &, int, int) override { ++steps; }
+        void progress(const Message &, int, int) override { ++steps; }
         std::vector<Identity> remembered() const override { return known; }
         ScanExtent extent() const override { return wanted; }
         std::vector<Identity> rows;

@@ -15,7 +15,7 @@ namespace {
 
 struct Found final : ScanSink {
     void found(const Identity &identity) override { rows[identity.address] = identity; }
-    void progress(const std::string &, int, int) override { }
+    void progress(const Message &, int, int) override { }
     [[nodiscard]] std::string text() const
     {
         std::string all;

@@ -443,7 +443,7 @@ TEST_P(Contract, CancellingAScanAtEveryStepLeavesNoListener)
     auto &link = *bench->link;
     struct Sink final : ScanSink {
         void found(const Identity &) override { }
-        void progress(const std::string &, int, int) override { }
+        void progress(const Message &, int, int) override { }
     } sink;
     cancelEverywhere<void>(
         *bench, [&] { return family().scan(link, bench->clock, sink); }, 5000);

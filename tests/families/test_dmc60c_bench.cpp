@@ -25,7 +25,7 @@ struct Found final : ScanSink {
         }
         list.push_back(identity);
     }
-    void progress(const std::string &, int, int) override { }
+    void progress(const Message &, int, int) override { }
     std::vector<Identity> list;
 };
 

@@ -75,7 +75,7 @@ struct LossBench {
         });
         struct Sink final : ScanSink {
             void found(const Identity &identity) override { last = identity; }
-            void progress(const std::string &, int, int) override { }
+            void progress(const Message &, int, int) override { }
             std::optional<Identity> last;
         } sink;
         EXPECT_TRUE(run(clock, family.scan(host, clock, sink)));

@@ -39,7 +39,7 @@ protected:
         }
         list.push_back(identity);
     }
-    void progress(const std::string &, int, int) override { }
+    void progress(const Message &, int, int) override { }
 
     Result<void> scanNow()
     {

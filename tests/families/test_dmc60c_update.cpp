@@ -38,7 +38,7 @@ struct UpdateBench {
         device.reset();
         struct Sink final : ScanSink {
             void found(const Identity &identity) override { last = identity; }
-            void progress(const std::string &, int, int) override { }
+            void progress(const Message &, int, int) override { }
             std::optional<Identity> last;
         } sink;
         for (int i = 0; i < 20 && !sink.last; ++i) {

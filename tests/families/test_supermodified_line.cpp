@@ -42,7 +42,7 @@ TEST(SupermodifiedScan, RowsComeAsTheyAnswerAndTheSecondScanIsFast)
         {
         }
         void found(const Identity &) override { times.push_back(clock.now()); }
-        void progress(const std::string &, int done, int total) override { EXPECT_LE(done, total); }
+        void progress(const Message &, int done, int total) override { EXPECT_LE(done, total); }
         Clock &clock;
         std::vector<Instant> times;
     };

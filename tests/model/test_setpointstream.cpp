@@ -46,7 +46,7 @@ private:
 
 struct FirstFound final : ScanSink {
     void found(const Identity &identity) override { last = identity; }
-    void progress(const std::string &, int, int) override { }
+    void progress(const Message &, int, int) override { }
     Identity last;
 };
 

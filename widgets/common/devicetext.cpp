@@ -22,9 +22,41 @@ QString tableText(std::string_view english)
     return devicePhrase(english);
 }
 
+namespace {
+
+QString argumentText(const MessageArgument &argument)
+{
+    struct Wording {
+        QString operator()(std::int64_t number) const { return QString::number(number); }
+        QString operator()(const MessageNumber &number) const { return qt(textOf(number)); }
+        QString operator()(const std::string &text) const { return qt(text); }
+        QString operator()(const Message &message) const { return messageText(message); }
+    };
+    return std::visit(Wording{}, argument.value);
+}
+
+} // namespace
+
+QString messageText(const Message &message)
+{
+    if (message.isVerbatim())
+        return tableText(message.english());
+    const std::string literal(message.literal());
+    const QString phrase = QCoreApplication::translate("table", literal.c_str());
+    const auto arguments = message.arguments();
+    QString text;
+    for (int i = 0; i < phrase.size(); ++i) {
+        const int which = phrase[i] == QLatin1Char('%') && i + 1 < phrase.size() ? phrase[i + 1].digitValue() : 0;
+        const bool stands = which >= 1 && static_cast<std::size_t>(which) <= arguments.size();
+        text += stands ? argumentText(arguments[static_cast<std::size_t>(which) - 1]) : QString(phrase[i]);
+        i += stands ? 1 : 0;
+    }
+    return text;
+}
+
 QString errorText(const Error &error)
 {
-    const QString detail = tableText(error.text());
+    const QString detail = messageText(error.message());
     switch (error.fault) {
     case Fault::Timeout: return DeviceText::tr("No answer: %1").arg(detail);
     case Fault::Refused: return DeviceText::tr("The device refused: %1").arg(detail);
@@ -195,9 +227,9 @@ QString tooltipOf(const DeviceView &device)
     if (!device.identity.dialect.empty())
         lines += DeviceText::tr("Dialect %1").arg(QString::fromStdString(device.identity.dialect));
     if (!device.identity.detail.empty())
-        lines += tableText(device.identity.detail);
+        lines += messageText(device.identity.detail);
     if (!device.mayNotMove.empty())
-        lines += tableText(device.mayNotMove);
+        lines += messageText(device.mayNotMove);
     lines += conditionsText(device);
     if (keepsStoppedMove(device))
         lines += DeviceText::tr(

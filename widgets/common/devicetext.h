@@ -19,8 +19,10 @@ namespace mb {
     return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
 }
 
-/// What the library says, which is English: labels and helps of tables, steps, causes. See devicephrases.h.
+/// A label, help or word of a table of the library, in the language of the program.
 [[nodiscard]] QString tableText(std::string_view english);
+/// A sentence of the library in the language of the program; its numbers as everywhere in the window, with a dot.
+[[nodiscard]] QString messageText(const Message &message);
 [[nodiscard]] QString errorText(const Error &error);
 /// "over-current" for the key over_current.
 [[nodiscard]] QString faultText(std::string_view key);

@@ -139,7 +139,7 @@ void askAddLink(Workbench &workbench, QWidget &parent, std::function<void(const 
         if (listing.openable)
             choices += address;
         if (!listing.link.path.empty() && !listing.detail.empty())
-            lines += DeviceActions::tr("%1: %2").arg(address, tableText(listing.detail));
+            lines += DeviceActions::tr("%1: %2").arg(address, messageText(listing.detail));
     }
     choices += QStringLiteral("sim:");
     QInputDialog *dialog = ask(parent, DeviceActions::tr("Add a link"), lines.join(QLatin1Char('\n')));

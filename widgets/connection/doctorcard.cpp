@@ -16,9 +16,9 @@ namespace {
 
 QString sentence(const std::string &cause, const std::string &remedy)
 {
-    QString text = tableText(cause);
+    QString text = messageText(cause);
     if (!remedy.empty())
-        text += QStringLiteral("; ") + tableText(remedy);
+        text += QStringLiteral("; ") + messageText(remedy);
     return text;
 }
 
@@ -109,7 +109,7 @@ QWidget *DoctorCard::makeRow(const Row &row)
     grid->addWidget(new StateGlyph(m_theme, healthy ? GlyphState::Done : GlyphState::Warning, widget), 0, 0);
     const QString title = row.link.empty() ? tr("CAN") : QString::fromStdString(row.link);
     grid->addWidget(textLabel(title, TextRole::Emphasis, Tone::Text, widget), 0, 1);
-    const QString says = healthy ? tableText(row.text) : sentence(row.diagnosis.cause, row.diagnosis.remedy);
+    const QString says = healthy ? messageText(row.text) : sentence(row.diagnosis.cause, row.diagnosis.remedy);
     auto *text = textLabel(says, TextRole::Body, Tone::Dim, widget);
     text->setWordWrap(true);
     grid->addWidget(text, 1, 1);

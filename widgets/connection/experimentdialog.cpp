@@ -178,7 +178,7 @@ void ExperimentDialog::follow()
     if (!now)
         return;
     if (m_running) {
-        m_step->setText(tableText(now->status.step));
+        m_step->setText(messageText(now->status.step));
         setTone(*m_step, Tone::Text);
     }
     m_progress->setRange(0, std::max(now->status.total, 1));
@@ -189,7 +189,7 @@ void ExperimentDialog::follow()
             : line.severity == Severity::Caution                 ? GlyphState::Warning
             : line.severity == Severity::Danger                  ? GlyphState::Fault
                                                                  : GlyphState::Volatile;
-        m_log->addItem(new QListWidgetItem(glyphIcon(state, m_theme.theme()), tableText(line.text)));
+        m_log->addItem(new QListWidgetItem(glyphIcon(state, m_theme.theme()), messageText(line.text)));
         m_log->scrollToBottom();
     }
 }

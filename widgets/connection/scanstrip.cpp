@@ -53,7 +53,7 @@ void ScanStrip::follow()
     if (scan == links.end())
         return;
     m_link = scan->address;
-    m_step->setText(tr("%1: %2").arg(QString::fromStdString(scan->name), tableText(scan->scanStep)));
+    m_step->setText(tr("%1: %2").arg(QString::fromStdString(scan->name), messageText(scan->scanStep)));
     m_step->setToolTip(m_step->text());
     m_progress->setRange(0, scan->scanTotal);
     m_progress->setValue(scan->scanDone);

@@ -184,7 +184,7 @@ void Arming::arm(DeviceId device)
         return;
     const QString turning = mayTurn();
     if (!view->mayNotMove.empty() || !view->liveness.heard || !turning.isEmpty()) {
-        const QString why = !view->mayNotMove.empty() ? tableText(view->mayNotMove)
+        const QString why = !view->mayNotMove.empty() ? messageText(view->mayNotMove)
             : !view->liveness.heard                   ? tr("it is not heard")
                                                       : tr("%1 may still turn").arg(turning);
         m_workbench.report(Severity::Caution, titleOf(*view), tr("not armed: %1").arg(why));
@@ -298,7 +298,7 @@ void Arming::trialEnded(const Result<void> &ran, const std::string &reason, cons
         enter(LampState::Armed);
     else
         enter(LampState::Stopped,
-            tr("%1 guard, %2", "guard and what tripped it").arg(guardText(reason), tableText(detail)));
+            tr("%1 guard, %2", "guard and what tripped it").arg(guardText(reason), messageText(detail)));
 }
 
 void Arming::halt()
@@ -362,7 +362,7 @@ void Arming::renew()
 QString Arming::endOf(const MotionView &motion) const
 {
     if (motion.end != SetPointStream::End::LeaseExpired)
-        return tableText(motion.reason);
+        return messageText(motion.reason);
     const Duration silence = std::max<Duration>({m_silence, m_workbench.now() - m_renewedAt, leaseTime});
     return tr("this window did not respond for %1 s")
         .arg(formatNumber(std::chrono::duration<double>(silence).count(), 1));
@@ -385,7 +385,7 @@ void Arming::follow()
     }
     if (m_state == LampState::Armed) {
         if (!view->mayNotMove.empty())
-            enter(LampState::Stopped, tableText(view->mayNotMove));
+            enter(LampState::Stopped, messageText(view->mayNotMove));
         return;
     }
     if (m_onTrial) // between its phases nothing runs

@@ -146,7 +146,7 @@ void GroupMotion::follow()
         if (!running && seen && member.device != m_lead) {
             m_workbench.report(Severity::Danger, view ? titleOf(*view) : QString(),
                 tr("stopped, and the others of its group with it: %1")
-                    .arg(view ? tableText(view->motion.reason) : tr("it is gone")));
+                    .arg(view ? messageText(view->motion.reason) : tr("it is gone")));
             m_arming.halt(); // comes back here as a change of the arming
             return;
         }

@@ -176,7 +176,7 @@ PageStatus TunePage::status() const
         return {m_arming.isStoppedByHand() ? GlyphState::Gone : GlyphState::Fault,
             tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the lamp for 1 s to arm again."), false};
     if (!view->mayNotMove.empty())
-        return {GlyphState::Warning, tr("%1 cannot be armed").arg(name), tableText(view->mayNotMove), false};
+        return {GlyphState::Warning, tr("%1 cannot be armed").arg(name), messageText(view->mayNotMove), false};
     if (isLive() && !m_setPoint->fault().isEmpty())
         return {GlyphState::OutOfRange, tr("The set-point cannot be sent"), m_setPoint->fault(), false};
     if (m_gains->hasFault())

@@ -127,7 +127,7 @@ PageStatus TunePage::trialStatus(const DeviceView &view, const QString &name) co
         = checkExperiment(view, wishOf(view, m_axis), chosen.units, m_workbench.presentOf(view.link));
     if (m_arming.isOnTrial()) {
         const OperationView *operation = m_workbench.snapshot().operation(view.id);
-        const QString step = operation ? tableText(operation->status.step) : QString();
+        const QString step = operation ? messageText(operation->status.step) : QString();
         return {GlyphState::Moving, tr("Experiment"), step, false};
     }
     if (m_arming.isMoving())

@@ -234,7 +234,7 @@ PageStatus DesignPage::status() const
     if (m_arming.isMoving())
         return {GlyphState::Moving, tr("Moving"), tr("Stop the motion before the motor is tuned."), false};
     if (!view->busy.empty())
-        return {GlyphState::Busy, tr("Busy"), tableText(view->busy), false};
+        return {GlyphState::Busy, tr("Busy"), messageText(view->busy), false};
     if (m_arming.isArmed(view->id))
         return {GlyphState::Online, tr("Armed"), tr("The motor turns both ways as soon as you say so."), true};
     return {GlyphState::Gone, tr("Not armed"), tr("Hold the lamp for 1 s to arm %1.").arg(name), false};

@@ -72,7 +72,8 @@ void ModelPanel::addGates(const std::vector<tuning::Gate> &gates)
         row->addWidget(
             new StateGlyph(m_theme, gate.passed ? GlyphState::Done : GlyphState::Warning, line), 0, Qt::AlignTop);
         row->addWidget(
-            wrappedLabel(tableText(gate.detail), TextRole::Caption, gate.passed ? Tone::Dim : Tone::Caution, line), 1);
+            wrappedLabel(messageText(gate.detail), TextRole::Caption, gate.passed ? Tone::Dim : Tone::Caution, line),
+            1);
         m_grid->addWidget(line, m_grid->rowCount(), NameColumn, 1, 4);
     }
 }

@@ -64,13 +64,13 @@ void TuningSteps::show(const OperationView *running, const tuning::TuneReport *r
         m_head->setText(tr("Working: the motor turns"));
         m_words->setText(tr("STOP ends it at any moment; what was changed is put back."));
         for (const LogLine &line : running->status.log)
-            lines << tableText(line.text);
+            lines << messageText(line.text);
         while (lines.size() > mostLines)
             lines.removeFirst();
     } else if (report) {
         m_glyph->setState(isGood(report->result) ? GlyphState::Done : GlyphState::Warning);
         m_head->setText(resultText(report->result));
-        m_words->setText(tableText(report->evidence));
+        m_words->setText(messageText(report->evidence));
     } else {
         m_glyph->setState(GlyphState::Waiting);
         m_head->setText(tr("Nothing has moved yet"));

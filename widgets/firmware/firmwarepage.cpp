@@ -73,7 +73,7 @@ void FirmwarePage::inspectImage()
         m_summary ? m_summary->parts : std::vector<int>{}, m_summary ? m_summary->criticalPart : std::nullopt);
     QStringList notes;
     for (const std::string &note : m_summary ? m_summary->notes : std::vector<std::string>{})
-        notes += tableText(note);
+        notes += messageText(note);
     m_notes->setText(notes.join(QLatin1Char('\n')));
     follow();
 }
@@ -82,7 +82,7 @@ void FirmwarePage::inspectImage()
 QString FirmwarePage::imageText() const
 {
     if (m_summary->version.empty() && !m_summary->notes.empty())
-        return tableText(m_summary->notes.front());
+        return messageText(m_summary->notes.front());
     return tr("version %1 · pages: %2").arg(QString::fromStdString(m_summary->version)).arg(m_summary->parts.size());
 }
 
@@ -241,10 +241,10 @@ QString FirmwarePage::remaining(const OperationStatus &status) const
 QString FirmwarePage::result(const UpdateReport &report)
 {
     switch (report.outcome) {
-    case UpdateOutcome::Done: return tr("Verified: %1").arg(tableText(report.evidence));
-    case UpdateOutcome::UpToDate: return tr("Not needed: %1").arg(tableText(report.evidence));
-    case UpdateOutcome::Refused: return tr("Refused: %1").arg(tableText(report.evidence));
-    case UpdateOutcome::Failed: return tr("Failed: %1").arg(tableText(report.evidence));
+    case UpdateOutcome::Done: return tr("Verified: %1").arg(messageText(report.evidence));
+    case UpdateOutcome::UpToDate: return tr("Not needed: %1").arg(messageText(report.evidence));
+    case UpdateOutcome::Refused: return tr("Refused: %1").arg(messageText(report.evidence));
+    case UpdateOutcome::Failed: return tr("Failed: %1").arg(messageText(report.evidence));
     case UpdateOutcome::Cancelled: return tr("Cancelled. The unit waits in its bootloader; run the update again.");
     }
     return {};
@@ -270,8 +270,8 @@ void FirmwarePage::followProgress(const OperationView *operation)
     if (running) {
         const QString where = placeOf(m_workbench.snapshot(), *operation) + QStringLiteral(": ");
         m_step->setText(where
-            + (waiting ? tableText(status.step)
-                       : tr("%1, %2 of %3 written").arg(tableText(status.step)).arg(status.done).arg(status.total)));
+            + (waiting ? messageText(status.step)
+                       : tr("%1, %2 of %3 written").arg(messageText(status.step)).arg(status.done).arg(status.total)));
         m_rate->setText(remaining(status));
         setTone(*m_step, Tone::Text);
         return;
@@ -314,7 +314,7 @@ void FirmwarePage::followLog(const OperationView *operation)
             : line.severity == Severity::Caution                 ? GlyphState::Warning
             : line.severity == Severity::Danger                  ? GlyphState::Fault
                                                                  : GlyphState::Volatile;
-        auto *text = new QTableWidgetItem(glyphIcon(state, m_theme.theme()), tableText(line.text));
+        auto *text = new QTableWidgetItem(glyphIcon(state, m_theme.theme()), messageText(line.text));
         m_log->setItem(row, 0, time);
         m_log->setItem(row, 1, text);
         m_log->scrollToBottom();

@@ -61,7 +61,7 @@ void ProgrammerBox::listPorts(const std::vector<LinkListing> &listings, const st
     std::vector<std::pair<QString, QString>> ports;
     for (const LinkListing &listing : listings) {
         if (listing.kind == LinkKind::Serial && !listing.link.path.empty())
-            ports.emplace_back(qt(listing.link.path), tableText(listing.detail));
+            ports.emplace_back(qt(listing.link.path), messageText(listing.detail));
     }
     const auto address = LinkAddress::parse(own);
     const QString first = address && address->scheme == "serial" ? qt(address->path) : QString();

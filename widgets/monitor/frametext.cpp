@@ -61,7 +61,7 @@ QString hexBytes(const CanFrame &frame)
 
 QString errorFrameText(const CanFrame &frame)
 {
-    return tableText(describe(decodeError(frame)));
+    return messageText(describe(decodeError(frame)));
 }
 
 std::optional<double> fullScale(std::string_view unit)

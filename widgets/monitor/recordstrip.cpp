@@ -94,7 +94,7 @@ void RecordStrip::recordTo(const QString &path)
     m_dismissed.clear();
     m_workbench.startRecording(m_link, path, [to = &m_workbench, name](const Result<void> &begun) {
         if (!begun)
-            to->report(Severity::Danger, name, tr("nothing is recorded: %1").arg(tableText(begun.error().text())));
+            to->report(Severity::Danger, name, tr("nothing is recorded: %1").arg(messageText(begun.error().message())));
     });
 }
 
@@ -120,7 +120,7 @@ void RecordStrip::show(const RecordingState &recording)
     setTone(*m_text, !running ? Tone::Danger : recording.lost > 0 ? Tone::Caution : Tone::Text);
     if (!running) {
         m_text->setText(tr("The recording has ended: %1. %2 frames are missing in it.")
-                            .arg(tableText(recording.problem), count(recording.lost)));
+                            .arg(messageText(recording.problem), count(recording.lost)));
         return;
     }
     const Duration since = std::max(m_workbench.snapshot().time - recording.since, Duration::zero());

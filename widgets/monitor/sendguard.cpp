@@ -39,11 +39,11 @@ QString refusalOfControl(
         return SendGuard::tr("%1 keeps its last set-point for ever: it has no watchdog. Drive it from the Tune page.")
             .arg(titleOf(device));
     if (!device.busy.empty())
-        return SendGuard::tr("%1 is busy: %2").arg(titleOf(device), tableText(device.busy));
+        return SendGuard::tr("%1 is busy: %2").arg(titleOf(device), messageText(device.busy));
     if (device.motion.running)
         return SendGuard::tr("This window drives %1 already. Halt it first.").arg(titleOf(device));
     if (!device.mayNotMove.empty())
-        return tableText(device.mayNotMove);
+        return messageText(device.mayNotMove);
     if (!arming.isArmed(device.id))
         return SendGuard::tr("%1 is not armed. Select it, then hold Arm in the header.").arg(titleOf(device));
     return {};
@@ -101,7 +101,7 @@ SendVerdict judgeFrame(const CanFrame &frame, const std::string &link, const Sna
     const LinkView *view = shot.link(link);
     if (!view || view->state != LinkState::Open || view->kind != LinkKind::Can) {
         verdict.refusal = view && view->kind == LinkKind::Can && !view->reason.empty()
-            ? tableText(view->reason)
+            ? messageText(view->reason)
             : SendGuard::tr("No open CAN link is shown. Open one first.");
         return verdict;
     }

@@ -220,7 +220,7 @@ void ChangesPanel::fillFoot(const DeviceView *device, const OperationView *opera
     m_note->setVisible(!busy && !m_compact);
     if (busy) {
         const OperationStatus &status = operation->status;
-        const QString step = tableText(status.step.empty() ? status.title : status.step);
+        const QString step = messageText(status.step.empty() ? status.title : status.step);
         m_step->setText(status.total > 0 ? tr("%1, %2 of %3").arg(step).arg(status.done).arg(status.total) : step);
         m_progress->setRange(0, std::max(1, status.total));
         m_progress->setValue(status.done);

@@ -81,7 +81,7 @@ void ReportOrder::write(const DeviceView &view, const ReportWish &wish, const QS
             report.program
                 = (QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion())
                       .toStdString();
-            report.phrase = [](std::string_view text) { return tableText(text); };
+            report.phrase = [](const Message &message) { return messageText(message); };
             for (ReportUnit &found : *units) {
                 if (found.unit != subject.unit)
                     continue;

@@ -55,7 +55,7 @@ Task<void> probe(Link &link, Clock &clock, int address, ScanSink &sink)
             any = true;
             next.found(identity);
         }
-        void progress(const std::string &what, int done, int total) override { next.progress(what, done, total); }
+        void progress(const Message &what, int done, int total) override { next.progress(what, done, total); }
         ScanSink &next;
         bool any = false;
     };

@@ -27,7 +27,7 @@ bool isProfiled(Mode mode)
     return mode == Mode::RampPosition || mode == Mode::RampVelocity;
 }
 
-Result<void> checkNumber(std::string_view name, double value, double low, double high, std::string_view unit)
+Result<void> checkNumber(const MessageArgument &name, double value, double low, double high, std::string_view unit)
 {
     if (std::isfinite(value) && value >= low && value <= high)
         return {};

@@ -44,6 +44,6 @@ private:
 [[nodiscard]] bool isProfiled(Mode mode);
 /// OutOfRange with the legal range.
 [[nodiscard]] Result<void> checkNumber(
-    std::string_view name, double value, double low, double high, std::string_view unit);
+    const MessageArgument &name, double value, double low, double high, std::string_view unit);
 
 } // namespace mb::supermodified

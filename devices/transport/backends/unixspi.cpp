@@ -192,8 +192,8 @@ void UnixSpiLink::end(Error loss)
 {
     if (m_readable)
         m_readable->setEnabled(false);
-    m_failed.startIn(Duration::zero(), [this, reason = std::move(reason)] {
-        lose(std::move(loss));
+    m_failed.startIn(Duration::zero(), [this, loss = std::move(loss)] {
+        lose(loss);
         dropTransfers();
     });
 }
