@@ -9395,48 +9395,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1; der Controller enthält womöglich ein halbes Programm und läuft erst nach einem erfolgreichen Update wieder</translation>
     </message>
     <message>
-        <source>it is not proven which codes this drive speaks, and the wrong ones start it at full power; scan again, or choose its dialect by hand</source>
-        <translation>es ist nicht nachgewiesen, welche Codes dieser Antrieb spricht, und die falschen starten ihn mit voller Leistung; neu suchen oder den Dialekt von Hand wählen</translation>
-    </message>
-    <message>
-        <source>a drive of dialect LL has no code for stop; only its power stops it</source>
-        <translation>ein Antrieb mit Dialekt LL hat keinen Code für Stopp; nur Trennen der Versorgung stoppt ihn</translation>
-    </message>
-    <message>
-        <source>the output of its loop passed 32767, where it turns to full reverse; lower the gains or the steps</source>
-        <translation>der Ausgang des Reglers überschritt 32767, wo er auf voll rückwärts umschlägt; Verstärkungen oder Sprünge verkleinern</translation>
-    </message>
-    <message>
-        <source>its position is not known yet; a step from the wrong place could be far too large</source>
-        <translation>die Position ist noch nicht bekannt; ein Sprung von der falschen Stelle könnte viel zu groß sein</translation>
-    </message>
-    <message>
         <source>an Abstract DC Drive cannot be asked for its settings</source>
         <translation>ein Abstract DC Drive lässt sich nicht nach seinen Einstellungen fragen</translation>
     </message>
     <message>
-        <source>it is not proven which codes this drive speaks; nothing was written</source>
-        <translation>es ist nicht nachgewiesen, welche Codes dieser Antrieb spricht; nichts wurde geschrieben</translation>
-    </message>
-    <message>
-        <source>0 is no divisor; the loop would be undefined</source>
-        <translation>0 ist kein Divisor; der Regler wäre undefiniert</translation>
-    </message>
-    <message>
-        <source>a divisor changes all gains at once; stop the motor first</source>
-        <translation>ein Divisor ändert alle Verstärkungen zugleich; zuerst den Motor stoppen</translation>
-    </message>
-    <message>
-        <source>legal is 1 … 500; the drive does not check it and would overwrite its memory</source>
-        <translation>zulässig ist 1 … 500; der Antrieb prüft es nicht und würde seinen Speicher überschreiben</translation>
-    </message>
-    <message>
         <source>lowering it needs a stopped motor</source>
         <translation>zum Verringern muss der Motor stehen</translation>
-    </message>
-    <message>
-        <source>it is not proven which codes this drive speaks; nothing was saved</source>
-        <translation>es ist nicht nachgewiesen, welche Codes dieser Antrieb spricht; nichts wurde gespeichert</translation>
     </message>
     <message>
         <source>stop the motor first: the drive stands still while it writes its flash</source>
@@ -9531,60 +9495,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ms</translation>
     </message>
     <message>
-        <source>openocd is not installed; install it with: sudo apt install openocd</source>
-        <translation>openocd ist nicht installiert; installieren mit: sudo apt install openocd</translation>
-    </message>
-    <message>
-        <source>its motor moves; stop it first</source>
-        <translation>sein Motor bewegt sich; zuerst stoppen</translation>
-    </message>
-    <message>
-        <source>the image itself writes the settings pages; leave out erasing them</source>
-        <translation>das Image schreibt selbst die Seiten der Einstellungen; deren Löschen weglassen</translation>
-    </message>
-    <message>
         <source>this is no program for the drive: it has bytes outside the flash of an STM32, 0x08000000 … 0x081FFFFF</source>
         <translation>das ist kein Programm für den Antrieb: es hat Bytes außerhalb des Flash eines STM32, 0x08000000 … 0x081FFFFF</translation>
     </message>
     <message>
         <source>this is no program for the drive: there are no vectors of an STM32 at 0x08000000. Make the Intel HEX file with: arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf</source>
         <translation>das ist kein Programm für den Antrieb: bei 0x08000000 stehen keine Vektoren eines STM32. Die Intel-HEX-Datei erzeugen mit: arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf</translation>
-    </message>
-    <message>
-        <source>OpenOCD finds no debug probe; plug it in, and check that its kind is the one named after openocd:</source>
-        <translation>OpenOCD findet keinen Debug-Adapter; einstecken und prüfen, ob seine Art die hinter openocd: genannte ist</translation>
-    </message>
-    <message>
-        <source>OpenOCD has no interface of this name; name one of its interface files, such as openocd:stlink</source>
-        <translation>OpenOCD hat keine Schnittstelle dieses Namens; eine seiner Schnittstellendateien nennen, etwa openocd:stlink</translation>
-    </message>
-    <message>
-        <source>this interface does not speak SWD; name a debug probe that does, such as openocd:stlink</source>
-        <translation>diese Schnittstelle spricht kein SWD; einen Debug-Adapter nennen, der es kann, etwa openocd:stlink</translation>
-    </message>
-    <message>
-        <source>the microcontroller does not hold what was written; run it again with shorter wires or a lower speed</source>
-        <translation>der Mikrocontroller enthält nicht, was geschrieben wurde; mit kürzeren Leitungen oder geringerer Geschwindigkeit wiederholen</translation>
-    </message>
-    <message>
-        <source>the microcontroller refused to be written; it may be protected, or be another kind than --target says</source>
-        <translation>der Mikrocontroller ließ sich nicht beschreiben; er ist vielleicht geschützt oder von anderer Art, als --target angibt</translation>
-    </message>
-    <message>
-        <source>the microcontroller is another kind than --target says; choose the other one of f1 and f4</source>
-        <translation>der Mikrocontroller ist von anderer Art, als --target angibt; das andere von f1 und f4 wählen</translation>
-    </message>
-    <message>
-        <source>the probe is there, but no microcontroller answers it; check SWDIO, SWCLK, ground and the power of the drive</source>
-        <translation>der Debug-Adapter ist da, aber kein Mikrocontroller antwortet ihm; SWDIO, SWCLK, Masse und die Versorgung des Antriebs prüfen</translation>
-    </message>
-    <message>
-        <source>the microcontroller could not be halted; check the reset wire and the power of the drive</source>
-        <translation>der Mikrocontroller ließ sich nicht anhalten; Reset-Leitung und Versorgung des Antriebs prüfen</translation>
-    </message>
-    <message>
-        <source>the debug probe is there but may not be opened; install OpenOCD&apos;s udev rules or ask your administrator</source>
-        <translation>der Debug-Adapter ist da, darf aber nicht geöffnet werden; die udev-Regeln von OpenOCD installieren oder die Systemverwaltung fragen</translation>
     </message>
     <message>
         <source>Velocity loop</source>
@@ -9661,10 +9577,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Abstract DC Drives are found on CAN links only</source>
         <translation>Abstract DC Drives gibt es nur an CAN-Verbindungen</translation>
-    </message>
-    <message>
-        <source>an Abstract DC Drive cannot exchange directions; exchange the wires, or the sign of the divisor</source>
-        <translation>ein Abstract DC Drive kann Richtungen nicht tauschen; die Leitungen tauschen oder das Vorzeichen des Divisors</translation>
     </message>
     <message>
         <source>the ramp must be 0 or a positive number of duty per second</source>
@@ -10687,10 +10599,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>diese Firmware kann bei einer Bewegung mit Profil über 2500 counts/s das Ziel überfahren; sie wird dann gestoppt</translation>
     </message>
     <message>
-        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory; switch it off and on</source>
-        <translation>seine Mittelung wurde verkleinert, soweit man das wissen kann, und bis er einmal stromlos war, kann er seinen eigenen Speicher überschreiben; schalten Sie ihn aus und wieder ein</translation>
-    </message>
-    <message>
         <source>Its averaging was lowered, as far as can be known, and saved. Switch it off and on now: until then it may overwrite its memory.</source>
         <translation>Seine Mittelung wurde, soweit man das wissen kann, verkleinert und gespeichert. Schalten Sie ihn jetzt aus und wieder ein: bis dahin kann er seinen Speicher überschreiben.</translation>
     </message>
@@ -10873,6 +10781,3534 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>before update</source>
         <translation>vor dem Update</translation>
+    </message>
+    <message>
+        <source>OpenOCD finds no debug probe</source>
+        <translation>OpenOCD findet keinen Debug-Adapter</translation>
+    </message>
+    <message>
+        <source>plug it in, and check that its kind is the one named after openocd:</source>
+        <translation>einstecken und prüfen, ob seine Art die hinter openocd: genannte ist</translation>
+    </message>
+    <message>
+        <source>OpenOCD has no interface of this name</source>
+        <translation>OpenOCD hat keine Schnittstelle dieses Namens</translation>
+    </message>
+    <message>
+        <source>name one of its interface files, such as openocd:stlink</source>
+        <translation>eine seiner Schnittstellendateien nennen, etwa openocd:stlink</translation>
+    </message>
+    <message>
+        <source>this interface does not speak SWD</source>
+        <translation>diese Schnittstelle spricht kein SWD</translation>
+    </message>
+    <message>
+        <source>name a debug probe that does, such as openocd:stlink</source>
+        <translation>einen Debug-Adapter nennen, der es kann, etwa openocd:stlink</translation>
+    </message>
+    <message>
+        <source>the microcontroller does not hold what was written</source>
+        <translation>der Mikrocontroller enthält nicht, was geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>run it again with shorter wires or a lower speed</source>
+        <translation>mit kürzeren Leitungen oder geringerer Geschwindigkeit wiederholen</translation>
+    </message>
+    <message>
+        <source>the microcontroller refused to be written</source>
+        <translation>der Mikrocontroller ließ sich nicht beschreiben</translation>
+    </message>
+    <message>
+        <source>it may be protected, or be another kind than --target says</source>
+        <translation>er ist vielleicht geschützt oder von anderer Art, als --target angibt</translation>
+    </message>
+    <message>
+        <source>the microcontroller is another kind than --target says</source>
+        <translation>der Mikrocontroller ist von anderer Art, als --target angibt</translation>
+    </message>
+    <message>
+        <source>choose the other one of f1 and f4</source>
+        <translation>das andere von f1 und f4 wählen</translation>
+    </message>
+    <message>
+        <source>the probe is there, but no microcontroller answers it</source>
+        <translation>der Debug-Adapter ist da, aber kein Mikrocontroller antwortet ihm</translation>
+    </message>
+    <message>
+        <source>check SWDIO, SWCLK, ground and the power of the drive</source>
+        <translation>SWDIO, SWCLK, Masse und die Versorgung des Antriebs prüfen</translation>
+    </message>
+    <message>
+        <source>the microcontroller could not be halted</source>
+        <translation>der Mikrocontroller ließ sich nicht anhalten</translation>
+    </message>
+    <message>
+        <source>check the reset wire and the power of the drive</source>
+        <translation>Reset-Leitung und Versorgung des Antriebs prüfen</translation>
+    </message>
+    <message>
+        <source>the debug probe is there but may not be opened</source>
+        <translation>der Debug-Adapter ist da, darf aber nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>install OpenOCD&apos;s udev rules or ask your administrator</source>
+        <translation>die udev-Regeln von OpenOCD installieren oder die Systemverwaltung fragen</translation>
+    </message>
+    <message>
+        <source>the port cannot be opened</source>
+        <translation>der Anschluss lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>check its name and that it is plugged in</source>
+        <translation>seinen Namen prüfen, und ob er eingesteckt ist</translation>
+    </message>
+    <message>
+        <source>avrdude finds no such programmer on USB</source>
+        <translation>avrdude findet kein solches Programmiergerät am USB</translation>
+    </message>
+    <message>
+        <source>plug it in, and check that its kind is the one named after avrdude:</source>
+        <translation>es einstecken und prüfen, ob seine Art die hinter avrdude: genannte ist</translation>
+    </message>
+    <message>
+        <source>run it again, with a shorter cable</source>
+        <translation>erneut mit kürzerem Kabel versuchen</translation>
+    </message>
+    <message>
+        <source>the programmer is there, but no microcontroller answers it</source>
+        <translation>das Programmiergerät ist da, aber kein Mikrocontroller antwortet ihm</translation>
+    </message>
+    <message>
+        <source>check the six pins and the supply</source>
+        <translation>die sechs Stifte und die Versorgung prüfen</translation>
+    </message>
+    <message>
+        <source>avrdude knows no programmer of this name</source>
+        <translation>avrdude kennt kein Programmiergerät dieses Namens</translation>
+    </message>
+    <message>
+        <source>&apos;avrdude -c ?&apos; lists them</source>
+        <translation>&apos;avrdude -c ?&apos; nennt sie</translation>
+    </message>
+    <message>
+        <source>the port may not be opened</source>
+        <translation>der Anschluss darf nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>add yourself to the group dialout and log in again</source>
+        <translation>sich in die Gruppe dialout aufnehmen und neu anmelden</translation>
+    </message>
+    <message>
+        <source>what answers is no ATmega328P</source>
+        <translation>was antwortet, ist kein ATmega328P</translation>
+    </message>
+    <message>
+        <source>check that the programmer sits on the controller</source>
+        <translation>prüfen, ob das Programmiergerät am Controller sitzt</translation>
+    </message>
+    <message>
+        <source>no bootloader answers</source>
+        <translation>kein Bootloader antwortet</translation>
+    </message>
+    <message>
+        <source>restart the controller just before the start, or use a programmer on its pins</source>
+        <translation>den Controller kurz vor Beginn neu starten, oder ein Programmiergerät an seinen Stiften nehmen</translation>
+    </message>
+    <message>
+        <source>nothing answers the programmer</source>
+        <translation>nichts antwortet dem Programmiergerät</translation>
+    </message>
+    <message>
+        <source>check its cable and the supply of the controller</source>
+        <translation>sein Kabel und die Versorgung des Controllers prüfen</translation>
+    </message>
+    <message>
+        <source>the motor stalled</source>
+        <translation>der Motor blockierte</translation>
+    </message>
+    <message>
+        <source>the position left its range upwards</source>
+        <translation>die Position hat ihren Bereich nach oben verlassen</translation>
+    </message>
+    <message>
+        <source>the position left its range downwards</source>
+        <translation>die Position hat ihren Bereich nach unten verlassen</translation>
+    </message>
+    <message>
+        <source>it has no such command</source>
+        <translation>es kennt diesen Befehl nicht</translation>
+    </message>
+    <message>
+        <source>wrong number of data bytes</source>
+        <translation>falsche Zahl von Datenbytes</translation>
+    </message>
+    <message>
+        <source>a value that it does not take</source>
+        <translation>ein Wert, den es nicht annimmt</translation>
+    </message>
+    <message>
+        <source>not possible while the motor is not started</source>
+        <translation>nicht möglich, solange der Motor nicht gestartet ist</translation>
+    </message>
+    <message>
+        <source>data bytes where none belong</source>
+        <translation>Datenbytes, wo keine hingehören</translation>
+    </message>
+    <message>
+        <source>I2C: nobody answers</source>
+        <translation>I2C: niemand antwortet</translation>
+    </message>
+    <message>
+        <source>I2C: bus error</source>
+        <translation>I2C: Busfehler</translation>
+    </message>
+    <message>
+        <source>I2C: arbitration lost</source>
+        <translation>I2C: Arbitrierung verloren</translation>
+    </message>
+    <message>
+        <source>I2C: indeterminate state</source>
+        <translation>I2C: unbestimmter Zustand</translation>
+    </message>
+    <message>
+        <source>I2C: the bus did not become ready</source>
+        <translation>I2C: der Bus wurde nicht bereit</translation>
+    </message>
+    <message>
+        <source>I2C: sending took too long</source>
+        <translation>I2C: das Senden dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>I2C: receiving took too long</source>
+        <translation>I2C: das Empfangen dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>I2C: a packet was overwritten</source>
+        <translation>I2C: ein Paket wurde überschrieben</translation>
+    </message>
+    <message>
+        <source>I2C: a packet of wrong length</source>
+        <translation>I2C: ein Paket falscher Länge</translation>
+    </message>
+    <message>
+        <source>UART: out of memory</source>
+        <translation>UART: Speicher erschöpft</translation>
+    </message>
+    <message>
+        <source>UART: framing error</source>
+        <translation>UART: Rahmenfehler</translation>
+    </message>
+    <message>
+        <source>UART: parity error</source>
+        <translation>UART: Paritätsfehler</translation>
+    </message>
+    <message>
+        <source>UART: receive buffer overflow</source>
+        <translation>UART: Überlauf des Empfangspuffers</translation>
+    </message>
+    <message>
+        <source>UART: data overrun (the datasheet means a framing error)</source>
+        <translation>UART: Datenüberlauf (das Datenblatt meint einen Rahmenfehler)</translation>
+    </message>
+    <message>
+        <source>UART: sending took too long (the datasheet means a parity error)</source>
+        <translation>UART: das Senden dauerte zu lange (das Datenblatt meint einen Paritätsfehler)</translation>
+    </message>
+    <message>
+        <source>UART: receive buffer overflow, by the datasheet&apos;s number</source>
+        <translation>UART: Überlauf des Empfangspuffers, nach der Nummer des Datenblatts</translation>
+    </message>
+    <message>
+        <source>UART: data overrun, by the datasheet&apos;s number</source>
+        <translation>UART: Datenüberlauf, nach der Nummer des Datenblatts</translation>
+    </message>
+    <message>
+        <source>a frame paused for more than 50 ms</source>
+        <translation>ein Frame pausierte länger als 50 ms</translation>
+    </message>
+    <message>
+        <source>wrong checksum</source>
+        <translation>falsche Prüfsumme</translation>
+    </message>
+    <message>
+        <source>%1 % of the samples were lost in a second</source>
+        <translation>%1 % der Messwerte gingen in einer Sekunde verloren</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 %2 is outside %3 … %4</source>
+        <translation>%1 %2 liegt außerhalb von %3 … %4</translation>
+    </message>
+    <message>
+        <source>%1 %2 is outside %3 … %4 %5</source>
+        <translation>%1 %2 liegt außerhalb von %3 … %4 %5</translation>
+    </message>
+    <message>
+        <source>%1 %2 is outside %3 … %4, what firmware of dialect %5 takes</source>
+        <translation>%1 %2 liegt außerhalb von %3 … %4, was Firmware des Dialekts %5 annimmt</translation>
+    </message>
+    <message>
+        <source>%1 %2 is outside the envelope: %3 is %4</source>
+        <translation>%1 %2 liegt außerhalb der Grenzen: %3 ist %4</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (code %2)</source>
+        <translation>%1 (Code %2)</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2 % duty</source>
+        <translation>%1 bei %2 % Tastgrad</translation>
+    </message>
+    <message>
+        <source>%1 at byte %2</source>
+        <translation>%1 bei Byte %2</translation>
+    </message>
+    <message>
+        <source>%1 begins no line of such a log</source>
+        <translation>mit %1 beginnt keine Zeile eines solchen Protokolls</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made</source>
+        <translation>%1 lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>%1 cannot be made: %2</source>
+        <translation>%1 lässt sich nicht anlegen: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read, so it could not be put back</source>
+        <translation>%1 lässt sich nicht lesen, also auch nicht zurückschreiben</translation>
+    </message>
+    <message>
+        <source>%1 cannot be restarted from here</source>
+        <translation>%1 lässt sich von hier nicht neu starten</translation>
+    </message>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 lässt sich nicht starten: %2</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written</source>
+        <translation>%1 lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>%1 cannot do %2 bit/s</source>
+        <translation>%1 kann %2 bit/s nicht</translation>
+    </message>
+    <message>
+        <source>%1 cannot do %2: %3</source>
+        <translation>%1 kann %2 nicht: %3</translation>
+    </message>
+    <message>
+        <source>%1 cannot do SPI mode 1 at this speed</source>
+        <translation>%1 kann SPI-Modus 1 bei dieser Geschwindigkeit nicht</translation>
+    </message>
+    <message>
+        <source>%1 cannot take old samples: %2</source>
+        <translation>%1 kann alte Messwerte nicht aufnehmen: %2</translation>
+    </message>
+    <message>
+        <source>%1 data bytes are announced, %2 are there</source>
+        <translation>%1 Datenbytes sind angekündigt, %2 sind da</translation>
+    </message>
+    <message>
+        <source>%1 did not come back within %2</source>
+        <translation>%1 kam innerhalb von %2 nicht wieder</translation>
+    </message>
+    <message>
+        <source>%1 digits, an even number is needed</source>
+        <translation>%1 Ziffern, nötig ist eine gerade Zahl</translation>
+    </message>
+    <message>
+        <source>%1 does not exist in this device&apos;s dialect</source>
+        <translation>%1 gibt es im Dialekt dieses Geräts nicht</translation>
+    </message>
+    <message>
+        <source>%1 does not open: its driver has not answered for %2 s</source>
+        <translation>%1 öffnet sich nicht: sein Treiber hat %2 s lang nicht geantwortet</translation>
+    </message>
+    <message>
+        <source>%1 does not tell its position</source>
+        <translation>%1 nennt seine Position nicht</translation>
+    </message>
+    <message>
+        <source>%1 exists and is no socket</source>
+        <translation>%1 gibt es und ist kein Socket</translation>
+    </message>
+    <message>
+        <source>%1 failed (%2)</source>
+        <translation>%1 ist ausgefallen (%2)</translation>
+    </message>
+    <message>
+        <source>%1 failed: %2</source>
+        <translation>%1 ist ausgefallen: %2</translation>
+    </message>
+    <message>
+        <source>%1 has %2 axes and %3 sets of gains</source>
+        <translation>%1 hat %2 Achsen und %3 Sätze von Verstärkungen</translation>
+    </message>
+    <message>
+        <source>%1 has a name that ends in no kind of picture</source>
+        <translation>%1 hat einen Namen, der auf keine Bildart endet</translation>
+    </message>
+    <message>
+        <source>%1 has a name that ends in no kind of report</source>
+        <translation>%1 hat einen Namen, der auf keine Art von Bericht endet</translation>
+    </message>
+    <message>
+        <source>%1 has chunks; only files that this program wrote can be read</source>
+        <translation>%1 hat Chunks; nur Dateien dieses Programms sind lesbar</translation>
+    </message>
+    <message>
+        <source>%1 has no %2</source>
+        <translation>%1 hat kein %2</translation>
+    </message>
+    <message>
+        <source>%1 has no buffered moves</source>
+        <translation>%1 hat keine gepufferten Bewegungen</translation>
+    </message>
+    <message>
+        <source>%1 has no channel of samples</source>
+        <translation>%1 hat keinen Kanal mit Messwerten</translation>
+    </message>
+    <message>
+        <source>%1 has no dialect &apos;%2&apos;</source>
+        <translation>%1 hat keinen Dialekt &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1 has no duty command</source>
+        <translation>%1 hat kein Kommando für den Tastgrad</translation>
+    </message>
+    <message>
+        <source>%1 has no frame in it</source>
+        <translation>%1 enthält keinen Frame</translation>
+    </message>
+    <message>
+        <source>%1 has no frame of %2</source>
+        <translation>%1 enthält keinen Frame von %2</translation>
+    </message>
+    <message>
+        <source>%1 has no loop &apos;%2&apos; that can be tried</source>
+        <translation>%1 hat keinen Regler &apos;%2&apos;, der sich probieren lässt</translation>
+    </message>
+    <message>
+        <source>%1 has no loop &apos;%2&apos; that can be tuned</source>
+        <translation>%1 hat keinen Regler &apos;%2&apos;, der sich einstellen lässt</translation>
+    </message>
+    <message>
+        <source>%1 has no loop that can be tried</source>
+        <translation>%1 hat keinen Regler, der sich probieren lässt</translation>
+    </message>
+    <message>
+        <source>%1 has no samples</source>
+        <translation>%1 hat keine Messwerte</translation>
+    </message>
+    <message>
+        <source>%1 has no such limit of its own, so nothing bounds the motor</source>
+        <translation>%1 hat selbst keine solche Grenze, nichts begrenzt also den Motor</translation>
+    </message>
+    <message>
+        <source>%1 has not told where it stands</source>
+        <translation>%1 hat nicht gesagt, wo es steht</translation>
+    </message>
+    <message>
+        <source>%1 holds no limits of experiments</source>
+        <translation>%1 enthält keine Grenzen von Versuchen</translation>
+    </message>
+    <message>
+        <source>%1 in %2</source>
+        <translation>%1 in %2</translation>
+    </message>
+    <message>
+        <source>%1 in its bootloader instead of %2</source>
+        <translation>%1 im Bootloader statt mit %2</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2</source>
+        <translation>%1 statt mit %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 ist %2</translation>
+    </message>
+    <message>
+        <source>%1 is a device and has no end</source>
+        <translation>%1 ist ein Gerät und endet nie</translation>
+    </message>
+    <message>
+        <source>%1 is a folder</source>
+        <translation>%1 ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>%1 is a recording: it can be watched, not written to or driven</source>
+        <translation>%1 ist eine Aufnahme: sie lässt sich beobachten, nicht beschreiben oder ansteuern</translation>
+    </message>
+    <message>
+        <source>%1 is a recording: what is in it can be watched, not driven</source>
+        <translation>%1 ist eine Aufnahme: ihr Inhalt lässt sich beobachten, nicht ansteuern</translation>
+    </message>
+    <message>
+        <source>%1 is busy: it serves one client at a time</source>
+        <translation>%1 ist beschäftigt: es bedient einen Partner zugleich</translation>
+    </message>
+    <message>
+        <source>%1 is damaged and cannot be put aside</source>
+        <translation>%1 ist beschädigt und lässt sich nicht beiseitelegen</translation>
+    </message>
+    <message>
+        <source>%1 is done</source>
+        <translation>%1 ist fertig</translation>
+    </message>
+    <message>
+        <source>%1 is in use by another program</source>
+        <translation>%1 wird von einem anderen Programm benutzt</translation>
+    </message>
+    <message>
+        <source>%1 is never part of an experiment</source>
+        <translation>%1 gehört nie zu einem Versuch</translation>
+    </message>
+    <message>
+        <source>%1 is no CAN identifier in dec</source>
+        <translation>%1 ist kein dezimaler CAN-Identifier</translation>
+    </message>
+    <message>
+        <source>%1 is no CAN identifier in hex</source>
+        <translation>%1 ist kein hexadezimaler CAN-Identifier</translation>
+    </message>
+    <message>
+        <source>%1 is no CAN link</source>
+        <translation>%1 ist keine CAN-Verbindung</translation>
+    </message>
+    <message>
+        <source>%1 is no device profile</source>
+        <translation>%1 ist kein Geräteprofil</translation>
+    </message>
+    <message>
+        <source>%1 is no serial port</source>
+        <translation>%1 ist keine serielle Schnittstelle</translation>
+    </message>
+    <message>
+        <source>%1 is no time stamp</source>
+        <translation>%1 ist kein Zeitstempel</translation>
+    </message>
+    <message>
+        <source>%1 is not a file</source>
+        <translation>%1 ist keine Datei</translation>
+    </message>
+    <message>
+        <source>%1 is not a hexadecimal digit</source>
+        <translation>%1 ist keine Hexadezimalziffer</translation>
+    </message>
+    <message>
+        <source>%1 is not an MCAP file</source>
+        <translation>%1 ist keine MCAP-Datei</translation>
+    </message>
+    <message>
+        <source>%1 is not an object</source>
+        <translation>%1 ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>%1 is not in this program</source>
+        <translation>%1 gibt es in diesem Programm nicht</translation>
+    </message>
+    <message>
+        <source>%1 is not installed</source>
+        <translation>%1 ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>%1 is not known to firmware of dialect %2</source>
+        <translation>%1 kennt Firmware des Dialekts %2 nicht</translation>
+    </message>
+    <message>
+        <source>%1 is served by another program already</source>
+        <translation>%1 wird schon von einem anderen Programm bedient</translation>
+    </message>
+    <message>
+        <source>%1 is served by another simulator</source>
+        <translation>%1 wird von einem anderen Simulator bedient</translation>
+    </message>
+    <message>
+        <source>%1 is there already and no link to a terminal</source>
+        <translation>%1 gibt es schon, und es ist keine Verknüpfung mit einem Terminal</translation>
+    </message>
+    <message>
+        <source>%1 is used by another program</source>
+        <translation>%1 wird von einem anderen Programm benutzt</translation>
+    </message>
+    <message>
+        <source>%1 lines, %2 bytes; the file does not name its version</source>
+        <translation>%1 Zeilen, %2 Bytes; die Datei nennt ihre Version nicht</translation>
+    </message>
+    <message>
+        <source>%1 needs a number</source>
+        <translation>%1 braucht eine Zahl</translation>
+    </message>
+    <message>
+        <source>%1 of %2 lines were confirmed. The bootloader keeps waiting: leave the jumper in and run the update again</source>
+        <translation>%1 von %2 Zeilen wurden bestätigt. Der Bootloader wartet weiter: Steckbrücke stecken lassen und die Aktualisierung erneut beginnen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 settings were written again; %3: %4</source>
+        <translation>%1 von %2 Einstellungen wurden neu geschrieben; %3: %4</translation>
+    </message>
+    <message>
+        <source>%1 of %2 settings were written again; then the board was reset once more</source>
+        <translation>%1 von %2 Einstellungen wurden neu geschrieben; dann wurde die Platine nochmals zurückgesetzt</translation>
+    </message>
+    <message>
+        <source>%1 reads back different from what was written</source>
+        <translation>%1 liest sich anders zurück, als es geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>%1 said nothing for too long</source>
+        <translation>%1 hat zu lange nichts gesagt</translation>
+    </message>
+    <message>
+        <source>%1 takes no frames: %2 wait to be sent</source>
+        <translation>%1 nimmt keine Frames an: %2 warten auf das Senden</translation>
+    </message>
+    <message>
+        <source>%1 to number %2: %3</source>
+        <translation>%1 an Nummer %2: %3</translation>
+    </message>
+    <message>
+        <source>%1 transmit and %2 receive errors</source>
+        <translation>%1 Sende- und %2 Empfangsfehler</translation>
+    </message>
+    <message>
+        <source>%1 units answer as number %2</source>
+        <translation>%1 Geräte antworten als Nummer %2</translation>
+    </message>
+    <message>
+        <source>%1 values are not what they were left as; the history has both</source>
+        <translation>%1 Werte sind nicht, wie sie verlassen wurden; die Historie hat beide</translation>
+    </message>
+    <message>
+        <source>%1 was changed while it was played</source>
+        <translation>%1 wurde während der Wiedergabe geändert</translation>
+    </message>
+    <message>
+        <source>%1 was made by a newer version of this program (schema %2, known here is %3)</source>
+        <translation>%1 stammt von einer neueren Version dieses Programms (Schema %2, hier bekannt ist %3)</translation>
+    </message>
+    <message>
+        <source>%1 was not confirmed</source>
+        <translation>%1 wurde nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>%1 was refused: %2</source>
+        <translation>%1 wurde abgelehnt: %2</translation>
+    </message>
+    <message>
+        <source>%1 was stopped: %2, %3</source>
+        <translation>%1 wurde gestoppt: %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 was unplugged</source>
+        <translation>%1 wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>%1 with %2 transmit and %3 receive errors</source>
+        <translation>%1 mit %2 Sende- und %3 Empfangsfehlern</translation>
+    </message>
+    <message>
+        <source>%1 would be %2 of its smallest steps, too few to mean anything</source>
+        <translation>%1 wäre %2 seiner kleinsten Schritte, zu wenige, um etwas zu bedeuten</translation>
+    </message>
+    <message>
+        <source>%1 would have to be %2, which it cannot be</source>
+        <translation>%1 müsste %2 sein, was es nicht sein kann</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>%1, more than half a step from its target</source>
+        <translation>%1, mehr als einen halben Sprung von seinem Ziel entfernt</translation>
+    </message>
+    <message>
+        <source>%1, told to run at more than half a step</source>
+        <translation>%1, mit mehr als einem halben Sprung als Sollwert</translation>
+    </message>
+    <message>
+        <source>%1: %2 -&gt; %3</source>
+        <translation>%1: %2 -&gt; %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is above %3</source>
+        <translation>%1: %2 liegt über %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is below %3</source>
+        <translation>%1: %2 liegt unter %3</translation>
+    </message>
+    <message>
+        <source>%1: %2 is not a whole number</source>
+        <translation>%1: %2 ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 ms is finer than the device follows, which takes a set-point every %4 ms</source>
+        <translation>%1: %2 von %3 ms ist feiner, als das Gerät folgt, das alle %4 ms einen Sollwert annimmt</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is neither on nor off</source>
+        <translation>%1: &apos;%2&apos; ist weder on noch off</translation>
+    </message>
+    <message>
+        <source>%1: &apos;%2&apos; is not a number</source>
+        <translation>%1: &apos;%2&apos; ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read (system error %2)</source>
+        <translation>%1: lässt sich nicht lesen (Systemfehler %2)</translation>
+    </message>
+    <message>
+        <source>%1: its value is of the wrong kind</source>
+        <translation>%1: der Wert ist von der falschen Art</translation>
+    </message>
+    <message>
+        <source>%1: its value says %2, its raw value %3</source>
+        <translation>%1: der Wert sagt %2, der Rohwert %3</translation>
+    </message>
+    <message>
+        <source>%1: legal is %2 … %3</source>
+        <translation>%1: zulässig ist %2 … %3</translation>
+    </message>
+    <message>
+        <source>%1: no permission to read it</source>
+        <translation>%1: keine Berechtigung zum Lesen</translation>
+    </message>
+    <message>
+        <source>%1: not a number</source>
+        <translation>%1: keine Zahl</translation>
+    </message>
+    <message>
+        <source>%1: raw is not a whole number</source>
+        <translation>%1: raw ist keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>%1: raw value %2 is out of range</source>
+        <translation>%1: Rohwert %2 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>%1: status %2 has no meaning</source>
+        <translation>%1: Status %2 hat keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>%1: the device answers &apos;%2&apos;</source>
+        <translation>%1: das Gerät antwortet &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>%1: the device refused the value</source>
+        <translation>%1: das Gerät hat den Wert abgelehnt</translation>
+    </message>
+    <message>
+        <source>%1: this firmware does not know the parameter</source>
+        <translation>%1: diese Firmware kennt den Parameter nicht</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no path of a socket: it has 1 to 107 characters</source>
+        <translation>&apos;%1&apos; ist kein Pfad eines Sockets: er hat 1 bis 107 Zeichen</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no time in seconds</source>
+        <translation>&apos;%1&apos; ist keine Zeit in Sekunden</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of a simulated Abstract DC Drive</source>
+        <translation>&apos;%1&apos; ist kein Wert für die Option &apos;%2&apos; eines simulierten Abstract DC Drive</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of a simulated DMC60C</source>
+        <translation>&apos;%1&apos; ist kein Wert für die Option &apos;%2&apos; eines simulierten DMC60C</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of a simulated QuadQuad2Drv</source>
+        <translation>&apos;%1&apos; ist kein Wert für die Option &apos;%2&apos; eines simulierten QuadQuad2Drv</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of a simulated Supermodified</source>
+        <translation>&apos;%1&apos; ist kein Wert für die Option &apos;%2&apos; eines simulierten Supermodified</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
+        <translation>&apos;%1&apos; ist kein Gerät: nötig ist LINK/FAMILIE:ADRESSE, etwa sim:can/dmc60c:5</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not a simulated device: %2</source>
+        <translation>&apos;%1&apos; ist kein simuliertes Gerät: %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not qtcan:PLUGIN:INTERFACE</source>
+        <translation>&apos;%1&apos; ist nicht qtcan:PLUGIN:SCHNITTSTELLE</translation>
+    </message>
+    <message>
+        <source>&apos;motorbenchctl snapshots&apos; lists those there are</source>
+        <translation>&apos;motorbenchctl snapshots&apos; nennt die vorhandenen</translation>
+    </message>
+    <message>
+        <source>&apos;motorbenchctl trials&apos; lists those there are</source>
+        <translation>&apos;motorbenchctl trials&apos; nennt die vorhandenen</translation>
+    </message>
+    <message>
+        <source>--current</source>
+        <translation>--current</translation>
+    </message>
+    <message>
+        <source>--duty</source>
+        <translation>--duty</translation>
+    </message>
+    <message>
+        <source>--font-scale takes 0.5 to 3</source>
+        <translation>--font-scale nimmt 0.5 bis 3</translation>
+    </message>
+    <message>
+        <source>--language takes en or de</source>
+        <translation>--language nimmt en oder de</translation>
+    </message>
+    <message>
+        <source>--out &apos;%1&apos; is no picture</source>
+        <translation>--out &apos;%1&apos; ist kein Bild</translation>
+    </message>
+    <message>
+        <source>--plot FILE or --report FILE, and --out FILE belong together</source>
+        <translation>--plot DATEI oder --report DATEI gehört mit --out DATEI zusammen</translation>
+    </message>
+    <message>
+        <source>--size takes WIDTHxHEIGHT, such as 1280x800</source>
+        <translation>--size nimmt BREITExHÖHE, etwa 1280x800</translation>
+    </message>
+    <message>
+        <source>--speed</source>
+        <translation>--speed</translation>
+    </message>
+    <message>
+        <source>--target is missing</source>
+        <translation>--target fehlt</translation>
+    </message>
+    <message>
+        <source>--target: &apos;%1&apos; is unknown</source>
+        <translation>--target: &apos;%1&apos; ist unbekannt</translation>
+    </message>
+    <message>
+        <source>--theme takes dark or light</source>
+        <translation>--theme nimmt dark oder light</translation>
+    </message>
+    <message>
+        <source>--tour needs a folder for its pictures</source>
+        <translation>--tour braucht einen Ordner für seine Bilder</translation>
+    </message>
+    <message>
+        <source>--travel</source>
+        <translation>--travel</translation>
+    </message>
+    <message>
+        <source>--via: &apos;%1&apos; is no way into a Supermodified</source>
+        <translation>--via: &apos;%1&apos; ist kein Weg in einen Supermodified</translation>
+    </message>
+    <message>
+        <source>--via: &apos;%1&apos; is no way into an Abstract DC Drive</source>
+        <translation>--via: &apos;%1&apos; ist kein Weg in einen Abstract DC Drive</translation>
+    </message>
+    <message>
+        <source>0 is no divisor</source>
+        <translation>0 ist kein Divisor</translation>
+    </message>
+    <message>
+        <source>1 byte</source>
+        <translation>1 Byte</translation>
+    </message>
+    <message>
+        <source>A programmer on the pins erases the chip first, the stored settings and the serial bootloader with it: save the parameters before. The bootloader keeps both.</source>
+        <translation>Ein Programmiergerät an den Stiften löscht zuerst den Baustein, mit ihm die gespeicherten Einstellungen und den seriellen Bootloader: vorher die Parameter sichern. Der Bootloader behält beides.</translation>
+    </message>
+    <message>
+        <source>Abstract DC Drives found: %1</source>
+        <translation>Abstract DC Drives gefunden: %1</translation>
+    </message>
+    <message>
+        <source>Abstract DC Drives live on CAN links only</source>
+        <translation>Abstract DC Drives gibt es nur an CAN-Links</translation>
+    </message>
+    <message>
+        <source>Autotune</source>
+        <translation>Selbst einstellen</translation>
+    </message>
+    <message>
+        <source>CAN high is not connected</source>
+        <translation>CAN high ist nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>CAN high is short to battery</source>
+        <translation>CAN high hat Schluss zur Batterie</translation>
+    </message>
+    <message>
+        <source>CAN high is short to ground</source>
+        <translation>CAN high hat Schluss nach Masse</translation>
+    </message>
+    <message>
+        <source>CAN high is short to supply</source>
+        <translation>CAN high hat Schluss zur Versorgung</translation>
+    </message>
+    <message>
+        <source>CAN low is not connected</source>
+        <translation>CAN low ist nicht angeschlossen</translation>
+    </message>
+    <message>
+        <source>CAN low is short to CAN high</source>
+        <translation>CAN low hat Schluss nach CAN high</translation>
+    </message>
+    <message>
+        <source>CAN low is short to battery</source>
+        <translation>CAN low hat Schluss zur Batterie</translation>
+    </message>
+    <message>
+        <source>CAN low is short to ground</source>
+        <translation>CAN low hat Schluss nach Masse</translation>
+    </message>
+    <message>
+        <source>CAN low is short to supply</source>
+        <translation>CAN low hat Schluss zur Versorgung</translation>
+    </message>
+    <message>
+        <source>Connecting through OpenOCD</source>
+        <translation>Verbinden über OpenOCD</translation>
+    </message>
+    <message>
+        <source>Count from 0</source>
+        <translation>Ab 0 zählen</translation>
+    </message>
+    <message>
+        <source>DMC60C controllers are found on CAN links only</source>
+        <translation>DMC60C-Controller werden nur an CAN-Links gefunden</translation>
+    </message>
+    <message>
+        <source>DMC60C found: %1</source>
+        <translation>DMC60C gefunden: %1</translation>
+    </message>
+    <message>
+        <source>Dialect %1 was chosen by hand, none was proven. %2</source>
+        <translation>Dialekt %1 wurde von Hand gewählt, nachgewiesen war keiner. %2</translation>
+    </message>
+    <message>
+        <source>Dialect %1 was chosen by hand, the unit answered as %2. %3</source>
+        <translation>Dialekt %1 wurde von Hand gewählt, das Gerät antwortete als %2. %3</translation>
+    </message>
+    <message>
+        <source>Do a write again</source>
+        <translation>Schreiben wiederholen</translation>
+    </message>
+    <message>
+        <source>Erasing the stored settings</source>
+        <translation>Löschen der gespeicherten Einstellungen</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Versuch</translation>
+    </message>
+    <message>
+        <source>FAMILY:ADDRESS is needed, such as dmc60c:5</source>
+        <translation>nötig ist FAMILIE:ADRESSE, etwa dmc60c:5</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frequenzgang</translation>
+    </message>
+    <message>
+        <source>GPIO line %1 is used by another program or driver</source>
+        <translation>die GPIO-Leitung %1 wird von einem anderen Programm oder Treiber benutzt</translation>
+    </message>
+    <message>
+        <source>GPIO line %1: %2</source>
+        <translation>GPIO-Leitung %1: %2</translation>
+    </message>
+    <message>
+        <source>GetDescriptors: a field ends too early</source>
+        <translation>GetDescriptors: ein Feld endet zu früh</translation>
+    </message>
+    <message>
+        <source>GetFlashSeqnum: 4 bytes were expected</source>
+        <translation>GetFlashSeqnum: erwartet waren 4 Bytes</translation>
+    </message>
+    <message>
+        <source>GetFwver answered with %1 bytes</source>
+        <translation>GetFwver antwortete mit %1 Bytes</translation>
+    </message>
+    <message>
+        <source>GetFwver: 6 bytes were expected</source>
+        <translation>GetFwver: erwartet waren 6 Bytes</translation>
+    </message>
+    <message>
+        <source>Keep the gains of a trial</source>
+        <translation>Verstärkungen eines Versuchs behalten</translation>
+    </message>
+    <message>
+        <source>Look for gains that are owed</source>
+        <translation>Nach geschuldeten Verstärkungen sehen</translation>
+    </message>
+    <message>
+        <source>Looking for Abstract DC Drives</source>
+        <translation>Suche nach Abstract DC Drives</translation>
+    </message>
+    <message>
+        <source>Looking for DMC60C</source>
+        <translation>Suche nach DMC60C</translation>
+    </message>
+    <message>
+        <source>Looking for the drive</source>
+        <translation>Suche nach dem Antrieb</translation>
+    </message>
+    <message>
+        <source>OpenOCD ended without saying why</source>
+        <translation>OpenOCD endete ohne Angabe eines Grundes</translation>
+    </message>
+    <message>
+        <source>OpenOCD said nothing for a minute and was ended</source>
+        <translation>OpenOCD sagte eine Minute lang nichts und wurde beendet</translation>
+    </message>
+    <message>
+        <source>OpenOCD verified the flash, and the drive answers again</source>
+        <translation>OpenOCD hat den Flash geprüft, und der Antrieb antwortet wieder</translation>
+    </message>
+    <message>
+        <source>OpenOCD verified the flash, but nothing answers as %1; the new firmware may have another offset or bit rate: scan again</source>
+        <translation>OpenOCD hat den Flash geprüft, aber nichts antwortet als %1; die neue Firmware kann einen anderen Offset oder eine andere Bitrate haben: neu suchen</translation>
+    </message>
+    <message>
+        <source>OpenOCD: %1</source>
+        <translation>OpenOCD: %1</translation>
+    </message>
+    <message>
+        <source>Put gains back</source>
+        <translation>Verstärkungen zurückschreiben</translation>
+    </message>
+    <message>
+        <source>Restarting the drive</source>
+        <translation>Neustart des Antriebs</translation>
+    </message>
+    <message>
+        <source>STOP was pressed</source>
+        <translation>STOP wurde gedrückt</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Gespeichert</translation>
+    </message>
+    <message>
+        <source>Saving the %1 loop</source>
+        <translation>Speichern des Reglers %1</translation>
+    </message>
+    <message>
+        <source>Set telemetry rate: %1</source>
+        <translation>Telemetrierate setzen: %1</translation>
+    </message>
+    <message>
+        <source>Several drives answer with offset %1; offsets are compiled into the firmware, so give one of them another and flash it.</source>
+        <translation>Mehrere Antriebe antworten mit Offset %1; Offsets stecken in der Firmware, also einem einen anderen geben und ihn flashen.</translation>
+    </message>
+    <message>
+        <source>Supermodified controllers are found on serial links only</source>
+        <translation>Supermodified-Controller werden nur an seriellen Links gefunden</translation>
+    </message>
+    <message>
+        <source>Take a snapshot</source>
+        <translation>Schnappschuss aufnehmen</translation>
+    </message>
+    <message>
+        <source>The controller tells no version: the programmer&apos;s own verify and the controller&apos;s answer prove the update.</source>
+        <translation>Der Controller nennt keine Version: die Prüfung des Programmiergeräts und die Antwort des Controllers belegen die Aktualisierung.</translation>
+    </message>
+    <message>
+        <source>The drive tells no version: the programmer&apos;s own verify and the drive&apos;s answer prove the update.</source>
+        <translation>Der Antrieb nennt keine Version: die Prüfung des Programmiergeräts und die Antwort des Antriebs belegen die Aktualisierung.</translation>
+    </message>
+    <message>
+        <source>The image holds a bootloader too, so it needs a programmer on the pins.</source>
+        <translation>Das Image enthält auch einen Bootloader, braucht also ein Programmiergerät an den Stiften.</translation>
+    </message>
+    <message>
+        <source>The image writes the settings pages: stored gains are replaced.</source>
+        <translation>Das Image schreibt die Seiten der Einstellungen: gespeicherte Verstärkungen werden ersetzt.</translation>
+    </message>
+    <message>
+        <source>The serial bootloader listens for a moment after power-up only: restart the controller when the update begins.</source>
+        <translation>Der serielle Bootloader hört nur kurz nach dem Einschalten zu: den Controller zu Beginn der Aktualisierung neu starten.</translation>
+    </message>
+    <message>
+        <source>Undo a write</source>
+        <translation>Schreiben rückgängig machen</translation>
+    </message>
+    <message>
+        <source>a CAN FD frame, and only classic CAN is read</source>
+        <translation>ein CAN-FD-Frame, gelesen wird nur klassisches CAN</translation>
+    </message>
+    <message>
+        <source>a DMC60C has a number from 0 to 63, not %1</source>
+        <translation>ein DMC60C hat eine Nummer von 0 bis 63, nicht %1</translation>
+    </message>
+    <message>
+        <source>a DMC60C has no mode &apos;%1&apos;</source>
+        <translation>ein DMC60C hat keine Betriebsart &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a DMC60C has one axis</source>
+        <translation>ein DMC60C hat eine Achse</translation>
+    </message>
+    <message>
+        <source>a DMC60C has the gain slots 0 and 1</source>
+        <translation>ein DMC60C hat die Verstärkungssätze 0 und 1</translation>
+    </message>
+    <message>
+        <source>a DMC60C is simulated on a CAN link</source>
+        <translation>ein DMC60C wird an einem CAN-Link simuliert</translation>
+    </message>
+    <message>
+        <source>a DMC60C is updated over its own link</source>
+        <translation>ein DMC60C wird über seinen eigenen Link aktualisiert</translation>
+    </message>
+    <message>
+        <source>a GPIO line is CHIP:LINE, as in gpiochip0:25, not &apos;%1&apos;</source>
+        <translation>eine GPIO-Leitung ist CHIP:LEITUNG, wie in gpiochip0:25, nicht &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a QuadQuad2Drv has no address but 0</source>
+        <translation>ein QuadQuad2Drv hat keine Adresse außer 0</translation>
+    </message>
+    <message>
+        <source>a QuadQuad2Drv has one kind of chip</source>
+        <translation>ein QuadQuad2Drv hat eine Art von Baustein</translation>
+    </message>
+    <message>
+        <source>a QuadQuad2Drv is simulated on the board&apos;s end of an SPI link</source>
+        <translation>ein QuadQuad2Drv wird am Platinenende eines SPI-Links simuliert</translation>
+    </message>
+    <message>
+        <source>a QuadQuad2Drv lives on an SPI link</source>
+        <translation>ein QuadQuad2Drv sitzt an einem SPI-Link</translation>
+    </message>
+    <message>
+        <source>a Supermodified cannot blink</source>
+        <translation>ein Supermodified kann nicht blinken</translation>
+    </message>
+    <message>
+        <source>a Supermodified has an id from 1 to 127, not %1</source>
+        <translation>ein Supermodified hat eine Kennung von 1 bis 127, nicht %1</translation>
+    </message>
+    <message>
+        <source>a Supermodified has no mode &apos;%1&apos;</source>
+        <translation>ein Supermodified hat keine Betriebsart &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a Supermodified has no name</source>
+        <translation>ein Supermodified hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>a Supermodified has one axis and one set of gains</source>
+        <translation>ein Supermodified hat eine Achse und einen Satz Verstärkungen</translation>
+    </message>
+    <message>
+        <source>a Supermodified has one kind of microcontroller</source>
+        <translation>ein Supermodified hat eine Art von Mikrocontroller</translation>
+    </message>
+    <message>
+        <source>a Supermodified is simulated on a serial link</source>
+        <translation>ein Supermodified wird an einem seriellen Link simuliert</translation>
+    </message>
+    <message>
+        <source>a Supermodified is written by avrdude</source>
+        <translation>ein Supermodified wird von avrdude geschrieben</translation>
+    </message>
+    <message>
+        <source>a bit</source>
+        <translation>ein Bit</translation>
+    </message>
+    <message>
+        <source>a bootloader needs the board&apos;s serial line, such as boot=pty:./boot</source>
+        <translation>ein Bootloader braucht die serielle Leitung der Platine, etwa boot=pty:./boot</translation>
+    </message>
+    <message>
+        <source>a buffered move is not acknowledged yet</source>
+        <translation>eine gepufferte Bewegung ist noch nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>a demo remembers no layouts</source>
+        <translation>eine Demo merkt sich keine Layouts</translation>
+    </message>
+    <message>
+        <source>a divisor changes all gains at once</source>
+        <translation>ein Divisor ändert alle Verstärkungen zugleich</translation>
+    </message>
+    <message>
+        <source>a drive of dialect LL has no code for stop</source>
+        <translation>ein Antrieb mit Dialekt LL hat keinen Code für Stopp</translation>
+    </message>
+    <message>
+        <source>a formula assigns nothing</source>
+        <translation>eine Formel weist nichts zu</translation>
+    </message>
+    <message>
+        <source>a formula has at most 4000 characters</source>
+        <translation>eine Formel hat höchstens 4000 Zeichen</translation>
+    </message>
+    <message>
+        <source>a half swing</source>
+        <translation>eine halbe Schwingung</translation>
+    </message>
+    <message>
+        <source>a load takes %1 of what P makes of a step, at most 10 %</source>
+        <translation>eine Last nimmt %1 dessen, was P aus einem Sprung macht, höchstens 10 %</translation>
+    </message>
+    <message>
+        <source>a motor is driven on this line</source>
+        <translation>an dieser Leitung wird ein Motor angesteuert</translation>
+    </message>
+    <message>
+        <source>a motor is driven on this line at %1 bit/s, and this node has another rate</source>
+        <translation>an dieser Leitung wird mit %1 bit/s ein Motor angesteuert, und dieser Knoten hat eine andere Rate</translation>
+    </message>
+    <message>
+        <source>a node id is 1 … 127</source>
+        <translation>eine Knotenkennung ist 1 … 127</translation>
+    </message>
+    <message>
+        <source>a parenthesis is not closed</source>
+        <translation>eine Klammer ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>a part of them is in force after a restart only</source>
+        <translation>ein Teil davon gilt erst nach einem Neustart</translation>
+    </message>
+    <message>
+        <source>a profile has up to 100000 counts/s and 1000000 counts/s²</source>
+        <translation>ein Profil hat bis zu 100000 counts/s und 1000000 counts/s²</translation>
+    </message>
+    <message>
+        <source>a push has fewer than 8 positions</source>
+        <translation>ein Stoß hat weniger als 8 Positionen</translation>
+    </message>
+    <message>
+        <source>a push moved the motor by fewer than 50 counts</source>
+        <translation>ein Stoß hat den Motor um weniger als 50 counts bewegt</translation>
+    </message>
+    <message>
+        <source>a push of %1 duty drew %2 A, more than half of what is allowed</source>
+        <translation>ein Stoß mit %1 Tastgrad zog %2 A, mehr als die Hälfte des Erlaubten</translation>
+    </message>
+    <message>
+        <source>a ramp of duty never got the motor going</source>
+        <translation>eine Rampe des Tastgrads brachte den Motor nicht in Gang</translation>
+    </message>
+    <message>
+        <source>a record of type %1 has %2 data bytes, not %3</source>
+        <translation>ein Datensatz der Art %1 hat %2 Datenbytes, nicht %3</translation>
+    </message>
+    <message>
+        <source>a reserved bit</source>
+        <translation>ein reserviertes Bit</translation>
+    </message>
+    <message>
+        <source>a scan of the recording lists who does</source>
+        <translation>eine Suche in der Aufzeichnung nennt, wer es tut</translation>
+    </message>
+    <message>
+        <source>a simulated Abstract DC Drive has no option &apos;%1&apos;</source>
+        <translation>ein simulierter Abstract DC Drive hat keine Option &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a simulated DMC60C has no option &apos;%1&apos;</source>
+        <translation>ein simulierter DMC60C hat keine Option &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a simulated QuadQuad2Drv has no option &apos;%1&apos;</source>
+        <translation>ein simulierter QuadQuad2Drv hat keine Option &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a simulated Supermodified has no option &apos;%1&apos;</source>
+        <translation>ein simulierter Supermodified hat keine Option &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>a step from the wrong place could be far too large</source>
+        <translation>ein Sprung von der falschen Stelle könnte viel zu groß sein</translation>
+    </message>
+    <message>
+        <source>a step of %1 counts overflows the loop of this firmware</source>
+        <translation>ein Sprung von %1 counts lässt den Regler dieser Firmware überlaufen</translation>
+    </message>
+    <message>
+        <source>a step of %1 counts with P %2, D %3</source>
+        <translation>ein Sprung von %1 counts mit P %2, D %3</translation>
+    </message>
+    <message>
+        <source>a step of %1 counts with the gains as they are</source>
+        <translation>ein Sprung von %1 counts mit den Verstärkungen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>a stop went first</source>
+        <translation>ein Stopp ging vor</translation>
+    </message>
+    <message>
+        <source>a swing</source>
+        <translation>eine Schwingung</translation>
+    </message>
+    <message>
+        <source>a temporary file for OpenOCD cannot be written: %1</source>
+        <translation>eine temporäre Datei für OpenOCD lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>a temporary file for avrdude cannot be written: %1</source>
+        <translation>eine temporäre Datei für avrdude lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>a time</source>
+        <translation>eine Zeit</translation>
+    </message>
+    <message>
+        <source>a trial that is not kept</source>
+        <translation>ein Versuch, der nicht aufbewahrt wird</translation>
+    </message>
+    <message>
+        <source>a unit that has a serial number needs no tag</source>
+        <translation>ein Gerät mit Seriennummer braucht kein Kennzeichen</translation>
+    </message>
+    <message>
+        <source>a way of counts</source>
+        <translation>ein Weg in counts</translation>
+    </message>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>active error flag</source>
+        <translation>Active-Error-Flag</translation>
+    </message>
+    <message>
+        <source>add --via %1</source>
+        <translation>--via %1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>add --via openocd:INTERFACE --target f1|f4, such as --via openocd:stlink --target f1</source>
+        <translation>--via openocd:SCHNITTSTELLE --target f1|f4 hinzufügen, etwa --via openocd:stlink --target f1</translation>
+    </message>
+    <message>
+        <source>add ready=CHIP:LINE to the address</source>
+        <translation>der Adresse ready=CHIP:LEITUNG hinzufügen</translation>
+    </message>
+    <message>
+        <source>add reset=CHIP:LINE to the address</source>
+        <translation>der Adresse reset=CHIP:LEITUNG hinzufügen</translation>
+    </message>
+    <message>
+        <source>address %1 is %2 here and %3 in line %4</source>
+        <translation>Adresse %1 ist hier %2 und in Zeile %4 %3</translation>
+    </message>
+    <message>
+        <source>aim for a calmer loop</source>
+        <translation>einen ruhigeren Regler anstreben</translation>
+    </message>
+    <message>
+        <source>allow CAN sockets in the container or sandbox</source>
+        <translation>CAN-Sockets im Container oder in der Sandbox freigeben</translation>
+    </message>
+    <message>
+        <source>allow it more power, or free its shaft</source>
+        <translation>mehr Leistung zulassen oder die Welle freimachen</translation>
+    </message>
+    <message>
+        <source>allow more current</source>
+        <translation>mehr Strom erlauben</translation>
+    </message>
+    <message>
+        <source>allow more current or duty</source>
+        <translation>mehr Strom oder Tastgrad erlauben</translation>
+    </message>
+    <message>
+        <source>allow more duty</source>
+        <translation>mehr Tastgrad erlauben</translation>
+    </message>
+    <message>
+        <source>allow more speed</source>
+        <translation>mehr Geschwindigkeit erlauben</translation>
+    </message>
+    <message>
+        <source>allow more travel</source>
+        <translation>mehr Weg erlauben</translation>
+    </message>
+    <message>
+        <source>allow more travel or duty</source>
+        <translation>mehr Weg oder Tastgrad erlauben</translation>
+    </message>
+    <message>
+        <source>allow more travel or speed</source>
+        <translation>mehr Weg oder Geschwindigkeit erlauben</translation>
+    </message>
+    <message>
+        <source>an Abstract DC Drive cannot exchange directions</source>
+        <translation>ein Abstract DC Drive kann Richtungen nicht tauschen</translation>
+    </message>
+    <message>
+        <source>an Abstract DC Drive has an offset from 0 to 99, not %1</source>
+        <translation>ein Abstract DC Drive hat einen Offset von 0 bis 99, nicht %1</translation>
+    </message>
+    <message>
+        <source>an Abstract DC Drive has no limit switches, so there is no limit override</source>
+        <translation>ein Abstract DC Drive hat keine Endschalter, also auch keine Endschalter-Überbrückung</translation>
+    </message>
+    <message>
+        <source>an Abstract DC Drive has no mode &apos;%1&apos;</source>
+        <translation>ein Abstract DC Drive hat keine Betriebsart &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>an Abstract DC Drive is written through a debug probe</source>
+        <translation>ein Abstract DC Drive wird über einen Debug-Adapter geschrieben</translation>
+    </message>
+    <message>
+        <source>an answer of %1 bytes</source>
+        <translation>eine Antwort von %1 Bytes</translation>
+    </message>
+    <message>
+        <source>an axis from 1 to 4 and a power limit above 0 are needed</source>
+        <translation>nötig sind eine Achse von 1 bis 4 und eine Leistungsgrenze über 0</translation>
+    </message>
+    <message>
+        <source>an experiment is run once at least</source>
+        <translation>ein Versuch läuft mindestens einmal</translation>
+    </message>
+    <message>
+        <source>another master drives %1</source>
+        <translation>ein anderer Master steuert %1 an</translation>
+    </message>
+    <message>
+        <source>arbitration lost</source>
+        <translation>Arbitrierung verloren</translation>
+    </message>
+    <message>
+        <source>arbitration lost at bit %1</source>
+        <translation>Arbitrierung bei Bit %1 verloren</translation>
+    </message>
+    <message>
+        <source>arm again</source>
+        <translation>neu scharf schalten</translation>
+    </message>
+    <message>
+        <source>asking for the version</source>
+        <translation>Frage nach der Version</translation>
+    </message>
+    <message>
+        <source>assign one before it is driven</source>
+        <translation>vor dem Ansteuern eine zuweisen</translation>
+    </message>
+    <message>
+        <source>at most %1 with its P: use a profiled mode or several moves</source>
+        <translation>mit diesem P höchstens %1: eine Betriebsart mit Profil oder mehrere Bewegungen verwenden</translation>
+    </message>
+    <message>
+        <source>average takes 0 to 3600 seconds, not &apos;%1&apos;</source>
+        <translation>average nimmt 0 bis 3600 Sekunden, nicht &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>average takes a signal and seconds, such as average(x, 0.1)</source>
+        <translation>average nimmt ein Signal und Sekunden, etwa average(x, 0.1)</translation>
+    </message>
+    <message>
+        <source>avrdude ended without saying why</source>
+        <translation>avrdude endete ohne Angabe eines Grundes</translation>
+    </message>
+    <message>
+        <source>avrdude had the port</source>
+        <translation>avrdude hatte den Anschluss</translation>
+    </message>
+    <message>
+        <source>avrdude is not installed</source>
+        <translation>avrdude ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>avrdude said nothing for a minute and was ended</source>
+        <translation>avrdude sagte eine Minute lang nichts und wurde beendet</translation>
+    </message>
+    <message>
+        <source>baud, format, rs485 and echo are known</source>
+        <translation>bekannt sind baud, format, rs485 und echo</translation>
+    </message>
+    <message>
+        <source>bit error</source>
+        <translation>Bitfehler</translation>
+    </message>
+    <message>
+        <source>boot= names a serial link, such as pty:./boot</source>
+        <translation>boot= nennt einen seriellen Link, etwa pty:./boot</translation>
+    </message>
+    <message>
+        <source>bootloader</source>
+        <translation>Bootloader</translation>
+    </message>
+    <message>
+        <source>bus error</source>
+        <translation>Busfehler</translation>
+    </message>
+    <message>
+        <source>bus overload</source>
+        <translation>Busüberlast</translation>
+    </message>
+    <message>
+        <source>bus-off</source>
+        <translation>bus-off</translation>
+    </message>
+    <message>
+        <source>bus-off: %1 left the bus after too many errors</source>
+        <translation>bus-off: %1 hat den Bus nach zu vielen Fehlern verlassen</translation>
+    </message>
+    <message>
+        <source>bus-off: the adapter left the bus after too many errors</source>
+        <translation>bus-off: der Adapter hat den Bus nach zu vielen Fehlern verlassen</translation>
+    </message>
+    <message>
+        <source>bus-off: the controller left the bus after too many errors</source>
+        <translation>bus-off: der CAN-Controller hat den Bus nach zu vielen Fehlern verlassen</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>cannot be read (system error %1)</source>
+        <translation>nicht lesbar (Systemfehler %1)</translation>
+    </message>
+    <message>
+        <source>change its mode, or copy it</source>
+        <translation>Zugriffsrechte ändern oder die Datei kopieren</translation>
+    </message>
+    <message>
+        <source>check its rights</source>
+        <translation>seine Rechte prüfen</translation>
+    </message>
+    <message>
+        <source>check that somebody else is on the bus</source>
+        <translation>prüfen, ob noch jemand am Bus ist</translation>
+    </message>
+    <message>
+        <source>check the cables and try again</source>
+        <translation>die Kabel prüfen und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>check the disk</source>
+        <translation>Festplatte prüfen</translation>
+    </message>
+    <message>
+        <source>check the jumper AUX1–AUX2, the crossed wires TX and RX, and the 3.3 V levels, then reset the board</source>
+        <translation>die Steckbrücke AUX1–AUX2, die gekreuzten Leitungen TX und RX und die 3.3-V-Pegel prüfen, dann die Platine zurücksetzen</translation>
+    </message>
+    <message>
+        <source>check the path</source>
+        <translation>Pfad prüfen</translation>
+    </message>
+    <message>
+        <source>check the probe and try again</source>
+        <translation>den Adapter prüfen und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>check the rights of the folder above it</source>
+        <translation>die Rechte des Ordners darüber prüfen</translation>
+    </message>
+    <message>
+        <source>check wiring, termination and bit rate</source>
+        <translation>Verdrahtung, Abschluss und Bitrate prüfen</translation>
+    </message>
+    <message>
+        <source>chirp: %1 s hold no whole swing of %2 Hz</source>
+        <translation>Chirp: in %1 s passt keine ganze Schwingung von %2 Hz</translation>
+    </message>
+    <message>
+        <source>choose another folder</source>
+        <translation>anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>choose another one</source>
+        <translation>anderen wählen</translation>
+    </message>
+    <message>
+        <source>choose another path</source>
+        <translation>einen anderen Pfad wählen</translation>
+    </message>
+    <message>
+        <source>choose another place</source>
+        <translation>einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>close that one first (&apos;fuser %1&apos; names it)</source>
+        <translation>zuerst jenes schließen (&apos;fuser %1&apos; nennt es)</translation>
+    </message>
+    <message>
+        <source>close the jumper between AUX1 and AUX2, then reset the board or switch it off and on</source>
+        <translation>die Steckbrücke zwischen AUX1 und AUX2 stecken, dann die Platine zurücksetzen oder aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>control is locked until one has another number</source>
+        <translation>Ansteuerung gesperrt, bis eines eine andere Nummer hat</translation>
+    </message>
+    <message>
+        <source>copy the recording to another one</source>
+        <translation>die Aufzeichnung auf eine andere kopieren</translation>
+    </message>
+    <message>
+        <source>current</source>
+        <translation>Strom</translation>
+    </message>
+    <message>
+        <source>current %1 A is above 1.5 × %2 A</source>
+        <translation>Strom %1 A liegt über 1.5 × %2 A</translation>
+    </message>
+    <message>
+        <source>current was above %1 A for %2</source>
+        <translation>der Strom lag %2 lang über %1 A</translation>
+    </message>
+    <message>
+        <source>delete it, the value says the same</source>
+        <translation>löschen, der Wert sagt dasselbe</translation>
+    </message>
+    <message>
+        <source>delete the one of the two that is old</source>
+        <translation>den veralteten der beiden löschen</translation>
+    </message>
+    <message>
+        <source>derivative and integral take one signal</source>
+        <translation>derivative und integral nehmen ein Signal</translation>
+    </message>
+    <message>
+        <source>do it again</source>
+        <translation>wiederholen</translation>
+    </message>
+    <message>
+        <source>dominant bit not sent</source>
+        <translation>dominantes Bit nicht gesendet</translation>
+    </message>
+    <message>
+        <source>dry run: %1 lines would be sent over %2</source>
+        <translation>Probelauf: %1 Zeilen würden über %2 gesendet</translation>
+    </message>
+    <message>
+        <source>dry run: %1 pages would be written</source>
+        <translation>Probelauf: %1 Seiten würden geschrieben</translation>
+    </message>
+    <message>
+        <source>dry run: %1 pages would be written, version %2</source>
+        <translation>Probelauf: %1 Seiten würden geschrieben, Version %2</translation>
+    </message>
+    <message>
+        <source>duty</source>
+        <translation>Tastgrad</translation>
+    </message>
+    <message>
+        <source>duty %1 % is above %2 %</source>
+        <translation>Tastgrad %1 % liegt über %2 %</translation>
+    </message>
+    <message>
+        <source>duty %1 ± %2 %, at most %3 counts/s, %4 counts one way, %5 s</source>
+        <translation>Tastgrad %1 ± %2 %, höchstens %3 counts/s, %4 counts in eine Richtung, %5 s</translation>
+    </message>
+    <message>
+        <source>duty is a fraction from −1 to 1</source>
+        <translation>der Tastgrad ist ein Bruchteil von −1 bis 1</translation>
+    </message>
+    <message>
+        <source>enable SPI in the device tree (on a Raspberry Pi: dtparam=spi=on) and restart</source>
+        <translation>SPI im Device Tree freigeben (am Raspberry Pi: dtparam=spi=on) und neu starten</translation>
+    </message>
+    <message>
+        <source>end it in .pdf or .html</source>
+        <translation>ihn auf .pdf oder .html enden lassen</translation>
+    </message>
+    <message>
+        <source>end it in .png, .svg or .pdf</source>
+        <translation>mit .png, .svg oder .pdf enden lassen</translation>
+    </message>
+    <message>
+        <source>end that one first, or choose another path</source>
+        <translation>zuerst jenen beenden oder einen anderen Pfad wählen</translation>
+    </message>
+    <message>
+        <source>ending=%1: legal are cr, lf and crlf</source>
+        <translation>ending=%1: zulässig sind cr, lf und crlf</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>error-active</source>
+        <translation>error-active</translation>
+    </message>
+    <message>
+        <source>error-passive</source>
+        <translation>error-passive</translation>
+    </message>
+    <message>
+        <source>error-warning</source>
+        <translation>error-warning</translation>
+    </message>
+    <message>
+        <source>every line was confirmed, and the board answers with version %1</source>
+        <translation>jede Zeile wurde bestätigt, und die Platine antwortet mit Version %1</translation>
+    </message>
+    <message>
+        <source>every line was confirmed, and the board answers with version %1, the same as before, so that nothing proves the new firmware</source>
+        <translation>jede Zeile wurde bestätigt, und die Platine antwortet mit Version %1, derselben wie zuvor, was die neue Firmware nicht belegt</translation>
+    </message>
+    <message>
+        <source>every line was confirmed, but the board does not answer over SPI</source>
+        <translation>jede Zeile wurde bestätigt, aber die Platine antwortet nicht über SPI</translation>
+    </message>
+    <message>
+        <source>exchange the wires of the motor or the phases of the encoder</source>
+        <translation>Leitungen des Motors oder Phasen des Encoders tauschen</translation>
+    </message>
+    <message>
+        <source>exchange the wires of the motor or the phases of the encoder before any loop is closed</source>
+        <translation>Leitungen des Motors oder Phasen des Encoders tauschen, bevor ein Regler geschlossen wird</translation>
+    </message>
+    <message>
+        <source>exchange the wires, or the sign of the divisor</source>
+        <translation>die Leitungen tauschen oder das Vorzeichen des Divisors</translation>
+    </message>
+    <message>
+        <source>expected time, channel, value and unit</source>
+        <translation>erwartet: Zeit, Kanal, Wert und Einheit</translation>
+    </message>
+    <message>
+        <source>fault &apos;%1&apos; does not parse</source>
+        <translation>der Fehler &apos;%1&apos; ist nicht zu verstehen</translation>
+    </message>
+    <message>
+        <source>fewer than 16 samples connect</source>
+        <translation>weniger als 16 zusammenhängende Werte</translation>
+    </message>
+    <message>
+        <source>find its gain scales first: Overview, Gain scales</source>
+        <translation>zuerst die Skalierung der Verstärkungen bestimmen: Übersicht, Skalierung</translation>
+    </message>
+    <message>
+        <source>form error</source>
+        <translation>Formfehler</translation>
+    </message>
+    <message>
+        <source>frequency response: %1</source>
+        <translation>Frequenzgang: %1</translation>
+    </message>
+    <message>
+        <source>friction takes %1 duty of pushes of %2</source>
+        <translation>die Reibung nimmt %1 Tastgrad von Stößen mit %2</translation>
+    </message>
+    <message>
+        <source>friction takes %1 of what P makes of a step, at most 60 %</source>
+        <translation>die Reibung nimmt %1 dessen, was P aus einem Sprung macht, höchstens 60 %</translation>
+    </message>
+    <message>
+        <source>give %1</source>
+        <translation>%1 angeben</translation>
+    </message>
+    <message>
+        <source>give --keep, or a notebook that can be written</source>
+        <translation>--keep angeben, oder ein Notizbuch, das sich schreiben lässt</translation>
+    </message>
+    <message>
+        <source>give a longer --time</source>
+        <translation>ein längeres --time angeben</translation>
+    </message>
+    <message>
+        <source>give a name that ends in .png, .svg or .pdf</source>
+        <translation>einen Namen angeben, der auf .png, .svg oder .pdf endet</translation>
+    </message>
+    <message>
+        <source>give a recording, or --help for what else there is</source>
+        <translation>eine Aufzeichnung angeben, oder --help für alles Weitere</translation>
+    </message>
+    <message>
+        <source>give another --to</source>
+        <translation>ein anderes --to angeben</translation>
+    </message>
+    <message>
+        <source>give at least %1 s</source>
+        <translation>mindestens %1 s angeben</translation>
+    </message>
+    <message>
+        <source>give it a new one, or switch it off and on</source>
+        <translation>ihm eine neue geben oder es aus- und einschalten</translation>
+    </message>
+    <message>
+        <source>gpiodetect lists those there are</source>
+        <translation>gpiodetect nennt die vorhandenen</translation>
+    </message>
+    <message>
+        <source>identify it anew</source>
+        <translation>neu identifizieren</translation>
+    </message>
+    <message>
+        <source>image %1 of %2 pages, unit runs %3, bootloader %4</source>
+        <translation>Image %1 mit %2 Seiten, Gerät läuft mit %3, Bootloader %4</translation>
+    </message>
+    <message>
+        <source>image %1 of %2 pages, unit without application, bootloader %3</source>
+        <translation>Image %1 mit %2 Seiten, Gerät ohne Anwendung, Bootloader %3</translation>
+    </message>
+    <message>
+        <source>in position mode a new counter would make the motor jump</source>
+        <translation>in der Positionsregelung ließe ein neuer Zähler den Motor springen</translation>
+    </message>
+    <message>
+        <source>install it with</source>
+        <translation>installieren mit</translation>
+    </message>
+    <message>
+        <source>install its vendor&apos;s driver</source>
+        <translation>den Treiber des Herstellers installieren</translation>
+    </message>
+    <message>
+        <source>install the package that has it and try again</source>
+        <translation>das Paket installieren, das es enthält, und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>installed are: %1</source>
+        <translation>installiert sind: %1</translation>
+    </message>
+    <message>
+        <source>is a directory</source>
+        <translation>ist ein Verzeichnis</translation>
+    </message>
+    <message>
+        <source>is longer than %1 bytes</source>
+        <translation>ist länger als %1 Bytes</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>it came to rest %1 of the step away from its target</source>
+        <translation>er kam %1 des Sprungs neben seinem Ziel zur Ruhe</translation>
+    </message>
+    <message>
+        <source>it cannot be tried</source>
+        <translation>es lässt sich nicht probieren</translation>
+    </message>
+    <message>
+        <source>it cannot be written (system error %1)</source>
+        <translation>sie lässt sich nicht schreiben (Systemfehler %1)</translation>
+    </message>
+    <message>
+        <source>it did not come back</source>
+        <translation>es kam nicht zurück</translation>
+    </message>
+    <message>
+        <source>it did not settle</source>
+        <translation>er kam nicht zur Ruhe</translation>
+    </message>
+    <message>
+        <source>it has %1</source>
+        <translation>es hat %1</translation>
+    </message>
+    <message>
+        <source>it is a Vector BLF log</source>
+        <translation>es ist ein Vector-BLF-Protokoll</translation>
+    </message>
+    <message>
+        <source>it is a disk</source>
+        <translation>es ist ein Datenträger</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>it is a recording</source>
+        <translation>es ist eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>it is not proven which codes this drive speaks</source>
+        <translation>es ist nicht nachgewiesen, welche Codes dieser Antrieb spricht</translation>
+    </message>
+    <message>
+        <source>it is not proven which codes this drive speaks, and the wrong ones start it at full power</source>
+        <translation>es ist nicht nachgewiesen, welche Codes dieser Antrieb spricht, und die falschen starten ihn mit voller Leistung</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target, less does not move its integral</source>
+        <translation>er kann %1 vor seinem Ziel stehen bleiben, weniger bewegt sein Integral nicht</translation>
+    </message>
+    <message>
+        <source>it may rest %1 short of its target, less does not move its motor</source>
+        <translation>er kann %1 vor seinem Ziel stehen bleiben, weniger bewegt seinen Motor nicht</translation>
+    </message>
+    <message>
+        <source>it overshot by %1, predicted were %2</source>
+        <translation>er schwang um %1 über, vorhergesagt waren %2</translation>
+    </message>
+    <message>
+        <source>it swung itself up with P %1 and D %2</source>
+        <translation>er schwang sich mit P %1 und D %2 auf</translation>
+    </message>
+    <message>
+        <source>it took %1 to settle, predicted were %2</source>
+        <translation>er brauchte %1 bis zur Ruhe, vorhergesagt waren %2</translation>
+    </message>
+    <message>
+        <source>it took longer than 1.5 × %1 s</source>
+        <translation>es dauerte länger als 1.5 × %1 s</translation>
+    </message>
+    <message>
+        <source>it was put aside as %1, and what it kept of the device is unknown again</source>
+        <translation>es wurde als %1 beiseitegelegt, und was es vom Gerät festhielt, ist wieder unbekannt</translation>
+    </message>
+    <message>
+        <source>it was stopped</source>
+        <translation>er wurde gestoppt</translation>
+    </message>
+    <message>
+        <source>it would stop %1 counts from the start, %2 are allowed</source>
+        <translation>er käme %1 counts vom Start zum Stehen, erlaubt sind %2</translation>
+    </message>
+    <message>
+        <source>its P or its position is not known, so whether this step overflows its loop is not either</source>
+        <translation>P oder Position sind nicht bekannt, also auch nicht, ob dieser Sprung den Regler überlaufen lässt</translation>
+    </message>
+    <message>
+        <source>its address is not a number</source>
+        <translation>seine Adresse ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its averaging was lowered, as far as can be known, and until it has lost its power once it may overwrite its own memory</source>
+        <translation>seine Mittelung wurde verkleinert, soweit man das wissen kann, und bis er einmal stromlos war, kann er seinen eigenen Speicher überschreiben</translation>
+    </message>
+    <message>
+        <source>its dialect is not known</source>
+        <translation>sein Dialekt ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its dialect is not known yet</source>
+        <translation>sein Dialekt ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its dialect is not known, so no move can be sent</source>
+        <translation>der Dialekt ist nicht bekannt, daher lässt sich keine Bewegung senden</translation>
+    </message>
+    <message>
+        <source>its error level is 1, which makes every reading fail: set error.level to 0</source>
+        <translation>seine Fehlerstufe ist 1, jedes Lesen schlägt fehl: error.level auf 0 setzen</translation>
+    </message>
+    <message>
+        <source>its motor moves</source>
+        <translation>sein Motor bewegt sich</translation>
+    </message>
+    <message>
+        <source>its position is not known yet</source>
+        <translation>die Position ist noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>its profile is not known, so a move that passes its target could not be told</source>
+        <translation>sein Profil ist nicht bekannt, eine Fahrt über das Ziel hinaus wäre nicht zu erkennen</translation>
+    </message>
+    <message>
+        <source>its reader has gone</source>
+        <translation>wer daraus las, ist weg</translation>
+    </message>
+    <message>
+        <source>leave it out</source>
+        <translation>es weglassen</translation>
+    </message>
+    <message>
+        <source>leave out --target</source>
+        <translation>--target weglassen</translation>
+    </message>
+    <message>
+        <source>leave out erasing them</source>
+        <translation>deren Löschen weglassen</translation>
+    </message>
+    <message>
+        <source>leave out interface=</source>
+        <translation>interface= weglassen</translation>
+    </message>
+    <message>
+        <source>leave the other way in out</source>
+        <translation>den anderen Weg weglassen</translation>
+    </message>
+    <message>
+        <source>leave the target out</source>
+        <translation>das Ziel weglassen</translation>
+    </message>
+    <message>
+        <source>legal is %1</source>
+        <translation>zulässig ist %1</translation>
+    </message>
+    <message>
+        <source>legal is 0.01 … 1000, or max</source>
+        <translation>zulässig ist 0.01 … 1000 oder max</translation>
+    </message>
+    <message>
+        <source>legal is 1 … 500</source>
+        <translation>zulässig ist 1 … 500</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>line %1 is neither a line of candump -L nor the beginning of a Vector ASC log</source>
+        <translation>Zeile %1 ist weder eine Zeile von candump -L noch der Anfang eines Vector-ASC-Protokolls</translation>
+    </message>
+    <message>
+        <source>line %1 is not a line of a Vector ASC log</source>
+        <translation>Zeile %1 ist keine Zeile eines Vector-ASC-Protokolls</translation>
+    </message>
+    <message>
+        <source>line %1 is not a line of candump -L</source>
+        <translation>Zeile %1 ist keine Zeile von candump -L</translation>
+    </message>
+    <message>
+        <source>link option %1=%2 is out of range</source>
+        <translation>Linkoption %1=%2 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>link option bitrate=%1 is out of range</source>
+        <translation>Linkoption bitrate=%1 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>listen-only: nothing can be sent</source>
+        <translation>nur hörend: senden ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>look at it again</source>
+        <translation>erneut ansehen</translation>
+    </message>
+    <message>
+        <source>look at the wiring of the input</source>
+        <translation>Verdrahtung des Eingangs prüfen</translation>
+    </message>
+    <message>
+        <source>look whether something brakes or limits the motor</source>
+        <translation>prüfen, ob etwas den Motor bremst oder begrenzt</translation>
+    </message>
+    <message>
+        <source>lower the gains or the steps</source>
+        <translation>Verstärkungen oder Sprünge verkleinern</translation>
+    </message>
+    <message>
+        <source>made way for an order</source>
+        <translation>hat einem Auftrag Platz gemacht</translation>
+    </message>
+    <message>
+        <source>make room in %1</source>
+        <translation>in %1 Platz schaffen</translation>
+    </message>
+    <message>
+        <source>make room, or choose another place</source>
+        <translation>Platz schaffen oder einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>more bytes than the device announced</source>
+        <translation>mehr Bytes, als das Gerät ankündigte</translation>
+    </message>
+    <message>
+        <source>more columns than the first line has</source>
+        <translation>mehr Spalten als die erste Zeile</translation>
+    </message>
+    <message>
+        <source>more than 1000 channels</source>
+        <translation>mehr als 1000 Kanäle</translation>
+    </message>
+    <message>
+        <source>move it away</source>
+        <translation>sie verschieben</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>eine Datei nennen</translation>
+    </message>
+    <message>
+        <source>name a recording</source>
+        <translation>eine Aufnahme nennen</translation>
+    </message>
+    <message>
+        <source>name another folder</source>
+        <translation>einen anderen Ordner nennen</translation>
+    </message>
+    <message>
+        <source>name it by its number; &apos;motorbenchctl snapshots&apos; lists them</source>
+        <translation>ihn mit seiner Nummer nennen; &apos;motorbenchctl snapshots&apos; listet sie</translation>
+    </message>
+    <message>
+        <source>name its serial port, for example --via serial:/dev/ttyUSB0</source>
+        <translation>den seriellen Anschluss nennen, etwa --via serial:/dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>name one such as /dev/ttyUSB0</source>
+        <translation>eine nennen, etwa /dev/ttyUSB0</translation>
+    </message>
+    <message>
+        <source>name one, such as sim:can</source>
+        <translation>eine nennen, etwa sim:can</translation>
+    </message>
+    <message>
+        <source>name one: %1 or %2</source>
+        <translation>eines nennen: %1 oder %2</translation>
+    </message>
+    <message>
+        <source>no %1 answers as number %2 on %3</source>
+        <translation>kein %1 antwortet als Nummer %2 an %3</translation>
+    </message>
+    <message>
+        <source>no %1 sends as number %2 in %3</source>
+        <translation>kein %1 sendet als Nummer %2 in %3</translation>
+    </message>
+    <message>
+        <source>no CAN frame: its identifier or size is out of range</source>
+        <translation>kein CAN-Frame: Identifier oder Größe liegen außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>no D was found with which a small P neither swings nor creeps</source>
+        <translation>kein D gefunden, mit dem ein kleines P weder schwingt noch kriecht</translation>
+    </message>
+    <message>
+        <source>no application runs in this unit</source>
+        <translation>in diesem Gerät läuft keine Anwendung</translation>
+    </message>
+    <message>
+        <source>no experiment: %1</source>
+        <translation>kein Versuch: %1</translation>
+    </message>
+    <message>
+        <source>no gain of the velocity loop turns the motor</source>
+        <translation>keine Verstärkung des Drehzahlreglers dreht den Motor</translation>
+    </message>
+    <message>
+        <source>no history is kept here</source>
+        <translation>hier wird keine Historie geführt</translation>
+    </message>
+    <message>
+        <source>no instruction at the entry point 0x00400</source>
+        <translation>keine Anweisung am Einsprung 0x00400</translation>
+    </message>
+    <message>
+        <source>no permission to read it</source>
+        <translation>keine Erlaubnis, es zu lesen</translation>
+    </message>
+    <message>
+        <source>no permission to write there</source>
+        <translation>keine Berechtigung, dort zu schreiben</translation>
+    </message>
+    <message>
+        <source>no pseudo terminal can be had: %1</source>
+        <translation>es gibt kein Pseudoterminal: %1</translation>
+    </message>
+    <message>
+        <source>no push met the current limit</source>
+        <translation>kein Stoß traf die Strombegrenzung</translation>
+    </message>
+    <message>
+        <source>no ready line is wired</source>
+        <translation>keine Ready-Leitung ist verdrahtet</translation>
+    </message>
+    <message>
+        <source>no reset line is wired</source>
+        <translation>keine Reset-Leitung ist verdrahtet</translation>
+    </message>
+    <message>
+        <source>no sample for %1</source>
+        <translation>%1 lang kein Messwert</translation>
+    </message>
+    <message>
+        <source>no snapshot of what was found: %1</source>
+        <translation>kein Schnappschuss des Vorgefundenen: %1</translation>
+    </message>
+    <message>
+        <source>no snapshot of what was there: %1</source>
+        <translation>kein Schnappschuss des Vorherigen: %1</translation>
+    </message>
+    <message>
+        <source>no snapshot: %1</source>
+        <translation>kein Schnappschuss: %1</translation>
+    </message>
+    <message>
+        <source>no snapshots are kept here</source>
+        <translation>hier werden keine Schnappschüsse geführt</translation>
+    </message>
+    <message>
+        <source>no step met the end of the output</source>
+        <translation>kein Sprung traf das Ende des Ausgangs</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>keine solche Datei</translation>
+    </message>
+    <message>
+        <source>no version at 0x1EFFC</source>
+        <translation>keine Version bei 0x1EFFC</translation>
+    </message>
+    <message>
+        <source>nobody acknowledged</source>
+        <translation>niemand hat quittiert</translation>
+    </message>
+    <message>
+        <source>nobody reads from this pipe</source>
+        <translation>niemand liest aus dieser Pipe</translation>
+    </message>
+    <message>
+        <source>nobody serves %1</source>
+        <translation>niemand bedient %1</translation>
+    </message>
+    <message>
+        <source>not a parameter file: it has no &quot;parameters&quot;</source>
+        <translation>keine Parameterdatei: sie hat kein &quot;parameters&quot;</translation>
+    </message>
+    <message>
+        <source>not sent: %1 where a 24-bit instruction has none, the file may be for another processor</source>
+        <translation>nicht gesendet: %1, wo eine 24-Bit-Anweisung keine hat; die Datei ist vielleicht für einen anderen Prozessor</translation>
+    </message>
+    <message>
+        <source>nothing answers over SPI; the board has no power or wrong wiring, or it waits in its bootloader: update it, or take the jumper out and reset it</source>
+        <translation>über SPI antwortet nichts; die Platine ist ohne Strom oder falsch verdrahtet, oder sie wartet im Bootloader: aktualisieren, oder Steckbrücke abziehen und zurücksetzen</translation>
+    </message>
+    <message>
+        <source>nothing could put the gains back after a crash</source>
+        <translation>nach einem Absturz könnte nichts die Verstärkungen zurückschreiben</translation>
+    </message>
+    <message>
+        <source>nothing has been recorded yet</source>
+        <translation>noch wurde nichts aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>nothing to send</source>
+        <translation>nichts zu senden</translation>
+    </message>
+    <message>
+        <source>nothing was measured</source>
+        <translation>nichts wurde gemessen</translation>
+    </message>
+    <message>
+        <source>nothing was saved</source>
+        <translation>nichts wurde gespeichert</translation>
+    </message>
+    <message>
+        <source>nothing was written</source>
+        <translation>nichts wurde geschrieben</translation>
+    </message>
+    <message>
+        <source>nothing was written; the image fits, %1 pages</source>
+        <translation>nichts wurde geschrieben; das Image passt, %1 Seiten</translation>
+    </message>
+    <message>
+        <source>number %1 still keeps a move that was stopped before it began, and would begin it too</source>
+        <translation>Nummer %1 hält noch eine Bewegung, die vor ihrem Beginn gestoppt wurde, und würde sie auch beginnen</translation>
+    </message>
+    <message>
+        <source>one more would make the drive load something else. Erase its settings pages with a firmware update (erase settings), then save again</source>
+        <translation>einmal mehr, und der Antrieb lädt etwas anderes. Die Seiten der Einstellungen mit einer Aktualisierung löschen (Einstellungen löschen), dann neu speichern</translation>
+    </message>
+    <message>
+        <source>only its power stops it</source>
+        <translation>nur Trennen der Versorgung stoppt ihn</translation>
+    </message>
+    <message>
+        <source>only those are recorded</source>
+        <translation>nur solche werden aufgenommen</translation>
+    </message>
+    <message>
+        <source>open it again</source>
+        <translation>erneut öffnen</translation>
+    </message>
+    <message>
+        <source>open that terminal as serial:%1</source>
+        <translation>dieses Terminal als serial:%1 öffnen</translation>
+    </message>
+    <message>
+        <source>open the link that it was made on</source>
+        <translation>die Verbindung öffnen, an der sie entstand</translation>
+    </message>
+    <message>
+        <source>openocd is not installed</source>
+        <translation>openocd ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>option &apos;%1&apos; is not KEY=VALUE</source>
+        <translation>Option &apos;%1&apos; ist nicht SCHLÜSSEL=WERT</translation>
+    </message>
+    <message>
+        <source>page %1 was said to be written before its bytes can have arrived</source>
+        <translation>Seite %1 wurde als geschrieben gemeldet, bevor ihre Bytes angekommen sein können</translation>
+    </message>
+    <message>
+        <source>parameters that were changed last may be lost: %1</source>
+        <translation>zuletzt geänderte Parameter können verloren sein: %1</translation>
+    </message>
+    <message>
+        <source>pause=%1: legal are 0 to 1000 milliseconds</source>
+        <translation>pause=%1: zulässig sind 0 bis 1000 Millisekunden</translation>
+    </message>
+    <message>
+        <source>plug in the adapter, or name another port</source>
+        <translation>Adapter einstecken oder anderen Anschluss nennen</translation>
+    </message>
+    <message>
+        <source>plug it in again</source>
+        <translation>wieder einstecken</translation>
+    </message>
+    <message>
+        <source>plug one in</source>
+        <translation>einen einstecken</translation>
+    </message>
+    <message>
+        <source>position has 32 bits</source>
+        <translation>die Position hat 32 Bit</translation>
+    </message>
+    <message>
+        <source>protocol error</source>
+        <translation>Protokollfehler</translation>
+    </message>
+    <message>
+        <source>proving: a step of %1 A</source>
+        <translation>Nachweis: ein Sprung von %1 A</translation>
+    </message>
+    <message>
+        <source>proving: a step of %1 counts</source>
+        <translation>Nachweis: ein Sprung von %1 counts</translation>
+    </message>
+    <message>
+        <source>proving: a step of %1 counts/s</source>
+        <translation>Nachweis: ein Sprung von %1 counts/s</translation>
+    </message>
+    <message>
+        <source>pty links have the option baud=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
+        <translation>pty-Links haben die Option baud=BIT_PRO_SEKUNDE, nicht &apos;%1=%2&apos;</translation>
+    </message>
+    <message>
+        <source>pty: is where &apos;simulate&apos; puts its devices</source>
+        <translation>unter pty: legt „simulate“ seine Geräte an</translation>
+    </message>
+    <message>
+        <source>push harder or longer</source>
+        <translation>stärker oder länger stoßen</translation>
+    </message>
+    <message>
+        <source>push longer, or ask for faster samples</source>
+        <translation>länger stoßen oder schnellere Messwerte anfordern</translation>
+    </message>
+    <message>
+        <source>push with two sizes</source>
+        <translation>mit zwei Größen stoßen</translation>
+    </message>
+    <message>
+        <source>pushes of one size do not tell friction from gain</source>
+        <translation>Stöße einer Größe trennen Reibung und Verstärkung nicht</translation>
+    </message>
+    <message>
+        <source>pushing with %1 duty for %2 s</source>
+        <translation>Stoß mit %1 Tastgrad für %2 s</translation>
+    </message>
+    <message>
+        <source>pushing with %1 duty for %2 s, %3 times</source>
+        <translation>Stoß mit %1 Tastgrad für %2 s, %3-mal</translation>
+    </message>
+    <message>
+        <source>qtcan links have the option bitrate=BITS_PER_SECOND, not &apos;%1=%2&apos;</source>
+        <translation>qtcan-Links haben die Option bitrate=BIT_PRO_SEKUNDE, nicht &apos;%1=%2&apos;</translation>
+    </message>
+    <message>
+        <source>raise its end</source>
+        <translation>ihr Ende erhöhen</translation>
+    </message>
+    <message>
+        <source>read gain.p</source>
+        <translation>gain.p lesen</translation>
+    </message>
+    <message>
+        <source>read it again</source>
+        <translation>neu lesen</translation>
+    </message>
+    <message>
+        <source>read it first</source>
+        <translation>es zuerst lesen</translation>
+    </message>
+    <message>
+        <source>read profile.velocity and profile.acceleration</source>
+        <translation>profile.velocity und profile.acceleration lesen</translation>
+    </message>
+    <message>
+        <source>recessive bit not sent</source>
+        <translation>rezessives Bit nicht gesendet</translation>
+    </message>
+    <message>
+        <source>record again</source>
+        <translation>erneut aufnehmen</translation>
+    </message>
+    <message>
+        <source>record type %1 is unknown</source>
+        <translation>Datensatzart %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>remove it</source>
+        <translation>sie entfernen</translation>
+    </message>
+    <message>
+        <source>remove it, or make it readable</source>
+        <translation>sie entfernen oder lesbar machen</translation>
+    </message>
+    <message>
+        <source>replay links have no option &apos;%1&apos;</source>
+        <translation>replay kennt die Option „%1“ nicht</translation>
+    </message>
+    <message>
+        <source>residual %1 of what counts and clocks explain, at most 3</source>
+        <translation>Rest %1 dessen, was Zähler und Uhr erklären, höchstens 3</translation>
+    </message>
+    <message>
+        <source>run avrdude by hand to see all it says</source>
+        <translation>avrdude von Hand starten, um alles zu sehen</translation>
+    </message>
+    <message>
+        <source>run it by hand to see all it says</source>
+        <translation>es von Hand starten, um alles zu sehen</translation>
+    </message>
+    <message>
+        <source>run it by hand with -c %1</source>
+        <translation>es von Hand mit -c %1 starten</translation>
+    </message>
+    <message>
+        <source>run it by hand with interface %1</source>
+        <translation>es von Hand mit der Schnittstelle %1 starten</translation>
+    </message>
+    <message>
+        <source>sample point %1 %</source>
+        <translation>Abtastpunkt %1 %</translation>
+    </message>
+    <message>
+        <source>save it as ASC and take that</source>
+        <translation>als ASC speichern und dieses verwenden</translation>
+    </message>
+    <message>
+        <source>scan again, or choose its dialect by hand</source>
+        <translation>neu suchen oder den Dialekt von Hand wählen</translation>
+    </message>
+    <message>
+        <source>see that nothing is loose and that steps look alike</source>
+        <translation>prüfen, ob nichts lose ist und die Sprünge einander gleichen</translation>
+    </message>
+    <message>
+        <source>see that nothing is loose, and write gains once with which it comes to rest</source>
+        <translation>prüfen, ob nichts lose ist, und einmal Verstärkungen schreiben, mit denen er zur Ruhe kommt</translation>
+    </message>
+    <message>
+        <source>see that nothing is loose; a stronger load than it was built for cannot be tuned</source>
+        <translation>prüfen, ob nichts lose ist; eine stärkere Last, als er verträgt, lässt sich nicht einstellen</translation>
+    </message>
+    <message>
+        <source>see that the motor is connected</source>
+        <translation>prüfen, ob der Motor angeschlossen ist</translation>
+    </message>
+    <message>
+        <source>see whether a load always pulls one way</source>
+        <translation>prüfen, ob eine Last stets in eine Richtung zieht</translation>
+    </message>
+    <message>
+        <source>see whether brushes and plugs make contact</source>
+        <translation>prüfen, ob Bürsten und Stecker Kontakt haben</translation>
+    </message>
+    <message>
+        <source>seed, loss, bitrate and fault are known</source>
+        <translation>bekannt sind seed, loss, bitrate und fault</translation>
+    </message>
+    <message>
+        <source>select a longer stretch</source>
+        <translation>eine längere Strecke wählen</translation>
+    </message>
+    <message>
+        <source>sending the firmware</source>
+        <translation>Senden der Firmware</translation>
+    </message>
+    <message>
+        <source>serial number %1</source>
+        <translation>Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>several units have a snapshot &apos;%1&apos;</source>
+        <translation>mehrere Geräte haben einen Schnappschuss &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>sim: stands for several links</source>
+        <translation>sim: steht für mehrere Verbindungen</translation>
+    </message>
+    <message>
+        <source>simulated links belong to a bench</source>
+        <translation>simulierte Links gehören zu einem Prüfstand</translation>
+    </message>
+    <message>
+        <source>sine %1 of %2, %3 Hz: %4</source>
+        <translation>Sinus %1 von %2, %3 Hz: %4</translation>
+    </message>
+    <message>
+        <source>snapshot %1, %2: %3 values</source>
+        <translation>Schnappschuss %1, %2: %3 Werte</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>speed %1 counts/s is above 1.2 × %2 counts/s</source>
+        <translation>Geschwindigkeit %1 counts/s liegt über 1.2 × %2 counts/s</translation>
+    </message>
+    <message>
+        <source>speed is 10000 to 10000000 Hz, not &apos;%1&apos;</source>
+        <translation>speed ist 10000 bis 10000000 Hz, nicht &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>speed, ready and reset are known</source>
+        <translation>bekannt sind speed, ready und reset</translation>
+    </message>
+    <message>
+        <source>speed=%1 is no speed</source>
+        <translation>speed=%1 ist keine Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>spidev links have no option &apos;%1&apos;</source>
+        <translation>spidev-Links haben keine Option &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>stalled, or the encoder is dead: less than 3 counts in %1</source>
+        <translation>blockiert, oder der Encoder ist tot: weniger als 3 counts in %1</translation>
+    </message>
+    <message>
+        <source>start it again</source>
+        <translation>neu starten</translation>
+    </message>
+    <message>
+        <source>start the reader first</source>
+        <translation>zuerst den Leser starten</translation>
+    </message>
+    <message>
+        <source>start the simulator again</source>
+        <translation>den Simulator neu starten</translation>
+    </message>
+    <message>
+        <source>start the simulator first</source>
+        <translation>zuerst den Simulator starten</translation>
+    </message>
+    <message>
+        <source>steps with one pair of gains only do not tell what each of them does</source>
+        <translation>Sprünge mit nur einem Paar Verstärkungen sagen nicht, was jede bewirkt</translation>
+    </message>
+    <message>
+        <source>stop it before its gains are put back</source>
+        <translation>ihn stoppen, bevor seine Verstärkungen zurückgeschrieben werden</translation>
+    </message>
+    <message>
+        <source>stop it first</source>
+        <translation>zuerst stoppen</translation>
+    </message>
+    <message>
+        <source>stop it there first</source>
+        <translation>zuerst dort stoppen</translation>
+    </message>
+    <message>
+        <source>stop the motor first</source>
+        <translation>zuerst den Motor stoppen</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>stopped: the window did not respond in time</source>
+        <translation>gestoppt: das Fenster reagierte nicht rechtzeitig</translation>
+    </message>
+    <message>
+        <source>stuff error</source>
+        <translation>Stuff-Fehler</translation>
+    </message>
+    <message>
+        <source>such a line reads %1</source>
+        <translation>eine solche Zeile lautet %1</translation>
+    </message>
+    <message>
+        <source>supply %1 V is outside %2 … %3 V</source>
+        <translation>Versorgung %1 V liegt außerhalb von %2 … %3 V</translation>
+    </message>
+    <message>
+        <source>switch it off and on</source>
+        <translation>schalten Sie ihn aus und wieder ein</translation>
+    </message>
+    <message>
+        <source>switch the devices on, check the cable and that two 120 Ω resistors end the bus, and that every device has the bit rate of this interface</source>
+        <translation>die Geräte einschalten, Kabel und zwei 120-Ω-Abschlusswiderstände prüfen, und ob jedes Gerät die Bitrate dieser Schnittstelle hat</translation>
+    </message>
+    <message>
+        <source>take a finer encoder or a calmer loop</source>
+        <translation>einen feineren Encoder oder einen ruhigeren Regler nehmen</translation>
+    </message>
+    <message>
+        <source>take a larger one, or --from where it stands</source>
+        <translation>einen größeren nehmen, oder --from dort, wo er steht</translation>
+    </message>
+    <message>
+        <source>take a smaller step or widen it</source>
+        <translation>einen kleineren Sprung nehmen oder sie erweitern</translation>
+    </message>
+    <message>
+        <source>take one of them</source>
+        <translation>eines davon nehmen</translation>
+    </message>
+    <message>
+        <source>take the jumper out and reset it</source>
+        <translation>die Steckbrücke abziehen und sie zurücksetzen</translation>
+    </message>
+    <message>
+        <source>take the jumper out; the board is asked for its version</source>
+        <translation>die Steckbrücke abziehen; die Platine wird nach ihrer Version gefragt</translation>
+    </message>
+    <message>
+        <source>temperature %1 °C is within 5 K of %2 °C</source>
+        <translation>Temperatur %1 °C liegt innerhalb 5 K von %2 °C</translation>
+    </message>
+    <message>
+        <source>the %1 loop was saved %2 times; after %3 its settings pages must be erased</source>
+        <translation>der Regler %1 wurde %2-mal gespeichert; nach %3 müssen seine Seiten gelöscht werden</translation>
+    </message>
+    <message>
+        <source>the acknowledge delimiter</source>
+        <translation>dem Acknowledge-Delimiter</translation>
+    </message>
+    <message>
+        <source>the acknowledge slot</source>
+        <translation>dem Acknowledge-Slot</translation>
+    </message>
+    <message>
+        <source>the base of the numbers is %1, not hex or dec</source>
+        <translation>die Basis der Zahlen ist %1, nicht hex oder dec</translation>
+    </message>
+    <message>
+        <source>the board answered with an error that its documents do not name</source>
+        <translation>die Platine antwortete mit einem Fehler, den ihre Unterlagen nicht nennen</translation>
+    </message>
+    <message>
+        <source>the board cannot blink</source>
+        <translation>die Platine kann nicht blinken</translation>
+    </message>
+    <message>
+        <source>the board did not answer</source>
+        <translation>die Platine hat nicht geantwortet</translation>
+    </message>
+    <message>
+        <source>the board did not tell its status</source>
+        <translation>die Platine hat ihren Zustand nicht genannt</translation>
+    </message>
+    <message>
+        <source>the board does not know this command</source>
+        <translation>die Platine kennt diesen Befehl nicht</translation>
+    </message>
+    <message>
+        <source>the board found the packet malformed</source>
+        <translation>die Platine hielt das Paket für fehlerhaft</translation>
+    </message>
+    <message>
+        <source>the board has axes 1 to 4</source>
+        <translation>die Platine hat die Achsen 1 bis 4</translation>
+    </message>
+    <message>
+        <source>the board has no name</source>
+        <translation>die Platine hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>the board has no number: chip select tells boards apart</source>
+        <translation>die Platine hat keine Nummer: Chip Select unterscheidet Platinen</translation>
+    </message>
+    <message>
+        <source>the board has no such mode</source>
+        <translation>die Platine hat keine solche Betriebsart</translation>
+    </message>
+    <message>
+        <source>the board has one set of gains per axis</source>
+        <translation>die Platine hat je Achse einen Satz Verstärkungen</translation>
+    </message>
+    <message>
+        <source>the board is updated over its UART</source>
+        <translation>die Platine wird über ihren UART aktualisiert</translation>
+    </message>
+    <message>
+        <source>the board keeps nothing without power</source>
+        <translation>die Platine behält ohne Strom nichts</translation>
+    </message>
+    <message>
+        <source>the board may want velocity targets times 4096: choose that setting, and try again</source>
+        <translation>die Platine erwartet Drehzahlsollwerte vielleicht mal 4096: diese Einstellung wählen und erneut versuchen</translation>
+    </message>
+    <message>
+        <source>the board refused a value</source>
+        <translation>die Platine hat einen Wert abgelehnt</translation>
+    </message>
+    <message>
+        <source>the board restarted at %1</source>
+        <translation>die Platine startete bei %1 neu</translation>
+    </message>
+    <message>
+        <source>the board sent a reply without a return code</source>
+        <translation>die Platine sandte eine Antwort ohne Rückgabewert</translation>
+    </message>
+    <message>
+        <source>the board speaks protocol %1, this program was written for protocol 1; watch it before it is driven</source>
+        <translation>die Platine spricht Protokoll %1, dieses Programm wurde für Protokoll 1 geschrieben; vor dem Ansteuern beobachten</translation>
+    </message>
+    <message>
+        <source>the board was reset since its settings were written</source>
+        <translation>die Platine wurde zurückgesetzt, seit ihre Einstellungen geschrieben wurden</translation>
+    </message>
+    <message>
+        <source>the board was unplugged</source>
+        <translation>die Platine wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>the bootloader did not announce itself</source>
+        <translation>der Bootloader hat sich nicht gemeldet</translation>
+    </message>
+    <message>
+        <source>the bootloader refuses page %1</source>
+        <translation>der Bootloader lehnt Seite %1 ab</translation>
+    </message>
+    <message>
+        <source>the bootloader said nothing</source>
+        <translation>der Bootloader sagte nichts</translation>
+    </message>
+    <message>
+        <source>the cable was pulled out</source>
+        <translation>das Kabel wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>the checksum</source>
+        <translation>der Prüfsumme</translation>
+    </message>
+    <message>
+        <source>the checksum delimiter</source>
+        <translation>dem Prüfsummen-Delimiter</translation>
+    </message>
+    <message>
+        <source>the controller lost frames to send</source>
+        <translation>der Controller verlor zu sendende Frames</translation>
+    </message>
+    <message>
+        <source>the controller lost received frames</source>
+        <translation>der Controller verlor empfangene Frames</translation>
+    </message>
+    <message>
+        <source>the controller may hold half a program, and runs again once an update has succeeded</source>
+        <translation>der Controller enthält womöglich ein halbes Programm und läuft erst nach einem erfolgreichen Update wieder</translation>
+    </message>
+    <message>
+        <source>the controller started again</source>
+        <translation>der Controller ist neu gestartet</translation>
+    </message>
+    <message>
+        <source>the current did not follow the duty, so its resistance is not known</source>
+        <translation>der Strom folgte dem Tastgrad nicht, sein Widerstand ist also unbekannt</translation>
+    </message>
+    <message>
+        <source>the current limit cut into the pushes</source>
+        <translation>die Strombegrenzung griff in die Stöße ein</translation>
+    </message>
+    <message>
+        <source>the data</source>
+        <translation>den Daten</translation>
+    </message>
+    <message>
+        <source>the data masks have an unexpected length</source>
+        <translation>die Datenmasken haben eine unerwartete Länge</translation>
+    </message>
+    <message>
+        <source>the data runs past the end of 32-bit addresses</source>
+        <translation>die Daten reichen über das Ende der 32-Bit-Adressen</translation>
+    </message>
+    <message>
+        <source>the data runs past the end of its 64 KiB segment</source>
+        <translation>die Daten reichen über das Ende ihres 64-KiB-Segments</translation>
+    </message>
+    <message>
+        <source>the device answers with no application</source>
+        <translation>das Gerät antwortet ohne Anwendung</translation>
+    </message>
+    <message>
+        <source>the device restarted before its flash was proved to be written</source>
+        <translation>Neustart, bevor das Schreiben des Flash nachgewiesen war</translation>
+    </message>
+    <message>
+        <source>the device&apos;s rate was not put back: %1</source>
+        <translation>die Rate des Geräts wurde nicht zurückgesetzt: %1</translation>
+    </message>
+    <message>
+        <source>the disk has not made %1 within 10 s</source>
+        <translation>der Datenträger hat %1 nicht innerhalb von 10 s angelegt</translation>
+    </message>
+    <message>
+        <source>the disk is full</source>
+        <translation>die Festplatte ist voll</translation>
+    </message>
+    <message>
+        <source>the disk of %1 does not answer</source>
+        <translation>der Datenträger von %1 antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the drive does not check it and would overwrite its memory</source>
+        <translation>der Antrieb prüft es nicht und würde seinen Speicher überschreiben</translation>
+    </message>
+    <message>
+        <source>the duty changed its direction %1 times in a second</source>
+        <translation>der Tastgrad wechselte in einer Sekunde %1-mal die Richtung</translation>
+    </message>
+    <message>
+        <source>the encoder counts against the power</source>
+        <translation>der Encoder zählt entgegen der Leistung</translation>
+    </message>
+    <message>
+        <source>the end of frame</source>
+        <translation>dem Ende des Frames</translation>
+    </message>
+    <message>
+        <source>the file has no lines to send</source>
+        <translation>die Datei hat keine Zeilen zum Senden</translation>
+    </message>
+    <message>
+        <source>the file has reached the greatest size there</source>
+        <translation>die Datei hat dort die größte zulässige Größe erreicht</translation>
+    </message>
+    <message>
+        <source>the formula is nested too deeply</source>
+        <translation>die Formel ist zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>the formula uses no signal</source>
+        <translation>die Formel benutzt kein Signal</translation>
+    </message>
+    <message>
+        <source>the frame has %1 of %2 bytes</source>
+        <translation>der Frame hat %1 von %2 Bytes</translation>
+    </message>
+    <message>
+        <source>the frame is of the kind %1, not d or r</source>
+        <translation>der Frame ist von der Art %1, nicht d oder r</translation>
+    </message>
+    <message>
+        <source>the frame says %1 in the place of Rx or Tx</source>
+        <translation>der Frame sagt %1 an der Stelle von Rx oder Tx</translation>
+    </message>
+    <message>
+        <source>the gain had nothing to act on</source>
+        <translation>die Verstärkung hatte nichts, worauf sie wirkt</translation>
+    </message>
+    <message>
+        <source>the gains of this loop are not known here, so its target stays within %1 of where it is: a weak loop may not move it; write its p and divisor once</source>
+        <translation>die Verstärkungen dieses Reglers sind hier unbekannt, sein Ziel bleibt also innerhalb %1 von seinem Ort: ein schwacher Regler bewegt ihn vielleicht nicht; einmal p und divisor schreiben</translation>
+    </message>
+    <message>
+        <source>the gains stored in the drive are erased; all its loops do nothing until they are written again</source>
+        <translation>die im Antrieb gespeicherten Verstärkungen sind gelöscht; seine Regler tun nichts, bis sie neu geschrieben sind</translation>
+    </message>
+    <message>
+        <source>the gains that trial #%1 had changed are put back</source>
+        <translation>die von Versuch #%1 geänderten Verstärkungen sind zurückgeschrieben</translation>
+    </message>
+    <message>
+        <source>the gains were not put back: %1; the notebook has them, &apos;motorbenchctl trials&apos; lists what is owed</source>
+        <translation>die Verstärkungen wurden nicht zurückgeschrieben: %1; das Notizbuch hat sie, &apos;motorbenchctl trials&apos; nennt das Geschuldete</translation>
+    </message>
+    <message>
+        <source>the history does not have this write: %1</source>
+        <translation>die Historie hat dieses Schreiben nicht: %1</translation>
+    </message>
+    <message>
+        <source>the history has an unexpected length</source>
+        <translation>die Historie hat eine unerwartete Länge</translation>
+    </message>
+    <message>
+        <source>the history of %1 has nothing to do again</source>
+        <translation>die Historie von %1 hat nichts zu wiederholen</translation>
+    </message>
+    <message>
+        <source>the history of %1 has nothing to undo</source>
+        <translation>die Historie von %1 hat nichts rückgängig zu machen</translation>
+    </message>
+    <message>
+        <source>the identifier</source>
+        <translation>dem Identifier</translation>
+    </message>
+    <message>
+        <source>the identifier extension bit</source>
+        <translation>dem Identifier-Extension-Bit</translation>
+    </message>
+    <message>
+        <source>the image is for product 602, this unit is product %1%2%3</source>
+        <translation>das Image ist für Produkt 602, dieses Gerät ist Produkt %1%2%3</translation>
+    </message>
+    <message>
+        <source>the image itself writes the settings pages</source>
+        <translation>das Image schreibt selbst die Seiten der Einstellungen</translation>
+    </message>
+    <message>
+        <source>the intermission</source>
+        <translation>der Intermission</translation>
+    </message>
+    <message>
+        <source>the layout has more than 500 traces</source>
+        <translation>das Layout hat mehr als 500 Kurven</translation>
+    </message>
+    <message>
+        <source>the length</source>
+        <translation>der Länge</translation>
+    </message>
+    <message>
+        <source>the length of the frame is %1</source>
+        <translation>die Länge des Frames ist %1</translation>
+    </message>
+    <message>
+        <source>the link was opened anew</source>
+        <translation>der Link wurde neu geöffnet</translation>
+    </message>
+    <message>
+        <source>the loop drives the motor the wrong way</source>
+        <translation>der Regler treibt den Motor in die falsche Richtung</translation>
+    </message>
+    <message>
+        <source>the loop swings itself up: %1 swings, each larger than the last or with full duty</source>
+        <translation>der Regler schwingt sich auf: %1 Schwingungen, jede größer als die vorige oder mit vollem Tastgrad</translation>
+    </message>
+    <message>
+        <source>the loop would be undefined</source>
+        <translation>der Regler wäre undefiniert</translation>
+    </message>
+    <message>
+        <source>the microcontroller of the drive is f1 (STM32F1) or f4 (STM32F4)</source>
+        <translation>der Mikrocontroller des Antriebs ist f1 (STM32F1) oder f4 (STM32F4)</translation>
+    </message>
+    <message>
+        <source>the model is not to be believed: %1</source>
+        <translation>dem Modell ist nicht zu trauen: %1</translation>
+    </message>
+    <message>
+        <source>the motor did not follow a step: stalled, or the encoder is dead</source>
+        <translation>der Motor folgte einem Sprung nicht: blockiert, oder der Encoder ist tot</translation>
+    </message>
+    <message>
+        <source>the motor did not move at up to %1 % duty (%2 counts): stalled, or the encoder is dead</source>
+        <translation>der Motor bewegte sich bei bis zu %1 % Tastgrad nicht (%2 counts): blockiert, oder der Encoder ist tot</translation>
+    </message>
+    <message>
+        <source>the motor did not move when it was sent 20 counts up (%1 counts): stalled, or the encoder is dead</source>
+        <translation>der Motor bewegte sich nicht, als er 20 counts aufwärts geschickt wurde (%1 counts): blockiert, oder der Encoder ist tot</translation>
+    </message>
+    <message>
+        <source>the motor did not turn at two of the powers</source>
+        <translation>der Motor drehte sich bei zwei der Leistungen nicht</translation>
+    </message>
+    <message>
+        <source>the motor did not turn at up to %1 duty: stalled, or the encoder is dead</source>
+        <translation>der Motor drehte sich bei bis zu %1 Tastgrad nicht: blockiert, oder der Encoder ist tot</translation>
+    </message>
+    <message>
+        <source>the motor did not turn the way it was pushed</source>
+        <translation>der Motor drehte sich nicht in die Richtung, in die er gestoßen wurde</translation>
+    </message>
+    <message>
+        <source>the motor ran faster than the power limit allows</source>
+        <translation>der Motor lief schneller, als die Leistungsgrenze zulässt</translation>
+    </message>
+    <message>
+        <source>the motor reversed during a sine of %1 Hz: friction is in it</source>
+        <translation>der Motor kehrte während eines Sinus von %1 Hz um: Reibung ist darin</translation>
+    </message>
+    <message>
+        <source>the motor took the heat of %1 s at %2 A, 10 s are allowed; let it cool</source>
+        <translation>der Motor nahm die Wärme von %1 s bei %2 A auf, erlaubt sind 10 s; abkühlen lassen</translation>
+    </message>
+    <message>
+        <source>the motor turns differently in both directions</source>
+        <translation>der Motor dreht in beiden Richtungen unterschiedlich</translation>
+    </message>
+    <message>
+        <source>the motor was not seen to stand</source>
+        <translation>der Motor war nicht im Stillstand zu sehen</translation>
+    </message>
+    <message>
+        <source>the motor was stopped</source>
+        <translation>der Motor wurde gestoppt</translation>
+    </message>
+    <message>
+        <source>the name was written, but the device answers &apos;%1&apos;</source>
+        <translation>der Name wurde geschrieben, aber das Gerät antwortet &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>the nearest it can is %1</source>
+        <translation>am nächsten kommt %1</translation>
+    </message>
+    <message>
+        <source>the other end of %1 hung up</source>
+        <translation>die Gegenseite von %1 hat aufgelegt</translation>
+    </message>
+    <message>
+        <source>the output of its loop passed 32767, where it turns to full reverse</source>
+        <translation>der Ausgang des Reglers überschritt 32767, wo er auf voll rückwärts umschlägt</translation>
+    </message>
+    <message>
+        <source>the packet is too long for the board</source>
+        <translation>das Paket ist zu lang für die Platine</translation>
+    </message>
+    <message>
+        <source>the plugin %1 finds no adapter</source>
+        <translation>das Plugin %1 findet keinen Adapter</translation>
+    </message>
+    <message>
+        <source>the plugin %1 finds no adapter (%2)</source>
+        <translation>das Plugin %1 findet keinen Adapter (%2)</translation>
+    </message>
+    <message>
+        <source>the position is not known yet, so nothing would keep the motor from jumping</source>
+        <translation>die Position ist noch unbekannt, nichts hielte den Motor also vom Springen ab</translation>
+    </message>
+    <message>
+        <source>the position is written only while the output is off</source>
+        <translation>die Position wird nur bei abgeschaltetem Ausgang geschrieben</translation>
+    </message>
+    <message>
+        <source>the positions have an unexpected length</source>
+        <translation>die Positionen haben eine unerwartete Länge</translation>
+    </message>
+    <message>
+        <source>the pushes differ by %1 in their resistance, at most 15 %</source>
+        <translation>die Stöße unterscheiden sich im Widerstand um %1, höchstens 15 %</translation>
+    </message>
+    <message>
+        <source>the ramps do not tell friction from gain</source>
+        <translation>die Rampen trennen Reibung und Verstärkung nicht</translation>
+    </message>
+    <message>
+        <source>the ready line stayed low</source>
+        <translation>die Ready-Leitung blieb auf low</translation>
+    </message>
+    <message>
+        <source>the record is cut off after %1 bytes</source>
+        <translation>der Datensatz ist nach %1 Bytes abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the remote bit</source>
+        <translation>dem Remote-Bit</translation>
+    </message>
+    <message>
+        <source>the reply has an unexpected length</source>
+        <translation>die Antwort hat eine unerwartete Länge</translation>
+    </message>
+    <message>
+        <source>the report cannot be painted</source>
+        <translation>der Bericht lässt sich nicht zeichnen</translation>
+    </message>
+    <message>
+        <source>the reset line was pulsed</source>
+        <translation>die Reset-Leitung wurde gepulst</translation>
+    </message>
+    <message>
+        <source>the resistance is known within %1, at most 10 %</source>
+        <translation>der Widerstand ist auf %1 bekannt, höchstens 10 %</translation>
+    </message>
+    <message>
+        <source>the response could not be measured</source>
+        <translation>die Antwort ließ sich nicht messen</translation>
+    </message>
+    <message>
+        <source>the same interface as socketcan:%1, which also counts losses</source>
+        <translation>dieselbe Schnittstelle wie socketcan:%1, die auch Verluste zählt</translation>
+    </message>
+    <message>
+        <source>the scale of its gains is not known yet, and is found first: one to two minutes, with %1 % of its power at most</source>
+        <translation>die Skalierung seiner Verstärkungen ist noch unbekannt und wird zuerst bestimmt: ein bis zwei Minuten, mit höchstens %1 % seiner Leistung</translation>
+    </message>
+    <message>
+        <source>the sensor counts down when the motor is driven up (%1 counts): one of them is reversed</source>
+        <translation>der Geber zählt abwärts, wenn der Motor aufwärts getrieben wird (%1 counts): eines von beiden ist verpolt</translation>
+    </message>
+    <message>
+        <source>the sensor is reversed: it counts down</source>
+        <translation>der Geber ist verpolt: er zählt abwärts</translation>
+    </message>
+    <message>
+        <source>the sensor is reversed: it counts up</source>
+        <translation>der Geber ist verpolt: er zählt aufwärts</translation>
+    </message>
+    <message>
+        <source>the settings of the %1 loop were saved %2 times</source>
+        <translation>die Einstellungen des Reglers %1 wurden %2-mal gespeichert</translation>
+    </message>
+    <message>
+        <source>the shaft must be free, without load on one side</source>
+        <translation>die Welle muss frei sein, ohne einseitige Last</translation>
+    </message>
+    <message>
+        <source>the simulated board is in use by another link</source>
+        <translation>die simulierte Platine wird von einem anderen Link benutzt</translation>
+    </message>
+    <message>
+        <source>the simulator at %1 closed the connection</source>
+        <translation>der Simulator bei %1 hat die Verbindung geschlossen</translation>
+    </message>
+    <message>
+        <source>the simulator at %1 sent bytes that nobody asked for</source>
+        <translation>der Simulator bei %1 sandte Bytes, nach denen niemand fragte</translation>
+    </message>
+    <message>
+        <source>the speed does not grow evenly with the power</source>
+        <translation>die Drehzahl wächst nicht gleichmäßig mit der Leistung</translation>
+    </message>
+    <message>
+        <source>the start of frame</source>
+        <translation>dem Frame-Anfang</translation>
+    </message>
+    <message>
+        <source>the status bit is the same with both polarities, so it tells nothing</source>
+        <translation>das Statusbit ist bei beiden Polaritäten gleich und sagt daher nichts aus</translation>
+    </message>
+    <message>
+        <source>the steps in both directions did what was predicted; the gains were written and read back</source>
+        <translation>die Sprünge in beide Richtungen taten, was vorhergesagt war; die Verstärkungen wurden geschrieben und zurückgelesen</translation>
+    </message>
+    <message>
+        <source>the steps in both directions did what was predicted; the gains were written, which this family cannot read back</source>
+        <translation>die Sprünge in beide Richtungen taten, was vorhergesagt war; die Verstärkungen wurden geschrieben, diese Familie lässt sie nicht zurücklesen</translation>
+    </message>
+    <message>
+        <source>the steps met the end of the output</source>
+        <translation>die Sprünge trafen das Ende des Ausgangs</translation>
+    </message>
+    <message>
+        <source>the stream settings have an unexpected length</source>
+        <translation>die Stream-Einstellungen haben eine unerwartete Länge</translation>
+    </message>
+    <message>
+        <source>the substitute remote bit</source>
+        <translation>dem Substitute-Remote-Bit</translation>
+    </message>
+    <message>
+        <source>the target</source>
+        <translation>das Ziel</translation>
+    </message>
+    <message>
+        <source>the text is longer than %1 MiB</source>
+        <translation>der Text ist länger als %1 MiB</translation>
+    </message>
+    <message>
+        <source>the time stamp %1 is out of range</source>
+        <translation>der Zeitstempel %1 liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the time stamps are %1, not absolute or relative</source>
+        <translation>die Zeitstempel sind %1, nicht absolute oder relative</translation>
+    </message>
+    <message>
+        <source>the transceiver reports an error</source>
+        <translation>der Transceiver meldet einen Fehler</translation>
+    </message>
+    <message>
+        <source>the tuning is not in the notebook: %1</source>
+        <translation>die Einstellung ist nicht im Notizbuch: %1</translation>
+    </message>
+    <message>
+        <source>the two directions differ by %1, at most 10 %</source>
+        <translation>die beiden Richtungen unterscheiden sich um %1, höchstens 10 %</translation>
+    </message>
+    <message>
+        <source>the unit said it is in its bootloader, but its application answers</source>
+        <translation>das Gerät sagte, es sei im Bootloader, aber seine Anwendung antwortet</translation>
+    </message>
+    <message>
+        <source>the unit stays %1 away from where the experiment begins, more than 2 % of its step</source>
+        <translation>das Gerät bleibt %1 vom Beginn des Versuchs entfernt, mehr als 2 % seines Sprungs</translation>
+    </message>
+    <message>
+        <source>the unit stores no P, so nothing moves it</source>
+        <translation>das Gerät speichert kein P, nichts bewegt es also</translation>
+    </message>
+    <message>
+        <source>the unit stores them by itself within %1 s</source>
+        <translation>das Gerät speichert sie von selbst innerhalb von %1 s</translation>
+    </message>
+    <message>
+        <source>the unit tells no duty, no current or no position, so its resistance is not known</source>
+        <translation>das Gerät nennt Tastgrad, Strom oder Position nicht, sein Widerstand ist also unbekannt</translation>
+    </message>
+    <message>
+        <source>the unit waits in its bootloader, run the update again</source>
+        <translation>das Gerät wartet im Bootloader, Update wiederholen</translation>
+    </message>
+    <message>
+        <source>the user stopped it</source>
+        <translation>der Benutzer hat ihn gestoppt</translation>
+    </message>
+    <message>
+        <source>the values stay with this program and are written again after a reset</source>
+        <translation>die Werte bleiben in diesem Programm und werden nach einem Rücksetzen neu geschrieben</translation>
+    </message>
+    <message>
+        <source>the version at 0x1EFFC is 0x0000</source>
+        <translation>die Version bei 0x1EFFC ist 0x0000</translation>
+    </message>
+    <message>
+        <source>the version at 0x1EFFC is 0xFFFF, which means no application</source>
+        <translation>die Version bei 0x1EFFC ist 0xFFFF, das heißt keine Anwendung</translation>
+    </message>
+    <message>
+        <source>the version has an unexpected length</source>
+        <translation>die Version hat eine unerwartete Länge</translation>
+    </message>
+    <message>
+        <source>the window of the layout is out of range</source>
+        <translation>das Fenster des Layouts liegt außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>the wire lost too many frames; the same again</source>
+        <translation>die Leitung verlor zu viele Frames; dasselbe noch einmal</translation>
+    </message>
+    <message>
+        <source>there is no %1</source>
+        <translation>%1 ist nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>there is no CAN plugin %1</source>
+        <translation>kein CAN-Plugin %1 vorhanden</translation>
+    </message>
+    <message>
+        <source>there is no GPIO chip for %1</source>
+        <translation>es gibt keinen GPIO-Baustein für %1</translation>
+    </message>
+    <message>
+        <source>there is no file &apos;%1&apos;</source>
+        <translation>es gibt keine Datei &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>there is no layout of this name</source>
+        <translation>es gibt kein Layout dieses Namens</translation>
+    </message>
+    <message>
+        <source>there is no push to fit</source>
+        <translation>es gibt keinen Stoß zum Anpassen</translation>
+    </message>
+    <message>
+        <source>there is no simulated link &apos;sim:%1&apos;: can, serial and spi are known</source>
+        <translation>es gibt keinen simulierten Link &apos;sim:%1&apos;: bekannt sind can, serial und spi</translation>
+    </message>
+    <message>
+        <source>there is no snapshot &apos;%1&apos;</source>
+        <translation>es gibt keinen Schnappschuss &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>there is no snapshot &apos;%1&apos; of this unit</source>
+        <translation>es gibt keinen Schnappschuss &apos;%1&apos; dieses Geräts</translation>
+    </message>
+    <message>
+        <source>there is no socket %1</source>
+        <translation>es gibt keinen Socket %1</translation>
+    </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>there is no table here: expected time_s,name (unit),… or t,channel,value,unit</source>
+        <translation>hier ist keine Tabelle: erwartet wird time_s,name (unit),… oder t,channel,value,unit</translation>
+    </message>
+    <message>
+        <source>there is no trial %1</source>
+        <translation>es gibt keinen Versuch %1</translation>
+    </message>
+    <message>
+        <source>there is no way from %1 to itself</source>
+        <translation>von %1 zu sich selbst führt kein Weg</translation>
+    </message>
+    <message>
+        <source>there is not enough room for a frequency response: its limits leave a speed of %1 counts/s for %2 s</source>
+        <translation>für einen Frequenzgang ist nicht genug Platz: seine Grenzen lassen %1 counts/s für %2 s</translation>
+    </message>
+    <message>
+        <source>there is not enough room to identify the motor: its limits leave pushes of %1 duty only</source>
+        <translation>zum Identifizieren des Motors ist nicht genug Platz: seine Grenzen lassen nur Stöße mit %1 Tastgrad</translation>
+    </message>
+    <message>
+        <source>there is not enough room: its limits leave steps of %1 counts</source>
+        <translation>es ist nicht genug Platz: seine Grenzen lassen Sprünge von %1 counts</translation>
+    </message>
+    <message>
+        <source>they have speed and interface</source>
+        <translation>bekannt sind speed und interface</translation>
+    </message>
+    <message>
+        <source>this build simulates no devices on sim:%1</source>
+        <translation>diese Fassung simuliert keine Geräte an sim:%1</translation>
+    </message>
+    <message>
+        <source>this command is not known to firmware of dialect %1</source>
+        <translation>diesen Befehl kennt Firmware des Dialekts %1 nicht</translation>
+    </message>
+    <message>
+        <source>this device has no experiment &apos;%1&apos;</source>
+        <translation>dieses Gerät hat keinen Versuch &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>this device has no watchdog, and on %1 nothing could stop it if the program died</source>
+        <translation>dieses Gerät hat keinen Watchdog, und an %1 könnte nichts es stoppen, wenn das Programm abstürzt</translation>
+    </message>
+    <message>
+        <source>this image holds a bootloader too, which cannot write itself</source>
+        <translation>dieses Image enthält auch einen Bootloader, der sich nicht selbst schreiben kann</translation>
+    </message>
+    <message>
+        <source>this is no layout of plots</source>
+        <translation>dies ist kein Layout von Plots</translation>
+    </message>
+    <message>
+        <source>this is no program for the controller: it does not begin with a jump of an AVR at address 0</source>
+        <translation>dies ist kein Programm für den Controller: es beginnt nicht mit einem AVR-Sprung an Adresse 0</translation>
+    </message>
+    <message>
+        <source>this is no program for the controller: it has bytes outside the 32 KiB of an ATmega328P</source>
+        <translation>dies ist kein Programm für den Controller: es hat Bytes außerhalb der 32 KiB eines ATmega328P</translation>
+    </message>
+    <message>
+        <source>this takes too long</source>
+        <translation>dies dauert zu lange</translation>
+    </message>
+    <message>
+        <source>this trial has no sine and no positions</source>
+        <translation>dieser Versuch hat keinen Sinus und keine Positionen</translation>
+    </message>
+    <message>
+        <source>this trial is kept without its result: %1</source>
+        <translation>dieser Versuch wird ohne sein Ergebnis aufbewahrt: %1</translation>
+    </message>
+    <message>
+        <source>this trial is not kept: %1</source>
+        <translation>dieser Versuch wird nicht aufbewahrt: %1</translation>
+    </message>
+    <message>
+        <source>this trial owes nothing to the unit</source>
+        <translation>dieser Versuch schuldet dem Gerät nichts</translation>
+    </message>
+    <message>
+        <source>this unit has no number yet</source>
+        <translation>dieses Gerät hat noch keine Nummer</translation>
+    </message>
+    <message>
+        <source>to be trusted up to %1 Hz, as far as ten samples a swing and a coherence of 0.9</source>
+        <translation>vertrauenswürdig bis %1 Hz, soweit zehn Messwerte je Schwingung und eine Kohärenz von 0.9 reichen</translation>
+    </message>
+    <message>
+        <source>too few samples for a sine of %1 Hz</source>
+        <translation>zu wenige Messwerte für einen Sinus von %1 Hz</translation>
+    </message>
+    <message>
+        <source>too few steps to tell what the gains of this loop do</source>
+        <translation>zu wenige Sprünge, um zu sagen, was die Verstärkungen dieses Reglers bewirken</translation>
+    </message>
+    <message>
+        <source>transmission timed out</source>
+        <translation>das Senden dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>trial #%1</source>
+        <translation>Versuch #%1</translation>
+    </message>
+    <message>
+        <source>try a lower speed=</source>
+        <translation>ein kleineres speed= versuchen</translation>
+    </message>
+    <message>
+        <source>try again</source>
+        <translation>erneut versuchen</translation>
+    </message>
+    <message>
+        <source>try its position loop</source>
+        <translation>seinen Positionsregler versuchen</translation>
+    </message>
+    <message>
+        <source>tune it by hand with &apos;motorbenchctl step&apos;</source>
+        <translation>ihn von Hand mit &apos;motorbenchctl step&apos; einstellen</translation>
+    </message>
+    <message>
+        <source>tuning %1: %2</source>
+        <translation>Einstellung %1: %2</translation>
+    </message>
+    <message>
+        <source>undone: %1</source>
+        <translation>zurückgenommen: %1</translation>
+    </message>
+    <message>
+        <source>unix links have no option &apos;%1&apos;</source>
+        <translation>unix-Links haben keine Option &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>unknown error</source>
+        <translation>unbekannter Fehler</translation>
+    </message>
+    <message>
+        <source>unknown fault &apos;%1&apos;</source>
+        <translation>unbekannter Fehler &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>unknown option &apos;%1&apos; of a serial link</source>
+        <translation>unbekannte Option „%1“ einer seriellen Verbindung</translation>
+    </message>
+    <message>
+        <source>unknown option &apos;%1&apos; of a simulated link</source>
+        <translation>unbekannte Option &apos;%1&apos; eines simulierten Links</translation>
+    </message>
+    <message>
+        <source>unplug it and plug it in again</source>
+        <translation>abziehen und wieder einstecken</translation>
+    </message>
+    <message>
+        <source>update its firmware first</source>
+        <translation>zuerst die Firmware aktualisieren</translation>
+    </message>
+    <message>
+        <source>use a programmer on the pins</source>
+        <translation>ein Programmiergerät an den Stiften nehmen</translation>
+    </message>
+    <message>
+        <source>use an interface of the kernel</source>
+        <translation>eine Schnittstelle des Kernels verwenden</translation>
+    </message>
+    <message>
+        <source>use that one</source>
+        <translation>jene benutzen</translation>
+    </message>
+    <message>
+        <source>velocity is −100000 to 100000 counts/s</source>
+        <translation>die Geschwindigkeit ist −100000 bis 100000 counts/s</translation>
+    </message>
+    <message>
+        <source>wait until it is heard</source>
+        <translation>warten, bis es zu hören ist</translation>
+    </message>
+    <message>
+        <source>what D does is known within %1, at most 30 %</source>
+        <translation>was D bewirkt, ist auf %1 bekannt, höchstens 30 %</translation>
+    </message>
+    <message>
+        <source>what a gain of %1 means in this loop is not known</source>
+        <translation>was eine Verstärkung von %1 in diesem Regler bedeutet, ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>what a raw gain of this board puts out is not known (%1)</source>
+        <translation>was eine rohe Verstärkung dieser Platine ausgibt, ist nicht bekannt (%1)</translation>
+    </message>
+    <message>
+        <source>what another program has changed within the last 15 s is not in the flash of the unit yet, and is lost with the restart</source>
+        <translation>was ein anderes Programm in den letzten 15 s geändert hat, ist noch nicht im Flash des Geräts und geht mit dem Neustart verloren</translation>
+    </message>
+    <message>
+        <source>what is left over is %1 of the steps, at most 8 %</source>
+        <translation>übrig bleiben %1 der Sprünge, höchstens 8 %</translation>
+    </message>
+    <message>
+        <source>what is missing is still unknown, do it again</source>
+        <translation>was fehlt, ist weiterhin unbekannt, wiederholen</translation>
+    </message>
+    <message>
+        <source>what the gains of this loop make is not known any more</source>
+        <translation>was die Verstärkungen dieses Reglers bewirken, ist nicht mehr bekannt</translation>
+    </message>
+    <message>
+        <source>where it is neither, its gain.p is too small for so short a way</source>
+        <translation>wo es keines von beiden ist, ist sein gain.p zu klein für einen so kurzen Weg</translation>
+    </message>
+    <message>
+        <source>without a ready line the board is asked 100 times a second, and cannot stream</source>
+        <translation>ohne Ready-Leitung wird die Platine 100-mal pro Sekunde gefragt und kann nicht streamen</translation>
+    </message>
+    <message>
+        <source>without an application its bootloader is silent (scan shows it)</source>
+        <translation>ohne Anwendung schweigt sein Bootloader (eine Suche zeigt es)</translation>
+    </message>
+    <message>
+        <source>write %1</source>
+        <translation>%1 schreiben</translation>
+    </message>
+    <message>
+        <source>write == to compare</source>
+        <translation>zum Vergleichen == schreiben</translation>
+    </message>
+    <message>
+        <source>write a larger gain.d once, with which it still comes to rest</source>
+        <translation>einmal ein größeres gain.d schreiben, mit dem er noch zur Ruhe kommt</translation>
+    </message>
+    <message>
+        <source>write a number</source>
+        <translation>eine Zahl schreiben</translation>
+    </message>
+    <message>
+        <source>write a small gain.p once, with which it moves</source>
+        <translation>einmal ein kleines gain.p schreiben, mit dem er sich bewegt</translation>
+    </message>
+    <message>
+        <source>write a smaller gain.p once</source>
+        <translation>einmal ein kleineres gain.p schreiben</translation>
+    </message>
+    <message>
+        <source>write it like 2.5</source>
+        <translation>es wie 2.5 schreiben</translation>
+    </message>
+    <message>
+        <source>write it with &apos;motorbenchctl set&apos;</source>
+        <translation>es mit &apos;motorbenchctl set&apos; schreiben</translation>
+    </message>
+    <message>
+        <source>write it with a dot, like 1.5, and no comma</source>
+        <translation>es mit Punkt schreiben, wie 1.5, und ohne Komma</translation>
+    </message>
+    <message>
+        <source>write on or off</source>
+        <translation>on oder off schreiben</translation>
+    </message>
+    <message>
+        <source>write openocd:INTERFACE, such as openocd:stlink</source>
+        <translation>openocd:SCHNITTSTELLE schreiben, etwa openocd:stlink</translation>
+    </message>
+    <message>
+        <source>write the gains of this loop once with &apos;motorbenchctl set&apos;, or give --keep</source>
+        <translation>die Verstärkungen dieses Reglers einmal mit &apos;motorbenchctl set&apos; schreiben, oder --keep angeben</translation>
+    </message>
+    <message>
+        <source>write true or false</source>
+        <translation>true oder false schreiben</translation>
+    </message>
+    <message>
+        <source>written again: %1</source>
+        <translation>neu geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>written, but the current limit, which this firmware overwrites with it, could not be put back to %1 mA: %2</source>
+        <translation>geschrieben, aber die Strombegrenzung, die diese Firmware damit überschreibt, ließ sich nicht auf %1 mA zurücksetzen: %2</translation>
     </message>
 </context>
 </TS>
