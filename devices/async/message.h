@@ -49,28 +49,6 @@ public:
     }
     friend std::ostream &operator<<(std::ostream &out, const Message &message);
 
-    // For what still glues its sentences; goes when nothing does.
-    Message(std::string text) // NOLINT(google-explicit-constructor)
-        : Message(verbatim(std::move(text)))
-    {
-    }
-    Message(std::string_view text) // NOLINT(google-explicit-constructor)
-        : Message(verbatim(std::string(text)))
-    {
-    }
-    Message(const char *text) // NOLINT(google-explicit-constructor)
-        : Message(verbatim(text))
-    {
-    }
-    operator const std::string &() const { return english(); } // NOLINT(google-explicit-constructor)
-    [[nodiscard]] std::size_t find(std::string_view text) const { return english().find(text); }
-    [[nodiscard]] const char *c_str() const { return english().c_str(); }
-    void clear() { m_body.reset(); }
-    friend std::string operator+(const Message &a, const std::string &b) { return a.english() + b; }
-    friend std::string operator+(const std::string &a, const Message &b) { return a + b.english(); }
-    friend std::string operator+(const Message &a, const char *b) { return a.english() + b; }
-    friend std::string operator+(const char *a, const Message &b) { return a + b.english(); }
-
 private:
     struct Body;
     explicit Message(std::shared_ptr<const Body> body)

@@ -45,7 +45,7 @@ private:
     [[nodiscard]] Result<void> doMayMove() const override;
     void doProfileChanged() override;
     [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
-    [[nodiscard]] std::string doCaution(const SetPoint &setPoint) const override;
+    [[nodiscard]] Message doCaution(const SetPoint &setPoint) const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     void doStop() override;
     [[nodiscard]] Result<void> doMayStop() const override;

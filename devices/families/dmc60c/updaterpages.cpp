@@ -109,7 +109,7 @@ Result<Updater::Verdict> Updater::judge(const Page &page, CommandStatus status)
             return Verdict::Restart;
         }
         if (!m_variantKnown)
-            m_progress.log(Severity::Good, say("page %1 accepted with CRC variant %2", number, letterOf(m_variant)));
+            m_progress.log(Severity::Good, say("page %1 accepted with CRC variant %2", number, std::string(1, letterOf(m_variant))));
         m_variantKnown = true;
         return Verdict::Written;
     case CommandStatus::CrcMismatch: return afterMismatch(page);

@@ -38,7 +38,7 @@ double rounded(double value)
 Task<void> ScaleSearch::measureAll()
 {
     int phase = 0;
-    const auto step = [&](const char *what) { m_progress.step(what, phase++, phases); };
+    const auto step = [&](const Message &what) { m_progress.step(what, phase++, phases); };
     step(say("turning the motor with several powers"));
     auto plant = measurePlant();
     co_await std::move(plant);

@@ -91,7 +91,7 @@ Result<void> Controller::doMayMove() const
     return {};
 }
 
-std::string Controller::doCaution(const SetPoint &setPoint) const
+Message Controller::doCaution(const SetPoint &setPoint) const
 {
     return m_motion.caution(setPoint);
 }

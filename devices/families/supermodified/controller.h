@@ -51,7 +51,7 @@ private:
     [[nodiscard]] Result<void> doMayMove() const override;
     [[nodiscard]] bool doOffers(ParameterIndex index) const override;
     [[nodiscard]] Result<void> doCheck(const SetPoint &setPoint) const override;
-    [[nodiscard]] std::string doCaution(const SetPoint &setPoint) const override;
+    [[nodiscard]] Message doCaution(const SetPoint &setPoint) const override;
     Result<void> doCommand(const SetPoint &setPoint) override;
     Result<void> doReleaseMoves() override;
     void doStop() override;
