@@ -362,14 +362,14 @@ void EngineCore::update(DeviceId id, std::shared_ptr<const FirmwareImage> image,
             if (!report)
                 report = UpdateReport{
                     report.error().fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed, {}, {},
-                    0, 0, false, report.error().message(), report.error().fault};
+                    0, 0, false, report.error().detail, report.error().help(), report.error().fault};
             running.update = *report;
             if (!device)
                 return;
             device->setBusy({});
             saveTranscript(running, *device);
             const bool good = report->outcome == UpdateOutcome::Done || report->outcome == UpdateOutcome::UpToDate;
-            notice(good ? Severity::Good : Severity::Danger, labelOf(*device), say("firmware: %1", report->evidence));
+            notice(good ? Severity::Good : Severity::Danger, labelOf(*device), say("firmware: %1", report->summary()));
             scan(device->link());
         },
         [this, id](const Result<void> &result) {

@@ -131,9 +131,9 @@ std::string lowered(std::string text)
     return text;
 }
 
-std::string usageOf(const Verb &verb)
+Message usageOf(const Verb &verb)
 {
-    return "the usage is motorbenchctl " + std::string(verb.name) + ' ' + std::string(verb.usage);
+    return say("the usage is motorbenchctl %1 %2", verb.name, verb.usage);
 }
 
 tl::unexpected<Error> unexpectedArgument(const CLI::App &app, const Verb &verb)

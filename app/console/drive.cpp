@@ -216,7 +216,7 @@ Result<Plan> check(Console &console, const Arguments &arguments)
 /// What ended the motion, and whether the device was seen to have stopped.
 struct Outcome {
     SetPointStream::End end = SetPointStream::End::None;
-    std::string why;
+    Message why;
     bool interrupted = false;
     bool stopped = false;
     Result<void> released; ///< of a buffered move
@@ -371,8 +371,8 @@ Task<int> drive(Console &console, Arguments arguments)
         co_return fail(allowed.error());
     if (auto legal = plan->setPoint.mode == Mode::Off ? Result<void>() : device->check(plan->setPoint); !legal)
         co_return fail(legal.error()); // now that the device itself is known
-    if (const std::string caution = device->caution(plan->setPoint); !caution.empty())
-        console.note(device->selector() + ": " + caution);
+    if (const Message caution = device->caution(plan->setPoint); !caution.empty())
+        console.note(device->selector() + ": " + caution.english());
     console.begin();
     if (plan->zero) {
         auto zeroing = device->zeroPosition();

@@ -3,6 +3,13 @@
 
 namespace mb::console {
 
+Error lossOf(const Link &link)
+{
+    Error loss = link.loss();
+    loss.detail = say("%1 was lost: %2", link.address().text(), loss.detail);
+    return loss;
+}
+
 Ending::Ending(Console &console)
     : m_time(console.clock())
     , m_posted(console.clock())
@@ -22,7 +29,7 @@ void Ending::watchPatiently(Link &link, std::function<bool(const Link &)> mayRet
     const auto look = [this, &link, mayReturn = std::move(mayReturn)] {
         if (link.state() != LinkState::Lost || (mayReturn && mayReturn(link)))
             return;
-        m_reason = link.address().text() + " was lost: " + link.reason();
+        m_loss = lossOf(link);
         end(Cause::LinkLost);
     };
     m_links.push_back(link.stateChanged().add([look](LinkState) { look(); }));

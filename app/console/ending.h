@@ -6,6 +6,9 @@
 
 namespace mb::console {
 
+/// Why a link is lost, with its name.
+[[nodiscard]] Error lossOf(const Link &link);
+
 /// What a verb that streams waits for: its time is up, a signal came, the link was lost or a recording is over, whichever
 /// is first.
 class Ending {
@@ -22,8 +25,8 @@ public:
     /// Lets recordings play.
     [[nodiscard]] Event::Wait wait();
     [[nodiscard]] Cause cause() const { return m_cause; }
-    /// Of a lost link.
-    [[nodiscard]] const std::string &reason() const { return m_reason; }
+    /// What a lost link ends the verb with.
+    [[nodiscard]] const Error &loss() const { return m_loss; }
 
 private:
     void end(Cause cause);
@@ -32,7 +35,7 @@ private:
     Timer m_posted; ///< the waiting task goes on from the clock, never from inside a link's notification
     Event m_event;
     Cause m_cause = Cause::None;
-    std::string m_reason;
+    Error m_loss{Fault::LinkLost};
     Subscription m_interrupted;
     std::vector<Subscription> m_links;
     std::vector<ReplayLink *> m_recordings;

@@ -36,12 +36,12 @@ std::string nameOf(Fault fault)
 
 std::string causeOf(const Error &error)
 {
-    return error.detail.empty() ? std::string(toString(error.fault)) : error.detail;
+    return error.detail.empty() ? std::string(toString(error.fault)) : error.detail.english();
 }
 
 std::string helpOf(const Error &error)
 {
-    return error.remedy.empty() ? std::string(remedyOf(error.fault)) : error.remedy;
+    return error.help().empty() ? std::string(remedyOf(error.fault)) : error.help().english();
 }
 
 } // namespace

@@ -163,9 +163,12 @@ UpdateReport reportOf(Result<UpdateReport> result)
     UpdateReport report;
     report.outcome = result.error().fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed;
     report.fault = result.error().fault;
-    report.evidence = result.error().text();
-    if (report.outcome == UpdateOutcome::Cancelled)
-        report.evidence = "cancelled before it was complete; run it again to finish";
+    report.evidence = result.error().detail;
+    report.remedy = result.error().help();
+    if (report.outcome == UpdateOutcome::Cancelled) {
+        report.evidence = say("cancelled before it was complete");
+        report.remedy = say("run it again to finish");
+    }
     return report;
 }
 
@@ -180,7 +183,7 @@ void show(Console &console, const UpdateReport &report, double seconds)
             {QStringLiteral("retries"), report.retries},
             {QStringLiteral("seconds"), seconds},
             {QStringLiteral("verified"), report.verified},
-            {QStringLiteral("evidence"), textOrNull(report.evidence)},
+            {QStringLiteral("evidence"), textOrNull(report.summary().english())},
         });
     } else if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate) {
         std::string line(toString(report.outcome));
@@ -190,7 +193,7 @@ void show(Console &console, const UpdateReport &report, double seconds)
                 + " pages, " + std::to_string(report.retries) + " retries, " + numberText(seconds) + " s";
         if (report.verified)
             line += ", verified";
-        console.out().line(report.evidence.empty() ? line : line + ": " + report.evidence);
+        console.out().line(report.evidence.empty() ? line : line + ": " + report.summary().english());
     }
 }
 
@@ -199,11 +202,12 @@ Result<int> verdictOf(const Console &console, const UpdateReport &report)
     if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate)
         return exitDone;
     if (report.outcome == UpdateOutcome::Refused && report.fault && exitStatusOf(*report.fault, false) == exitUsage) {
-        tell(Error::fromPhrase(*report.fault, report.evidence), exitUsage, console.json()); // nothing of it was sent
+        tell(Error{*report.fault, report.evidence, report.remedy}, exitUsage, console.json()); // nothing of it was sent
         return exitUsage;
     }
     const Fault fallback = report.outcome == UpdateOutcome::Cancelled ? Fault::Cancelled : Fault::Refused;
-    return fail(report.fault.value_or(fallback), say("%1: %2", toString(report.outcome), report.evidence));
+    return fail(
+        report.fault.value_or(fallback), say("%1: %2", toString(report.outcome), report.evidence), report.remedy);
 }
 
 Task<int> flash(Console &console, Arguments arguments)

@@ -141,7 +141,7 @@ void printText(Console &console, const Device &device, const Faults &faults)
     if (!identity.dialect.empty())
         table.add({"dialect", identity.dialect});
     if (!identity.detail.empty())
-        table.add({"detail", identity.detail});
+        table.add({"detail", identity.detail.english()});
     for (const auto &[key, text] : identity.descriptors)
         table.add({key, text});
     for (const Calibration &row : device.family().calibrations) {
@@ -235,7 +235,7 @@ Result<void> keep(Console &console, Device &device, const std::vector<Kept> &all
         if (!done)
             return done;
         if (kept.key == "dialect" && !kept.text.empty())
-            console.note(device.identity().detail);
+            console.note(device.identity().detail.english());
     }
     return {};
 }

@@ -32,7 +32,7 @@ QJsonArray toJson(const std::vector<LinkListing> &links)
             {QStringLiteral("link"), qt(link.link.text())},
             {QStringLiteral("kind"), qt(toString(link.kind))},
             {QStringLiteral("state"), qt(link.state)},
-            {QStringLiteral("detail"), textOrNull(link.detail)},
+            {QStringLiteral("detail"), textOrNull(link.detail.english())},
         });
     }
     return rows;
@@ -42,7 +42,7 @@ void print(Output &out, const std::vector<LinkListing> &links)
 {
     Table table({"LINK", "KIND", "STATE", "DETAIL"});
     for (const LinkListing &link : links)
-        table.add({link.link.text(), std::string(toString(link.kind)), link.state, link.detail});
+        table.add({link.link.text(), std::string(toString(link.kind)), link.state, link.detail.english()});
     table.print(out);
 }
 

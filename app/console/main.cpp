@@ -32,7 +32,7 @@ public:
         : m_application(application)
         , m_console(m_clock, families(), options)
         , m_sleepGuard(m_console.session(), m_clock, m_inhibitor)
-        , m_mayBeSuspended(m_inhibitor.troubled().add([this](const Message &text) { m_console.note(text); }))
+        , m_mayBeSuspended(m_inhibitor.troubled().add([this](const Message &text) { m_console.note(text.english()); }))
         , m_scope(m_clock)
         , m_signals([this] { interrupt(); })
         , m_broken(m_console.out().broken().add([this] { interrupt(); }))

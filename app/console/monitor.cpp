@@ -62,7 +62,7 @@ Task<int> monitor(Console &console, Arguments arguments)
         console.note(std::to_string(lost) + ((*link)->kind() == LinkKind::Can ? " frames" : " bytes")
             + " were lost on the way from the kernel");
     if (ending.cause() == Ending::Cause::LinkLost)
-        co_return fail(Error::fromPhrase(Fault::LinkLost, ending.reason()));
+        co_return fail(ending.loss());
     co_return exitDone;
 }
 

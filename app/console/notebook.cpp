@@ -15,7 +15,7 @@ Notebook::Notebook(Console &console)
 {
     auto opened = Database::open(databaseFile());
     if (!opened) {
-        console.note("nothing is kept of this: " + opened.error().detail);
+        console.note("nothing is kept of this: " + opened.error().detail.english());
         return;
     }
     m_database = std::move(*opened);

@@ -46,8 +46,10 @@ std::optional<Error> firstError(const Device &device, const std::vector<Transfer
             continue;
         const std::string key(device.parameters().parameter(outcome.index).key);
         Error error = outcome.raw.error();
-        if (error.detail.find(key) == std::string::npos)
-            error.detail = key + ": " + (error.detail.empty() ? std::string(toString(error.fault)) : error.detail);
+        if (error.detail.empty())
+            error.detail = Message::verbatim(std::string(toString(error.fault)));
+        if (error.detail.english().find(key) == std::string::npos)
+            error = error.about(key);
         return error;
     }
     return std::nullopt;

@@ -33,10 +33,10 @@ void ProgressLine::step(const Message &what, int done, int total)
         return;
     m_next = now + (m_terminal ? redraw : lineEvery);
     if (m_terminal) {
-        draw(what, done, total);
+        draw(what.english(), done, total);
         return;
     }
-    std::string line = what;
+    std::string line = what.english();
     if (total > 0)
         line += " (" + std::to_string(done) + " of " + std::to_string(total) + ')';
     if (line != std::exchange(m_last, line))
@@ -61,7 +61,7 @@ void ProgressLine::log(Severity severity, const Message &text)
     if (severity != Severity::Caution && severity != Severity::Danger)
         return;
     erase();
-    m_console.note(text);
+    m_console.note(text.english());
 }
 
 void ProgressLine::erase()

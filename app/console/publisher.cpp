@@ -11,7 +11,7 @@ namespace {
 constexpr int usualMqttPort = 1883;
 constexpr int highestPort = 65535;
 
-Error notAnAddress(const std::string &text, const std::string &why)
+Error notAnAddress(const std::string &text, const Message &why)
 {
     return {Fault::OutOfRange, say("--to '%1': %2", text, why), say("give mqtt://HOST/TOPIC or udp://HOST:PORT")};
 }
@@ -24,7 +24,7 @@ Result<void> parseHost(const std::string &text, const std::string &whole, Publis
     if (!host.empty() && host.front() == '[') {
         const std::size_t end = host.find(']');
         if (end == std::string::npos)
-            return fail(notAnAddress(whole, "']' is missing"));
+            return fail(notAnAddress(whole, say("']' is missing")));
         port = host.substr(end + 1);
         host = host.substr(1, end - 1);
         if (!port.empty() && port.front() == ':')
@@ -33,16 +33,16 @@ Result<void> parseHost(const std::string &text, const std::string &whole, Publis
         port = host.substr(colon + 1);
         host.erase(colon);
         if (port.empty())
-            return fail(notAnAddress(whole, "the port is missing"));
+            return fail(notAnAddress(whole, say("the port is missing")));
     }
     if (host.empty())
-        return fail(notAnAddress(whole, "the host is missing"));
+        return fail(notAnAddress(whole, say("the host is missing")));
     into.host = host;
     if (port.empty())
         return {};
     const auto number = wholeFrom<int>(port);
     if (!number || *number < 1 || *number > highestPort)
-        return fail(notAnAddress(whole, "'" + port + "' is no port, 1 to 65535"));
+        return fail(notAnAddress(whole, say("'%1' is no port, 1 to 65535", port)));
     into.port = *number;
     return {};
 }
@@ -55,19 +55,19 @@ Result<PublishAddress> PublishAddress::parse(const std::string &text)
     const std::size_t colon = text.find("://");
     address.scheme = colon == std::string::npos ? std::string() : text.substr(0, colon);
     if (address.scheme != "mqtt" && address.scheme != "udp")
-        return fail(notAnAddress(text, "it begins with neither mqtt:// nor udp://"));
+        return fail(notAnAddress(text, say("it begins with neither mqtt:// nor udp://")));
     std::string rest = text.substr(colon + 3);
     if (address.scheme == "mqtt") {
         const std::size_t slash = rest.find('/');
         address.topic = slash == std::string::npos ? std::string() : rest.substr(slash + 1);
         if (address.topic.empty() || address.topic.find_first_of("+#") != std::string::npos)
-            return fail(notAnAddress(text, "a topic is needed, without + and #"));
+            return fail(notAnAddress(text, say("a topic is needed, without + and #")));
         rest = rest.substr(0, slash);
     }
     if (auto host = parseHost(rest, text, address); !host)
         return fail(host.error());
     if (address.port == 0 && address.scheme == "udp")
-        return fail(notAnAddress(text, "the port is missing"));
+        return fail(notAnAddress(text, say("the port is missing")));
     if (address.port == 0)
         address.port = usualMqttPort;
     return address;

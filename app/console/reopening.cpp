@@ -33,7 +33,8 @@ void Reopening::follow(LinkState state)
 {
     if (state != LinkState::Lost || !mayReturn(m_link))
         return;
-    m_console.note(m_link.address().text() + " is lost: " + m_link.reason() + "; waiting for it to come back");
+    m_console.note(
+        m_link.address().text() + " is lost: " + m_link.reason().english() + "; waiting for it to come back");
     m_retry.startIn(retryPeriod, [this] { attempt(); });
 }
 

@@ -136,8 +136,8 @@ Opened openListed(Console &console)
             opened.links.push_back(*link);
             continue;
         }
-        listing.detail = link.error().text();
-        console.note(listing.link.text() + ": " + listing.detail);
+        listing.detail = link.error().message();
+        console.note(listing.link.text() + ": " + listing.detail.english());
     }
     return opened;
 }
@@ -148,7 +148,7 @@ void print(Console &console, const std::vector<Device *> &devices)
     for (const Device *device : devices) {
         const Identity &identity = device->identity();
         table.add({device->selector(), std::string(toString(identity.state)), identity.name, identity.serial,
-            identity.firmware, identity.bootloader, identity.dialect, identity.detail});
+            identity.firmware, identity.bootloader, identity.dialect, identity.detail.english()});
     }
     if (devices.empty())
         console.note("no devices found");
@@ -190,7 +190,7 @@ Task<int> scan(Console &console, std::vector<std::string> names, bool everything
         else if (!now.diagnosis.isHealthy())
             *known = now;
         if (!now.diagnosis.isHealthy() && !console.json())
-            console.note(link->address().text() + ": " + now.detail);
+            console.note(link->address().text() + ": " + now.detail.english());
     }
     if (console.json()) {
         QJsonArray rows;

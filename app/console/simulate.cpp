@@ -121,7 +121,7 @@ Task<int> simulate(Console &console, Arguments arguments)
     ending.after(plan->time);
     co_await ending.wait();
     if (ending.cause() == Ending::Cause::LinkLost)
-        co_return fail(Error::fromPhrase(Fault::LinkLost, ending.reason()));
+        co_return fail(ending.loss());
     co_return exitDone;
 }
 

@@ -159,11 +159,11 @@ QJsonObject scanRow(const Device &device)
         {QStringLiteral("firmware"), textOrNull(identity.firmware)},
         {QStringLiteral("bootloader"), textOrNull(identity.bootloader)},
         {QStringLiteral("dialect"), textOrNull(identity.dialect)},
-        {QStringLiteral("detail"), textOrNull(identity.detail)},
+        {QStringLiteral("detail"), textOrNull(identity.detail.english())},
     };
 }
 
-std::string suggestion(std::string_view wrong, const std::vector<std::string_view> &known, std::string otherwise)
+Message suggestion(std::string_view wrong, const std::vector<std::string_view> &known, std::string otherwise)
 {
     std::string_view nearest;
     std::size_t least = std::max<std::size_t>(2, wrong.size() / 3) + 1;
@@ -175,7 +175,7 @@ std::string suggestion(std::string_view wrong, const std::vector<std::string_vie
             nearest = word;
         }
     }
-    return nearest.empty() ? otherwise : "did you mean " + std::string(nearest) + "?";
+    return nearest.empty() ? Message::verbatim(std::move(otherwise)) : say("did you mean %1?", nearest);
 }
 
 std::string joined(const std::vector<std::string_view> &words)

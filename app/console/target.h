@@ -35,7 +35,7 @@ struct Target {
 [[nodiscard]] QJsonObject scanRow(const Device &device);
 
 /// "did you mean X?" when one of `known` is near, else `otherwise`, which lists them.
-[[nodiscard]] std::string suggestion(
+[[nodiscard]] Message suggestion(
     std::string_view wrong, const std::vector<std::string_view> &known, std::string otherwise);
 /// "a, b, c".
 [[nodiscard]] std::string joined(const std::vector<std::string_view> &words);

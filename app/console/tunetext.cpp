@@ -95,7 +95,7 @@ void printModel(Output &out, const TuneReport &report)
     table.print(out);
     for (const Gate &gate : report.gates) {
         if (!gate.passed)
-            out.line("not believed: " + gate.detail + (gate.remedy.empty() ? "" : "; " + gate.remedy));
+            out.line("not believed: " + joined(gate.detail, gate.remedy).english());
     }
 }
 

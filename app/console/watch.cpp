@@ -107,10 +107,9 @@ Task<int> stream(Console &console, Device &device, Plan plan, Publisher *publish
         summarize(console, samples, publisher, static_cast<double>(took.count()) / 1000.0);
     }
     if (ending.cause() == Ending::Cause::LinkLost)
-        error = Error::fromPhrase(Fault::LinkLost, ending.reason());
+        error = ending.loss();
     else if (device.link().state() == LinkState::Lost)
-        error = Error::fromPhrase(
-            Fault::LinkLost, device.link().address().text() + " was lost: " + device.link().reason());
+        error = lossOf(device.link());
     if (plan.rate > 0.0) {
         auto restoring = setRates(device, plan.watched, 0.0);
         const std::optional<Error> failed = co_await std::move(restoring);

@@ -3,14 +3,6 @@
 
 namespace mb {
 
-Error Error::fromPhrase(Fault fault, std::string_view phrase)
-{
-    const auto end = phrase.find("; ");
-    if (end == std::string_view::npos)
-        return {fault, std::string(phrase)};
-    return {fault, std::string(phrase.substr(0, end)), std::string(phrase.substr(end + 2))};
-}
-
 Message Error::help() const
 {
     return command.empty() ? remedy : remedy.empty() ? Message::verbatim(command) : say("%1: %2", remedy, command);

@@ -47,13 +47,11 @@ enum class Ailment {
 /// console make user text from it.
 struct Error {
     Fault fault = Fault::BadReply;
-    Message detail{};      ///< the cause
-    Message remedy{};      ///< what helps; empty where nothing is known that the fault alone does not say
-    std::string command{}; ///< for a terminal, as it stands: what does it; empty when none helps
+    Message detail{};                ///< the cause
+    Message remedy{};                ///< what helps; empty where nothing is known that the fault alone does not say
+    std::string command{};           ///< for a terminal, as it stands: what does it; empty when none helps
     Ailment ailment = Ailment::None; ///< of a link that cannot be opened or was lost: which
 
-    /// A phrase of both in one piece, as tables and translators have it: "the port is busy; close the other program".
-    [[nodiscard]] static Error fromPhrase(Fault fault, std::string_view phrase);
     /// "cause; remedy: command", what there is of it, in English.
     [[nodiscard]] std::string text() const { return message().english(); }
     /// The same to be translated.

@@ -186,8 +186,12 @@ struct UpdateReport {
     int pages = 0;    ///< written and accepted
     int retries = 0;
     bool verified = false;      ///< the device answered with the version of the image
-    Message evidence;           ///< what proves it, or what went wrong and what to do
+    Message evidence;           ///< what proves it, or what went wrong
+    Message remedy;             ///< what to do where it went wrong; empty where nothing is known
     std::optional<Fault> fault; ///< of Failed
+
+    /// Evidence and remedy in one.
+    [[nodiscard]] Message summary() const { return joined(evidence, remedy); }
 };
 
 /// Gets the frames of a recording in their order, those that the recorder had sent included, and tells who sent the one that

@@ -30,7 +30,7 @@ Transcript transcriptOf(
     made.text = "# firmware update of " + device.selector() + '\n';
     for (const LogLine &line : status.log)
         made.text += '(' + stampOf(line.time.time_since_epoch() + offset) + ") " + line.text + '\n';
-    made.text += "# " + std::string(toString(report.outcome)) + ": " + report.evidence + '\n';
+    made.text += "# " + std::string(toString(report.outcome)) + ": " + report.summary().english() + '\n';
     return made;
 }
 

@@ -55,7 +55,7 @@ std::string recorded(EngineBench &bench)
     const std::string path = bench.folder.path("run.log");
     EXPECT_TRUE(bench.open("sim:can"));
     bench.clock.advance(2s);
-    Result<void> started = fail(Fault::Timeout, "no answer");
+    Result<void> started = fail(Fault::Timeout, say("no answer"));
     bench.core.startRecording("sim:can", path, [&started](Result<void> done) { started = std::move(done); });
     EXPECT_TRUE(started);
     bench.clock.advance(5s);
@@ -90,7 +90,8 @@ TEST(EngineRecordings, AreMadeAndPlayedOnceTheirDevicesAreKnown)
         (std::vector<std::string>{
             "abstractdc:3 F", "abstractdc:4 L", "abstractdc:5 D", "dmc60c:5 ", "dmc60c:7 ", "dmc60c:9 "}));
     for (const DeviceView &device : shot.devices)
-        EXPECT_EQ(device.mayNotMove.find("is a recording") != std::string::npos, onReplay(device)) << device.selector;
+        EXPECT_EQ(device.mayNotMove.english().find("is a recording") != std::string::npos, onReplay(device))
+            << device.selector;
     bench.clock.advance(10s);
     EXPECT_TRUE(bench.view(address).replay->ended);
 }

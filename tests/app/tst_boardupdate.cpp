@@ -171,7 +171,7 @@ void BoardUpdateTest::handsAreGuidedAndTheVersionIsCompared()
     disturb("jumper", 0.0);
     QTRY_VERIFY_WITH_TIMEOUT(operation()->update.has_value(), patience);
     const UpdateReport report = *operation()->update;
-    QVERIFY2(report.outcome == UpdateOutcome::Done, report.evidence.c_str());
+    QVERIFY2(report.outcome == UpdateOutcome::Done, report.evidence.english().c_str());
     QCOMPARE(report.to, std::string("1.4"));
     QTRY_VERIFY_WITH_TIMEOUT(!drawing->isClosed(), patience);
     QTRY_VERIFY_WITH_TIMEOUT(holds(QStringLiteral("Verified")), patience);

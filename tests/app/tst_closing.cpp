@@ -48,7 +48,7 @@ public:
         OperationView operation;
         operation.id = {3};
         operation.device = {1};
-        operation.status.title = "Update firmware";
+        operation.status.title = say("Update firmware");
         operation.status.mayInterrupt = mayInterrupt;
         workbench.shot.operations = {operation};
         workbench.publish();

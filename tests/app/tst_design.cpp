@@ -43,7 +43,7 @@ void DesignTest::oneKeyTamesTheUnitThatOvershoots()
         QCoreApplication::processEvents();
         bench.window().grab().save(QDir(folder).filePath(QStringLiteral("design.png")));
     }
-    QVERIFY2(page.report()->result == tuning::TuneResult::Kept, page.report()->evidence.c_str());
+    QVERIFY2(page.report()->result == tuning::TuneResult::Kept, page.report()->evidence.english().c_str());
     const double overshoot = page.report()->measured.overshoot.value_or(1.0);
     QVERIFY2(overshoot <= 0.05, qPrintable(QString::number(overshoot)));
     QCOMPARE(page.report()->proposals.size(), std::size_t(3));

@@ -105,7 +105,7 @@ void SupermodifiedTest::theProgrammerIsChosenAndTheUpdateVerified()
         return nullptr;
     };
     QTRY_VERIFY_WITH_TIMEOUT(report(), patience);
-    QVERIFY2(report()->outcome == UpdateOutcome::Done, report()->evidence.c_str());
+    QVERIFY2(report()->outcome == UpdateOutcome::Done, report()->evidence.english().c_str());
     QVERIFY(report()->verified);
     QVERIFY2(avrdude.calls().startsWith("-p m328p -c usbasp -P usb -U flash:w:"), avrdude.calls().constData());
     QVERIFY(!avrdude.calls().contains("fuse") && !avrdude.calls().contains("lock"));

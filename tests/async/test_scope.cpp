@@ -28,7 +28,7 @@ Task<int> valueLater(Clock &clock, int value)
 Task<int> failLater(Clock &clock)
 {
     co_await Sleep(clock, 1ms);
-    co_return fail(Fault::Timeout, "later");
+    co_return fail(Fault::Timeout, say("later"));
 }
 
 Task<int> passesOn(Task<int> inner, int &alive, bool &reached)

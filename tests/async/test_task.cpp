@@ -41,13 +41,13 @@ Task<int> valueLater(Clock &clock, int value, Duration delay = 1ms)
 
 Task<int> failNow()
 {
-    co_return fail(Fault::Refused, "now");
+    co_return fail(Fault::Refused, say("now"));
 }
 
 Task<int> failLater(Clock &clock)
 {
     co_await Sleep(clock, 1ms);
-    co_return fail(Fault::Timeout, "later");
+    co_return fail(Fault::Timeout, say("later"));
 }
 
 Task<void> nothing()
@@ -198,7 +198,7 @@ TEST(Task, HandsAnInlineFailureToItsCallerWithoutRunningTheRest)
     auto task = passesOn(failNow(), alive, reached);
     task.start();
     ASSERT_TRUE(task.isFinished());
-    EXPECT_EQ(task.result().error(), (Error{Fault::Refused, "now"}));
+    EXPECT_EQ(task.result().error(), (Error{Fault::Refused, say("now")}));
     EXPECT_FALSE(reached);
     task.cancel();
     EXPECT_EQ(alive, 0);
@@ -215,7 +215,7 @@ TEST(Task, HandsALaterFailureThroughSeveralCallers)
     task.start([&calls] { ++calls; });
     clock.advance(1ms);
     ASSERT_TRUE(task.isFinished());
-    EXPECT_EQ(task.result().error(), (Error{Fault::Timeout, "later"}));
+    EXPECT_EQ(task.result().error(), (Error{Fault::Timeout, say("later")}));
     EXPECT_FALSE(reached);
     EXPECT_EQ(calls, 1);
     task.cancel();

@@ -59,7 +59,7 @@ protected:
         task.start();
         EXPECT_TRUE(clock.runUntil([&] { return task.isFinished(); }, limit));
         if (!task.isFinished())
-            return fail(Fault::Cancelled, "the task hangs");
+            return fail(Fault::Cancelled, say("the task hangs"));
         return std::move(task.result());
     }
     static ParameterIndex index(std::string_view key) { return *findParameter(family.parameters, key); }

@@ -54,7 +54,7 @@ TEST(AbstractDcRecognition, KnowsTheOffsetOnlyWhereSeveralDialectsAnswerAlike)
 {
     Bus bus;
     EXPECT_EQ(bus.exchange("387#01", "403#F4010000"), "+3") << "speed on 1027 is F or D";
-    EXPECT_NE(bus.last().detail.find("does not tell which codes"), std::string::npos);
+    EXPECT_NE(bus.last().detail.english().find("does not tell which codes"), std::string::npos);
     EXPECT_EQ(bus.exchange("387#03", "603#00020000"), "+3 F");
     EXPECT_EQ(bus.exchange("387#01", "403#F4010000"), "+3 F") << "what was proven stays";
 }

@@ -65,7 +65,7 @@ TEST_F(AbstractDcScan, TellsTheDialectsApart)
         add(unit);
     EXPECT_EQ(scanned(), "3:F 4:L 5:D 9:LL ");
     EXPECT_LE(took, 500ms);
-    EXPECT_NE(last.at(3).detail.find("firmware's codes, not the document's"), std::string::npos);
+    EXPECT_NE(last.at(3).detail.english().find("firmware's codes, not the document's"), std::string::npos);
     for (const auto &[offset, identity] : last)
         EXPECT_EQ(identity.state, DeviceState::Online);
 }

@@ -52,7 +52,7 @@ protected:
         task.start();
         EXPECT_TRUE(clock.runUntil([&] { return task.isFinished(); }, limit));
         if (!task.isFinished())
-            return fail(Fault::Timeout, "the task hangs");
+            return fail(Fault::Timeout, say("the task hangs"));
         return std::move(task.result());
     }
     Identity scanFor(int address)

@@ -26,7 +26,7 @@ public:
     {
         m_isThere = false;
         m_received.reset();
-        lose("the adapter is gone");
+        lose({Fault::LinkLost, say("the adapter is gone")});
     }
     void plugIn() { m_isThere = true; }
 
@@ -34,7 +34,7 @@ private:
     Result<void> doOpen() override
     {
         if (!m_isThere)
-            return fail(Fault::LinkLost, "there is no such adapter");
+            return fail(Fault::LinkLost, say("there is no such adapter"));
         m_received = m_port.received().add([this](const CanFrame &frame) { deliver(frame); });
         return {};
     }

@@ -151,7 +151,7 @@ TEST(Dmc60cPreflight, RefusesEachFileWithItsReason)
 {
     const auto noEntry = applicationFrom(imageOf(referenceFile));
     ASSERT_FALSE(noEntry);
-    EXPECT_EQ(noEntry.error(), (Error{Fault::OutOfRange, "no instruction at the entry point 0x00400"}));
+    EXPECT_EQ(noEntry.error(), (Error{Fault::OutOfRange, say("no instruction at the entry point 0x00400")}));
     EXPECT_EQ(refusal(HexText().add(0x2AFD8, {1, 2, 3, 0})),
         "no data in page 0 (0x00000-0x00FFF), the file is not a whole application");
     EXPECT_EQ(refusal(HexText().add(0x1EFFC, {0x17, 0x01, 0, 0})),

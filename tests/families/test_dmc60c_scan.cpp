@@ -46,7 +46,7 @@ protected:
         auto task = scan(host, clock, *this);
         task.start();
         EXPECT_TRUE(clock.runUntil([&] { return task.isFinished(); }, 10s));
-        return task.isFinished() ? task.result() : fail(Fault::Timeout, "the scan hangs");
+        return task.isFinished() ? task.result() : fail(Fault::Timeout, say("the scan hangs"));
     }
 
     VirtualClock clock;
@@ -133,7 +133,7 @@ TEST_F(Dmc60cScan, ShowsBothUnitsOfADuplicateNumberAndReadsEachBySession)
     ASSERT_EQ(list.size(), 2U);
     for (const Identity &identity : list) {
         EXPECT_EQ(identity.state, DeviceState::Duplicate);
-        EXPECT_NE(identity.detail.find("2 units"), std::string::npos) << identity.detail;
+        EXPECT_NE(identity.detail.english().find("2 units"), std::string::npos) << identity.detail;
     }
     EXPECT_EQ(list[0].name, "DMC60C");
     EXPECT_EQ(list[1].session, 0xABCD);
@@ -152,9 +152,9 @@ TEST_F(Dmc60cScan, TellsUnassignedFromWaitingInTheBootloader)
     ASSERT_EQ(list.size(), 3U);
     EXPECT_EQ(list[0].state, DeviceState::Unassigned);
     EXPECT_EQ(list[0].firmware, "");
-    EXPECT_NE(list[0].detail.find("number"), std::string::npos);
+    EXPECT_NE(list[0].detail.english().find("number"), std::string::npos);
     EXPECT_EQ(list[1].state, DeviceState::Bootloader) << "no application";
-    EXPECT_NE(list[1].detail.find("update its firmware"), std::string::npos);
+    EXPECT_NE(list[1].detail.english().find("update its firmware"), std::string::npos);
     EXPECT_EQ(list[2].state, DeviceState::Bootloader) << "the bootloader runs although there is an application";
     EXPECT_EQ(list[2].firmware, "1.23");
 }
@@ -193,7 +193,7 @@ TEST_F(Dmc60cScan, WarnsOfAnotherProduct)
     FakeUnit unit(bus, clock);
     unit.answer(request, {{"0206F005#341203011060", secondOf5}}, 5ms);
     ASSERT_TRUE(scanNow());
-    EXPECT_NE(list.at(0).detail.find("0x60100103"), std::string::npos);
+    EXPECT_NE(list.at(0).detail.english().find("0x60100103"), std::string::npos);
 }
 
 TEST_F(Dmc60cScan, ListsAUnitWhoseDescriptorsDoNotCome)

@@ -45,7 +45,7 @@ struct UpdateBench {
             (void)run(clock, family.scan(host, clock, sink));
         }
         if (!sink.last)
-            return fail(Fault::Timeout, "the unit was not found");
+            return fail(Fault::Timeout, say("the unit was not found"));
         state = sink.last->state;
         device = family.open(host, clock, *sink.last);
         return updateOpened(image, std::move(options));
@@ -344,7 +344,7 @@ TEST(Dmc60cUpdate, ReportsAFlashThatCannotBeWrittenAndSaysWhatToDo)
     ASSERT_TRUE(report);
     EXPECT_EQ(report->outcome, UpdateOutcome::Failed);
     EXPECT_FALSE(report->verified);
-    EXPECT_NE(report->evidence.find("run the update again"), std::string::npos) << report->evidence;
+    EXPECT_NE(report->evidence.english().find("run the update again"), std::string::npos) << report->evidence;
 }
 
 TEST(Dmc60cUpdate, NeverReportsSuccessWhenTheUnitVanishesBeforeItsVersionIsRead)

@@ -67,7 +67,7 @@ struct Board {
             [&end](Result<ExperimentReport> result) { end = std::move(result); });
         EXPECT_TRUE(clock.runUntil([&end] { return end.has_value(); }, 20min));
         renewal.stop();
-        return end ? std::move(*end) : fail(Fault::Timeout, "it did not end");
+        return end ? std::move(*end) : fail(Fault::Timeout, say("it did not end"));
     }
     [[nodiscard]] double kept(std::string_view key) const { return device->profile().calibrated(key); }
     [[nodiscard]] bool hasSent(const Bytes &packet) const
@@ -209,7 +209,7 @@ TEST(QuadQuad2DrvExperiment, StopsWhenNobodyRenewsTheLease)
         [&end](const Result<ExperimentReport> &result) { end = result ? Error{} : result.error(); });
     ASSERT_TRUE(bench.clock.runUntil([&end] { return end.has_value(); }, 10s));
     EXPECT_EQ(end->fault, Fault::Unsafe);
-    EXPECT_NE(end->detail.find("nobody renewed"), std::string::npos) << end->detail;
+    EXPECT_NE(end->detail.english().find("nobody renewed"), std::string::npos) << end->detail;
     bench.clock.advance(100ms);
     EXPECT_FALSE(bench.board().isOutputOn());
 }

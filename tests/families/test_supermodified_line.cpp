@@ -94,7 +94,7 @@ TEST(SupermodifiedScan, ErrorsInTheQueueAreAskedAgainAndLevelOneIsExplained)
     ASSERT_EQ(rows.size(), 2U);
     EXPECT_EQ(rows[0].dialect, "D1");
     EXPECT_EQ(rows[1].dialect, "");
-    EXPECT_NE(rows[1].detail.find("error.level"), std::string::npos) << rows[1].detail;
+    EXPECT_NE(rows[1].detail.english().find("error.level"), std::string::npos) << rows[1].detail;
     const auto device = bench.connect(6);
     EXPECT_EQ(device->mayMove().has_value(), true);
     EXPECT_FALSE(device->command(test::setPoint(Mode::Velocity, 100.0))) << "unknown widths";
@@ -159,7 +159,7 @@ TEST(SupermodifiedLine, TheHostLeavesTheGroupOfAMaskAndSaysWhoFollows)
     const auto rows = bench.scanAll();
     const auto keep = Line::of(bench.host, bench.clock);
     ASSERT_EQ(rows.size(), 2U);
-    EXPECT_NE(rows[1].detail.find("node 4"), std::string::npos) << rows[1].detail;
+    EXPECT_NE(rows[1].detail.english().find("node 4"), std::string::npos) << rows[1].detail;
     EXPECT_TRUE(rows[0].detail.empty()) << rows[0].detail;
     const auto four = bench.connect(4);
     const auto five = bench.connect(5);

@@ -74,7 +74,7 @@ TEST(SupermodifiedMasks, DrivingANodeThatWasOnlyProbedStartsNobodyElse)
     const auto allowed = five->mayMove();
     ASSERT_FALSE(allowed);
     EXPECT_EQ(allowed.error().fault, Fault::Unsafe);
-    EXPECT_NE(allowed.error().detail.find("node 4"), std::string::npos) << allowed.error().detail;
+    EXPECT_NE(allowed.error().text().find("node 4"), std::string::npos) << allowed.error().detail;
     EXPECT_FALSE(five->command(setPoint(Mode::Velocity, 200.0)));
     bench.clock.advance(2s);
     EXPECT_FALSE(started);

@@ -169,7 +169,7 @@ struct UpdateBench {
             return report.has_value();
         }));
         log = operation.status().log;
-        return report.value_or(Result<UpdateReport>(fail(Fault::Timeout, "still running")));
+        return report.value_or(Result<UpdateReport>(fail(Fault::Timeout, say("still running"))));
     }
 
     test::EventLoop loop;
@@ -207,7 +207,7 @@ TEST(SupermodifiedUpdate, IsDoneWhenAvrdudeVerifiedAndTheNodeAnswersAgain)
     EXPECT_TRUE(report->verified);
     EXPECT_TRUE(report->to.empty()) << "the wire carries no version";
     EXPECT_EQ(report->pages, 1);
-    EXPECT_NE(report->evidence.find("answers again"), std::string::npos) << report->evidence;
+    EXPECT_NE(report->evidence.english().find("answers again"), std::string::npos) << report->evidence;
     EXPECT_EQ(bench.calls().count('\n'), 1);
     EXPECT_GT(bench.log.size(), 4U);
 }
@@ -221,7 +221,7 @@ TEST(SupermodifiedUpdate, IsNotDoneWhenTheNodeStaysSilent)
     ASSERT_TRUE(report);
     EXPECT_EQ(report->outcome, UpdateOutcome::Failed);
     EXPECT_FALSE(report->verified);
-    EXPECT_NE(report->evidence.find("does not answer"), std::string::npos);
+    EXPECT_NE(report->evidence.english().find("does not answer"), std::string::npos);
 }
 
 TEST(SupermodifiedUpdate, AsksTheBootloaderAtBothOfItsRates)

@@ -132,7 +132,7 @@ TEST_F(Guarded, AGuardianThatCannotBeStartedRefusesTheMotion)
     guard.refusal = "motorbench-guardian is missing";
     const auto started = stream.start(duty(), 10s);
     ASSERT_FALSE(started);
-    EXPECT_EQ(started.error(), (Error{Fault::Unsafe, "motorbench-guardian is missing"}));
+    EXPECT_EQ(started.error(), (Error{Fault::Unsafe, say("motorbench-guardian is missing")}));
     clock.advance(1s);
     EXPECT_TRUE(link.sent.empty());
     EXPECT_FALSE(stream.isRunning());
@@ -250,7 +250,7 @@ TEST_F(Guarded, APromiseThatComesAfterAFreezeIsNotTrusted)
 TEST_F(Guarded, ALostLinkLeavesTheMotorToTheGuardian)
 {
     drive();
-    link.lose("bus-off");
+    link.lose({Fault::LinkLost, say("bus-off")});
     EXPECT_EQ(stream.end(), End::LinkLost);
     EXPECT_EQ(guard.abandoned, 1);
     EXPECT_FALSE(guard.isWatching());

@@ -86,7 +86,7 @@ TEST_F(Stopping, IsForgottenByANewMotion)
 TEST_F(Stopping, IsOwedOverACutLineAndGoesOutFirstWhenItIsBack)
 {
     drive();
-    link.lose("cut");
+    link.lose({Fault::LinkLost, say("cut")});
     clock.advance(300ms);
     EXPECT_EQ(stream.end(), SetPointStream::End::LinkLost);
     EXPECT_EQ(motor.stopping().state(), StopState::Owed);
@@ -102,7 +102,7 @@ TEST_F(Stopping, IsOwedOverACutLineAndGoesOutFirstWhenItIsBack)
 TEST_F(Stopping, IsNotSentToAnotherAdapterUnderTheSameName)
 {
     drive();
-    link.lose("cut");
+    link.lose({Fault::LinkLost, say("cut")});
     clock.advance(300ms);
     link.sent.clear();
     ASSERT_TRUE(link.open());
@@ -115,7 +115,7 @@ TEST_F(Stopping, IsNotSentToAnotherAdapterUnderTheSameName)
 TEST_F(Stopping, IsOwedForTenMinutes)
 {
     drive();
-    link.lose("cut");
+    link.lose({Fault::LinkLost, say("cut")});
     clock.advance(9min);
     EXPECT_EQ(motor.stopping().state(), StopState::Owed);
     clock.advance(61s);
@@ -131,7 +131,7 @@ TEST_F(Stopping, IsOwedForTenMinutes)
 TEST_F(Stopping, IsDismissedByTheUser)
 {
     drive();
-    link.lose("cut");
+    link.lose({Fault::LinkLost, say("cut")});
     clock.advance(300ms);
     motor.stopping().dismiss();
     EXPECT_EQ(motor.stopping().state(), StopState::None);
@@ -300,7 +300,7 @@ TEST_F(BufferedMoves, OfANodeThatWasStoppedIsShownAndDoesNotBeginWithTheOthers)
     const auto released = bench.session.releaseMoves(node(5));
     ASSERT_FALSE(released);
     EXPECT_EQ(released.error().fault, Fault::Unsafe);
-    EXPECT_NE(released.error().detail.find("number 4"), std::string::npos);
+    EXPECT_NE(released.error().text().find("number 4"), std::string::npos);
     bench.clock.advance(500ms);
     EXPECT_FALSE(bench.simulator("supermodified:4")->isOutputOn());
     prepare(4); // a new one takes its place

@@ -40,22 +40,22 @@ struct Alive {
 Task<int> work(Clock &clock, Progress &progress, int &alive, bool critical)
 {
     const Alive here(alive);
-    progress.step("first", 0, 2);
+    progress.step(say("first"), 0, 2);
     if (critical)
         progress.mayInterrupt(false);
     co_await Sleep(clock, 1s);
     progress.mayInterrupt(true);
     progress.part(3, PartState::Done);
-    progress.step("second", 1, 2);
+    progress.step(say("second"), 1, 2);
     co_await Sleep(clock, 1s);
-    progress.log(Severity::Good, "finished");
+    progress.log(Severity::Good, say("finished"));
     co_return 42;
 }
 
 Task<int> broken(Clock &clock)
 {
     co_await Sleep(clock, 1s);
-    co_return fail(Fault::Refused, "no");
+    co_return fail(Fault::Refused, say("no"));
 }
 
 TEST(Operation, AnswersWhenItIsDismissedEvenInAPartThatMustNotBeCut)

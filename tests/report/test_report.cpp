@@ -64,7 +64,7 @@ KeptTuning tuned()
     TuneReport &report = kept.report;
     report.result = TuneResult::Kept;
     report.simulated = true;
-    report.evidence = "the steps in both directions did what was predicted";
+    report.evidence = say("the steps in both directions did what was predicted");
     report.plant = {105'000.0, 0.168, 0.052, 0.021};
     report.motor.emplace();
     report.motor->line.gainError = 120.0;

@@ -52,7 +52,7 @@ protected:
         std::optional<Result<void>> answer;
         core.openLink(*LinkAddress::parse(address), [&answer](Result<void> result) { answer = std::move(result); });
         if (!loop.runUntil([&answer] { return answer.has_value(); }, 5s))
-            return fail(Fault::Timeout, address + ": the order has no answer");
+            return fail(Fault::Timeout, say("%1: the order has no answer", address));
         return *answer;
     }
 

@@ -185,7 +185,7 @@ int main(int argc, char **argv)
     const bool listens = argc == 3 && std::string_view(argv[2]) == "listen";
     const bool records = argc == 4 && std::string_view(argv[2]) == "record";
     const auto link
-        = argc == 2 || argc == 3 || records ? mb::LinkAddress::parse(argv[1]) : mb::fail(mb::Fault::OutOfRange, "");
+        = argc == 2 || argc == 3 || records ? mb::LinkAddress::parse(argv[1]) : mb::fail(mb::Fault::OutOfRange);
     if (!link) {
         std::fputs("usage: windowdriver LINK [listen | FAMILY | record FILE]\n", stderr);
         return 2;

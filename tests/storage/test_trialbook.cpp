@@ -220,7 +220,7 @@ TEST_F(Notebooks, AFileOfANewerVersionIsLeftAloneAndSaidSo)
     ASSERT_TRUE(open()->run("PRAGMA user_version = 1000"));
     const auto refused = Database::open(path);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().detail.find("newer version"), std::string::npos) << refused.error().detail;
+    EXPECT_NE(refused.error().text().find("newer version"), std::string::npos) << refused.error().detail;
     EXPECT_FALSE(QFile::exists(QString::fromStdString(path + ".damaged")));
 }
 
@@ -263,7 +263,7 @@ TEST_F(Notebooks, AFolderThatCannotBeMadeIsSaidSo)
 {
     const auto refused = Database::open("/proc/motorbench/motorbench.db");
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().detail.find("/proc/motorbench"), std::string::npos);
+    EXPECT_NE(refused.error().text().find("/proc/motorbench"), std::string::npos);
 }
 
 } // namespace

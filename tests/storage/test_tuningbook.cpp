@@ -47,7 +47,7 @@ protected:
         report.unit = "dmc60c 7";
         report.firmware = "1.23";
         report.simulated = true;
-        report.evidence = "the steps did what was predicted";
+        report.evidence = say("the steps did what was predicted");
         report.plant = {105'000.0, 0.168, 0.052, 0.021};
         report.scale = TriedScale{1e-4, 2e-5, 1e-3, 40.0, 0.05};
         MotorFound motor;

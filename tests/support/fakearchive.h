@@ -26,7 +26,7 @@ public:
     }
     void fetch(std::int64_t snapshot, Fetched fetched) override
     {
-        Result<settings::ParameterSnapshot> found = fail(Fault::OutOfRange, "there is no such snapshot");
+        Result<settings::ParameterSnapshot> found = fail(Fault::OutOfRange, say("there is no such snapshot"));
         for (const auto &[unit, timeline] : kept) {
             for (const settings::ParameterSnapshot &each : timeline.snapshots) {
                 if (each.number == snapshot)

@@ -16,7 +16,7 @@ public:
         log.emplace_back("begin");
         begun.push_back(std::move(trial));
         if (isFull)
-            co_return fail(Fault::OutOfRange, "the disk is full");
+            co_return fail(Fault::OutOfRange, say("the disk is full"));
         co_return static_cast<std::int64_t>(begun.size());
     }
     Task<void> owe(std::int64_t, std::string unit, std::vector<tuning::OwedValue> values) override

@@ -21,7 +21,7 @@ template <class T> Result<T> run(VirtualClock &clock, Task<T> task, Duration lim
 {
     task.start();
     if (!clock.runUntil([&task] { return task.isFinished(); }, limit))
-        return fail(Fault::Timeout, "the task is still suspended");
+        return fail(Fault::Timeout, say("the task is still suspended"));
     return std::move(task.result());
 }
 

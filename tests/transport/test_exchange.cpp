@@ -124,7 +124,7 @@ TEST_F(Exchange, ALostLinkEndsItAtOnceWithTheCause)
     clock.advance(0ms);
     ASSERT_TRUE(result);
     ASSERT_FALSE(*result);
-    EXPECT_EQ(result->error(), Error::fromPhrase(Fault::LinkLost, host.reason()));
+    EXPECT_EQ(result->error(), host.loss());
     EXPECT_EQ(endedAt, Instant(10ms));
     EXPECT_TRUE(leftNothing());
 }
@@ -137,7 +137,7 @@ TEST_F(Exchange, AClosedLinkEndsItAtOnce)
     host.close();
     clock.advance(0ms);
     ASSERT_TRUE(result && !*result);
-    EXPECT_EQ(result->error(), (Error{Fault::LinkLost, "sim:can is not open"}));
+    EXPECT_EQ(result->error(), (Error{Fault::LinkLost, say("sim:can is not open")}));
     EXPECT_TRUE(leftNothing());
 }
 

@@ -112,7 +112,7 @@ TEST(ExternalProgram, CancellingTheTaskKillsTheProgram)
         auto first = [](ExternalProgram &of) -> Task<std::string> {
             const auto piece = co_await of.next(10s);
             if (!piece || !*piece)
-                co_return fail(Fault::BadReply, "no line");
+                co_return fail(Fault::BadReply, say("no line"));
             co_return (*piece)->text;
         }(program);
         first.start();

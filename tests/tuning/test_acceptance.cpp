@@ -129,7 +129,7 @@ TEST(Acceptance, A07_TheUserAndTheLimitsHoldWhileTheScalesAreFound)
     plan.limits.travel = 800.0;
     const auto report = tune(bench, plan);
     ASSERT_TRUE(report) << report.error().text();
-    std::printf("  %s: %s\n", report->stopReason.c_str(), report->evidence.c_str());
+    std::printf("  %s: %s\n", report->stopReason.c_str(), report->evidence.english().c_str());
     EXPECT_EQ(report->stopReason, "travel");
     EXPECT_TRUE(report->stopped);
     EXPECT_LE(bench.device->profile().calibrated(quadquad2drv::calibration::velocityP), 0.0);

@@ -173,7 +173,7 @@ TEST(Autotune, ProvesTheCurrentLoopOfEachDmc60c)
         ASSERT_TRUE(report) << report.error().text();
         print(*report);
         for (const Gate &gate : report->gates)
-            std::printf("  %s: %s\n", gate.name.c_str(), gate.detail.c_str());
+            std::printf("  %s: %s\n", gate.name.c_str(), gate.detail.english().c_str());
         EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
         EXPECT_LE(report->measured.overshoot.value_or(1.0), 0.05);
         const MotorParameters &motor = *motorByName(number == 5 ? "cim" : "775pro");
@@ -257,7 +257,7 @@ TEST(Autotune, TooLittleTravelIsRefusedWithItsReason)
     if (report) {
         EXPECT_NE(report->result, TuneResult::Kept);
         EXPECT_FALSE(report->evidence.empty());
-        std::printf("  %s: %s\n", std::string(toString(report->result)).c_str(), report->evidence.c_str());
+        std::printf("  %s: %s\n", std::string(toString(report->result)).c_str(), report->evidence.english().c_str());
     } else {
         EXPECT_FALSE(report.error().text().empty());
     }

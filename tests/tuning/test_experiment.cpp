@@ -230,7 +230,7 @@ TEST(Experiment, GainsThatNobodyCanReadAreRefusedWithTheRemedyUntilTheyWereWritt
     const auto refused = bench.run(plan);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
-    EXPECT_NE(refused.error().detail.find("--keep"), std::string::npos) << refused.error().detail;
+    EXPECT_NE(refused.error().text().find("--keep"), std::string::npos) << refused.error().detail;
     EXPECT_FALSE(bench.simulator()->isOutputOn());
     plan.gains = {bench.change("current.averaging", 1.0)};
     EXPECT_FALSE(bench.run(plan));
@@ -264,7 +264,7 @@ TEST(Experiment, ASlotOrAModeThatTheFamilyHasNotIsRefused)
     ExperimentBench servo("sim:serial", "supermodified", 4);
     const auto refused = servo.run(stepTo(Mode::Velocity, 100.0));
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().detail.find("position"), std::string::npos) << refused.error().detail;
+    EXPECT_NE(refused.error().text().find("position"), std::string::npos) << refused.error().detail;
 }
 
 TEST(Experiment, AStepOutsideTheEnvelopeIsRefusedWithBothNumbersBeforeAnythingMoves)
@@ -275,8 +275,8 @@ TEST(Experiment, AStepOutsideTheEnvelopeIsRefusedWithBothNumbersBeforeAnythingMo
     const auto refused = bench.run(plan);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().fault, Fault::OutOfRange);
-    EXPECT_NE(refused.error().detail.find("8000"), std::string::npos) << refused.error().detail;
-    EXPECT_NE(refused.error().detail.find("5000"), std::string::npos) << refused.error().detail;
+    EXPECT_NE(refused.error().text().find("8000"), std::string::npos) << refused.error().detail;
+    EXPECT_NE(refused.error().text().find("5000"), std::string::npos) << refused.error().detail;
     EXPECT_TRUE(bench.journal.log.empty());
     EXPECT_FALSE(bench.simulator()->isOutputOn());
 }

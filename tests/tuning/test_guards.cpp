@@ -42,7 +42,7 @@ void expectTrip(const std::optional<Trip> &trip, Guard guard, Instant at, std::s
     ASSERT_TRUE(trip) << toString(guard);
     EXPECT_EQ(trip->guard, guard) << toString(trip->guard);
     EXPECT_EQ(trip->at, at) << trip->detail;
-    EXPECT_NE(trip->detail.find(number), std::string::npos) << trip->detail;
+    EXPECT_NE(trip->detail.english().find(number), std::string::npos) << trip->detail;
 }
 
 TEST(Guards, TravelTripsBeforeTheMotorCanOnlyStopBeyondIt)

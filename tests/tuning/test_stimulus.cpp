@@ -105,7 +105,7 @@ TEST(Stimulus, FinerThanTheDeviceTakesSetPointsIsRefusedWithTheNumbers)
         const auto stimulus = Stimulus::make(row.profile, 0.0, 1.0, row.seconds, beat);
         ASSERT_FALSE(stimulus) << toString(row.profile);
         EXPECT_EQ(stimulus.error().fault, Fault::OutOfRange);
-        EXPECT_NE(stimulus.error().detail.find(row.number), std::string::npos) << stimulus.error().detail;
+        EXPECT_NE(stimulus.error().text().find(row.number), std::string::npos) << stimulus.error().detail;
     }
     EXPECT_TRUE(Stimulus::make(Profile::Step, 0.0, 1.0, 0.05, beat));
 }

@@ -97,7 +97,7 @@ void expectEndsWith(const char *drive, const Trouble &trouble)
     ASSERT_TRUE(report) << drive << ' ' << trouble.what << ": " << report.error().text();
     std::printf("  %-12s %-16s after %4.1f s: %s, %s: %s\n", drive, trouble.what,
         std::chrono::duration<double>(trouble.after).count(), std::string(toString(report->result)).c_str(),
-        report->stopReason.c_str(), report->evidence.c_str());
+        report->stopReason.c_str(), report->evidence.english().c_str());
     EXPECT_EQ(report->result, TuneResult::Stopped) << drive << ' ' << trouble.what;
     EXPECT_EQ(report->stopReason, trouble.reason) << drive << ' ' << trouble.what;
     if (std::string_view(trouble.reason) == "link")
@@ -134,7 +134,7 @@ TEST(TuneTrouble, ALoadThatAlwaysPullsOneWayIsNamed)
     ASSERT_TRUE(unit.simulator().disturb("load-torque", 0.25));
     const auto report = unit.tune({});
     ASSERT_TRUE(report) << report.error().text();
-    std::printf("  %s: %s\n", std::string(toString(report->result)).c_str(), report->evidence.c_str());
+    std::printf("  %s: %s\n", std::string(toString(report->result)).c_str(), report->evidence.english().c_str());
     EXPECT_TRUE(report->result != TuneResult::Kept || report->motor->line.asymmetry() <= 0.1);
     EXPECT_TRUE(report->stopped);
 }

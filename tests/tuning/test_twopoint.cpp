@@ -96,7 +96,7 @@ TEST(TwoPointTuning, TunesSupermodifiedNodesOfBothScales)
         EXPECT_LE(report->seconds, 60.0); // A13
         ASSERT_TRUE(report->motor);
         for (const Gate &gate : report->gates)
-            std::printf("  %s: %s\n", gate.name.c_str(), gate.detail.c_str());
+            std::printf("  %s: %s\n", gate.name.c_str(), gate.detail.english().c_str());
         for (const ScaledGains::Row &row : report->proposed.rows)
             EXPECT_EQ(test::rawOf(bench, row.key), row.raw) << row.key;
     }
@@ -122,7 +122,7 @@ TEST(TwoPointTuning, KeepsMostGearedMotorsOfEveryDialectAndChangesNothingOfTheOt
                 std::printf("  %s %-6s %-4s %s: overshoot %.3f settle %.3f; %s\n", dialect.c_str(), motor.c_str(),
                     load.c_str(), std::string(toString(report->result)).c_str(),
                     report->measured.overshoot.value_or(-1.0), report->measured.settle.value_or(-1.0),
-                    report->evidence.c_str());
+                    report->evidence.english().c_str());
                 ++all;
                 kept += report->result == TuneResult::Kept ? 1 : 0;
                 if (report->result == TuneResult::Kept) {
@@ -148,7 +148,7 @@ TEST(TwoPointTuning, AStalledShaftOrAWrongSensorStopsItAndTheGainsStay)
             const auto report = test::tune(bench, test::planOf(Mode::Position));
             ASSERT_TRUE(report) << report.error().text();
             std::printf("  %d %s: %s, %s\n", node, std::string(fault).c_str(),
-                std::string(toString(report->result)).c_str(), report->evidence.c_str());
+                std::string(toString(report->result)).c_str(), report->evidence.english().c_str());
             EXPECT_NE(report->result, TuneResult::Kept);
             EXPECT_FALSE(report->evidence.empty());
             EXPECT_TRUE(report->stopped);

@@ -36,7 +36,7 @@ inline void print(const TuneReport &report)
 {
     const auto number = [](const std::optional<double> &value) { return value.value_or(-1.0); };
     std::printf("%s %s: %s, %s\n", report.device.c_str(), std::string(toString(report.loop)).c_str(),
-        std::string(toString(report.result)).c_str(), report.evidence.c_str());
+        std::string(toString(report.result)).c_str(), report.evidence.english().c_str());
     if (report.motor)
         std::printf("  gain %.0f  tau %.1f ms  delay %.1f ms  friction %.4f  filter %s %.0f ms  cost %.2f\n",
             report.plant.gain, 1e3 * report.plant.tau, 1e3 * report.plant.delay, report.plant.friction,

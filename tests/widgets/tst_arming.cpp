@@ -90,7 +90,7 @@ void TestArming::aStopOwedToADeviceThatIsGoneIsNamedToo()
 
 void TestArming::theLampNamesWhomStopLeavesOut()
 {
-    m_bench->device().mayNotBeStopped = "bootloader";
+    m_bench->device().mayNotBeStopped = say("bootloader");
     m_bench->arming.stopAll(QStringLiteral("Esc"));
     QCOMPARE(lamp().detail, QStringLiteral("not sent to #5"));
     QVERIFY(m_bench->workbench.lines.back().text.contains(QStringLiteral("not sent to #5")));

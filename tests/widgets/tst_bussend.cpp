@@ -48,7 +48,7 @@ void BusSendTest::successIsSaidOnlyWhenTheLinkTookIt()
     bench.workbench.callsOf("sendFrame").front().finished({});
     QVERIFY(bench.panelText().contains(QStringLiteral("1 sent")));
     QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
-    bench.workbench.callsOf("sendFrame").back().finished(fail(Fault::LinkLost, "can0 is down"));
+    bench.workbench.callsOf("sendFrame").back().finished(fail(Fault::LinkLost, say("can0 is down")));
     QVERIFY(bench.panelText().contains(QStringLiteral("can0 is down")));
 }
 
@@ -126,9 +126,9 @@ void BusSendTest::aControlFrameIsRefused()
     else if (when == QLatin1String("driven"))
         five.motion.running = true;
     else if (when == QLatin1String("busy"))
-        five.busy = "firmware update";
+        five.busy = say("firmware update");
     else if (when == QLatin1String("forbidden"))
-        five.mayNotMove = "it is in its bootloader";
+        five.mayNotMove = say("it is in its bootloader");
     else if (when == QLatin1String("lost"))
         bench.workbench.shot.links[0].state = LinkState::Lost,
         bench.workbench.shot.links[0].reason = "the adapter went away";

@@ -180,7 +180,7 @@ void TestDesignPage::aProofKeepsTheModelItStandsOn()
     TuneReport proof;
     proof.result = TuneResult::RolledBack;
     proof.plant = identified().plant;
-    proof.evidence = "it overshot by 12 %, predicted were 0 %";
+    proof.evidence = say("it overshot by 12 %, predicted were 0 %");
     bench.finish(proof);
     QVERIFY(bench.page->report()->result == TuneResult::RolledBack);
     QVERIFY(bench.page->report()->motor);
@@ -344,7 +344,7 @@ void TestDesignPage::anErrorLeavesThePageAsItWasAndArmed()
     DesignBench bench;
     bench.arm();
     bench.page->identify();
-    bench.finish(fail(Fault::OutOfRange, "there is not enough room", "allow more travel"));
+    bench.finish(fail(Fault::OutOfRange, say("there is not enough room"), say("allow more travel")));
     QVERIFY(!bench.page->report());
     QVERIFY(bench.arming.isArmed({1}));
     QVERIFY(bench.workbench.callsOf("report").back().text.find("not enough room") != std::string::npos);
@@ -358,7 +358,7 @@ void TestDesignPage::aGuardIsAStop()
     TuneReport stopped;
     stopped.result = TuneResult::Stopped;
     stopped.stopReason = "travel";
-    stopped.evidence = "20 001 counts from the start, 20 000 are allowed";
+    stopped.evidence = say("20 001 counts from the start, 20 000 are allowed");
     bench.finish(stopped);
     QVERIFY(bench.arming.state() == LampState::Stopped);
     QVERIFY(!bench.page->status().mayRun);

@@ -213,7 +213,7 @@ void TestExperiments::aGuardLatchesTheStopAndSaysItsName()
     const auto planned = bench.workbench.plans.back();
     Trial trial = responseOf(planned.plan, 1, 0.5, bench.unit());
     trial.reason = "speed";
-    trial.detail = "speed 81000 counts/s is above 1.2 × 60000 counts/s";
+    trial.detail = say("speed 81000 counts/s is above 1.2 × 60000 counts/s");
     trial.flags = {"aborted"};
     planned.finished(trial);
     QVERIFY(bench.arming.state() == LampState::Stopped);

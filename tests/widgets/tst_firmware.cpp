@@ -57,8 +57,8 @@ struct FirmwareBench {
         OperationView operation;
         operation.id = {3};
         operation.device = {1};
-        operation.status.title = "Update firmware";
-        operation.status.step = "writing page";
+        operation.status.title = say("Update firmware");
+        operation.status.step = say("writing page");
         operation.status.done = 4;
         operation.status.total = 31;
         operation.status.mayInterrupt = mayInterrupt;

@@ -127,7 +127,7 @@ void TestHistory::whatIsTickedIsRestored()
     QCOMPARE(calls[0].changes.size(), std::size_t{1});
     QVERIFY(calls[0].changes[0].index == named("slot1.p"));
     QCOMPARE(calls[0].changes[0].raw, rawOf("slot1.p", 2));
-    calls[0].finished(fail(Fault::BadCheck, "slot1.p was written as 2 but reads 1"));
+    calls[0].finished(fail(Fault::BadCheck, say("slot1.p was written as 2 but reads 1")));
     QVERIFY(says(bench, QStringLiteral("slot1.p was written as 2 but reads 1")));
 }
 
@@ -173,7 +173,7 @@ void TestHistory::undoTakesBackAnEditAndElseTheLastWrite()
     QCOMPARE(bench.edits().count(), 0);
     QTest::keyClick(bench.page.get(), Qt::Key_Y, Qt::ControlModifier);
     QCOMPARE(bench.workbench.callsOf("redoWrite").size(), std::size_t{1});
-    bench.workbench.callsOf("redoWrite")[0].finished(fail(Fault::Refused, "there is nothing to do again"));
+    bench.workbench.callsOf("redoWrite")[0].finished(fail(Fault::Refused, say("there is nothing to do again")));
     QVERIFY(says(bench, QStringLiteral("there is nothing to do again")));
 }
 

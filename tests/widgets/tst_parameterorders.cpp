@@ -72,7 +72,7 @@ void TestParameterOrders::aFailedWriteKeepsTheRestAndSaysWhy()
     bench.page->write();
     bench.set("current_limit.peak", 80, ParameterState::Ram);
     bench.workbench.callsOf("writeParameters")[0].finished(
-        fail(Fault::BadCheck, "slot1.p was written as 2 but reads 1"));
+        fail(Fault::BadCheck, say("slot1.p was written as 2 but reads 1")));
     QCOMPARE(bench.edits().count(), 1);
     QVERIFY(bench.edits().find(named("slot1.p")));
     QVERIFY(says(bench, QStringLiteral("slot1.p was written as 2 but reads 1")));
@@ -133,7 +133,7 @@ void TestParameterOrders::progressOfReadingIsShown()
     OperationView operation;
     operation.id = {4};
     operation.device = {1};
-    operation.status.title = "Read parameters";
+    operation.status.title = say("Read parameters");
     operation.status.done = 23;
     operation.status.total = 55;
     bench.workbench.shot.operations.push_back(operation);

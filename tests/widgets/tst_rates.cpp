@@ -156,7 +156,7 @@ void TestRates::theFasterOfTwoPagesCountsAndTheOtherRemains()
 void TestRates::aBusyDeviceIsAskedOnceItIsFree()
 {
     RatesBench bench;
-    bench.workbench.device(0).busy = "firmware update";
+    bench.workbench.device(0).busy = say("firmware update");
     bench.plots->show();
     QTest::qWait(250);
     QVERIFY(bench.asked().empty());

@@ -155,7 +155,9 @@ void RecordingTest::aRefusalIsReportedOnce()
 {
     RecordingBench bench;
     bench.strip().recordTo(QStringLiteral("/nowhere/a.log"));
-    bench.workbench.callsOf("startRecording").front().finished(fail(Fault::LinkLost, "no permission to write there"));
+    bench.workbench.callsOf("startRecording")
+        .front()
+        .finished(fail(Fault::LinkLost, say("no permission to write there")));
     QCOMPARE(bench.workbench.lines.size(), std::size_t{1});
     QVERIFY(bench.workbench.lines[0].severity == Severity::Danger);
     QVERIFY(bench.workbench.lines[0].text.contains(QStringLiteral("no permission to write there")));
@@ -166,7 +168,7 @@ void RecordingTest::aRecordingThatFailedSaysWhyUntilItWasRead()
 {
     RecordingBench bench;
     bench.record(500, 20);
-    bench.live().recording->problem = "/logs/live.log: no space left on the disk";
+    bench.live().recording->problem = say("/logs/live.log: no space left on the disk");
     bench.workbench.publish();
     QVERIFY(bench.strip().isVisible());
     QVERIFY(textOf(bench.strip()).contains(QStringLiteral("no space left")));

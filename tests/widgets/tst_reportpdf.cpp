@@ -127,7 +127,7 @@ void TestReportPdf::whatCannotBeWrittenIsSaidAndLeavesNothing()
 void TestReportPdf::aNotebookThatCannotBeReadIsSaidSo()
 {
     ReportBench bench;
-    bench.workbench.book.matter = fail(Fault::OutOfRange, "the notebook is damaged");
+    bench.workbench.book.matter = fail(Fault::OutOfRange, say("the notebook is damaged"));
     QVERIFY(!bench.write(bench.folder.filePath(QStringLiteral("a.pdf"))));
     QVERIFY(bench.workbench.notices().back().text.contains(QStringLiteral("the notebook is damaged")));
 }

@@ -65,7 +65,7 @@ void TestSerialLinks::aLongScanShowsHowFarItIsAndCanBeCancelled()
     QVERIFY(!strip.isVisible());
     LinkView &link = workbench.shot.links[0];
     link.scanning = true;
-    link.scanStep = "Looking for Supermodified nodes at 9600 bit/s";
+    link.scanStep = say("Looking for Supermodified nodes at 9600 bit/s");
     link.scanDone = 40;
     link.scanTotal = 127;
     workbench.publish();
@@ -158,7 +158,7 @@ void TestSerialLinks::anAddedPortIsRememberedOnlyOnceItIsOpen()
     const auto opened = workbench.callsOf("openLink");
     QCOMPARE(opened.size(), std::size_t{1});
     QCOMPARE(QString::fromStdString(opened[0].text), s("serial:/dev/ttyUSB0?baud=57600"));
-    opened[0].finished(fail(Fault::LinkLost, "ttyUSB0 is in use"));
+    opened[0].finished(fail(Fault::LinkLost, say("ttyUSB0 is in use")));
     QVERIFY(remembered.isEmpty());
     opened[0].finished({});
     QCOMPARE(remembered, QStringList(s("serial:/dev/ttyUSB0?baud=57600")));

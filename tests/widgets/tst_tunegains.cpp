@@ -120,7 +120,7 @@ void TestTuneGains::gainsThatWereNotWrittenStartNothing()
     bench.arm();
     type(bench.find<QLineEdit>("P"), "2");
     bench.page->run();
-    bench.workbench.callsOf("writeParameters").at(0).finished(fail(Fault::BadCheck, "slot0.p reads 1"));
+    bench.workbench.callsOf("writeParameters").at(0).finished(fail(Fault::BadCheck, say("slot0.p reads 1")));
     QVERIFY(bench.workbench.callsOf("startMotion").empty());
     QVERIFY(bench.workbench.callsOf("report").back().text.find("slot0.p reads 1") != std::string::npos);
     QCOMPARE(bench.page->gainsPanel().stagedNames(), QStringList{s("P")});

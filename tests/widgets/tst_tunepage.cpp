@@ -140,7 +140,7 @@ void TestTunePage::everyStateHasItsWords()
         bench.arming.stopAll(s("key"));
     bench.device().liveness.heard = state != s("silent");
     if (state == s("locked"))
-        bench.device().mayNotMove = "another master drives it";
+        bench.device().mayNotMove = say("another master drives it");
     if (state == s("reading")) {
         for (auto &entry : bench.device().parameters)
             entry = {};

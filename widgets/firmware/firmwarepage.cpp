@@ -241,10 +241,10 @@ QString FirmwarePage::remaining(const OperationStatus &status) const
 QString FirmwarePage::result(const UpdateReport &report)
 {
     switch (report.outcome) {
-    case UpdateOutcome::Done: return tr("Verified: %1").arg(messageText(report.evidence));
-    case UpdateOutcome::UpToDate: return tr("Not needed: %1").arg(messageText(report.evidence));
-    case UpdateOutcome::Refused: return tr("Refused: %1").arg(messageText(report.evidence));
-    case UpdateOutcome::Failed: return tr("Failed: %1").arg(messageText(report.evidence));
+    case UpdateOutcome::Done: return tr("Verified: %1").arg(messageText(report.summary()));
+    case UpdateOutcome::UpToDate: return tr("Not needed: %1").arg(messageText(report.summary()));
+    case UpdateOutcome::Refused: return tr("Refused: %1").arg(messageText(report.summary()));
+    case UpdateOutcome::Failed: return tr("Failed: %1").arg(messageText(report.summary()));
     case UpdateOutcome::Cancelled: return tr("Cancelled. The unit waits in its bootloader; run the update again.");
     }
     return {};

@@ -28,7 +28,8 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     if (!application) {
         UpdateReport report;
         report.outcome = UpdateOutcome::Refused;
-        report.evidence = application.error().message();
+        report.evidence = application.error().detail;
+        report.remedy = application.error().help();
         report.fault = application.error().fault;
         co_return report;
     }

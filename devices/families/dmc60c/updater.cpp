@@ -58,9 +58,10 @@ UpdateReport Updater::failed(const Error &error) const
     report.outcome = m_touched         ? UpdateOutcome::Failed
         : error.fault == Fault::Unsafe ? UpdateOutcome::Refused
                                        : UpdateOutcome::Failed;
-    report.evidence = error.message();
+    report.evidence = error.detail;
+    report.remedy = error.help();
     if (m_touched)
-        report.evidence = joined(report.evidence, say("the unit waits in its bootloader, run the update again"));
+        report.remedy = joined(report.remedy, say("the unit waits in its bootloader, run the update again"));
     return report;
 }
 

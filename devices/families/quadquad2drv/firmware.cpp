@@ -104,7 +104,8 @@ UpdateReport refused(const Error &error)
 {
     UpdateReport report;
     report.outcome = UpdateOutcome::Refused;
-    report.evidence = error.message();
+    report.evidence = error.detail;
+    report.remedy = error.help();
     report.fault = error.fault;
     return report;
 }

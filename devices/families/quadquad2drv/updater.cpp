@@ -87,9 +87,10 @@ UpdateReport Updater::failed(const Error &error) const
     UpdateReport report = m_report;
     report.outcome = UpdateOutcome::Failed;
     report.fault = error.fault;
-    report.evidence = error.message();
+    report.evidence = error.detail;
+    report.remedy = error.help();
     if (m_sent > 0)
-        report.evidence = joined(report.evidence,
+        report.remedy = joined(report.remedy,
             say("%1 of %2 lines were confirmed. The bootloader keeps waiting: leave the jumper in and run the update "
                 "again",
                 m_sent, m_image.lines().size()));
