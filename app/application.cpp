@@ -277,7 +277,7 @@ void Application::openLinks()
         links += m_settings.links();
     for (const QString &link : links) {
         if (const auto address = LinkAddress::parse(link.toStdString()))
-            m_engine->openLink(*address, {});
+            m_engine->send(orders::OpenLink{*address});
     }
 }
 

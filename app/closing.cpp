@@ -90,7 +90,7 @@ void Closing::begin()
     }
     m_arming.disarm();
     for (const DeviceId device : m_moved)
-        m_workbench.stopMotion(device);
+        m_workbench.send(orders::StopMotion{device});
     m_since = m_workbench.now();
     follow();
 }
@@ -121,7 +121,7 @@ bool Closing::endUpdates()
     const auto updates = runningUpdates(m_workbench.snapshot());
     for (const OperationView *update : updates) {
         if (update->status.mayInterrupt)
-            m_workbench.cancel(update->id);
+            m_workbench.send(orders::CancelOperation{update->id});
     }
     if (!updates.empty())
         m_since = m_workbench.now();

@@ -179,7 +179,7 @@ void Conditions::payOwed(const QString &key)
 {
     const QStringList parts = key.split(QLatin1Char(' '));
     const DeviceId device{parts.value(1).toUInt()};
-    m_workbench.payGains(device, parts.value(2).toLongLong(), {});
+    m_workbench.send(orders::PayGains{device, parts.value(2).toLongLong()});
 }
 
 void Conditions::act(const QString &key)
@@ -187,19 +187,20 @@ void Conditions::act(const QString &key)
     if (key.startsWith(QLatin1String(owedKey)))
         return payOwed(key);
     if (key == QLatin1String(mayTurnKey))
-        m_workbench.dismissStops();
+        m_workbench.send(orders::DismissStops{});
     if (!key.startsWith(QLatin1String(resetKey)))
         return;
     const DeviceId device{key.midRef(static_cast<int>(qstrlen(resetKey))).toUInt()};
     if (const OperationView *operation = rewriting(m_workbench.snapshot(), device)) {
-        m_workbench.cancel(operation->id);
+        m_workbench.send(orders::CancelOperation{operation->id});
         return;
     }
     m_failures.erase(device);
-    m_workbench.rewriteSettings(device, [self = QPointer<Conditions>(this), device](const Result<void> &result) {
-        if (self)
-            self->written(device, result);
-    });
+    m_workbench.send(
+        orders::RewriteSettings{device}, [self = QPointer<Conditions>(this), device](const Result<void> &result) {
+            if (self)
+                self->written(device, result);
+        });
 }
 
 void Conditions::written(DeviceId device, const Result<void> &result)

@@ -14,7 +14,6 @@
 #include "widgets/common/devicetext.h"
 
 #include <QDir>
-#include <QFile>
 #include <QSocketNotifier>
 #include <QStandardPaths>
 #include <QThread>
@@ -170,6 +169,7 @@ Engine::~Engine()
         QThread::currentThread()->exit();
     });
     m_thread->wait();
+    m_toWindow.drain(); // orders that were not carried out any more are answered, too
     m_toWindow.close();
 }
 
@@ -178,12 +178,18 @@ void Engine::post(std::function<void(EngineCore &)> work)
     m_toEngine.post([this, work = std::move(work)] { work(m_room->core); });
 }
 
-EngineCore::Finished Engine::comeBack(Finished finished)
+/// Whatever becomes of it, its answer comes back through the window's mailbox.
+void Engine::deliver(Order order, Reply::Finished finished)
 {
-    if (!finished)
-        return {};
-    return [this, finished = std::move(finished)](
-               Result<void> result) { m_toWindow.post([finished, result] { finished(result); }); };
+    if (auto *trial = std::get_if<orders::RunTrial>(&order); trial && trial->measured)
+        trial->measured = [this, measured = std::move(trial->measured)](
+                              const tuning::Trial &sofar) { m_toWindow.post([measured, sofar] { measured(sofar); }); };
+    Reply reply;
+    if (finished)
+        reply = Reply([this, finished = std::move(finished)](Result<Answer> answer) {
+            m_toWindow.post([finished, answer = std::move(answer)] { finished(answer); });
+        });
+    post([order = std::move(order), reply = std::move(reply)](EngineCore &core) { core.carryOut(order, reply); });
 }
 
 void Engine::takePicture(Picture picture)
@@ -203,197 +209,14 @@ void Engine::report(Severity severity, const QString &device, const QString &tex
     Q_EMIT noticed(m_notices.back());
 }
 
-void Engine::openLink(const LinkAddress &address, Finished finished)
-{
-    post([address, back = comeBack(std::move(finished))](EngineCore &core) { core.openLink(address, back); });
-}
-
-void Engine::closeLink(const std::string &address)
-{
-    post([address](EngineCore &core) { core.closeLink(address); });
-}
-
-void Engine::scan()
-{
-    post([](EngineCore &core) { core.scanAll(); });
-}
-
-void Engine::scanEverything(const std::string &link)
-{
-    post([link](EngineCore &core) { core.scanEverything(link); });
-}
-
-void Engine::cancelScan(const std::string &link)
-{
-    post([link](EngineCore &core) { core.cancelScan(link); });
-}
-
-void Engine::readParameters(DeviceId device)
-{
-    post([device](EngineCore &core) { core.readParameters(device); });
-}
-
-void Engine::writeParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished)
-{
-    post([device, changes = std::move(changes), back = comeBack(std::move(finished))](
-             EngineCore &core) { core.writeParameters(device, changes, back); });
-}
-
-void Engine::restoreParameters(DeviceId device, std::vector<ParameterChange> changes, Finished finished)
-{
-    post([device, changes = std::move(changes), back = comeBack(std::move(finished))](
-             EngineCore &core) { core.restoreParameters(device, changes, back); });
-}
-
-void Engine::undoWrite(DeviceId device, bool again, Finished finished)
-{
-    post([device, again, back = comeBack(std::move(finished))](
-             EngineCore &core) { core.undoWrite(device, again, back); });
-}
-
-void Engine::takeSnapshot(DeviceId device, const QString &name, Finished finished)
-{
-    post([device, name = name.toStdString(), back = comeBack(std::move(finished))](
-             EngineCore &core) { core.takeSnapshot(device, name, back); });
-}
-
 SettingsArchive &Engine::settings()
 {
     return *m_archive;
 }
 
-void Engine::storeParameters(DeviceId device, Finished finished)
-{
-    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.storeParameters(device, back); });
-}
-
-void Engine::rewriteSettings(DeviceId device, Finished finished)
-{
-    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.rewriteSettings(device, back); });
-}
-
-void Engine::experiment(DeviceId device, const std::string &key, const ExperimentOptions &options, Finished finished)
-{
-    post([device, key, options, back = comeBack(std::move(finished))](
-             EngineCore &core) { core.experiment(device, key, options, back); });
-}
-
-void Engine::runTrial(
-    DeviceId device, const tuning::ExperimentPlan &plan, TrialMeasured measured, TrialFinished finished)
-{
-    const EngineCore::TrialMeasured told = [this, measured = std::move(measured)](const tuning::Trial &trial) {
-        m_toWindow.post([measured, trial] { measured(trial); });
-    };
-    const EngineCore::TrialFinished back = [this, finished = std::move(finished)](Result<tuning::Trial> trial) {
-        m_toWindow.post([finished, trial = std::move(trial)] { finished(trial); });
-    };
-    post([device, plan, told, back](EngineCore &core) { core.runTrial(device, plan, told, back); });
-}
-
-void Engine::runTuning(DeviceId device, const tuning::TunePlan &plan, TuningFinished finished)
-{
-    const EngineCore::TuningFinished back = [this, finished = std::move(finished)](Result<tuning::TuneReport> report) {
-        m_toWindow.post([finished, report = std::move(report)] { finished(report); });
-    };
-    post([device, plan, back](EngineCore &core) { core.runTuning(device, plan, back); });
-}
-
-void Engine::runSweep(
-    DeviceId device, const tuning::SweepPlan &plan, const tuning::PlantModel &plant, SweepFinished finished)
-{
-    const EngineCore::SweepFinished back
-        = [this, finished = std::move(finished)](Result<tuning::FrequencyResponse> response) {
-              m_toWindow.post([finished, response = std::move(response)] { finished(response); });
-          };
-    post([device, plan, plant, back](EngineCore &core) { core.runSweep(device, plan, plant, back); });
-}
-
 TrialNotebook &Engine::trials()
 {
     return *m_notebook;
-}
-
-void Engine::payGains(DeviceId device, std::int64_t trial, Finished finished)
-{
-    post([device, trial, back = comeBack(std::move(finished))](
-             EngineCore &core) { core.payGains(device, trial, back); });
-}
-
-void Engine::dismissGains(DeviceId device, std::int64_t trial, Finished finished)
-{
-    post([device, trial, back = comeBack(std::move(finished))](
-             EngineCore &core) { core.dismissGains(device, trial, back); });
-}
-
-void Engine::identify(DeviceId device, Finished finished)
-{
-    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.identify(device, back); });
-}
-
-void Engine::rename(DeviceId device, const QString &name, Finished finished)
-{
-    const QByteArray latin1 = name.toLatin1();
-    post([device, text = latin1.toStdString(), back = comeBack(std::move(finished))](
-             EngineCore &core) { core.rename(device, text, back); });
-}
-
-void Engine::renumber(DeviceId device, int address, Finished finished)
-{
-    post([device, address, back = comeBack(std::move(finished))](
-             EngineCore &core) { core.renumber(device, address, back); });
-}
-
-void Engine::clearFaults(DeviceId device, Finished finished)
-{
-    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.clearFaults(device, back); });
-}
-
-void Engine::calibrate(DeviceId device, const std::string &key, std::optional<double> value, Finished finished)
-{
-    post([device, key, value, back = comeBack(std::move(finished))](
-             EngineCore &core) { core.calibrate(device, key, value, back); });
-}
-
-void Engine::setDialect(DeviceId device, const std::string &key, Finished finished)
-{
-    post([device, key, back = comeBack(std::move(finished))](EngineCore &core) { core.setDialect(device, key, back); });
-}
-
-void Engine::setRate(DeviceId device, ChannelIndex channel, double hertz)
-{
-    post([device, channel, hertz](EngineCore &core) { core.setRate(device, channel, hertz); });
-}
-
-void Engine::startMotion(DeviceId device, const SetPoint &setPoint, std::chrono::milliseconds lease, Finished finished)
-{
-    post([device, setPoint, lease, back = comeBack(std::move(finished))](
-             EngineCore &core) { core.startMotion(device, setPoint, lease, back); });
-}
-
-void Engine::updateMotion(DeviceId device, const SetPoint &setPoint, Finished finished)
-{
-    post([device, setPoint, back = comeBack(std::move(finished))](
-             EngineCore &core) { core.updateMotion(device, setPoint, back); });
-}
-
-void Engine::renewMotion(DeviceId device)
-{
-    post([device](EngineCore &core) { core.renewMotion(device); });
-}
-
-void Engine::stopMotion(DeviceId device)
-{
-    post([device](EngineCore &core) { core.stopMotion(device); });
-}
-
-void Engine::releaseMoves(DeviceId device, Finished finished)
-{
-    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.releaseMoves(device, back); });
-}
-
-void Engine::zeroPosition(DeviceId device, Finished finished)
-{
-    post([device, back = comeBack(std::move(finished))](EngineCore &core) { core.zeroPosition(device, back); });
 }
 
 /// Before every other order; past the engine thread where that does not come to it.
@@ -406,43 +229,6 @@ void Engine::stopAll(StopCause cause)
         if (cause == StopCause::User)
             m_stopLane.served();
     });
-}
-
-void Engine::dismissStops()
-{
-    post([](EngineCore &core) { core.dismissStops(); });
-}
-
-void Engine::update(DeviceId device, std::shared_ptr<const FirmwareImage> image, UpdateOptions options)
-{
-    post([device, image = std::move(image), options = std::move(options)](
-             EngineCore &core) { core.update(device, image, options); });
-}
-
-void Engine::cancel(OperationId operation)
-{
-    post([operation](EngineCore &core) { core.cancel(operation); });
-}
-
-void Engine::sendFrame(const std::string &link, const CanFrame &frame, Finished finished)
-{
-    post([link, frame, back = comeBack(std::move(finished))](EngineCore &core) { core.sendFrame(link, frame, back); });
-}
-
-void Engine::startRecording(const std::string &link, const QString &path, Finished finished)
-{
-    post([link, file = QFile::encodeName(path).toStdString(), back = comeBack(std::move(finished))](
-             EngineCore &core) { core.startRecording(link, file, back); });
-}
-
-void Engine::stopRecording(const std::string &link)
-{
-    post([link](EngineCore &core) { core.stopRecording(link); });
-}
-
-void Engine::steerReplay(const std::string &link, const ReplayOrder &order)
-{
-    post([link, order](EngineCore &core) { core.steerReplay(link, order); });
 }
 
 } // namespace mb

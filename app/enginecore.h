@@ -12,6 +12,7 @@
 #include "transport/linkcatalog.h"
 #include "tuning/autotune.h"
 #include "tuning/frequencyresponse.h"
+#include "widgets/orders/reply.h"
 
 #include <functional>
 #include <list>
@@ -43,6 +44,9 @@ public:
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
     /// Lines for the log: severity, device, English text.
     [[nodiscard]] Listeners<Severity, const std::string &, const Message &> &noticed() { return m_noticed; }
+
+    /// Does what was ordered, and sees that it is answered (widgets/orders).
+    void carryOut(const Order &order, const Reply &reply);
 
     /// A serial port that is not plugged in is opened once it is; until then this has failed. One that does not open fails after
     /// Link::openLimit; nothing waits for it meanwhile.

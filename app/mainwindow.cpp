@@ -149,7 +149,7 @@ void MainWindow::buildDevices()
         m_settings.removeLink(address);
         if (address.startsWith(QLatin1String("sim:")))
             m_settings.removeLink(QStringLiteral("sim:")); // which stood for this one too
-        m_workbench.closeLink(address.toStdString());
+        m_workbench.send(orders::CloseLink{address.toStdString()});
     });
 }
 

@@ -8,6 +8,7 @@
 
 #include <QFileDialog>
 #include <QMenu>
+#include <QPointer>
 
 namespace mb {
 
@@ -39,7 +40,7 @@ WindowMenu::WindowMenu(Workbench &workbench, ThemeSource &theme, Settings &setti
 
 void WindowMenu::addLink()
 {
-    askAddLink(m_workbench, m_window, [this](const QString &address) { m_settings.addLink(address); });
+    askAddLink(m_workbench, m_window, [&settings = m_settings](const QString &address) { settings.addLink(address); });
 }
 
 void WindowMenu::openRecording()
@@ -60,14 +61,17 @@ void WindowMenu::openFile(const QString &path)
         (new SamplesWindow(path, m_theme, &m_window))->show();
         return;
     }
-    mb::openRecording(m_workbench, path, [this](const QString &address) { Q_EMIT framesOpened(address); });
+    mb::openRecording(m_workbench, path, [self = QPointer<WindowMenu>(this)](const QString &address) {
+        if (self)
+            Q_EMIT self->framesOpened(address);
+    });
 }
 
 void WindowMenu::openSimulation()
 {
     LinkAddress address;
     address.scheme = "sim";
-    m_workbench.openLink(address, {});
+    m_workbench.send(orders::OpenLink{address});
 }
 
 void WindowMenu::switchTheme()

@@ -23,11 +23,6 @@ struct Place {
     std::string folder;
 };
 
-struct Order {
-    const char *name;
-    void (*give)(Place &, const EngineCore::Finished &);
-};
-
 SetPoint gentle(const Place &place)
 {
     SetPoint setPoint;
@@ -44,48 +39,158 @@ tuning::ExperimentPlan stepOf(const Place &place)
     return plan;
 }
 
-const std::array orders{
-    Order{"writeParameters",
-        [](Place &p, const EngineCore::Finished &f) {
-            for (std::uint16_t i = 0; i < p.family.parameters.size(); ++i) {
-                const Parameter &row = p.family.parameters[i];
-                if (row.access != Access::ReadOnly && row.nature == Nature::Setting)
-                    return p.core.writeParameters(p.id, {{{i}, toRaw(row, row.fallback).value_or(0)}}, f);
-            }
-        }},
-    Order{"storeParameters", [](Place &p, const EngineCore::Finished &f) { p.core.storeParameters(p.id, f); }},
-    Order{"rewriteSettings", [](Place &p, const EngineCore::Finished &f) { p.core.rewriteSettings(p.id, f); }},
-    Order{"experiment", [](Place &p, const EngineCore::Finished &f) { p.core.experiment(p.id, "gain-scales", {}, f); }},
-    Order{"runTrial",
-        [](Place &p, const EngineCore::Finished &f) {
-            p.core.runTrial(p.id, stepOf(p), {},
-                [f](const Result<tuning::Trial> &trial) { f(trial ? Result<void>() : fail(trial.error())); });
-        }},
-    Order{"payGains", [](Place &p, const EngineCore::Finished &f) { p.core.payGains(p.id, 1, f); }},
-    Order{"dismissGains", [](Place &p, const EngineCore::Finished &f) { p.core.dismissGains(p.id, 1, f); }},
-    Order{"identify", [](Place &p, const EngineCore::Finished &f) { p.core.identify(p.id, f); }},
-    Order{"rename", [](Place &p, const EngineCore::Finished &f) { p.core.rename(p.id, "intake", f); }},
-    Order{"renumber", [](Place &p, const EngineCore::Finished &f) { p.core.renumber(p.id, 42, f); }},
-    Order{"clearFaults", [](Place &p, const EngineCore::Finished &f) { p.core.clearFaults(p.id, f); }},
-    Order{"calibrate",
-        [](Place &p, const EngineCore::Finished &f) { p.core.calibrate(p.id, "counts_per_revolution", 100.0, f); }},
-    Order{"setDialect", [](Place &p, const EngineCore::Finished &f) { p.core.setDialect(p.id, "F", f); }},
-    Order{"startMotion", [](Place &p, const EngineCore::Finished &f) { p.core.startMotion(p.id, gentle(p), 1s, f); }},
-    Order{"updateMotion", [](Place &p, const EngineCore::Finished &f) { p.core.updateMotion(p.id, gentle(p), f); }},
-    Order{"releaseMoves", [](Place &p, const EngineCore::Finished &f) { p.core.releaseMoves(p.id, f); }},
-    Order{"zeroPosition", [](Place &p, const EngineCore::Finished &f) { p.core.zeroPosition(p.id, f); }},
-    Order{"sendFrame", [](Place &p, const EngineCore::Finished &f) { p.core.sendFrame(p.link, {}, f); }},
-    Order{"startRecording",
-        [](Place &p, const EngineCore::Finished &f) { p.core.startRecording(p.link, p.folder + "/a.log", f); }},
-};
+template <class O> O example(const Place &place)
+{
+    O order{};
+    order.device = place.id;
+    return order;
+}
 
-enum class Fate { LinkClosed, LinkClosedLater, PowerCut, Stopped };
-const std::array fates{Fate::LinkClosed, Fate::LinkClosedLater, Fate::PowerCut, Fate::Stopped};
+template <> orders::OpenLink example(const Place &place)
+{
+    return {*LinkAddress::parse(place.link)};
+}
+
+template <> orders::CloseLink example(const Place &place)
+{
+    return {place.link};
+}
+
+template <> orders::ScanLinks example(const Place &)
+{
+    return {};
+}
+
+template <> orders::ScanEverything example(const Place &place)
+{
+    return {place.link};
+}
+
+template <> orders::CancelScan example(const Place &place)
+{
+    return {place.link};
+}
+
+template <> orders::SendFrame example(const Place &place)
+{
+    return {place.link, {}};
+}
+
+template <> orders::WriteParameters example(const Place &place)
+{
+    for (std::uint16_t i = 0; i < place.family.parameters.size(); ++i) {
+        const Parameter &row = place.family.parameters[i];
+        if (row.access != Access::ReadOnly && row.nature == Nature::Setting)
+            return {place.id, {{{i}, toRaw(row, row.fallback).value_or(0)}}};
+    }
+    return {place.id, {}};
+}
+
+template <> orders::RestoreParameters example(const Place &place)
+{
+    return {place.id, example<orders::WriteParameters>(place).changes};
+}
+
+template <> orders::Rename example(const Place &place)
+{
+    return {place.id, "intake"};
+}
+
+template <> orders::Renumber example(const Place &place)
+{
+    return {place.id, 42};
+}
+
+template <> orders::Calibrate example(const Place &place)
+{
+    return {place.id, "counts_per_revolution", 100.0};
+}
+
+template <> orders::SetDialect example(const Place &place)
+{
+    return {place.id, "F"};
+}
+
+template <> orders::SetRate example(const Place &place)
+{
+    return {place.id, {0}, 100.0};
+}
+
+template <> orders::StartMotion example(const Place &place)
+{
+    return {place.id, gentle(place), 1s};
+}
+
+template <> orders::UpdateMotion example(const Place &place)
+{
+    return {place.id, gentle(place)};
+}
+
+template <> orders::DismissStops example(const Place &)
+{
+    return {};
+}
+
+template <> orders::RunExperiment example(const Place &place)
+{
+    return {place.id, "gain-scales", {}};
+}
+
+template <> orders::RunTrial example(const Place &place)
+{
+    return {place.id, stepOf(place), {}};
+}
+
+template <> orders::PayGains example(const Place &place)
+{
+    return {place.id, 1};
+}
+
+template <> orders::DismissGains example(const Place &place)
+{
+    return {place.id, 1};
+}
+
+template <> orders::UpdateFirmware example(const Place &place)
+{
+    return {place.id, std::make_shared<FirmwareImage>(), {}};
+}
+
+template <> orders::CancelOperation example(const Place &)
+{
+    return {{1}};
+}
+
+template <> orders::StartRecording example(const Place &place)
+{
+    return {place.link, place.folder + "/a.log"};
+}
+
+template <> orders::StopRecording example(const Place &place)
+{
+    return {place.link};
+}
+
+template <> orders::SteerReplay example(const Place &place)
+{
+    return {place.link, {}};
+}
+
+/// One of each kind that there is: an order that is added without an example does not compile, or is one of a device.
+template <std::size_t... kind> std::vector<Order> everyOrder(const Place &place, std::index_sequence<kind...>)
+{
+    return {example<std::variant_alternative_t<kind, Order>>(place)...};
+}
+
+constexpr auto everyKind = std::make_index_sequence<std::variant_size_v<Order>>();
+
+enum class Fate { LinkClosed, LinkClosedLater, PowerCut, Stopped, EngineEnds };
+const std::array fates{Fate::LinkClosed, Fate::LinkClosedLater, Fate::PowerCut, Fate::Stopped, Fate::EngineEnds};
 
 class Answers : public testing::TestWithParam<const Family *> { };
 
 /// How often it was answered.
-int answersTo(const Family &family, const Order &order, Fate fate)
+int answersTo(const Family &family, std::size_t kind, Fate fate)
 {
     const test::TemporaryFolder folder;
     VirtualClock clock;
@@ -102,7 +207,7 @@ int answersTo(const Family &family, const Order &order, Fate fate)
     if (found == devices.end())
         return 0;
     Place place{*core, core->session().idOf(**found), family, link, folder.path()};
-    order.give(place, [&answers](const Result<void> &) { ++answers; });
+    core->carryOut(everyOrder(place, everyKind).at(kind), Reply([&answers](const Result<Answer> &) { ++answers; }));
     switch (fate) {
     case Fate::LinkClosed: core->closeLink(link); break;
     case Fate::LinkClosedLater:
@@ -110,21 +215,53 @@ int answersTo(const Family &family, const Order &order, Fate fate)
         core->closeLink(link);
         break;
     case Fate::PowerCut:
-        for (Simulator *simulator : core->session().bench(*core->session().links().front())->simulators())
-            simulator->setPowered(false);
+        for (const Link *open : core->session().links()) {
+            for (Simulator *simulator : core->session().bench(*open)->simulators())
+                simulator->setPowered(false);
+        }
         break;
     case Fate::Stopped: core->stopAll(StopCause::User); break;
+    case Fate::EngineEnds: core.reset(); break;
     }
     (void)clock.runUntil([&answers] { return answers > 0; }, 2min);
     clock.advance(1s);
     return answers;
 }
 
+TEST(Reply, IsGivenOnceByTheFirstWhoGivesOne)
+{
+    std::vector<Result<Answer>> heard;
+    {
+        const Reply reply([&heard](Result<Answer> answer) { heard.push_back(std::move(answer)); });
+        const auto finished = reply.as<void>();
+        finished(fail(Fault::Refused, say("no")));
+        finished({});
+        reply.give(Answer());
+    }
+    ASSERT_EQ(heard.size(), 1U);
+    EXPECT_EQ(heard.front().error().fault, Fault::Refused);
+}
+
+TEST(Reply, ToAnOrderThatIsDroppedIsWhy)
+{
+    std::vector<Result<tuning::Trial>> heard;
+    const auto finished
+        = Reply::from<tuning::Trial>([&heard](Result<tuning::Trial> trial) { heard.push_back(std::move(trial)); });
+    Reply(finished).as<tuning::Trial>()(tuning::Trial());
+    ASSERT_EQ(heard.size(), 1U);
+    EXPECT_TRUE(heard.back());
+    const std::function<void(Result<tuning::Trial>)> dropped = Reply(finished).as<tuning::Trial>(); // and never called
+    EXPECT_EQ(heard.size(), 1U) << "whoever holds it may still call it";
+    (void)Reply(finished);
+    ASSERT_EQ(heard.size(), 2U);
+    EXPECT_EQ(heard.back().error().fault, Fault::Cancelled);
+}
+
 TEST_P(Answers, EveryOrderIsAnsweredOnceWhateverBecomesOfIt)
 {
-    for (const Order &order : orders) {
+    for (std::size_t kind = 0; kind < std::variant_size_v<Order>; ++kind) {
         for (const Fate fate : fates)
-            EXPECT_EQ(answersTo(*GetParam(), order, fate), 1) << order.name << ", fate " << static_cast<int>(fate);
+            EXPECT_EQ(answersTo(*GetParam(), kind, fate), 1) << "order " << kind << ", fate " << static_cast<int>(fate);
     }
 }
 

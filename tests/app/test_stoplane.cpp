@@ -76,7 +76,7 @@ class BlockedEngine : public testing::Test {
 protected:
     BlockedEngine()
     {
-        engine.openLink(*LinkAddress::parse("serial:" + terminal.path()), {});
+        engine.send(orders::OpenLink{*LinkAddress::parse("serial:" + terminal.path())});
         EXPECT_TRUE(loop.runUntil([this] { return !engine.snapshot().devices.empty(); }));
         block();
     }
@@ -147,7 +147,7 @@ TEST_F(BlockedEngine, ALinkThatIsClosedIsNotHeldByTheStopLane)
 {
     release();
     const std::string address = "serial:" + terminal.path();
-    engine.closeLink(address);
+    engine.send(orders::CloseLink{address});
     EXPECT_TRUE(loop.runUntil([this] { return engine.snapshot().links.empty(); }));
     pollfd source{terminal.descriptor(), POLLIN, 0};
     EXPECT_EQ(::poll(&source, 1, 20'000), 1);

@@ -126,8 +126,8 @@ void AxesTest::init()
     m_desk->resize(2200, 1100);
     m_desk->show();
     QApplication::setActiveWindow(m_desk.get());
-    m_engine->openLink(*LinkAddress::parse("sim:spi"), {});
-    m_engine->scan();
+    m_engine->send(orders::OpenLink{*LinkAddress::parse("sim:spi")});
+    m_engine->send(orders::ScanLinks{});
     QTRY_VERIFY_WITH_TIMEOUT(!m_engine->snapshot().devices.empty() && board().liveness.heard, patience);
     QTRY_VERIFY_WITH_TIMEOUT(latest(axes, "position").has_value(), patience);
 }
@@ -364,7 +364,7 @@ void AxesTest::gainsAreCopiedFromAnotherAxis()
     const auto written = [this, p1] {
         if (board().parameters[p1.value].raw == 321)
             return true;
-        m_engine->writeParameters(board().id, {{p1, 321}}, {}); // refused while the page still reads
+        m_engine->send(orders::WriteParameters{board().id, {{p1, 321}}}); // refused while the page still reads
         return false;
     };
     QTRY_VERIFY_WITH_TIMEOUT(written(), patience);

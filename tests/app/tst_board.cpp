@@ -67,8 +67,8 @@ void BoardTest::writeAndReset(std::size_t settings)
     }
     QCOMPARE(changes.size(), settings);
     bool written = false;
-    m_bench->engine().writeParameters(
-        board()->id, changes, [&written](const Result<void> &result) { written = result.has_value(); });
+    m_bench->engine().send(orders::WriteParameters{board()->id, changes},
+        [&written](const Result<void> &result) { written = result.has_value(); });
     QTRY_VERIFY_WITH_TIMEOUT(written, patience);
     m_bench->engine().post([](EngineCore &core) {
         for (const Link *link : core.session().links()) {

@@ -79,7 +79,7 @@ void BoardUpdateTest::init()
     applyTheme(*qApp, m_theme->theme());
     m_engine->post([folder = m_folder.filePath(QStringLiteral("logs")).toStdString()](
                        EngineCore &core) { core.keepTranscripts(folder); });
-    m_engine->openLink(*LinkAddress::parse("sim:spi"), {});
+    m_engine->send(orders::OpenLink{*LinkAddress::parse("sim:spi")});
     m_page = std::make_unique<FirmwarePage>(*m_engine, m_selection, *m_theme);
     m_page->resize(1280, 720);
     m_page->show();
@@ -188,7 +188,7 @@ void BoardUpdateTest::handsAreGuidedAndTheVersionIsCompared()
 void BoardUpdateTest::itCanBeCancelledWhileItWaitsForTheJumper()
 {
     begin();
-    m_engine->cancel(operation()->id);
+    m_engine->send(orders::CancelOperation{operation()->id});
     QTRY_VERIFY_WITH_TIMEOUT(operation()->update && operation()->update->outcome == UpdateOutcome::Cancelled, patience);
     QTRY_VERIFY_WITH_TIMEOUT(m_page->canStart(), patience);
 }

@@ -105,7 +105,7 @@ void ClosingTest::anUpdateIsNotAbandonedWithoutAQuestion()
     window.answer(QStringLiteral("Keep open"));
     window.workbench.publish();
     QVERIFY(window.isVisible());
-    QVERIFY(window.workbench.callsOf("cancel").empty());
+    QVERIFY(window.workbench.given<orders::CancelOperation>().empty());
     QVERIFY(!window.close()); // and is asked about again
 }
 
@@ -115,7 +115,7 @@ void ClosingTest::cancellingTheUpdateClosesOnceItHasEnded()
     window.writing();
     QVERIFY(!window.close());
     window.answer(QStringLiteral("Cancel the update and close"));
-    QCOMPARE(window.workbench.callsOf("cancel").at(0).number, 3.0);
+    QCOMPARE(window.workbench.given<orders::CancelOperation>().at(0).operation.value, 3U);
     QVERIFY(window.isVisible());
     window.update().state = OperationStatus::State::Cancelled;
     window.workbench.publish();
@@ -130,7 +130,7 @@ void ClosingTest::whatMustNotBeCutIsWaitedOut()
     QVERIFY(window.question()->informativeText().contains(QStringLiteral("must not be cut")));
     window.answer(QStringLiteral("Cancel the update and close"));
     window.workbench.publish();
-    QVERIFY(window.workbench.callsOf("cancel").empty());
+    QVERIFY(window.workbench.given<orders::CancelOperation>().empty());
     QVERIFY(window.isVisible());
     window.update().state = OperationStatus::State::Done;
     window.workbench.publish();
@@ -155,7 +155,7 @@ void ClosingTest::aMotorIsSeenStoppedBeforeTheWindowGoes()
     window.moving();
     QVERIFY(!window.close());
     QVERIFY(!window.question());
-    QCOMPARE(window.workbench.callsOf("stopMotion").size(), 1U);
+    QCOMPARE(window.workbench.given<orders::StopMotion>().size(), 1U);
     window.unit().motion.running = false;
     window.workbench.publish();
     QVERIFY(window.isVisible()); // told to stop, and not seen to

@@ -54,7 +54,7 @@ void DroppedTest::tuneDoesNotWriteForEver()
     QTRY_VERIFY_WITH_TIMEOUT((write = button(page, QStringLiteral("Write P"))) && write->isEnabled(), patience);
     write->click();
     QVERIFY(says(page, QStringLiteral("Writing gains")));
-    bench.engine().closeLink("sim:can");
+    bench.engine().send(orders::CloseLink{"sim:can"});
     QTRY_VERIFY_WITH_TIMEOUT(!bench.device(WindowBench::tuned), patience);
     bench.window().selection().select(bench.device(4, "supermodified")->id);
     QTRY_VERIFY_WITH_TIMEOUT(!says(page, QStringLiteral("Writing gains")), patience);
@@ -73,7 +73,7 @@ void DroppedTest::anExperimentEndsAndItsDialogCanBeClosed()
     QVERIFY(dialog);
     dialog->start();
     QVERIFY(dialog->isRunning());
-    bench.engine().closeLink("sim:spi");
+    bench.engine().send(orders::CloseLink{"sim:spi"});
     QTRY_VERIFY_WITH_TIMEOUT(!dialog || !dialog->isRunning(), patience);
     if (dialog) {
         QPushButton *close = button(*dialog, QStringLiteral("Close"));

@@ -124,8 +124,8 @@ void HandTuningTest::aSluggishLoopIsTunedUntilItStepsWell()
     StimulusChoice stimulus;
     stimulus.to = 5000.0;
     page.chooseStimulus(Mode::Velocity, stimulus);
-    m_bench->engine().writeParameters(
-        drive()->id, {{*findParameter(drive()->family->parameters, "velocity.divisor"), 1'000'000}}, {});
+    m_bench->engine().send(orders::WriteParameters{
+        drive()->id, {{*findParameter(drive()->family->parameters, "velocity.divisor"), 1'000'000}}});
     const tuning::Trial sluggish = step(2000.0, 60.0);
     const tuning::Trial tuned = step(17700.0, 300.0);
     QCOMPARE(QString::fromStdString(sluggish.reason + ' ' + sluggish.detail), QStringLiteral("done "));

@@ -113,8 +113,8 @@ void MovesTest::init()
     m_page->resize(1208, 1000);
     m_page->show();
     QApplication::setActiveWindow(m_page.get());
-    m_engine->openLink(*LinkAddress::parse("sim:serial?bitrate=115200"), {});
-    m_engine->scan();
+    m_engine->send(orders::OpenLink{*LinkAddress::parse("sim:serial?bitrate=115200")});
+    m_engine->send(orders::ScanLinks{});
     QTRY_VERIFY_WITH_TIMEOUT(isReady(), patience);
     m_selection->select(m_engine->snapshot().devices.front().id);
     QTRY_VERIFY(m_page->movesPanel().isVisibleTo(m_page.get()));

@@ -23,7 +23,8 @@ void NamesTest::aDeviceHasOneNameInTheLog()
     const DeviceView &unit = *bench.device(WindowBench::tuned);
     const ParameterIndex gain = *findParameter(unit.family->parameters, "slot1.p");
     bool written = false;
-    bench.engine().writeParameters(unit.id, {{gain, 70000}}, [&written](const Result<void> &) { written = true; });
+    bench.engine().send(
+        orders::WriteParameters{unit.id, {{gain, 70000}}}, [&written](const Result<void> &) { written = true; });
     QTRY_VERIFY_WITH_TIMEOUT(written, patience);
     bench.arming().arm(bench.device(WindowBench::tuned)->id);
     bench.run();

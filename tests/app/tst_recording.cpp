@@ -76,7 +76,7 @@ void RecordingTest::aRecordingOfTheBenchIsPlayedAndItsDevicesAppear()
     auto &bar = *bus.findChild<ReplayBar *>();
     QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible() && linkOf(bench, address)->replay->running, patience);
     picture(bench, "replay");
-    bench.engine().steerReplay(address, {0.0, std::nullopt, std::nullopt});
+    bench.engine().send(orders::SteerReplay{address, {0.0, std::nullopt, std::nullopt}});
     QTRY_VERIFY_WITH_TIMEOUT(linkOf(bench, address)->replay->ended, patience);
     QCOMPARE(devicesOn(bench, address), static_cast<int>(WindowBench::benchSize));
     QCOMPARE(linkOf(bench, address)->counters.rx + linkOf(bench, address)->counters.tx, written);
@@ -115,7 +115,7 @@ void RecordingTest::playsInThePlots(WindowBench &bench, const std::string &addre
     picture(bench, "plots");
     auto &again = *plots.findChild<ReplayBar *>()->findChild<CommandButton *>();
     QTRY_COMPARE_WITH_TIMEOUT(again.text(), QStringLiteral("Play again"), patience);
-    bench.engine().steerReplay(address, {1.0, std::nullopt, std::nullopt});
+    bench.engine().send(orders::SteerReplay{address, {1.0, std::nullopt, std::nullopt}});
     QTest::mouseClick(&again, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(linkOf(bench, address)->replay->running, patience);
     QVERIFY(linkOf(bench, address)->replay->position < linkOf(bench, address)->replay->length);

@@ -80,7 +80,7 @@ void StillTest::openingTheSimulatedBenchMovesNoFrame()
     const QString before = frames();
     LinkAddress address;
     address.scheme = "sim";
-    application.engine().openLink(address, {});
+    application.engine().send(orders::OpenLink{address});
     QTRY_VERIFY_WITH_TIMEOUT(!window.findChild<DemoStripe *>()->isEmpty(), patience);
     QCOMPARE(frames(), before);
 }

@@ -112,7 +112,7 @@ int run()
     const test::PseudoTerminal terminal;
     FarEnd far(terminal);
     Engine engine(test::textFamilies, false);
-    engine.openLink(*LinkAddress::parse("serial:" + terminal.path()), {});
+    engine.send(orders::OpenLink{*LinkAddress::parse("serial:" + terminal.path())});
     for (int i = 0; i < 500 && engine.snapshot().devices.empty(); ++i)
         serveFor(10ms);
     if (engine.snapshot().devices.empty())

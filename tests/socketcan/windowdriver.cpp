@@ -146,9 +146,10 @@ public:
             return;
         if (!m_begun) {
             m_begun = true;
-            m_engine.startRecording(m_link, m_file, [this](const mb::Result<void> &begun) { tell(begun); });
+            m_engine.send(mb::orders::StartRecording{m_link, QFile::encodeName(m_file).toStdString()},
+                [this](const mb::Result<void> &begun) { tell(begun); });
         } else if (m_snapshotsLeft > 0 && --m_snapshotsLeft == 0) {
-            m_engine.stopRecording(m_link);
+            m_engine.send(mb::orders::StopRecording{m_link});
         } else if (link->recording && link->recording->finished) {
             const mb::RecordingState &end = *link->recording;
             std::fprintf(stderr, "%s", end.problem.c_str());
@@ -211,7 +212,7 @@ int main(int argc, char **argv)
         else
             driver.follow();
     });
-    engine.openLink(*link, [](const mb::Result<void> &opened) {
+    engine.send(mb::orders::OpenLink{*link}, [](const mb::Result<void> &opened) {
         if (opened)
             return;
         std::fprintf(stderr, "windowdriver: %s\n", opened.error().text().c_str());
@@ -220,7 +221,7 @@ int main(int argc, char **argv)
     QTimer again; // as its user would, where a busy machine made a scan find nobody
     QObject::connect(&again, &QTimer::timeout, &engine, [&engine] {
         if (engine.snapshot().devices.empty())
-            engine.scan();
+            engine.send(mb::orders::ScanLinks{});
     });
     again.start(std::chrono::seconds(3));
     window.show();

@@ -84,7 +84,7 @@ struct BusBench {
             text += label->text() + QLatin1Char('\n');
         return text;
     }
-    [[nodiscard]] std::size_t sent() const { return workbench.callsOf("sendFrame").size(); }
+    [[nodiscard]] std::size_t sent() const { return workbench.given<orders::SendFrame>().size(); }
 };
 
 } // namespace mb::test

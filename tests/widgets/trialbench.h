@@ -76,9 +76,9 @@ struct TrialBench : TuneBench {
     /// As the engine ends it: kept, then told.
     tuning::Trial finish(double damping)
     {
-        const auto planned = workbench.plans.back();
-        const tuning::Trial trial
-            = responseOf(planned.plan, static_cast<std::int64_t>(workbench.plans.size()), damping, unit());
+        const auto planned = workbench.given<orders::RunTrial>().back();
+        const tuning::Trial trial = responseOf(
+            planned.plan, static_cast<std::int64_t>(workbench.given<orders::RunTrial>().size()), damping, unit());
         KeptTrial kept;
         kept.number = *trial.number;
         kept.trial = trial;

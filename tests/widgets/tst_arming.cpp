@@ -34,18 +34,21 @@ void TestArming::init()
 
 void TestArming::stopIsOfTheUserAndGoesOutFirst()
 {
-    m_bench->workbench.calls.clear();
+    m_bench->workbench.sent.clear();
     m_bench->arming.stopAll(QStringLiteral("Esc"));
-    QVERIFY(m_bench->workbench.calls.front().what == "stopAll");
-    QVERIFY(m_bench->workbench.calls.front().text == "user");
+    QCOMPARE(m_bench->workbench.stops.size(), std::size_t{1});
+    QCOMPARE(m_bench->workbench.stops.front().ordersBefore, std::size_t{0});
+    QVERIFY(m_bench->workbench.stops.front().cause == StopCause::User);
     QCOMPARE(m_bench->arming.state(), LampState::Stopped);
 }
 
 void TestArming::stopForAnotherCauseIsOfTheProgram()
 {
-    m_bench->workbench.calls.clear();
+    m_bench->workbench.sent.clear();
     m_bench->arming.stopMoved(QStringLiteral("the window lost the focus"));
-    QVERIFY(m_bench->workbench.calls.front().text == "program");
+    QCOMPARE(m_bench->workbench.stops.size(), std::size_t{1});
+    QCOMPARE(m_bench->workbench.stops.front().ordersBefore, std::size_t{0});
+    QVERIFY(m_bench->workbench.stops.front().cause == StopCause::Program);
     QCOMPARE(m_bench->arming.state(), LampState::Stopped);
 }
 

@@ -38,7 +38,7 @@ struct BatteryBench {
     /// The step that runs ends with this overshoot.
     void finish(double overshoot, const char *reason = "done")
     {
-        const auto &plan = workbench.plans.back().plan;
+        const auto plan = workbench.given<orders::RunTrial>().back().plan;
         tuning::Trial trial;
         trial.simulated = true;
         trial.stimulus.from = *plan.from;
@@ -46,7 +46,7 @@ struct BatteryBench {
         trial.metrics.overshoot = overshoot;
         trial.reason = reason;
         trial.stopped = true;
-        const auto finished = workbench.plans.back().finished;
+        const auto finished = workbench.given<orders::RunTrial>().back().finished;
         finished(trial);
     }
 };
@@ -67,11 +67,11 @@ void TestBattery::nothingMovesBeforeItIsArmedAndStarted()
     BatteryBench bench;
     QVERIFY(bench.dialog.words().contains(QStringLiteral("counts/s")));
     bench.dialog.run();
-    QVERIFY(bench.workbench.plans.empty());
+    QVERIFY(bench.workbench.given<orders::RunTrial>().empty());
     bench.arming.arm({1});
-    QVERIFY(bench.workbench.plans.empty());
+    QVERIFY(bench.workbench.given<orders::RunTrial>().empty());
     bench.dialog.run();
-    QCOMPARE(bench.workbench.plans.size(), std::size_t(1));
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), std::size_t(1));
 }
 
 void TestBattery::tenStepsFollowEachOtherAndTheWorstStandsBelow()
@@ -80,8 +80,9 @@ void TestBattery::tenStepsFollowEachOtherAndTheWorstStandsBelow()
     bench.arming.arm({1});
     bench.dialog.run();
     for (int i = 0; i < 10; ++i) {
-        QCOMPARE(bench.workbench.plans.size(), static_cast<std::size_t>(i + 1));
-        QCOMPARE(bench.workbench.plans.back().plan.to, (i % 2 == 0 ? 1.0 : -1.0) * 10'000.0 * (1 + i / 2));
+        QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), static_cast<std::size_t>(i + 1));
+        QCOMPARE(bench.workbench.given<orders::RunTrial>().back().plan.to,
+            (i % 2 == 0 ? 1.0 : -1.0) * 10'000.0 * (1 + i / 2));
         bench.finish(i == 3 ? 0.25 : 0.01 * i);
     }
     QVERIFY(!bench.dialog.isRunning());
@@ -101,10 +102,10 @@ void TestBattery::aStopEndsItAndSaysSo()
     bench.finish(0.01);
     bench.finish(0.02, "speed");
     QVERIFY(!bench.dialog.isRunning());
-    QCOMPARE(bench.workbench.plans.size(), std::size_t(2));
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), std::size_t(2));
     QCOMPARE(bench.dialog.table().rowCount(), 3);
     bench.dialog.run();
-    QCOMPARE(bench.workbench.plans.size(), std::size_t(2)); // a guard's stop is latched
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), std::size_t(2)); // a guard's stop is latched
 }
 
 void TestBattery::everyControlHasAName()

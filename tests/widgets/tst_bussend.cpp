@@ -30,8 +30,8 @@ void BusSendTest::anOrdinaryFrameGoesByAClick()
     QVERIFY(!bench.sendButton().isHoldNeeded());
     QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
     QCOMPARE(bench.sent(), std::size_t{1});
-    const auto call = bench.workbench.callsOf("sendFrame").front();
-    QCOMPARE(call.text, std::string("sim:can"));
+    const auto call = bench.workbench.given<orders::SendFrame>().front();
+    QCOMPARE(call.link, std::string("sim:can"));
     QVERIFY(sameContent(call.frame, canFrameFromText("240#").value()));
     bench.type("02061805", "34 12 3D"); // PARAMREQ
     QVERIFY(bench.panelText().contains(QStringLiteral("PARAMREQ of DMC60C #5")));
@@ -45,10 +45,10 @@ void BusSendTest::successIsSaidOnlyWhenTheLinkTookIt()
     bench.type("123", "01 02");
     QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
     QVERIFY(!bench.panelText().contains(QStringLiteral("1 sent")));
-    bench.workbench.callsOf("sendFrame").front().finished({});
+    bench.workbench.given<orders::SendFrame>().front().finished({});
     QVERIFY(bench.panelText().contains(QStringLiteral("1 sent")));
     QTest::mouseClick(&bench.sendButton(), Qt::LeftButton);
-    bench.workbench.callsOf("sendFrame").back().finished(fail(Fault::LinkLost, say("can0 is down")));
+    bench.workbench.given<orders::SendFrame>().back().finished(fail(Fault::LinkLost, say("can0 is down")));
     QVERIFY(bench.panelText().contains(QStringLiteral("can0 is down")));
 }
 
@@ -76,7 +76,8 @@ void BusSendTest::aControlFrameNeedsArmingAndAHeldButton()
     bench.sendButton().setHoldMilliseconds(40);
     QVERIFY(bench.holdUntil([&bench] { return bench.sent() > 0; }));
     QCOMPARE(bench.sent(), std::size_t{1});
-    QVERIFY(sameContent(bench.workbench.callsOf("sendFrame").front().frame, canFrameFromText(controlOf5).value()));
+    QVERIFY(
+        sameContent(bench.workbench.given<orders::SendFrame>().front().frame, canFrameFromText(controlOf5).value()));
 }
 
 void BusSendTest::aShortPressSendsNoControlFrame()
@@ -151,18 +152,18 @@ void BusSendTest::stopEndsARepetitionAndStopsTheMotor()
     bench.sendButton().setHoldMilliseconds(1);
     std::size_t answered = 0;
     const auto someWent = [&] {
-        const auto calls = bench.workbench.callsOf("sendFrame");
+        const auto calls = bench.workbench.given<orders::SendFrame>();
         for (; answered < calls.size(); ++answered) // else the panel gives up after fifty
             calls[answered].finished({});
         return answered > 3;
     };
     QVERIFY(bench.holdUntil(someWent));
     QVERIFY(bench.panel().isRepeating());
-    QVERIFY(bench.workbench.callsOf("stopMotion").empty());
+    QVERIFY(bench.workbench.given<orders::StopMotion>().empty());
     bench.arming.stopAll(QStringLiteral("test"));
     QVERIFY(!bench.panel().isRepeating());
-    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), std::size_t{1});
-    QCOMPARE(bench.workbench.callsOf("stopMotion").front().device.value, 1U);
+    QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), std::size_t{1});
+    QCOMPARE(bench.workbench.given<orders::StopMotion>().front().device.value, 1U);
 }
 
 void BusSendTest::leavingThePageEndsARepetition()
@@ -174,7 +175,7 @@ void BusSendTest::leavingThePageEndsARepetition()
     QVERIFY(bench.panel().isRepeating());
     bench.page->hide();
     QVERIFY(!bench.panel().isRepeating());
-    QVERIFY(bench.workbench.callsOf("stopMotion").empty()); // it moved nothing
+    QVERIFY(bench.workbench.given<orders::StopMotion>().empty()); // it moved nothing
 }
 
 void BusSendTest::aLinkThatDoesNotTakeFramesEndsARepetition()

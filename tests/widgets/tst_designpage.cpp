@@ -73,7 +73,7 @@ struct DesignBench {
     void arm() { arming.arm({1}); }
     void finish(const Result<TuneReport> &report)
     {
-        const auto finished = workbench.tunings.back().finished;
+        const auto finished = workbench.given<orders::RunTuning>().back().finished;
         finished(report);
     }
     [[nodiscard]] OwnProposal *own() { return page->findChild<OwnProposal *>(); }
@@ -111,7 +111,7 @@ void TestDesignPage::nothingIsOrderedBeforeItIsArmed()
     bench.page->identify();
     bench.page->autotune();
     bench.page->prove();
-    QVERIFY(bench.workbench.tunings.empty());
+    QVERIFY(bench.workbench.given<orders::RunTuning>().empty());
     QVERIFY(!bench.page->status().mayRun);
 }
 
@@ -120,18 +120,18 @@ void TestDesignPage::identifyingProposesAndWritesNothing()
     DesignBench bench;
     bench.arm();
     bench.page->prove();
-    QVERIFY2(bench.workbench.tunings.empty(), "there is nothing to prove yet");
+    QVERIFY2(bench.workbench.given<orders::RunTuning>().empty(), "there is nothing to prove yet");
     bench.page->identify();
-    QCOMPARE(bench.workbench.tunings.size(), std::size_t(1));
-    QVERIFY(bench.workbench.tunings[0].plan.propose);
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(1));
+    QVERIFY(bench.workbench.given<orders::RunTuning>()[0].plan.propose);
     QVERIFY(bench.arming.isOnTrial());
     bench.page->identify();
-    QCOMPARE(bench.workbench.tunings.size(), std::size_t(1));
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(1));
     bench.finish(identified());
     QVERIFY(bench.page->report());
     QCOMPARE(bench.cards().size(), 3);
     QVERIFY(bench.arming.isArmed({1}));
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+    QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
 }
 
 void TestDesignPage::theChosenSetIsProvenFromTheModelThatIsKnown()
@@ -142,8 +142,8 @@ void TestDesignPage::theChosenSetIsProvenFromTheModelThatIsKnown()
     bench.finish(identified());
     bench.page->chooseAim(Aim::Brisk);
     bench.page->prove();
-    QCOMPARE(bench.workbench.tunings.size(), std::size_t(2));
-    const TunePlan &plan = bench.workbench.tunings[1].plan;
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(2));
+    const TunePlan plan = bench.workbench.given<orders::RunTuning>()[1].plan;
     QVERIFY(plan.known == std::optional(identified().plant));
     QVERIFY(plan.aim == Aim::Brisk);
     QVERIFY(!plan.propose);
@@ -155,7 +155,7 @@ void TestDesignPage::aCurrentLoopIsDesignedInAmpereAndATriedScaleGoesWithItsMode
     bench.arm();
     bench.page->chooseLoop(Mode::Current);
     bench.page->identify();
-    QVERIFY(bench.workbench.tunings[0].plan.loop == Mode::Current);
+    QVERIFY(bench.workbench.given<orders::RunTuning>()[0].plan.loop == Mode::Current);
     TuneReport report = identified();
     report.loop = Mode::Current;
     report.motor->unit = "A per duty";
@@ -163,7 +163,7 @@ void TestDesignPage::aCurrentLoopIsDesignedInAmpereAndATriedScaleGoesWithItsMode
     report.scale = TriedScale{1e-3, 1e-5, 1e-3, 9000.0, 0.02};
     bench.finish(report);
     bench.page->prove();
-    QVERIFY(bench.workbench.tunings[1].plan.scale == report.scale);
+    QVERIFY(bench.workbench.given<orders::RunTuning>()[1].plan.scale == report.scale);
     bool told = false;
     for (const QLabel *label : bench.page->findChildren<QLabel *>())
         told = told || label->text() == QStringLiteral("A per duty");
@@ -202,20 +202,20 @@ void TestDesignPage::theSlidersDesignWithoutTheDeviceAndF5ProvesExactlyThat()
     for (int i = 0; i < 20; ++i)
         QTest::keyClick(speed, Qt::Key_Right);
     QVERIFY(bench.page->chosen()->gains.made.p > normal);
-    QCOMPARE(bench.workbench.tunings.size(), std::size_t(1));
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(1));
     const auto *const bode = bench.page->findChild<BodePlot *>();
     QVERIFY2(bode && bode->findChildren<CurvePlot *>().front()->note() == marginText(bench.page->chosen()->margins),
         "the plots follow");
     bench.page->prove();
-    QCOMPARE(bench.workbench.tunings.size(), std::size_t(2));
-    const TunePlan &plan = bench.workbench.tunings.back().plan;
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(2));
+    const TunePlan plan = bench.workbench.given<orders::RunTuning>().back().plan;
     QCOMPARE(plan.response.value_or(0.0), bench.own()->response());
     QCOMPARE(plan.ms.value_or(0.0), bench.own()->ms());
     QVERIFY(plan.known.has_value());
     bench.finish(identified());
     bench.page->chooseAim(Aim::Calm);
     bench.page->prove();
-    QVERIFY2(!bench.workbench.tunings.back().plan.response, "a card is an aim again");
+    QVERIFY2(!bench.workbench.given<orders::RunTuning>().back().plan.response, "a card is an aim again");
 }
 
 void TestDesignPage::whatHoldsTheSlidersBackIsSaid()
@@ -242,7 +242,7 @@ void TestDesignPage::anotherSlotHasTheSameProposalsUnderItsOwnKeys()
     QVERIFY(bench.page->chosen()->gains.rows.front().key.rfind("slot1.", 0) == 0);
     QVERIFY(bench.page->chosen()->design.gains == first);
     bench.page->prove();
-    QCOMPARE(bench.workbench.tunings.back().plan.slot, 1);
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().back().plan.slot, 1);
 }
 
 void TestDesignPage::thePredictedStepHasTheBandOfTheErrors()
@@ -274,14 +274,14 @@ void TestDesignPage::aFrequencyResponseIsAnnouncedMeasuredAndDrawnAsFarAsItIsTru
     QVERIFY(sweep->isVisible());
     QVERIFY2(sweep->announcement().contains(QStringLiteral("counts/s")), qPrintable(sweep->announcement()));
     sweep->measure();
-    QCOMPARE(bench.workbench.sweeps.size(), std::size_t(1));
+    QCOMPARE(bench.workbench.given<orders::RunSweep>().size(), std::size_t(1));
     QVERIFY(bench.arming.isOnTrial());
     sweep->measure();
-    QCOMPARE(bench.workbench.sweeps.size(), std::size_t(1));
+    QCOMPARE(bench.workbench.given<orders::RunSweep>().size(), std::size_t(1));
     FrequencyResponse response;
     response.points = {{0.3, 340000.0, -10.0, 0.99, true}, {1.0, 280000.0, -37.0, 0.99, true},
         {3.0, 90000.0, -70.0, 0.5, false}, {5.0, 90000.0, -80.0, 0.95, true}};
-    const auto finished = bench.workbench.sweeps.back().finished;
+    const auto finished = bench.workbench.given<orders::RunSweep>().back().finished;
     finished(response);
     const auto &curves = bench.page->findChild<BodePlot *>()->magnitude().curves();
     QCOMPARE(curves.size(), std::size_t(3));
@@ -302,8 +302,8 @@ void TestDesignPage::whatIsStoppedBeforeItHasAModelLeavesTheOneThatIsKnown()
     stopped.stopReason = "interrupted";
     bench.finish(stopped);
     bench.page->prove();
-    QCOMPARE(bench.workbench.tunings.size(), std::size_t(3));
-    QVERIFY(bench.workbench.tunings[2].plan.known == std::optional(identified().plant));
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(3));
+    QVERIFY(bench.workbench.given<orders::RunTuning>()[2].plan.known == std::optional(identified().plant));
 }
 
 void TestDesignPage::cardsAreChosenByKeysAndShowTheirOwnLoop()
@@ -327,16 +327,16 @@ void TestDesignPage::theKeysOrder()
     DesignBench bench;
     bench.arm();
     QTest::keyClick(bench.page.get(), Qt::Key_I);
-    QVERIFY2(bench.workbench.tunings.empty(), "a letter never turns a shaft");
+    QVERIFY2(bench.workbench.given<orders::RunTuning>().empty(), "a letter never turns a shaft");
     QTest::keyClick(bench.page.get(), Qt::Key_F6, Qt::ShiftModifier);
-    QCOMPARE(bench.workbench.tunings.size(), std::size_t(1));
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(1));
     bench.finish(identified());
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
-    QCOMPARE(bench.workbench.tunings.size(), std::size_t(2));
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(2));
     bench.finish(identified());
     QTest::keyClick(bench.page.get(), Qt::Key_F6);
-    QCOMPARE(bench.workbench.tunings.size(), std::size_t(3));
-    QVERIFY(!bench.workbench.tunings[2].plan.known);
+    QCOMPARE(bench.workbench.given<orders::RunTuning>().size(), std::size_t(3));
+    QVERIFY(!bench.workbench.given<orders::RunTuning>()[2].plan.known);
 }
 
 void TestDesignPage::anErrorLeavesThePageAsItWasAndArmed()
@@ -347,7 +347,7 @@ void TestDesignPage::anErrorLeavesThePageAsItWasAndArmed()
     bench.finish(fail(Fault::OutOfRange, say("there is not enough room"), say("allow more travel")));
     QVERIFY(!bench.page->report());
     QVERIFY(bench.arming.isArmed({1}));
-    QVERIFY(bench.workbench.callsOf("report").back().text.find("not enough room") != std::string::npos);
+    QVERIFY(bench.workbench.lines.back().text.contains(QLatin1String("not enough room")));
 }
 
 void TestDesignPage::aGuardIsAStop()
@@ -371,7 +371,7 @@ void TestDesignPage::aUnitInItsBootloaderIsNotTried()
     bench.workbench.shot.devices[0].identity.state = DeviceState::Bootloader;
     Q_EMIT bench.workbench.changed();
     bench.page->identify();
-    QVERIFY(bench.workbench.tunings.empty());
+    QVERIFY(bench.workbench.given<orders::RunTuning>().empty());
 }
 
 void TestDesignPage::theColumnScrollsBeforeItIsSqueezed()

@@ -72,7 +72,7 @@ void DoctorTest::aLinkThatIsDownHasACommandToCopy()
     QVERIFY(copy);
     copy->click();
     QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("sudo ip link set can0 up"));
-    QCOMPARE(bench.callsOf("report").size(), std::size_t(1));
+    QCOMPARE(bench.lines.size(), std::size_t(1));
     QVERIFY(!button(card, QStringLiteral("Reconnect")));
 }
 
@@ -88,8 +88,8 @@ void DoctorTest::aLostLinkCanBeReconnected()
     QPushButton *again = button(card, QStringLiteral("Reconnect"));
     QVERIFY(again);
     again->click();
-    QCOMPARE(bench.callsOf("openLink").size(), std::size_t(1));
-    QCOMPARE(bench.callsOf("openLink").front().text, std::string("socketcan:can0"));
+    QCOMPARE(bench.given<orders::OpenLink>().size(), std::size_t(1));
+    QCOMPARE(bench.given<orders::OpenLink>().front().address.text(), std::string("socketcan:can0"));
     QVERIFY(!button(card, QStringLiteral("Copy command")));
 }
 
@@ -122,7 +122,7 @@ void DoctorTest::aLinkThatWasAskedForInVainCanBeTriedAgain()
     QPushButton *again = button(card, QStringLiteral("Reconnect"));
     QVERIFY(again);
     again->click();
-    QCOMPARE(bench.callsOf("openLink").front().text, std::string("serial:/dev/ttyUSB0"));
+    QCOMPARE(bench.given<orders::OpenLink>().front().address.text(), std::string("serial:/dev/ttyUSB0"));
 }
 
 void DoctorTest::theEmptyPageListsEveryLink()

@@ -74,7 +74,7 @@ void TestEnvelopes::namedLimitsAreChosenAgain()
     bench.choose(60'000.0);
     bench.arm();
     bench.page->run(); // and they bound the next experiment
-    QCOMPARE(bench.workbench.plans.back().plan.limits.speed, std::optional(70'000.0));
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().back().plan.limits.speed, std::optional(70'000.0));
     bench.finish(0.7);
     forget->click();
     QCOMPARE(names->count(), 0);

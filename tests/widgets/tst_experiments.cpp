@@ -42,8 +42,8 @@ void TestExperiments::oneKeyWritesWhatIsStagedAndRuns()
     QTest::keyClick(bench.find<QLineEdit>("P"), Qt::Key_Return);
     bench.arm();
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
-    QCOMPARE(bench.workbench.plans.size(), 1U);
-    const tuning::ExperimentPlan &plan = bench.workbench.plans.back().plan;
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), 1U);
+    const tuning::ExperimentPlan plan = bench.workbench.given<orders::RunTrial>().back().plan;
     QCOMPARE(plan.to, 60'000.0);
     QCOMPARE(plan.repeat, 4);
     QVERIFY(plan.mode == Mode::Velocity);
@@ -51,13 +51,13 @@ void TestExperiments::oneKeyWritesWhatIsStagedAndRuns()
     QCOMPARE(plan.gains.front().raw, rawOf("slot0.p", 1.5));
     QVERIFY(plan.keep == tuning::Keep::WhenDone);
     QVERIFY(bench.arming.isMoving());
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
-    QCOMPARE(bench.workbench.plans.size(), 1U); // one at a time
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), 1U); // one at a time
     bench.finish(0.7);
     QVERIFY(bench.arming.isArmed({1}) && !bench.arming.isMoving()); // ready again
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
-    QCOMPARE(bench.workbench.plans.size(), 2U);
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), 2U);
 }
 
 void TestExperiments::nothingRunsUnlessArmedAndInsideTheEnvelope()
@@ -65,7 +65,7 @@ void TestExperiments::nothingRunsUnlessArmedAndInsideTheEnvelope()
     TrialBench bench;
     bench.choose(60'000.0);
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
-    QVERIFY(bench.workbench.plans.empty());
+    QVERIFY(bench.workbench.given<orders::RunTrial>().empty());
     QVERIFY2(problemOf(bench).startsWith(s("Not armed")), qPrintable(problemOf(bench)));
     bench.arm();
     auto *speed = bench.find<QLineEdit>("Envelope: Speed");
@@ -73,13 +73,13 @@ void TestExperiments::nothingRunsUnlessArmedAndInsideTheEnvelope()
     speed->setText(s("50000"));
     Q_EMIT speed->textEdited(speed->text());
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
-    QVERIFY(bench.workbench.plans.empty());
+    QVERIFY(bench.workbench.given<orders::RunTrial>().empty());
     QVERIFY2(problemOf(bench).contains(s("50000")), qPrintable(problemOf(bench)));
     speed->setText(s("70000"));
     Q_EMIT speed->textEdited(speed->text());
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
-    QCOMPARE(bench.workbench.plans.size(), 1U);
-    QCOMPARE(bench.workbench.plans.back().plan.limits.speed, std::optional(70'000.0));
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().back().plan.limits.speed, std::optional(70'000.0));
 }
 
 void TestExperiments::aKindThatWouldLeaveTheEnvelopeCannotBeChosen()
@@ -115,7 +115,7 @@ void TestExperiments::whatIsMeasuredIsShownBeforeTheMotorIsBack()
     bench.arm();
     bench.page->run();
     QCOMPARE(bench.metric(0, 2), QString(UnknownMark));
-    const auto planned = bench.workbench.plans.back();
+    const auto planned = bench.workbench.given<orders::RunTrial>().back();
     planned.measured(responseOf(planned.plan, 1, 0.5, bench.unit()));
     QCOMPARE(bench.metric(0, 2), s("16.3")); // the golden overshoot
     QVERIFY(bench.arming.isMoving());
@@ -172,10 +172,10 @@ void TestExperiments::theGainsOfATrialComeBackAsEdits()
     const QRect use = list.table().visualRect(list.model().index(0, TrialModel::Use));
     QVERIFY2(list.table().viewport()->rect().contains(use), "the column Use is in sight");
     QTest::mouseClick(list.table().viewport(), Qt::LeftButton, {}, use.center());
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty()); // staged, never written
+    QVERIFY(bench.workbench.given<orders::WriteParameters>().empty()); // staged, never written
     QCOMPARE(bench.page->gainsPanel().toWrite().size(), 2U);
     bench.page->run();
-    QCOMPARE(bench.workbench.plans.back().plan.gains.size(), 2U);
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().back().plan.gains.size(), 2U);
 }
 
 void TestExperiments::theListSortsFiltersStarsAndNotes()
@@ -210,7 +210,7 @@ void TestExperiments::aGuardLatchesTheStopAndSaysItsName()
     bench.choose(60'000.0);
     bench.arm();
     bench.page->run();
-    const auto planned = bench.workbench.plans.back();
+    const auto planned = bench.workbench.given<orders::RunTrial>().back();
     Trial trial = responseOf(planned.plan, 1, 0.5, bench.unit());
     trial.reason = "speed";
     trial.detail = say("speed 81000 counts/s is above 1.2 × 60000 counts/s");
@@ -219,7 +219,7 @@ void TestExperiments::aGuardLatchesTheStopAndSaysItsName()
     QVERIFY(bench.arming.state() == LampState::Stopped);
     QVERIFY2(problemOf(bench).contains(s("speed guard")), qPrintable(problemOf(bench)));
     bench.page->run();
-    QCOMPARE(bench.workbench.plans.size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::RunTrial>().size(), 1U);
 }
 
 void TestExperiments::haltEndsATrialAndStaysArmed()
@@ -229,9 +229,9 @@ void TestExperiments::haltEndsATrialAndStaysArmed()
     bench.arm();
     bench.page->run();
     bench.page->halt();
-    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), 1U);
     QVERIFY(bench.arming.isOnTrial()); // it still puts back what it has changed
-    const auto planned = bench.workbench.plans.back();
+    const auto planned = bench.workbench.given<orders::RunTrial>().back();
     Trial trial = responseOf(planned.plan, 1, 0.5, bench.unit());
     trial.reason = "interrupted";
     planned.finished(trial);
@@ -254,20 +254,20 @@ void TestExperiments::theJogKeyMovesForAsLongAsItIsHeld()
     TrialBench bench;
     bench.page->setFocus();
     QTest::keyPress(bench.page.get(), Qt::Key_J);
-    QVERIFY(bench.workbench.callsOf("startMotion").empty()); // not armed
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty()); // not armed
     QTest::keyRelease(bench.page.get(), Qt::Key_J);
     bench.arm();
     QTest::keyPress(bench.page.get(), Qt::Key_K);
-    QCOMPARE(bench.workbench.callsOf("startMotion").size(), 1U);
-    QVERIFY(bench.workbench.callsOf("startMotion").back().setPoint.mode == Mode::Duty);
-    QCOMPARE(bench.workbench.callsOf("startMotion").back().setPoint.target, -0.08);
-    QVERIFY(bench.workbench.callsOf("stopMotion").empty());
+    QCOMPARE(bench.workbench.given<orders::StartMotion>().size(), 1U);
+    QVERIFY(bench.workbench.given<orders::StartMotion>().back().setPoint.mode == Mode::Duty);
+    QCOMPARE(bench.workbench.given<orders::StartMotion>().back().setPoint.target, -0.08);
+    QVERIFY(bench.workbench.given<orders::StopMotion>().empty());
     QTest::keyRelease(bench.page.get(), Qt::Key_K);
-    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), 1U);
     QVERIFY(bench.arming.isArmed({1}) && !bench.arming.isMoving());
     QTest::keyPress(bench.page.get(), Qt::Key_J);
     bench.page->hide(); // nobody sees it any more
-    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), 2U);
+    QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), 2U);
 }
 
 void TestExperiments::tenThousandTrialsAreListedAtOnce()

@@ -115,7 +115,7 @@ void FirmwareTest::aSecondUpdateOnTheBusIsRefusedWithWords()
     QVERIFY(!start->isEnabled());
     QCOMPARE(start->toolTip(), QStringLiteral("One update a bus: DMC60C #5 on sim:can is being written."));
     bench.page->startUpdate();
-    QVERIFY(bench.workbench.callsOf("update").empty());
+    QVERIFY(bench.workbench.given<orders::UpdateFirmware>().empty());
 }
 
 void FirmwareTest::anotherBusMayBeUpdatedMeanwhile()
@@ -125,7 +125,7 @@ void FirmwareTest::anotherBusMayBeUpdatedMeanwhile()
     bench.selection.select({2});
     QVERIFY(bench.page->canStart());
     bench.page->startUpdate();
-    QCOMPARE(bench.workbench.callsOf("update").size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::UpdateFirmware>().size(), 1U);
     QVERIFY(bench.says(QStringLiteral("DMC60C #5 on sim:can"))); // until its own operation is there
 }
 

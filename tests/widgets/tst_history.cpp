@@ -122,7 +122,7 @@ void TestHistory::whatIsTickedIsRestored()
     QTRY_COMPARE(bench.table()->rowCount(), 3);
     bench.table()->item(2, 0)->setCheckState(Qt::Unchecked);
     button(bench, QStringLiteral("Restore 1"))->click();
-    const auto calls = bench.workbench.callsOf("restoreParameters");
+    const auto calls = bench.workbench.given<orders::RestoreParameters>();
     QCOMPARE(calls.size(), std::size_t{1});
     QCOMPARE(calls[0].changes.size(), std::size_t{1});
     QVERIFY(calls[0].changes[0].index == named("slot1.p"));
@@ -164,16 +164,18 @@ void TestHistory::undoTakesBackAnEditAndElseTheLastWrite()
     bench.stage("slot1.p", "2");
     bench.page->undo(false);
     QCOMPARE(bench.edits().count(), 0);
-    QVERIFY(bench.workbench.callsOf("undoWrite").empty());
+    QVERIFY(bench.workbench.given<orders::UndoWrite>().empty());
     bench.page->undo(true);
     bench.page->write();
-    bench.workbench.callsOf("writeParameters")[0].finished({});
+    bench.workbench.given<orders::WriteParameters>()[0].finished({});
     QTest::keyClick(bench.page.get(), Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(bench.workbench.callsOf("undoWrite").size(), std::size_t{1});
+    QCOMPARE(bench.workbench.given<orders::UndoWrite>().size(), std::size_t{1});
+    QVERIFY(!bench.workbench.given<orders::UndoWrite>()[0].again);
     QCOMPARE(bench.edits().count(), 0);
     QTest::keyClick(bench.page.get(), Qt::Key_Y, Qt::ControlModifier);
-    QCOMPARE(bench.workbench.callsOf("redoWrite").size(), std::size_t{1});
-    bench.workbench.callsOf("redoWrite")[0].finished(fail(Fault::Refused, say("there is nothing to do again")));
+    QCOMPARE(bench.workbench.given<orders::UndoWrite>().size(), std::size_t{2});
+    QVERIFY(bench.workbench.given<orders::UndoWrite>()[1].again);
+    bench.workbench.given<orders::UndoWrite>()[1].finished(fail(Fault::Refused, say("there is nothing to do again")));
     QVERIFY(says(bench, QStringLiteral("there is nothing to do again")));
 }
 
@@ -181,8 +183,8 @@ void TestHistory::aSnapshotIsTakenByItsKey()
 {
     ParameterBench bench;
     QTest::keyClick(bench.page.get(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
-    QCOMPARE(bench.workbench.callsOf("takeSnapshot").size(), std::size_t{1});
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+    QCOMPARE(bench.workbench.given<orders::TakeSnapshot>().size(), std::size_t{1});
+    QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
 }
 
 void TestHistory::historyKeyShowsAndHidesIt()

@@ -81,13 +81,13 @@ void LeapsTest::aLeapIsWrittenOnlyAfterOneMoreLook()
     QVERIFY(visible<QLabel>(*bench.page, s("27 × as large as now, 1")));
     QVERIFY(bench.edits().toWrite().empty());
     bench.page->write();
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+    QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
     auto *use = visible<QPushButton>(*bench.page, s("Use 27"));
     QVERIFY(use);
     use->click();
     QVERIFY(!visible<QLabel>(*bench.page, s("27 × as large")));
     bench.page->write();
-    QCOMPARE(bench.workbench.callsOf("writeParameters").size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::WriteParameters>().size(), 1U);
     bench.stage("slot0.p", "99"); // another value is another look
     QVERIFY(bench.edits().toWrite().empty());
 }
@@ -99,13 +99,13 @@ void LeapsTest::theTunePageAsksToo()
     type(bench.find<QLineEdit>("P"), "40");
     QVERIFY2(problemOf(bench).startsWith(s("Look at a gain again | P: 34 × as large")), qPrintable(problemOf(bench)));
     bench.page->run();
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
+    QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
     auto *use = visible<QPushButton>(*bench.page, s("Use it"));
     QVERIFY(use);
     use->click();
     bench.page->run();
-    QCOMPARE(bench.workbench.callsOf("writeParameters").size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::WriteParameters>().size(), 1U);
 }
 
 void LeapsTest::whatIsStagedOnOnePageIsStagedOnTheOther()

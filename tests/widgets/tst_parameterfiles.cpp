@@ -63,7 +63,7 @@ void TestParameterFiles::importNeverWrites()
         R"({"family":"dmc60c","parameters":{"slot1.p":{"value":2},"unknown.key":{"value":1}}})"));
     QCOMPARE(bench.edits().count(), 1);
     QVERIFY(says(bench, QStringLiteral("unknown.key")));
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+    QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
 }
 
 void TestParameterFiles::aFileOfAnotherFamilyIsRefused()
@@ -120,7 +120,7 @@ void TestParameterFiles::withoutADeviceAFileCanBeLookedAt()
     QCOMPARE(countParameters(bench.model()).changed, 0);
     bench.page->write();
     bench.workbench.publish();
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+    QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
     bench.selection.select({1});
     QCOMPARE(bench.shown("slot1.p", ParameterModel::State), QStringLiteral("stored"));
 }

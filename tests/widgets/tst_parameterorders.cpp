@@ -28,7 +28,7 @@ void TestParameterOrders::writeSendsExactlyWhatIsStaged()
     bench.stage("slot1.i", "3");
     bench.edits().setIncluded(named("slot1.i"), false);
     QTest::keyClick(bench.page.get(), Qt::Key_S, Qt::ControlModifier);
-    const auto calls = bench.workbench.callsOf("writeParameters");
+    const auto calls = bench.workbench.given<orders::WriteParameters>();
     QCOMPARE(calls.size(), std::size_t{1});
     QVERIFY(calls[0].device == DeviceId{1});
     QCOMPARE(calls[0].changes.size(), std::size_t{2});
@@ -46,7 +46,7 @@ void TestParameterOrders::writeIsRefusedWhileAnErrorIsStaged()
     bench.stage("slot1.p", "2");
     bench.stage("slot1.max_forward", "40000");
     QTest::keyClick(bench.page.get(), Qt::Key_S, Qt::ControlModifier);
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
+    QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
     const auto *writing = bench.page->findChild<QAbstractButton *>(QStringLiteral("writeButton"));
     QVERIFY(!writing->isEnabled());
     QVERIFY(writing->accessibleName().contains(QStringLiteral("fix 1 value first")));
@@ -58,7 +58,7 @@ void TestParameterOrders::writeOfAnOpenFieldTakesItAlong()
     open(bench, "slot1.p");
     QTest::keyClicks(field(bench), QStringLiteral("2"));
     bench.page->write();
-    const auto calls = bench.workbench.callsOf("writeParameters");
+    const auto calls = bench.workbench.given<orders::WriteParameters>();
     QCOMPARE(calls.size(), std::size_t{1});
     QCOMPARE(calls[0].changes.size(), std::size_t{1});
     QCOMPARE(calls[0].changes[0].raw, rawOf("slot1.p", 2));
@@ -71,7 +71,7 @@ void TestParameterOrders::aFailedWriteKeepsTheRestAndSaysWhy()
     bench.stage("current_limit.peak", "80");
     bench.page->write();
     bench.set("current_limit.peak", 80, ParameterState::Ram);
-    bench.workbench.callsOf("writeParameters")[0].finished(
+    bench.workbench.given<orders::WriteParameters>()[0].finished(
         fail(Fault::BadCheck, say("slot1.p was written as 2 but reads 1")));
     QCOMPARE(bench.edits().count(), 1);
     QVERIFY(bench.edits().find(named("slot1.p")));
@@ -108,7 +108,7 @@ void TestParameterOrders::storeIsOfferedAfterTheCountdown()
     QAbstractButton *store = button(bench, QStringLiteral("Store and prove"));
     QVERIFY(store);
     QTest::mouseClick(store, Qt::LeftButton);
-    QCOMPARE(bench.workbench.callsOf("storeParameters").size(), std::size_t{1});
+    QCOMPARE(bench.workbench.given<orders::StoreParameters>().size(), std::size_t{1});
 }
 
 void TestParameterOrders::unknownValuesAreReadOnce()
@@ -116,15 +116,15 @@ void TestParameterOrders::unknownValuesAreReadOnce()
     DeviceView device = readDrive();
     device.parameters.assign(device.parameters.size(), {});
     ParameterBench bench(device);
-    QCOMPARE(bench.workbench.callsOf("readParameters").size(), std::size_t{1});
+    QCOMPARE(bench.workbench.given<orders::ReadParameters>().size(), std::size_t{1});
     QCOMPARE(bench.shown("slot1.p", ParameterModel::ValueColumn), QStringLiteral("–"));
     bench.workbench.publish();
     bench.page->hide();
     bench.page->show();
     QApplication::setActiveWindow(bench.page.get());
-    QCOMPARE(bench.workbench.callsOf("readParameters").size(), std::size_t{1});
+    QCOMPARE(bench.workbench.given<orders::ReadParameters>().size(), std::size_t{1});
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
-    QCOMPARE(bench.workbench.callsOf("readParameters").size(), std::size_t{2});
+    QCOMPARE(bench.workbench.given<orders::ReadParameters>().size(), std::size_t{2});
 }
 
 void TestParameterOrders::progressOfReadingIsShown()
@@ -141,7 +141,7 @@ void TestParameterOrders::progressOfReadingIsShown()
     QVERIFY(says(bench, QStringLiteral("Reading 23 of 55")));
     bench.stage("slot1.p", "2");
     bench.page->write();
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty()); // one thing at a time
+    QVERIFY(bench.workbench.given<orders::WriteParameters>().empty()); // one thing at a time
     bench.workbench.shot.operations[0].status.state = OperationStatus::State::Done;
     bench.workbench.shot.operations[0].status.endedAt += std::chrono::milliseconds(70);
     bench.workbench.publish();
@@ -155,7 +155,7 @@ void TestParameterOrders::bootloaderHasNoParameters()
     device.identity.state = DeviceState::Bootloader;
     ParameterBench bench(device);
     QVERIFY(says(bench, QStringLiteral("No parameters in the bootloader")));
-    QVERIFY(bench.workbench.callsOf("readParameters").empty());
+    QVERIFY(bench.workbench.given<orders::ReadParameters>().empty());
 }
 
 MB_WINDOW_TEST(TestParameterOrders);

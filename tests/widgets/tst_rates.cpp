@@ -52,10 +52,10 @@ struct RatesBench {
     [[nodiscard]] Asked asked() const
     {
         Asked last;
-        for (const auto &call : workbench.callsOf("setRate")) {
+        for (const auto &call : workbench.given<orders::SetRate>()) {
             const auto key = std::string(dmc60c().channels[call.channel.value].key);
-            if (call.number > 0.0)
-                last[{call.device.value, key}] = call.number;
+            if (call.hertz > 0.0)
+                last[{call.device.value, key}] = call.hertz;
             else
                 last.erase({call.device.value, key});
         }
@@ -92,10 +92,10 @@ void TestRates::whatIsPlottedIsFastWhileItIsSeen()
     QTRY_COMPARE(bench.asked(), others);
     bench.plots->hide();
     QTRY_VERIFY(bench.asked().empty());
-    const auto calls = bench.workbench.callsOf("setRate").size();
+    const auto calls = bench.workbench.given<orders::SetRate>().size();
     bench.workbench.publish();
     QTest::qWait(250);
-    QCOMPARE(bench.workbench.callsOf("setRate").size(), calls);
+    QCOMPARE(bench.workbench.given<orders::SetRate>().size(), calls);
 }
 
 void TestRates::aShorterWindowAsksForMore()

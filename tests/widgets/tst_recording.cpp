@@ -69,7 +69,7 @@ struct RecordingBench {
     [[nodiscard]] std::vector<ReplayOrder> orders() const
     {
         std::vector<ReplayOrder> given;
-        for (const auto &call : workbench.callsOf("steerReplay"))
+        for (const auto &call : workbench.given<orders::SteerReplay>())
             given.push_back(call.order);
         return given;
     }
@@ -114,12 +114,12 @@ void RecordingTest::theButtonAsksForAFile()
     QVERIFY(dialog);
     QCOMPARE(dialog->acceptMode(), QFileDialog::AcceptSave);
     QCOMPARE(dialog->nameFilters().size(), 2);
-    QVERIFY(bench.workbench.callsOf("startRecording").empty());
+    QVERIFY(bench.workbench.given<orders::StartRecording>().empty());
     Q_EMIT dialog->fileSelected(QStringLiteral("/logs/live.asc"));
-    const auto calls = bench.workbench.callsOf("startRecording");
+    const auto calls = bench.workbench.given<orders::StartRecording>();
     QCOMPARE(calls.size(), std::size_t{1});
-    QCOMPARE(calls[0].text, std::string("sim:can"));
-    QCOMPARE(calls[0].path, QStringLiteral("/logs/live.asc"));
+    QCOMPARE(calls[0].link, std::string("sim:can"));
+    QCOMPARE(calls[0].path, std::string("/logs/live.asc"));
     dialog->reject();
 }
 
@@ -144,7 +144,7 @@ void RecordingTest::theButtonEndsARecording()
     RecordingBench bench;
     bench.record(10, 0);
     QTest::mouseClick(&bench.strip().button(), Qt::LeftButton);
-    QCOMPARE(bench.workbench.callsOf("stopRecording").size(), std::size_t{1});
+    QCOMPARE(bench.workbench.given<orders::StopRecording>().size(), std::size_t{1});
     QVERIFY(!bench.page->findChild<QFileDialog *>());
     bench.live().recording->finished = true;
     bench.workbench.publish();
@@ -155,9 +155,8 @@ void RecordingTest::aRefusalIsReportedOnce()
 {
     RecordingBench bench;
     bench.strip().recordTo(QStringLiteral("/nowhere/a.log"));
-    bench.workbench.callsOf("startRecording")
-        .front()
-        .finished(fail(Fault::LinkLost, say("no permission to write there")));
+    bench.workbench.given<orders::StartRecording>().front().finished(
+        fail(Fault::LinkLost, say("no permission to write there")));
     QCOMPARE(bench.workbench.lines.size(), std::size_t{1});
     QVERIFY(bench.workbench.lines[0].severity == Severity::Danger);
     QVERIFY(bench.workbench.lines[0].text.contains(QStringLiteral("no permission to write there")));
@@ -284,9 +283,9 @@ void RecordingTest::aRecordingIsOpenedAsALink()
     QString opened;
     openRecording(
         bench.workbench, QStringLiteral("/logs/a run.log"), [&opened](const QString &address) { opened = address; });
-    const auto calls = bench.workbench.callsOf("openLink");
+    const auto calls = bench.workbench.given<orders::OpenLink>();
     QCOMPARE(calls.size(), std::size_t{1});
-    QCOMPARE(calls[0].text, std::string("replay:/logs/a run.log"));
+    QCOMPARE(calls[0].address.text(), std::string("replay:/logs/a run.log"));
     calls[0].finished({});
     QCOMPARE(opened, QStringLiteral("replay:/logs/a run.log"));
 }
@@ -295,7 +294,7 @@ void RecordingTest::aNameThatNoAddressCanHoldIsRefused()
 {
     RecordingBench bench;
     openRecording(bench.workbench, QStringLiteral("/logs/what?.log"), {});
-    QVERIFY(bench.workbench.callsOf("openLink").empty());
+    QVERIFY(bench.workbench.given<orders::OpenLink>().empty());
     QCOMPARE(bench.workbench.lines.size(), std::size_t{1});
     QVERIFY(bench.workbench.lines[0].text.contains(QStringLiteral("what?.log")));
 }

@@ -77,7 +77,7 @@ void TestSerialLinks::aLongScanShowsHowFarItIsAndCanBeCancelled()
     auto *cancel = strip.findChild<QPushButton *>(s("cancelScan"));
     QVERIFY(!cancel->accessibleName().isEmpty());
     QTest::mouseClick(cancel, Qt::LeftButton);
-    QCOMPARE(workbench.callsOf("cancelScan").at(0).text, std::string("serial:/dev/ttyUSB0"));
+    QCOMPARE(workbench.given<orders::CancelScan>().at(0).link, std::string("serial:/dev/ttyUSB0"));
     link.scanning = false;
     workbench.publish();
     QVERIFY(!strip.isVisible());
@@ -100,7 +100,7 @@ void TestSerialLinks::everyRateAndAddressCanBeSearched()
         if (action->objectName() == s("searchEverything"))
             action->trigger();
     }
-    QCOMPARE(workbench.callsOf("scanEverything").at(0).text, std::string("serial:/dev/ttyUSB0"));
+    QCOMPARE(workbench.given<orders::ScanEverything>().at(0).link, std::string("serial:/dev/ttyUSB0"));
 }
 
 void TestSerialLinks::theCardShowsRateAndRoundTrip()
@@ -155,9 +155,9 @@ void TestSerialLinks::anAddedPortIsRememberedOnlyOnceItIsOpen()
     QVERIFY(dialog);
     dialog->setTextValue(s("serial:/dev/ttyUSB0?baud=57600"));
     dialog->accept();
-    const auto opened = workbench.callsOf("openLink");
+    const auto opened = workbench.given<orders::OpenLink>();
     QCOMPARE(opened.size(), std::size_t{1});
-    QCOMPARE(QString::fromStdString(opened[0].text), s("serial:/dev/ttyUSB0?baud=57600"));
+    QCOMPARE(QString::fromStdString(opened[0].address.text()), s("serial:/dev/ttyUSB0?baud=57600"));
     opened[0].finished(fail(Fault::LinkLost, say("ttyUSB0 is in use")));
     QVERIFY(remembered.isEmpty());
     opened[0].finished({});

@@ -54,11 +54,11 @@ void SlotsTest::gainsEditedInTheChosenSlotAreWrittenBeforeItRuns()
     bench.arm();
     type(bench.find<QLineEdit>("P"), "2");
     bench.page->run();
-    const auto writes = bench.workbench.callsOf("writeParameters");
+    const auto writes = bench.workbench.given<orders::WriteParameters>();
     QCOMPARE(writes.size(), 1U);
     QCOMPARE(writes[0].changes[0].index.value, named("slot1.p").value);
     writes[0].finished({});
-    QCOMPARE(bench.workbench.callsOf("startMotion").at(0).setPoint.slot, 1);
+    QCOMPARE(bench.workbench.given<orders::StartMotion>().at(0).setPoint.slot, 1);
 }
 
 void SlotsTest::splittingIsSaidInAmberUntilJoined()

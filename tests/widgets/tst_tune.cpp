@@ -51,8 +51,8 @@ void TestTune::runIsRefusedWhenNotArmed()
     QVERIFY2(run->toolTip().contains(s("Hold the lamp")), qPrintable(run->toolTip()));
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
     bench.page->run();
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
-    QVERIFY(bench.workbench.callsOf("report").back().text.find("Not armed") != std::string::npos);
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
+    QVERIFY(bench.workbench.lines.back().text.contains(QLatin1String("Not armed")));
 }
 
 void TestTune::runSendsTheSetPointWithSlotRampAndFlags()
@@ -67,7 +67,7 @@ void TestTune::runSendsTheSetPointWithSlotRampAndFlags()
     type(bench.find<QLineEdit>("Set-point"), "-60000");
     bench.arm();
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
-    const auto starts = bench.workbench.callsOf("startMotion");
+    const auto starts = bench.workbench.given<orders::StartMotion>();
     QCOMPARE(starts.size(), 1U);
     SetPoint expected;
     expected.mode = Mode::Velocity;
@@ -88,19 +88,19 @@ void TestTune::aSetPointOfTheHandStartsWhereTheMotorIsAndMovesSlowly()
     type(bench.find<QLineEdit>("Set-point"), "60000");
     bench.arm();
     bench.page->run();
-    QCOMPARE(bench.workbench.callsOf("startMotion").at(0).setPoint.target, 0.0);
+    QCOMPARE(bench.workbench.given<orders::StartMotion>().at(0).setPoint.target, 0.0);
     bench.workbench.time += 100ms;
-    QTRY_VERIFY(!bench.workbench.callsOf("updateMotion").empty());
+    QTRY_VERIFY(!bench.workbench.given<orders::UpdateMotion>().empty());
     // The full range of ± 100 000 takes 1 s.
-    QCOMPARE(bench.workbench.callsOf("updateMotion").at(0).setPoint.target, 20000.0);
+    QCOMPARE(bench.workbench.given<orders::UpdateMotion>().at(0).setPoint.target, 20000.0);
     bench.workbench.time += 1s;
-    QTRY_COMPARE(bench.workbench.callsOf("updateMotion").back().setPoint.target, 60000.0);
+    QTRY_COMPARE(bench.workbench.given<orders::UpdateMotion>().back().setPoint.target, 60000.0);
     bench.confirmMotion();
     bench.workbench.time += 5s; // a long rest is no reason to jump
     bench.find<QSlider>("Set-point, slider")->setValue(-1000);
-    QCOMPARE(bench.workbench.callsOf("updateMotion").back().setPoint.target, 60000.0);
+    QCOMPARE(bench.workbench.given<orders::UpdateMotion>().back().setPoint.target, 60000.0);
     bench.workbench.time += 100ms;
-    QTRY_COMPARE(bench.workbench.callsOf("updateMotion").back().setPoint.target, 40000.0);
+    QTRY_COMPARE(bench.workbench.given<orders::UpdateMotion>().back().setPoint.target, 40000.0);
 }
 
 void TestTune::theWheelSteersNothingItPasses()
@@ -124,15 +124,15 @@ void TestTune::theSliderSteersAMotorThatMoves()
     pick(bench.find<QComboBox>("How fast the set-point moves"), atOnce);
     auto *slider = bench.find<QSlider>("Set-point, slider");
     slider->setValue(200);
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
     bench.arm();
     slider->setValue(250);
-    QVERIFY(bench.workbench.callsOf("startMotion").empty()); // armed is not moving
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty()); // armed is not moving
     bench.page->run();
-    QCOMPARE(bench.workbench.callsOf("startMotion").at(0).setPoint.target, 25000.0);
+    QCOMPARE(bench.workbench.given<orders::StartMotion>().at(0).setPoint.target, 25000.0);
     bench.confirmMotion();
     slider->setValue(-500);
-    QCOMPARE(bench.workbench.callsOf("updateMotion").at(0).setPoint.target, -50000.0);
+    QCOMPARE(bench.workbench.given<orders::UpdateMotion>().at(0).setPoint.target, -50000.0);
     QCOMPARE(bench.find<QLineEdit>("Set-point")->text(), s("-50000"));
 }
 
@@ -142,11 +142,11 @@ void TestTune::enterNeverStartsAMotor()
     pick(bench.find<QComboBox>("How fast the set-point moves"), atOnce);
     bench.arm();
     type(bench.find<QLineEdit>("Set-point"), "1000\r");
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
     bench.page->run();
     bench.confirmMotion();
     type(bench.find<QLineEdit>("Set-point"), "2000\r");
-    QCOMPARE(bench.workbench.callsOf("updateMotion").at(0).setPoint.target, 2000.0);
+    QCOMPARE(bench.workbench.given<orders::UpdateMotion>().at(0).setPoint.target, 2000.0);
 }
 
 void TestTune::stopMotionStaysArmed()
@@ -156,7 +156,7 @@ void TestTune::stopMotionStaysArmed()
     bench.page->run();
     bench.confirmMotion();
     bench.page->halt();
-    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), 1U);
     QVERIFY(bench.arming.state() == LampState::Armed);
 }
 
@@ -184,7 +184,7 @@ void TestTune::nonsenseIsRefusedWithAMessage()
     QVERIFY2(problemOf(bench).contains(message), qPrintable(problemOf(bench)));
     QVERIFY(!bench.page->findChild<CommandButton *>(s("run"))->isEnabled());
     bench.page->run();
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
     QCOMPARE(field->property("state").toString(), s("error"));
 }
 
@@ -201,9 +201,9 @@ void TestTune::positionStartsAtThePresentPosition()
     type(bench.find<QLineEdit>("Set-point"), "1000");
     bench.arm();
     bench.page->run();
-    QCOMPARE(bench.workbench.callsOf("startMotion").at(0).setPoint.target, present); // not a jump, even at once
-    QTRY_COMPARE(bench.workbench.callsOf("updateMotion").size(), 1U);
-    QCOMPARE(bench.workbench.callsOf("updateMotion").at(0).setPoint.target, 1000.0);
+    QCOMPARE(bench.workbench.given<orders::StartMotion>().at(0).setPoint.target, present); // not a jump, even at once
+    QTRY_COMPARE(bench.workbench.given<orders::UpdateMotion>().size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::UpdateMotion>().at(0).setPoint.target, 1000.0);
 }
 
 void TestTune::whatChangesTheMeaningOfASetPointDisarms_data()
@@ -234,7 +234,7 @@ void TestTune::whatChangesTheMeaningOfASetPointDisarms()
     default: bench.selection.select({2}); break;
     }
     QVERIFY(bench.arming.state() == LampState::Safe);
-    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), 1U);
 }
 
 void TestTune::theEditedSlotDoesNotDisarm()
@@ -247,8 +247,8 @@ void TestTune::theEditedSlotDoesNotDisarm()
     type(bench.find<QLineEdit>("P"), "2");
     QCOMPARE(bench.page->findChild<CommandButton *>(s("run"))->text(), s("Run")); // the slot that runs is not edited
     bench.page->run();
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
-    QCOMPARE(bench.workbench.callsOf("startMotion").at(0).setPoint.slot, 0);
+    QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
+    QCOMPARE(bench.workbench.given<orders::StartMotion>().at(0).setPoint.slot, 0);
 }
 
 void TestTune::aRunFromElsewhereIsShown()
@@ -263,7 +263,7 @@ void TestTune::aRunFromElsewhereIsShown()
     QCOMPARE(bench.find<QLineEdit>("Set-point")->text(), s("60000"));
     QVERIFY2(problemOf(bench).contains(s("Moving | velocity 60\u202F000\u00A0counts/s, slot 0")),
         qPrintable(problemOf(bench)));
-    QCOMPARE(bench.workbench.callsOf("updateMotion").size(), 0U);
+    QCOMPARE(bench.workbench.given<orders::UpdateMotion>().size(), 0U);
 }
 
 MB_WINDOW_TEST(TestTune);

@@ -32,7 +32,7 @@ void TestTuneGains::anEditedGainGoesOutWithItsRawValue()
     QCOMPARE(button->text(), s("Write P to slot 0"));
     QVERIFY(button->isEnabled());
     button->click();
-    const auto writes = bench.workbench.callsOf("writeParameters");
+    const auto writes = bench.workbench.given<orders::WriteParameters>();
     QCOMPARE(writes.size(), 1U);
     QCOMPARE(writes[0].changes.size(), 1U);
     QCOMPARE(writes[0].changes[0].index.value, named("slot0.p").value);
@@ -42,7 +42,7 @@ void TestTuneGains::anEditedGainGoesOutWithItsRawValue()
     ++bench.device().parameterRevision;
     bench.workbench.publish();
     QVERIFY(!button->isEnabled());
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
 }
 
 void TestTuneGains::gainsGoOutInAnOrderThatIsNeverLivelier()
@@ -52,7 +52,7 @@ void TestTuneGains::gainsGoOutInAnOrderThatIsNeverLivelier()
     type(bench.find<QLineEdit>("P"), "0.5");
     type(bench.find<QLineEdit>("D"), "3");
     bench.page->write();
-    const auto writes = bench.workbench.callsOf("writeParameters");
+    const auto writes = bench.workbench.given<orders::WriteParameters>();
     QCOMPARE(writes.size(), 1U);
     QCOMPARE(writes[0].changes.size(), 3U);
     QCOMPARE(writes[0].changes[0].index.value, named("slot0.p").value); // lowered: first
@@ -69,8 +69,8 @@ void TestTuneGains::aGainOutOfRangeIsSaidAndNotWritten()
     QVERIFY(!bench.page->status().mayRun);
     bench.page->write();
     bench.page->run();
-    QVERIFY(bench.workbench.callsOf("writeParameters").empty());
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QVERIFY(bench.workbench.given<orders::WriteParameters>().empty());
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
 }
 
 void TestTuneGains::theSliderStagesAndRevertBringsBack()
@@ -107,11 +107,11 @@ void TestTuneGains::writeAndRunWaitsForTheGains()
     auto *run = bench.page->findChild<CommandButton *>(s("run"));
     QCOMPARE(run->text(), s("Write and run"));
     run->click();
-    QCOMPARE(bench.workbench.callsOf("writeParameters").size(), 1U);
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    QCOMPARE(bench.workbench.given<orders::WriteParameters>().size(), 1U);
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
     QVERIFY(!run->isEnabled());
-    bench.workbench.callsOf("writeParameters").at(0).finished({});
-    QCOMPARE(bench.workbench.callsOf("startMotion").size(), 1U);
+    bench.workbench.given<orders::WriteParameters>().at(0).finished({});
+    QCOMPARE(bench.workbench.given<orders::StartMotion>().size(), 1U);
 }
 
 void TestTuneGains::gainsThatWereNotWrittenStartNothing()
@@ -120,9 +120,9 @@ void TestTuneGains::gainsThatWereNotWrittenStartNothing()
     bench.arm();
     type(bench.find<QLineEdit>("P"), "2");
     bench.page->run();
-    bench.workbench.callsOf("writeParameters").at(0).finished(fail(Fault::BadCheck, say("slot0.p reads 1")));
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
-    QVERIFY(bench.workbench.callsOf("report").back().text.find("slot0.p reads 1") != std::string::npos);
+    bench.workbench.given<orders::WriteParameters>().at(0).finished(fail(Fault::BadCheck, say("slot0.p reads 1")));
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
+    QVERIFY(bench.workbench.lines.back().text.contains(QLatin1String("slot0.p reads 1")));
     QCOMPARE(bench.page->gainsPanel().stagedNames(), QStringList{s("P")});
 }
 
@@ -133,8 +133,8 @@ void TestTuneGains::disarmedDuringTheWriteStartsNothing()
     type(bench.find<QLineEdit>("P"), "2");
     bench.page->run();
     bench.arming.stopAll(s("test"));
-    bench.workbench.callsOf("writeParameters").at(0).finished({});
-    QVERIFY(bench.workbench.callsOf("startMotion").empty());
+    bench.workbench.given<orders::WriteParameters>().at(0).finished({});
+    QVERIFY(bench.workbench.given<orders::StartMotion>().empty());
     QVERIFY2(problemOf(bench).startsWith(s("Stopped: test")), qPrintable(problemOf(bench)));
 }
 

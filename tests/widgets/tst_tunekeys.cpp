@@ -73,7 +73,8 @@ bool madeAgain(KeyBench &b, const QKeySequence &k)
 bool ran(KeyBench &b, const QKeySequence &k, int repeats)
 {
     b.press(k);
-    return b.workbench.plans.size() == 3 && b.workbench.plans.back().plan.repeat == repeats;
+    return b.workbench.given<orders::RunTrial>().size() == 3
+        && b.workbench.given<orders::RunTrial>().back().plan.repeat == repeats;
 }
 
 /// What a key is seen to do.
@@ -89,7 +90,7 @@ const std::array checks{
         [](KeyBench &b, const QKeySequence &k) {
             b.press(k);
             const auto *const battery = b.page->findChild<BatteryDialog *>();
-            return battery && battery->isVisible() && b.workbench.plans.size() == 2;
+            return battery && battery->isVisible() && b.workbench.given<orders::RunTrial>().size() == 2;
         }},
     Check{"G",
         [](KeyBench &b, const QKeySequence &k) {
@@ -135,7 +136,7 @@ const std::array checks{
     Check{"I",
         [](KeyBench &b, const QKeySequence &k) {
             b.press(k);
-            return b.workbench.callsOf("identify").size() == 1;
+            return b.workbench.given<orders::Identify>().size() == 1;
         }},
     Check{"Ctrl+P",
         [](KeyBench &b, const QKeySequence &k) {
@@ -216,7 +217,7 @@ void TestTuneKeys::whatCannotBlinkIsNotTurnedInstead()
     bench.workbench.publish();
     bench.page->setFocus();
     QTest::keyClick(bench.page.get(), Qt::Key_I);
-    QVERIFY(bench.workbench.callsOf("identify").empty());
+    QVERIFY(bench.workbench.given<orders::Identify>().empty());
 }
 
 void TestTuneKeys::theListHasEveryRowInWords()
@@ -246,10 +247,10 @@ void TestTuneKeys::aClickNudgesForATenthOfASecond()
     QElapsedTimer time;
     time.start();
     QTest::mouseClick(nudge, Qt::LeftButton);
-    QCOMPARE(bench.workbench.callsOf("startMotion").size(), 1U);
-    QCOMPARE(bench.workbench.callsOf("startMotion").back().setPoint.target, 0.08);
-    QVERIFY(bench.workbench.callsOf("stopMotion").empty());
-    QTRY_COMPARE(bench.workbench.callsOf("stopMotion").size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::StartMotion>().size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::StartMotion>().back().setPoint.target, 0.08);
+    QVERIFY(bench.workbench.given<orders::StopMotion>().empty());
+    QTRY_COMPARE(bench.workbench.given<orders::StopMotion>().size(), 1U);
     QVERIFY2(time.elapsed() >= 95, qPrintable(QString::number(time.elapsed())));
     QVERIFY(bench.arming.isArmed({1}) && !bench.arming.isMoving());
 }
@@ -264,12 +265,12 @@ void TestTuneKeys::aButtonHeldDownMovesUntilItIsLetGo()
     bench.workbench.publish();
     QVERIFY(nudge->isEnabled()); // it must hear that it is let go
     QTest::qWait(150);
-    QVERIFY(bench.workbench.callsOf("stopMotion").empty());
+    QVERIFY(bench.workbench.given<orders::StopMotion>().empty());
     QTest::mouseRelease(nudge, Qt::LeftButton);
-    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), 1U); // at once
+    QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), 1U); // at once
     QTest::mousePress(nudge, Qt::LeftButton);
     bench.page->hide(); // nobody sees it any more
-    QCOMPARE(bench.workbench.callsOf("stopMotion").size(), 2U);
+    QCOMPARE(bench.workbench.given<orders::StopMotion>().size(), 2U);
 }
 
 void TestTuneKeys::theWheelChangesAFocusedGainByTwoPercent()

@@ -93,27 +93,27 @@ void TestTunePage::telemetryIsFastWhileArmedAndShownAndPutBack()
 {
     TuneBench bench;
     bench.workbench.publish();
-    QVERIFY(bench.workbench.callsOf("setRate").empty());
+    QVERIFY(bench.workbench.given<orders::SetRate>().empty());
     bench.arm();
-    QTRY_COMPARE(bench.workbench.callsOf("setRate").size(), 3U);
-    QCOMPARE(bench.workbench.callsOf("setRate").at(0).number, 100.0);
-    QCOMPARE(bench.workbench.callsOf("setRate").at(2).number, 50.0);
+    QTRY_COMPARE(bench.workbench.given<orders::SetRate>().size(), 3U);
+    QCOMPARE(bench.workbench.given<orders::SetRate>().at(0).hertz, 100.0);
+    QCOMPARE(bench.workbench.given<orders::SetRate>().at(2).hertz, 50.0);
     bench.page->hide();
-    QTRY_COMPARE(bench.workbench.callsOf("setRate").size(), 6U);
+    QTRY_COMPARE(bench.workbench.given<orders::SetRate>().size(), 6U);
     for (int i = 3; i < 6; ++i)
-        QCOMPARE(bench.workbench.callsOf("setRate").at(static_cast<std::size_t>(i)).number, 0.0);
+        QCOMPARE(bench.workbench.given<orders::SetRate>().at(static_cast<std::size_t>(i)).hertz, 0.0);
 }
 
 void TestTunePage::gainsAreReadOnceWhenTheyAreNotKnown()
 {
     TuneBench bench;
-    QVERIFY(bench.workbench.callsOf("readParameters").empty());
+    QVERIFY(bench.workbench.given<orders::ReadParameters>().empty());
     for (auto &entry : bench.device().parameters)
         entry = {};
     ++bench.device().parameterRevision;
     bench.workbench.publish();
     bench.workbench.publish();
-    QCOMPARE(bench.workbench.callsOf("readParameters").size(), 1U);
+    QCOMPARE(bench.workbench.given<orders::ReadParameters>().size(), 1U);
     QVERIFY(!bench.find<QLineEdit>("P")->isEnabled()); // nothing known, nothing to edit
 }
 

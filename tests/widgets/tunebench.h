@@ -117,8 +117,8 @@ struct TuneBench {
     /// What the engine would tell after a start.
     void confirmMotion()
     {
-        const auto starts = workbench.callsOf("startMotion");
-        const auto updates = workbench.callsOf("updateMotion");
+        const auto starts = workbench.given<orders::StartMotion>();
+        const auto updates = workbench.given<orders::UpdateMotion>();
         device().motion.running = true;
         device().motion.setPoint = updates.empty() ? starts.back().setPoint : updates.back().setPoint;
         device().liveness.moving = true;

@@ -96,7 +96,7 @@ void RateKeeper::sendNext()
         m_sent[place] = hertz;
     else
         m_sent.erase(place);
-    m_workbench.setRate(place.first, place.second, hertz);
+    m_workbench.send(orders::SetRate{place.first, place.second, hertz});
 }
 
 } // namespace mb

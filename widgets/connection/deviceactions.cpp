@@ -62,7 +62,7 @@ void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId id, QWidget &p
     const QString label = titleOf(*device);
     const bool running = device->identity.state != DeviceState::Bootloader;
     QAction *identify = menu.addAction(DeviceActions::tr("Identify (blink)"), &parent, [&workbench, id, label] {
-        workbench.identify(id, reportTo(workbench, label, DeviceActions::tr("blinks for 5 s")));
+        workbench.send(orders::Identify{id}, reportTo(workbench, label, DeviceActions::tr("blinks for 5 s")));
     });
     identify->setEnabled(can.identify && running);
     QAction *rename = menu.addAction(
@@ -72,13 +72,14 @@ void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId id, QWidget &p
         [&workbench, id, &parent] { askRenumber(workbench, id, parent); });
     renumber->setEnabled(can.renumber);
     QAction *clear = menu.addAction(DeviceActions::tr("Read and clear faults"), &parent, [&workbench, id, label] {
-        workbench.clearFaults(id, reportTo(workbench, label, DeviceActions::tr("faults read and cleared")));
+        workbench.send(
+            orders::ClearFaults{id}, reportTo(workbench, label, DeviceActions::tr("faults read and cleared")));
     });
     clear->setEnabled(running);
     if (can.zeroPosition) {
         menu.addAction(DeviceActions::tr("Stop and count from 0"), &parent, [&workbench, id, label] {
-            workbench.zeroPosition(
-                id, reportTo(workbench, label, DeviceActions::tr("position 0 is here; the motor is off")));
+            workbench.send(orders::ZeroPosition{id},
+                reportTo(workbench, label, DeviceActions::tr("position 0 is here; the motor is off")));
         });
     }
     menu.addSeparator();
@@ -100,7 +101,8 @@ void askRename(Workbench &workbench, DeviceId id, QWidget &parent)
         dialog, &QInputDialog::textValueSelected, &workbench, [&workbench, id, label](const QString &text) {
             const QString name = text.left(64);
             if (!name.isEmpty())
-                workbench.rename(id, name, reportTo(workbench, label, DeviceActions::tr("renamed to %1").arg(name)));
+                workbench.send(orders::Rename{id, name.toLatin1().toStdString()},
+                    reportTo(workbench, label, DeviceActions::tr("renamed to %1").arg(name)));
         });
     dialog->open();
 }
@@ -124,8 +126,8 @@ void askRenumber(Workbench &workbench, DeviceId id, QWidget &parent)
                 workbench.report(Severity::Danger, label,
                     DeviceActions::tr("number %1 is taken on this link; nothing was sent").arg(number));
             else
-                workbench.renumber(
-                    id, number, reportTo(workbench, label, DeviceActions::tr("answers as number %1 now").arg(number)));
+                workbench.send(orders::Renumber{id, number},
+                    reportTo(workbench, label, DeviceActions::tr("answers as number %1 now").arg(number)));
         });
     dialog->open();
 }
@@ -151,8 +153,8 @@ void askAddLink(Workbench &workbench, QWidget &parent, std::function<void(const 
             workbench.report(Severity::Danger, {}, errorText(address.error()));
             return;
         }
-        workbench.openLink(
-            *address, [opened, whole = QString::fromStdString(address->text())](const Result<void> &done) {
+        workbench.send(orders::OpenLink{*address},
+            [opened, whole = QString::fromStdString(address->text())](const Result<void> &done) {
                 if (done && opened)
                     opened(whole);
             });
@@ -170,10 +172,11 @@ void openRecording(Workbench &workbench, const QString &path, const std::functio
                 .arg(path));
         return;
     }
-    workbench.openLink(*address, [opened, whole = QString::fromStdString(address->text())](const Result<void> &done) {
-        if (done && opened)
-            opened(whole);
-    });
+    workbench.send(orders::OpenLink{*address},
+        [opened, whole = QString::fromStdString(address->text())](const Result<void> &done) {
+            if (done && opened)
+                opened(whole);
+        });
 }
 
 } // namespace mb

@@ -92,7 +92,7 @@ void DeviceTree::buildHead(QVBoxLayout &column)
     m_filter = new SearchField(m_theme, tr("Filter by name, number, serial"), this);
     m_filter->hide();
     column.addWidget(m_filter);
-    connect(m_rescan, &QToolButton::clicked, this, [this] { m_workbench.scan(); });
+    connect(m_rescan, &QToolButton::clicked, this, [this] { m_workbench.send(orders::ScanLinks{}); });
     connect(fold, &QToolButton::clicked, this, &DeviceTree::collapseRequested);
     connect(filter, &QToolButton::toggled, this, [this](bool on) {
         m_filter->setVisible(on);
@@ -216,9 +216,10 @@ void DeviceTree::addSearch(QMenu &menu, const LinkView &link)
 {
     const std::string address = link.address;
     QAction *search = menu.addAction(tr("Search every rate and address (takes minutes)"), this,
-        [this, address] { m_workbench.scanEverything(address); });
+        [this, address] { m_workbench.send(orders::ScanEverything{address}); });
     search->setObjectName(QStringLiteral("searchEverything"));
-    QAction *cancel = menu.addAction(tr("Cancel the scan"), this, [this, address] { m_workbench.cancelScan(address); });
+    QAction *cancel = menu.addAction(
+        tr("Cancel the scan"), this, [this, address] { m_workbench.send(orders::CancelScan{address}); });
     cancel->setEnabled(link.scanning);
 }
 
@@ -236,7 +237,7 @@ void DeviceTree::showMenu(const QPoint &position)
         }
         addDeviceActions(*menu, m_workbench, id, *this);
     } else {
-        menu->addAction(tr("Scan again"), this, [this] { m_workbench.scan(); });
+        menu->addAction(tr("Scan again"), this, [this] { m_workbench.send(orders::ScanLinks{}); });
         if (index.isValid()) {
             const LinkView &link = m_workbench.snapshot().links[static_cast<std::size_t>(index.row())];
             const QString address = QString::fromStdString(link.address);

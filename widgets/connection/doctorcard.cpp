@@ -143,7 +143,7 @@ void DoctorCard::addButtons(QHBoxLayout &place, const Row &row, QWidget &parent)
     button->setToolTip(tr("Open this link now"));
     connect(button, &QPushButton::clicked, this, [this, link = row.link] {
         if (const auto address = LinkAddress::parse(link))
-            m_workbench.openLink(*address, {});
+            m_workbench.send(orders::OpenLink{*address});
     });
     place.addWidget(button);
 }

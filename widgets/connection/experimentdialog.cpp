@@ -152,7 +152,7 @@ void ExperimentDialog::start()
     options.power = m_power ? m_power->value() / 100.0 : 0.0;
     options.answer = m_answer ? m_answer->currentIndex() : 0;
     m_renewal.start();
-    m_workbench.experiment(m_device, std::string(m_experiment.key), options,
+    m_workbench.send(orders::RunExperiment{m_device, std::string(m_experiment.key), options},
         [self = QPointer<ExperimentDialog>(this)](const Result<void> &result) {
             if (self)
                 self->ended(result);
@@ -163,7 +163,7 @@ void ExperimentDialog::start()
 void ExperimentDialog::renew()
 {
     if (m_running && isVisible() && QGuiApplication::applicationState() != Qt::ApplicationInactive)
-        m_workbench.renewMotion(m_device);
+        m_workbench.send(orders::RenewMotion{m_device});
 }
 
 const OperationView *ExperimentDialog::operation() const
@@ -197,7 +197,7 @@ void ExperimentDialog::follow()
 void ExperimentDialog::cancel()
 {
     if (const OperationView *now = m_running ? operation() : nullptr)
-        m_workbench.cancel(now->id);
+        m_workbench.send(orders::CancelOperation{now->id});
 }
 
 void ExperimentDialog::ended(const Result<void> &result)

@@ -68,8 +68,10 @@ void Inspector::buildActions(QVBoxLayout &column)
     row->addWidget(m_identify, 1);
     row->addWidget(m_read, 1);
     column.addLayout(row);
-    connect(m_identify, &QPushButton::clicked, this, [this] { m_workbench.identify(m_selection.device(), {}); });
-    connect(m_read, &QPushButton::clicked, this, [this] { m_workbench.readParameters(m_selection.device()); });
+    connect(
+        m_identify, &QPushButton::clicked, this, [this] { m_workbench.send(orders::Identify{m_selection.device()}); });
+    connect(m_read, &QPushButton::clicked, this,
+        [this] { m_workbench.send(orders::ReadParameters{m_selection.device()}); });
 }
 
 void Inspector::buildLive(QVBoxLayout &column)

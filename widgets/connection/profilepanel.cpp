@@ -132,7 +132,8 @@ void ProfilePanel::experiment(const Experiment &experiment)
 
 void ProfilePanel::chosen(const Row &row, int place)
 {
-    m_workbench.calibrate(m_device, std::string(row.calibration->key), row.choices->itemData(place).toDouble(),
+    m_workbench.send(
+        orders::Calibrate{m_device, std::string(row.calibration->key), row.choices->itemData(place).toDouble()},
         [self = QPointer<ProfilePanel>(this)](const Result<void> &result) {
             if (self)
                 self->say(result);
@@ -153,7 +154,8 @@ void ProfilePanel::typed(const Row &row)
     if (text.isEmpty() ? known == 0.0 : *number == known)
         return;
     const QPointer<QLineEdit> field = row.field;
-    m_workbench.calibrate(m_device, std::string(row.calibration->key), text.isEmpty() ? std::nullopt : number,
+    m_workbench.send(
+        orders::Calibrate{m_device, std::string(row.calibration->key), text.isEmpty() ? std::nullopt : number},
         [self = QPointer<ProfilePanel>(this), field](const Result<void> &result) {
             if (field)
                 setStyleProperty(*field, "state", result ? QString() : QStringLiteral("error"));
@@ -176,7 +178,7 @@ void ProfilePanel::chooseDialect(int place)
             self->say(result);
     };
     if (place == 0) {
-        m_workbench.setDialect(m_device, {}, finished);
+        m_workbench.send(orders::SetDialect{m_device, {}}, finished);
         return;
     }
     const DialectChoice &choice = m_family->dialects[static_cast<std::size_t>(place - 1)];
@@ -189,7 +191,7 @@ void ProfilePanel::chooseDialect(int place)
     connect(question, &QMessageBox::buttonClicked, this,
         [this, question, key = std::string(choice.key), device = m_device, finished](QAbstractButton *button) {
             if (question->buttonRole(button) == QMessageBox::AcceptRole)
-                m_workbench.setDialect(device, key, finished);
+                m_workbench.send(orders::SetDialect{device, key}, finished);
             else
                 show(m_workbench.snapshot().device(m_device));
         });

@@ -40,7 +40,7 @@ ScanStrip::ScanStrip(Workbench &workbench, const ThemeSource &theme, QWidget *pa
     column->addWidget(m_step);
     column->addLayout(row);
     hide();
-    connect(m_cancel, &QPushButton::clicked, this, [this] { m_workbench.cancelScan(m_link); });
+    connect(m_cancel, &QPushButton::clicked, this, [this] { m_workbench.send(orders::CancelScan{m_link}); });
     connect(&workbench, &Workbench::changed, this, &ScanStrip::follow);
 }
 

@@ -198,9 +198,9 @@ void Arming::arm(DeviceId device)
 void Arming::disarm()
 {
     if (m_state == LampState::Moving)
-        m_workbench.stopMotion(m_device);
+        m_workbench.send(orders::StopMotion{m_device});
     else if (const DeviceView *other = experimentedWith())
-        m_workbench.stopMotion(other->id);
+        m_workbench.send(orders::StopMotion{other->id});
     if (m_state != LampState::Safe)
         enter(LampState::Safe);
 }
@@ -210,20 +210,24 @@ void Arming::run(const SetPoint &setPoint)
     if (m_state != LampState::Armed && m_state != LampState::Moving)
         return;
     m_setPoint = setPoint;
-    const auto finished = [this](const Result<void> &result) {
-        if (result)
-            return;
-        m_workbench.report(Severity::Danger, titled(m_device), errorText(result.error()));
-        if (!m_started && m_state == LampState::Moving)
-            enter(LampState::Armed);
+    const auto finished = [self = QPointer<Arming>(this)](const Result<void> &result) {
+        if (self && !result)
+            self->refused(result.error());
     };
     if (m_state == LampState::Moving) {
-        m_workbench.updateMotion(m_device, setPoint, finished);
+        m_workbench.send(orders::UpdateMotion{m_device, setPoint}, finished);
         return;
     }
     m_runAt = m_workbench.now();
     enter(LampState::Moving);
-    m_workbench.startMotion(m_device, setPoint, leaseTime, finished);
+    m_workbench.send(orders::StartMotion{m_device, setPoint, leaseTime}, finished);
+}
+
+void Arming::refused(const Error &error)
+{
+    m_workbench.report(Severity::Danger, titled(m_device), errorText(error));
+    if (!m_started && m_state == LampState::Moving)
+        enter(LampState::Armed);
 }
 
 bool Arming::beginTrial(Mode mode, int axis)
@@ -243,7 +247,7 @@ void Arming::runTrial(
 {
     if (!beginTrial(plan.mode, plan.axis))
         return;
-    m_workbench.runTrial(m_device, plan, std::move(measured),
+    m_workbench.send(orders::RunTrial{m_device, plan, std::move(measured)},
         [self = QPointer<Arming>(this), finished = std::move(finished)](const Result<tuning::Trial> &trial) {
             if (self && trial)
                 self->trialEnded({}, trial->reason, trial->detail);
@@ -258,7 +262,7 @@ void Arming::runTuning(const tuning::TunePlan &plan, Workbench::TuningFinished f
 {
     if (!beginTrial(plan.loop, plan.axis))
         return;
-    m_workbench.runTuning(m_device, plan,
+    m_workbench.send(orders::RunTuning{m_device, plan},
         [self = QPointer<Arming>(this), finished = std::move(finished)](const Result<tuning::TuneReport> &report) {
             if (self && report)
                 self->trialEnded({}, report->stopReason.empty() ? "done" : report->stopReason, report->evidence);
@@ -273,7 +277,7 @@ void Arming::runSweep(const tuning::SweepPlan &plan, const tuning::PlantModel &p
 {
     if (!beginTrial(Mode::Duty, plan.axis))
         return;
-    m_workbench.runSweep(m_device, plan, plant,
+    m_workbench.send(orders::RunSweep{m_device, plan, plant},
         [self = QPointer<Arming>(this), finished = std::move(finished)](
             const Result<tuning::FrequencyResponse> &response) {
             if (self && response)
@@ -305,7 +309,7 @@ void Arming::halt()
 {
     if (m_state != LampState::Moving)
         return;
-    m_workbench.stopMotion(m_device);
+    m_workbench.send(orders::StopMotion{m_device});
     if (m_onTrial)
         return;
     enter(LampState::Armed);
@@ -323,7 +327,7 @@ void Arming::haltAxis(int axis)
         return halt();
     SetPoint off;
     off.axis = axis;
-    m_workbench.updateMotion(m_device, off, {});
+    m_workbench.send(orders::UpdateMotion{m_device, off});
 }
 
 void Arming::stopAll(const QString &reason)
@@ -355,7 +359,7 @@ void Arming::renew()
     const Instant now = m_workbench.now();
     m_silence = std::max(m_silence, now - m_renewedAt);
     m_renewedAt = now;
-    m_workbench.renewMotion(m_device);
+    m_workbench.send(orders::RenewMotion{m_device});
 }
 
 /// A lease that ran out is a word of the program's; what people saw is a window that hung.

@@ -70,6 +70,7 @@ private:
     void enter(LampState state, const QString &reason = {});
     [[nodiscard]] bool beginTrial(Mode mode, int axis);
     /// `reason` as in Trial, with its detail; an error: nothing has moved.
+    void refused(const Error &error);
     void trialEnded(const Result<void> &ran, const std::string &reason, const std::string &detail);
     /// A device that an experiment moves, which was not begun here.
     [[nodiscard]] const DeviceView *experimentedWith() const;

@@ -3,6 +3,8 @@
 
 #include "widgets/common/devicetext.h"
 
+#include <QPointer>
+
 #include <algorithm>
 
 namespace mb {
@@ -22,7 +24,7 @@ GroupMotion::GroupMotion(Workbench &workbench, Arming &arming, QObject *parent)
     connect(&m_renewal, &QTimer::timeout, this, [this] {
         for (const Member &member : m_members) {
             if (member.device != m_lead)
-                m_workbench.renewMotion(member.device);
+                m_workbench.send(orders::RenewMotion{member.device});
         }
     });
     connect(&workbench, &Workbench::changed, this, &GroupMotion::follow);
@@ -67,16 +69,16 @@ void GroupMotion::command(const Member &member)
     }
     const DeviceView *view = viewOf(member.device);
     const QString name = view ? titleOf(*view) : QString();
-    const auto finished = [this, name](const Result<void> &result) {
-        if (result)
+    const auto finished = [self = QPointer<GroupMotion>(this), name](const Result<void> &result) {
+        if (!self || result)
             return;
-        m_workbench.report(Severity::Danger, name, errorText(result.error()));
-        m_arming.halt(); // and follow() stops the rest
+        self->m_workbench.report(Severity::Danger, name, errorText(result.error()));
+        self->m_arming.halt(); // and follow() stops the rest
     };
     if (view && view->motion.running)
-        m_workbench.updateMotion(member.device, member.setPoint, finished);
+        m_workbench.send(orders::UpdateMotion{member.device, member.setPoint}, finished);
     else
-        m_workbench.startMotion(member.device, member.setPoint, groupLease, finished);
+        m_workbench.send(orders::StartMotion{member.device, member.setPoint, groupLease}, finished);
 }
 
 bool GroupMotion::hasAcknowledged(DeviceId device) const
@@ -103,9 +105,9 @@ bool GroupMotion::start()
         return false;
     }
     m_started = true;
-    m_workbench.releaseMoves(m_lead, [this](const Result<void> &result) {
+    m_workbench.send(orders::ReleaseMoves{m_lead}, [to = &m_workbench](const Result<void> &result) {
         if (!result)
-            m_workbench.report(Severity::Danger, {}, errorText(result.error()));
+            to->report(Severity::Danger, {}, errorText(result.error()));
     });
     Q_EMIT changed();
     return true;
@@ -160,7 +162,7 @@ void GroupMotion::end()
     const std::vector<Member> members = std::exchange(m_members, {});
     for (const Member &member : members) {
         if (member.device != m_lead)
-            m_workbench.stopMotion(member.device);
+            m_workbench.send(orders::StopMotion{member.device});
     }
     m_started = false;
     Q_EMIT changed();

@@ -148,7 +148,7 @@ void TunePage::readOnce(const DeviceView &view)
     const bool ready = view.liveness.heard && view.busy.empty() && view.family->capabilities.readback;
     if (!unknown || !ready || isRunning(m_workbench.snapshot().operation(view.id)) || !m_asked.insert(view.id).second)
         return;
-    m_workbench.readParameters(view.id);
+    m_workbench.send(orders::ReadParameters{view.id});
 }
 
 void TunePage::showEmpty(const DeviceView *view)

@@ -73,8 +73,8 @@ void TunePage::identify()
         m_workbench.report(Severity::Info, titleOf(*view), tr("it has no lamp that could blink"));
         return;
     }
-    m_workbench.identify(
-        view->id, [self = QPointer<TunePage>(this), name = titleOf(*view)](const Result<void> &result) {
+    m_workbench.send(orders::Identify{view->id},
+        [self = QPointer<TunePage>(this), name = titleOf(*view)](const Result<void> &result) {
             if (self && !result)
                 self->m_workbench.report(
                     Severity::Caution, name, tr("not identified: %1").arg(errorText(result.error())));
@@ -187,8 +187,8 @@ void TunePage::writeThen(std::function<void()> next)
     const Place place{m_shown, m_axis};
     const std::vector<ParameterChange> changes = m_gains->toWrite();
     m_writing = true;
-    m_workbench.writeParameters(
-        target, changes, [self = QPointer<TunePage>(this), place, target, changes, next](const Result<void> &result) {
+    m_workbench.send(orders::WriteParameters{target, changes},
+        [self = QPointer<TunePage>(this), place, target, changes, next](const Result<void> &result) {
             if (!self)
                 return;
             self->m_writing = false;
@@ -252,7 +252,7 @@ void TunePage::zero()
     if (!view || view->id != m_shown)
         return;
     halt();
-    m_workbench.zeroPosition(m_shown,
+    m_workbench.send(orders::ZeroPosition{m_shown},
         [self = QPointer<TunePage>(this), target = m_shown, name = titleOf(*view)](const Result<void> &result) {
             if (!self || !result) // the engine says what went wrong
                 return;

@@ -120,7 +120,8 @@ void FirmwarePage::buildProgress(QVBoxLayout &column)
     column.addLayout(row);
     column.addWidget(separatorLine(Qt::Horizontal, this));
     connect(m_start, &QPushButton::clicked, this, &FirmwarePage::startUpdate);
-    connect(m_cancel, &QPushButton::clicked, this, [this] { m_workbench.cancel(m_shownOperation); });
+    connect(
+        m_cancel, &QPushButton::clicked, this, [this] { m_workbench.send(orders::CancelOperation{m_shownOperation}); });
 }
 
 void FirmwarePage::buildBody(QVBoxLayout &column)

@@ -156,7 +156,7 @@ void FirmwarePage::startUpdate()
         inspectImage();
     if (!canStart())
         return;
-    m_workbench.update(m_selection.device(), m_image, m_route->options());
+    m_workbench.send(orders::UpdateFirmware{m_selection.device(), m_image, m_route->options()});
 }
 
 void FirmwarePage::showEvent(QShowEvent *event)

@@ -9,6 +9,7 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QStandardPaths>
@@ -62,7 +63,7 @@ void RecordStrip::activate()
 {
     const LinkView *link = m_workbench.snapshot().link(m_link);
     if (link && link->recording && isRunning(*link->recording))
-        m_workbench.stopRecording(m_link);
+        m_workbench.send(orders::StopRecording{m_link});
     else if (link)
         askWhereTo();
 }
@@ -92,10 +93,12 @@ void RecordStrip::recordTo(const QString &path)
     const LinkView *link = m_workbench.snapshot().link(m_link);
     const QString name = link ? QString::fromStdString(link->name) : QString();
     m_dismissed.clear();
-    m_workbench.startRecording(m_link, path, [to = &m_workbench, name](const Result<void> &begun) {
-        if (!begun)
-            to->report(Severity::Danger, name, tr("nothing is recorded: %1").arg(messageText(begun.error().message())));
-    });
+    m_workbench.send(orders::StartRecording{m_link, QFile::encodeName(path).toStdString()},
+        [to = &m_workbench, name](const Result<void> &begun) {
+            if (!begun)
+                to->report(
+                    Severity::Danger, name, tr("nothing is recorded: %1").arg(messageText(begun.error().message())));
+        });
 }
 
 void RecordStrip::follow()

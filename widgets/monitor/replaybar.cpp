@@ -73,7 +73,8 @@ void ReplayBar::buildSpeeds(QHBoxLayout &row)
         m_speed->addItem(speed > 0.0 ? editText(speed) + QStringLiteral(" ×") : tr("as fast as possible"), speed);
     row.addWidget(m_speed);
     connect(m_speed, qOverload<int>(&QComboBox::activated), this, [this](int index) {
-        m_workbench.steerReplay(m_link, {m_speed->itemData(index).toDouble(), std::nullopt, std::nullopt});
+        m_workbench.send(
+            orders::SteerReplay{m_link, {m_speed->itemData(index).toDouble(), std::nullopt, std::nullopt}});
     });
 }
 
@@ -171,7 +172,7 @@ void ReplayBar::playOrPause()
     order.run = !now->running;
     if (now->ended && !now->running)
         order.position = Duration::zero();
-    m_workbench.steerReplay(m_link, order);
+    m_workbench.send(orders::SteerReplay{m_link, order});
 }
 
 void ReplayBar::sliderMoved()
@@ -185,7 +186,8 @@ void ReplayBar::sliderMoved()
 /// Once a move is done, not at each place on the way: devices begin anew wherever a replay is taken to.
 void ReplayBar::seek()
 {
-    m_workbench.steerReplay(m_link, {std::nullopt, std::chrono::milliseconds(m_position->value()), std::nullopt});
+    m_workbench.send(
+        orders::SteerReplay{m_link, {std::nullopt, std::chrono::milliseconds(m_position->value()), std::nullopt}});
 }
 
 } // namespace mb

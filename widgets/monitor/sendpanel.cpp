@@ -150,7 +150,7 @@ void SendPanel::send()
         return endRepeat(tr("The link does not take frames as fast as they are sent"));
     ++m_waiting;
     const QPointer<SendPanel> self(this);
-    m_workbench.sendFrame(m_link, *m_typed.frame, [self](const Result<void> &result) {
+    m_workbench.send(orders::SendFrame{m_link, *m_typed.frame}, [self](const Result<void> &result) {
         if (self)
             self->sent(result);
     });
@@ -174,7 +174,7 @@ void SendPanel::endRepeat(const QString &why)
         return;
     m_repeat.stop();
     if (m_moves)
-        m_workbench.stopMotion(m_moved);
+        m_workbench.send(orders::StopMotion{m_moved});
     m_moves = false;
     if (!why.isEmpty())
         say(tr("%1 sent, then: %2").arg(formatCount(static_cast<qint64>(m_sent)), why), Tone::Caution);

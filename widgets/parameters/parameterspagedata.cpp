@@ -156,7 +156,7 @@ void ParametersPage::readOnce(const DeviceView &device)
     if (!unknown || !ready || isUnderWay(m_workbench.snapshot().operation(device.id))
         || !m_asked.insert(device.id).second)
         return;
-    m_workbench.readParameters(device.id);
+    m_workbench.send(orders::ReadParameters{device.id});
 }
 
 void ParametersPage::refresh()

@@ -44,12 +44,13 @@ void ParametersPage::takeSnapshot()
     const DeviceView *shown = device();
     if (!shown || !m_snapshot->isEnabled())
         return;
-    m_workbench.takeSnapshot(shown->id, {}, [page = QPointer(this), id = shown->id](const Result<void> &result) {
-        if (page && !result)
-            page->refuse(historyKey, id, errorText(result.error()), tr("Nothing is kept."));
-        else if (page)
-            page->m_history->reload();
-    });
+    m_workbench.send(
+        orders::TakeSnapshot{shown->id, {}}, [page = QPointer(this), id = shown->id](const Result<void> &result) {
+            if (page && !result)
+                page->refuse(historyKey, id, errorText(result.error()), tr("Nothing is kept."));
+            else if (page)
+                page->m_history->reload();
+        });
 }
 
 /// A write of its own, of values that were there before; also of another day.
@@ -59,12 +60,13 @@ void ParametersPage::undoWrite(bool again)
     if (!shown || m_fileEdits || !shown->liveness.heard)
         return;
     m_banners.clear(QLatin1String(historyKey));
-    m_workbench.undoWrite(shown->id, again, [page = QPointer(this), id = shown->id](const Result<void> &result) {
-        if (page && !result)
-            page->refuse(historyKey, id, errorText(result.error()), {});
-        else if (page)
-            page->m_history->reload();
-    });
+    m_workbench.send(
+        orders::UndoWrite{shown->id, again}, [page = QPointer(this), id = shown->id](const Result<void> &result) {
+            if (page && !result)
+                page->refuse(historyKey, id, errorText(result.error()), {});
+            else if (page)
+                page->m_history->reload();
+        });
 }
 
 void ParametersPage::restore(const QString &from)
@@ -74,8 +76,8 @@ void ParametersPage::restore(const QString &from)
         return;
     m_banners.clear(QLatin1String(historyKey));
     const std::vector<ParameterChange> changes = m_history->ticked();
-    m_workbench.restoreParameters(
-        shown->id, changes, [page = QPointer(this), id = shown->id, from](const Result<void> &result) {
+    m_workbench.send(orders::RestoreParameters{shown->id, changes},
+        [page = QPointer(this), id = shown->id, from](const Result<void> &result) {
             if (page && !result)
                 page->refuse(historyKey, id, errorText(result.error()),
                     tr("What was written before it is in force. Ctrl+Z takes it back."));

@@ -44,7 +44,7 @@ void ParametersPage::readAll()
 {
     const DeviceView *shown = device();
     if (shown && m_read->isEnabled() && m_model->edits() && !m_fileEdits)
-        m_workbench.readParameters(shown->id);
+        m_workbench.send(orders::ReadParameters{shown->id});
 }
 
 void ParametersPage::write()
@@ -59,8 +59,8 @@ void ParametersPage::write()
     m_banners.clear(QLatin1String(importKey));
     const DeviceId id = m_selection.device();
     const auto changes = m_model->edits()->toWrite();
-    m_workbench.writeParameters(
-        id, changes, [page = QPointer<ParametersPage>(this), id, changes](const Result<void> &result) {
+    m_workbench.send(orders::WriteParameters{id, changes},
+        [page = QPointer<ParametersPage>(this), id, changes](const Result<void> &result) {
             if (page)
                 page->written(id, changes, result);
         });
@@ -82,11 +82,12 @@ void ParametersPage::store()
     if (!shown)
         return;
     m_banners.clear(QLatin1String(writeKey));
-    m_workbench.storeParameters(shown->id, [page = QPointer(this), id = shown->id](const Result<void> &result) {
-        if (page && !result)
-            page->refuse(writeKey, id, errorText(result.error()),
-                tr("Nothing is proved to be in flash. Store again, and keep power on."));
-    });
+    m_workbench.send(
+        orders::StoreParameters{shown->id}, [page = QPointer(this), id = shown->id](const Result<void> &result) {
+            if (page && !result)
+                page->refuse(writeKey, id, errorText(result.error()),
+                    tr("Nothing is proved to be in flash. Store again, and keep power on."));
+        });
 }
 
 void ParametersPage::importFrom(const QString &path)
