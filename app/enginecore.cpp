@@ -23,9 +23,9 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
         notice(Severity::Caution, link.address().shortName(), text);
     }))
     , m_profileTrouble(
-          m_session.profileTrouble().add([this](const std::string &text) { notice(Severity::Danger, {}, text); }))
+          m_session.profileTrouble().add([this](const Message &text) { notice(Severity::Danger, {}, text); }))
     , m_memoryTrouble(
-          m_session.memoryTrouble().add([this](const std::string &text) { notice(Severity::Caution, {}, text); }))
+          m_session.memoryTrouble().add([this](const Message &text) { notice(Severity::Caution, {}, text); }))
     , m_stopChanged(m_session.stopChanged().add([this](const Device &device) { followStop(device); }))
     , m_ratesAgain(clock)
     , m_look(clock)

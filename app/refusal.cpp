@@ -22,8 +22,8 @@ int refuse(const Error &error, bool json)
         return wrongInput;
     }
     const QJsonObject row{{QStringLiteral("status"), wrongInput},
-        {QStringLiteral("fault"), QStringLiteral("out-of-range")}, {QStringLiteral("cause"), qt(error.detail)},
-        {QStringLiteral("remedy"), qt(error.remedy)}};
+        {QStringLiteral("fault"), QStringLiteral("out-of-range")},
+        {QStringLiteral("cause"), qt(error.detail.english())}, {QStringLiteral("remedy"), qt(error.help().english())}};
     const QByteArray line = QJsonDocument(QJsonObject{{QStringLiteral("error"), row}}).toJson(QJsonDocument::Compact);
     std::fprintf(stderr, "%s\n", line.constData());
     return wrongInput;

@@ -10,7 +10,7 @@ import re
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 FOLDERS = ("app", "devices", "widgets")
 # The console and the guardian speak English only.
-ENGLISH = ("app/console/", "app/guardian/")
+ENGLISH = re.compile(r"app/console/|app/guardian/(?!client/)")
 LITERAL = r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*'
 SAID = re.compile(r"\b(?:say|MB_LABEL)\(\s*(" + LITERAL + ")")
 
@@ -24,7 +24,7 @@ def sources(root=ROOT):
     for folder in FOLDERS:
         for path in sorted((root / folder).rglob("*")):
             name = path.relative_to(root).as_posix()
-            if path.suffix in (".h", ".cpp") and not name.startswith(ENGLISH) and name != "devices/async/message.h":
+            if path.suffix in (".h", ".cpp") and not ENGLISH.match(name) and name != "devices/async/message.h":
                 yield path
 
 

@@ -8067,28 +8067,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
 <context>
     <name>table</name>
     <message>
-        <source>%1 is switched off; bring it up: %2</source>
-        <translation>%1 ist ausgeschaltet; einschalten: %2</translation>
-    </message>
-    <message>
-        <source>no permission to open CAN sockets here; allow them in the container or sandbox</source>
-        <translation>keine Berechtigung für CAN-Sockets; im Container oder in der Sandbox freigeben</translation>
-    </message>
-    <message>
-        <source>this kernel has no CAN support; load it: %1</source>
-        <translation>dieser Kernel kennt kein CAN; laden: %1</translation>
-    </message>
-    <message>
         <source>CAN sockets cannot be opened: %1</source>
         <translation>CAN-Sockets lassen sich nicht öffnen: %1</translation>
     </message>
     <message>
         <source>the kernel does not list its interfaces: %1</source>
         <translation>der Kernel nennt seine Schnittstellen nicht: %1</translation>
-    </message>
-    <message>
-        <source>there is no CAN interface; plug in an adapter</source>
-        <translation>keine CAN-Schnittstelle vorhanden; Adapter einstecken</translation>
     </message>
     <message>
         <source>there is no CAN interface %1</source>
@@ -8111,36 +8095,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Gegenseite hat %1 geschlossen</translation>
     </message>
     <message>
-        <source>no permission to use %1; allow CAN sockets in the container or sandbox</source>
-        <translation>keine Berechtigung für %1; CAN-Sockets im Container oder in der Sandbox freigeben</translation>
-    </message>
-    <message>
-        <source>no permission to use %1; become a member of its group: %2</source>
-        <translation>keine Berechtigung für %1; der Gruppe beitreten: %2</translation>
-    </message>
-    <message>
-        <source>there is no CAN plugin %1; installed are: %2</source>
-        <translation>kein CAN-Plugin %1 vorhanden; installiert sind: %2</translation>
-    </message>
-    <message>
         <source>%1 was disconnected</source>
         <translation>%1 wurde getrennt</translation>
-    </message>
-    <message>
-        <source>bus-off: the adapter left the bus after too many errors; check wiring, termination and bit rate</source>
-        <translation>bus-off: der Adapter hat den Bus nach zu vielen Fehlern verlassen; Verdrahtung, Abschluss und Bitrate prüfen</translation>
-    </message>
-    <message>
-        <source>bus-off: the controller left the bus after too many errors; check wiring, termination and bit rate</source>
-        <translation>bus-off: der CAN-Controller hat den Bus nach zu vielen Fehlern verlassen; Verdrahtung, Abschluss und Bitrate prüfen</translation>
-    </message>
-    <message>
-        <source>bus-off: %1 left the bus after too many errors; check wiring, termination and bit rate</source>
-        <translation>bus-off: %1 hat den Bus nach zu vielen Fehlern verlassen; Verdrahtung, Abschluss und Bitrate prüfen</translation>
-    </message>
-    <message>
-        <source>%1, listen-only: nothing can be sent</source>
-        <translation>%1, nur Empfang: Senden ist nicht möglich</translation>
     </message>
     <message>
         <source>virtual</source>
@@ -8171,10 +8127,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Option „%1“ der Verbindung ist nicht KEY=VALUE</translation>
     </message>
     <message>
-        <source>link option %1 is out of range</source>
-        <translation>Option %1 der Verbindung liegt außerhalb des Bereichs</translation>
-    </message>
-    <message>
         <source>%1 is not open</source>
         <translation>%1 ist nicht offen</translation>
     </message>
@@ -8187,24 +8139,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ist wieder da</translation>
     </message>
     <message>
-        <source>several units answer as number %1; control is locked until one has another number</source>
-        <translation>mehrere Geräte antworten als Nummer %1; Ansteuerung gesperrt, bis eines eine andere Nummer hat</translation>
-    </message>
-    <message>
         <source>several units answer as number %1</source>
         <translation>mehrere Geräte antworten als Nummer %1</translation>
-    </message>
-    <message>
-        <source>this unit has no number yet; assign one before it is driven</source>
-        <translation>dieses Gerät hat noch keine Nummer; vor dem Ansteuern eine zuweisen</translation>
-    </message>
-    <message>
-        <source>no application runs in this unit; update its firmware first</source>
-        <translation>in diesem Gerät läuft keine Anwendung; zuerst die Firmware aktualisieren</translation>
-    </message>
-    <message>
-        <source>another master drives %1; stop it there first</source>
-        <translation>ein anderer Master steuert %1 an; zuerst dort stoppen</translation>
     </message>
     <message>
         <source>another master sends control frames to this device</source>
@@ -8213,10 +8149,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>nobody renewed the motion lease</source>
         <translation>niemand hat die Freigabe der Bewegung erneuert</translation>
-    </message>
-    <message>
-        <source>the motor was stopped; arm again</source>
-        <translation>der Motor wurde gestoppt; neu scharf schalten</translation>
     </message>
     <message>
         <source>the device restarted</source>
@@ -8383,14 +8315,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>das Gerät hat seinen Flash nicht innerhalb von 20 s geschrieben</translation>
     </message>
     <message>
-        <source>the device restarted before its flash was proved to be written; read it again</source>
-        <translation>Neustart, bevor das Schreiben des Flash nachgewiesen war; neu lesen</translation>
-    </message>
-    <message>
-        <source>the position is written only while the output is off; stop the motor first</source>
-        <translation>die Position wird nur bei abgeschaltetem Ausgang geschrieben; zuerst den Motor stoppen</translation>
-    </message>
-    <message>
         <source>%1 was %2 and is not known to be cleared</source>
         <translation>%1 war %2; ob gelöscht, ist nicht bekannt</translation>
     </message>
@@ -8407,32 +8331,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 ist nur lesbar</translation>
     </message>
     <message>
-        <source>%1 is above %2; legal is %3</source>
-        <translation>%1 liegt über %2; zulässig ist %3</translation>
-    </message>
-    <message>
-        <source>%1 is below %2; legal is %3</source>
-        <translation>%1 liegt unter %2; zulässig ist %3</translation>
-    </message>
-    <message>
-        <source>this firmware does not know the parameter</source>
-        <translation>diese Firmware kennt den Parameter nicht</translation>
-    </message>
-    <message>
-        <source>the device refused the value</source>
-        <translation>das Gerät hat den Wert abgelehnt</translation>
-    </message>
-    <message>
         <source>no answer</source>
         <translation>keine Antwort</translation>
-    </message>
-    <message>
-        <source>the device answers &apos;%1&apos;</source>
-        <translation>das Gerät antwortet „%1“</translation>
-    </message>
-    <message>
-        <source>%1 to number %2</source>
-        <translation>%1 an Nummer %2</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>
@@ -8445,14 +8345,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1: no such file</source>
         <translation>%1: keine solche Datei</translation>
-    </message>
-    <message>
-        <source>%1: is a directory</source>
-        <translation>%1: ist ein Verzeichnis</translation>
-    </message>
-    <message>
-        <source>%1: is longer than %2 bytes</source>
-        <translation>%1: ist länger als %2 Bytes</translation>
     </message>
     <message>
         <source>not a parameter file: %1</source>
@@ -8469,26 +8361,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 was unknown when the file was written</source>
         <translation>%1 war beim Schreiben der Datei unbekannt</translation>
-    </message>
-    <message>
-        <source>%1 belongs to the unit that the file was saved from</source>
-        <translation>%1 gehört zu der Einheit, von der die Datei stammt</translation>
-    </message>
-    <message>
-        <source>%1: its value says %2, its raw value %3; delete the one of the two that is old</source>
-        <translation>%1: der Wert sagt %2, der Rohwert %3; den veralteten der beiden löschen</translation>
-    </message>
-    <message>
-        <source>%1: its value is of the wrong kind; write true or false</source>
-        <translation>%1: der Wert ist von der falschen Art; true oder false schreiben</translation>
-    </message>
-    <message>
-        <source>%1: its value is of the wrong kind; write a number</source>
-        <translation>%1: der Wert ist von der falschen Art; eine Zahl schreiben</translation>
-    </message>
-    <message>
-        <source>%1: raw is not a whole number; delete it, the value says the same</source>
-        <translation>%1: raw ist keine ganze Zahl; löschen, der Wert sagt dasselbe</translation>
     </message>
     <message>
         <source>the file is for family &apos;%1&apos;, the device is a %2</source>
@@ -8575,18 +8447,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Seite %1</translation>
     </message>
     <message>
-        <source>image %1 of %2 pages, unit %3, bootloader %4</source>
-        <translation>Image %1 mit %2 Seiten, Gerät %3, Bootloader %4</translation>
-    </message>
-    <message>
-        <source>without application</source>
-        <translation>ohne Anwendung</translation>
-    </message>
-    <message>
-        <source>runs %1</source>
-        <translation>mit %1</translation>
-    </message>
-    <message>
         <source>in bootloader %1, session kept</source>
         <translation>im Bootloader %1, Sitzung bleibt</translation>
     </message>
@@ -8647,24 +8507,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>die Antwort auf den Reset ging verloren; durch Enumeration wiedergefunden</translation>
     </message>
     <message>
-        <source>%1; the unit waits in its bootloader, run the update again</source>
-        <translation>%1; das Gerät wartet im Bootloader, Update wiederholen</translation>
-    </message>
-    <message>
         <source>the device already runs %1</source>
         <translation>das Gerät hat bereits %1</translation>
     </message>
     <message>
-        <source>the device answers with version %1 instead of %2</source>
-        <translation>das Gerät antwortet mit Version %1 statt %2</translation>
-    </message>
-    <message>
         <source>the device answers with version %1</source>
         <translation>das Gerät antwortet mit Version %1</translation>
-    </message>
-    <message>
-        <source>the image is for product 602, this unit is product %1; nothing was written</source>
-        <translation>das Image ist für Produkt 602, dieses Gerät ist Produkt %1; nichts wurde geschrieben</translation>
     </message>
     <message>
         <source>the unit does not answer an enumeration</source>
@@ -9023,30 +8871,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Millisekunden zwischen Frames. Höchstens 50, weil Folger nach 104 ms ohne Frame anhalten.</translation>
     </message>
     <message>
-        <source>the bootloader refuses %1</source>
-        <translation>der Bootloader lehnt %1 ab</translation>
-    </message>
-    <message>
-        <source>page %1</source>
-        <translation>Seite %1</translation>
-    </message>
-    <message>
-        <source>%1 is bus-off; check wiring, termination and bit rate, then: %2</source>
-        <translation>%1 ist bus-off; Verdrahtung, Abschluss und Bitrate prüfen, dann: %2</translation>
-    </message>
-    <message>
-        <source>there is no %1; plug in the adapter, or name another port</source>
-        <translation>%1 ist nicht vorhanden; Adapter einstecken oder anderen Anschluss nennen</translation>
-    </message>
-    <message>
-        <source>%1 is no serial port; name one such as /dev/ttyUSB0</source>
-        <translation>%1 ist keine serielle Schnittstelle; eine nennen, etwa /dev/ttyUSB0</translation>
-    </message>
-    <message>
-        <source>%1 is in use by another program; close that one first (%2 names it)</source>
-        <translation>%1 wird von einem anderen Programm benutzt; dieses zuerst schließen (%2 nennt es)</translation>
-    </message>
-    <message>
         <source>%1 cannot be opened: %2</source>
         <translation>%1 lässt sich nicht öffnen: %2</translation>
     </message>
@@ -9055,40 +8879,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 kann %2 bit/s nicht: %3</translation>
     </message>
     <message>
-        <source>%1 cannot do %2 bit/s; the nearest it can is %3</source>
-        <translation>%1 kann %2 bit/s nicht; am nächsten kommt %3</translation>
-    </message>
-    <message>
         <source>%1 bit/s is no rate of a serial line</source>
         <translation>%1 bit/s ist keine Übertragungsrate einer seriellen Leitung</translation>
     </message>
     <message>
-        <source>%1 was unplugged; plug it in again</source>
-        <translation>%1 wurde abgezogen; wieder einstecken</translation>
-    </message>
-    <message>
-        <source>%1 failed (%2); unplug it and plug it in again</source>
-        <translation>%1 ist ausgefallen (%2); abziehen und wieder einstecken</translation>
-    </message>
-    <message>
-        <source>the other end of %1 hung up; start it again</source>
-        <translation>die Gegenseite von %1 hat aufgelegt; neu starten</translation>
-    </message>
-    <message>
-        <source>the cable was pulled out; plug it in again</source>
-        <translation>das Kabel wurde abgezogen; wieder einstecken</translation>
-    </message>
-    <message>
         <source>the driver of %1 cannot switch the direction of an RS-485 line, so the adapter has to do it by itself; if nothing answers, use one that does</source>
         <translation>der Treiber von %1 kann die Richtung einer RS-485-Leitung nicht umschalten, das muss der Adapter selbst tun; antwortet nichts, einen verwenden, der es kann</translation>
-    </message>
-    <message>
-        <source>sim: stands for several links; name one, such as sim:can</source>
-        <translation>sim: steht für mehrere Verbindungen; eine nennen, etwa sim:can</translation>
-    </message>
-    <message>
-        <source>pty: is where &apos;simulate&apos; puts its devices; open that terminal as serial:%1</source>
-        <translation>unter pty: legt „simulate“ seine Geräte an; dieses Terminal als serial:%1 öffnen</translation>
     </message>
     <message>
         <source>is there</source>
@@ -9121,10 +8917,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the bus leaves no room for what %1 sends</source>
         <translation>der Bus lässt keinen Platz für das, was %1 sendet</translation>
-    </message>
-    <message>
-        <source>%1 is %2 with %3 transmit and %4 receive errors</source>
-        <translation>%1 ist %2 mit %3 Sende- und %4 Empfangsfehlern</translation>
     </message>
     <message>
         <source>%1 is error-passive</source>
@@ -9227,16 +9019,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>neu verbinden</translation>
     </message>
     <message>
-        <source>%1 takes no frames: %2 wait to be sent; check that somebody else is on the bus</source>
-        <translation>%1 nimmt keine Frames an: %2 warten auf das Senden; prüfen, ob noch jemand am Bus ist</translation>
-    </message>
-    <message>
         <source>this device has no watchdog, and nothing here would stop it if the program died</source>
         <translation>dieses Gerät hat keinen Watchdog, und nichts hier würde es stoppen, wenn das Programm abstürzt</translation>
-    </message>
-    <message>
-        <source>this device has no watchdog, and on %1 nothing could stop it if the program died; use an interface of the kernel</source>
-        <translation>dieses Gerät hat keinen Watchdog, und an %1 könnte nichts es stoppen, wenn das Programm abstürzt; eine Schnittstelle des Kernels verwenden</translation>
     </message>
     <message>
         <source>it is not known how to stop this device from outside</source>
@@ -9257,18 +9041,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 does not answer</source>
         <translation>%1 antwortet nicht</translation>
-    </message>
-    <message>
-        <source>Dialect %1 was chosen by hand, %2. %3</source>
-        <translation>Dialekt %1 wurde von Hand gewählt, %2. %3</translation>
-    </message>
-    <message>
-        <source>the unit answered as %1</source>
-        <translation>das Gerät antwortete als %1</translation>
-    </message>
-    <message>
-        <source>none was proven</source>
-        <translation>nachgewiesen war keiner</translation>
     </message>
     <message>
         <source>stop the motor before its dialect is changed</source>
@@ -9299,18 +9071,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1, und das Gerät hat seinen Ausgang abgeschaltet</translation>
     </message>
     <message>
-        <source>the motor stalled (%1)</source>
-        <translation>der Motor hat blockiert (%1)</translation>
-    </message>
-    <message>
-        <source>the position left its range upwards (%1)</source>
-        <translation>die Position hat ihren Bereich nach oben verlassen (%1)</translation>
-    </message>
-    <message>
-        <source>the position left its range downwards (%1)</source>
-        <translation>die Position hat ihren Bereich nach unten verlassen (%1)</translation>
-    </message>
-    <message>
         <source>a relative move was not answered, and is never sent twice: look where the motor stands</source>
         <translation>eine relative Bewegung blieb ohne Antwort und wird nie zweimal gesendet: nachsehen, wo der Motor steht</translation>
     </message>
@@ -9327,14 +9087,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>der Stopp davor ist noch nicht bestätigt</translation>
     </message>
     <message>
-        <source>a buffered move is not acknowledged yet; try again</source>
-        <translation>eine gepufferte Bewegung ist noch nicht bestätigt; erneut versuchen</translation>
-    </message>
-    <message>
-        <source>its dialect is not known, so no move can be sent; read it again</source>
-        <translation>der Dialekt ist nicht bekannt, daher lässt sich keine Bewegung senden; neu lesen</translation>
-    </message>
-    <message>
         <source>refused: %1</source>
         <translation>abgelehnt: %1</translation>
     </message>
@@ -9345,10 +9097,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>node id %1 is used by another node of this line</source>
         <translation>Knoten-ID %1 hat schon ein anderer Knoten an dieser Leitung</translation>
-    </message>
-    <message>
-        <source>a step of %1 counts overflows the loop of this firmware; at most %2 with its P: use a profiled mode or several moves</source>
-        <translation>ein Sprung von %1 counts lässt den Regler dieser Firmware überlaufen; mit diesem P höchstens %2: eine Betriebsart mit Profil oder mehrere Bewegungen verwenden</translation>
     </message>
     <message>
         <source>Connecting through avrdude</source>
@@ -9375,24 +9123,12 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>kein Bootloader antwortet mit %1 bit/s</translation>
     </message>
     <message>
-        <source>avrdude is not installed; install it with: %1</source>
-        <translation>avrdude ist nicht installiert; installieren mit: %1</translation>
-    </message>
-    <message>
         <source>avrdude read back all %1 bytes and they are equal; the controller answers again, dialect %2</source>
         <translation>avrdude hat alle %1 Byte zurückgelesen, sie sind gleich; der Controller antwortet wieder, Dialekt %2</translation>
     </message>
     <message>
         <source>avrdude read back all %1 bytes and they are equal, but the controller does not answer; cut its power for a moment, and scan: a new firmware may have another rate or node id</source>
         <translation>avrdude hat alle %1 Byte zurückgelesen, sie sind gleich, aber der Controller antwortet nicht; Versorgung kurz trennen und neu suchen: eine neue Firmware kann eine andere Übertragungsrate oder Knoten-ID haben</translation>
-    </message>
-    <message>
-        <source>a motor is driven on this line; stop it first</source>
-        <translation>an dieser Leitung wird ein Motor angesteuert; zuerst stoppen</translation>
-    </message>
-    <message>
-        <source>%1; the controller may hold half a program, and runs again once an update has succeeded</source>
-        <translation>%1; der Controller enthält womöglich ein halbes Programm und läuft erst nach einem erfolgreichen Update wieder</translation>
     </message>
     <message>
         <source>an Abstract DC Drive cannot be asked for its settings</source>
@@ -9927,22 +9663,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>D1 und D2: wofür ein Count des Stromwandlers steht; D3 nennt Ampere.</translation>
     </message>
     <message>
-        <source>unknown option &apos;%1&apos; of a serial link; baud, format, rs485 and echo are known</source>
-        <translation>unbekannte Option „%1“ einer seriellen Verbindung; bekannt sind baud, format, rs485 und echo</translation>
-    </message>
-    <message>
-        <source>%1 is a recording: what is in it can be watched, not driven; open the link that it was made on</source>
-        <translation>%1 ist eine Aufnahme: ihr Inhalt lässt sich beobachten, nicht ansteuern; die Verbindung öffnen, an der sie entstand</translation>
-    </message>
-    <message>
-        <source>%1 is a recording: it can be watched, not written to or driven; open the link that it was made on</source>
-        <translation>%1 ist eine Aufnahme: sie lässt sich beobachten, nicht beschreiben oder ansteuern; die Verbindung öffnen, an der sie entstand</translation>
-    </message>
-    <message>
-        <source>%1 is no CAN link; only those are recorded</source>
-        <translation>%1 ist keine CAN-Verbindung; nur solche werden aufgenommen</translation>
-    </message>
-    <message>
         <source>%1 is being recorded already</source>
         <translation>%1 wird bereits aufgenommen</translation>
     </message>
@@ -9957,86 +9677,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 frames recorded, %2 are missing</source>
         <translation>%1 Frames aufgenommen, %2 fehlen</translation>
-    </message>
-    <message>
-        <source>the disk is full; make room, or choose another place</source>
-        <translation>die Festplatte ist voll; Platz schaffen oder einen anderen Ort wählen</translation>
-    </message>
-    <message>
-        <source>no permission to write there; choose another folder</source>
-        <translation>keine Berechtigung, dort zu schreiben; anderen Ordner wählen</translation>
-    </message>
-    <message>
-        <source>there is no such folder; choose another one</source>
-        <translation>diesen Ordner gibt es nicht; anderen wählen</translation>
-    </message>
-    <message>
-        <source>it is a folder; name a file</source>
-        <translation>ist ein Ordner; eine Datei nennen</translation>
-    </message>
-    <message>
-        <source>the file has reached the greatest size there; choose another place</source>
-        <translation>die Datei hat dort die größte zulässige Größe erreicht; einen anderen Ort wählen</translation>
-    </message>
-    <message>
-        <source>%1: it cannot be written (system error %2); check the disk</source>
-        <translation>%1: lässt sich nicht schreiben (Systemfehler %2); Festplatte prüfen</translation>
-    </message>
-    <message>
-        <source>%1: no such file; check the path</source>
-        <translation>%1: keine solche Datei; Pfad prüfen</translation>
-    </message>
-    <message>
-        <source>%1: no permission to read it; change its mode, or copy it</source>
-        <translation>%1: keine Berechtigung zum Lesen; Zugriffsrechte ändern oder die Datei kopieren</translation>
-    </message>
-    <message>
-        <source>%1: cannot be read (system error %2); check the disk</source>
-        <translation>%1: lässt sich nicht lesen (Systemfehler %2); Festplatte prüfen</translation>
-    </message>
-    <message>
-        <source>%1 is not a file; name a recording</source>
-        <translation>%1 ist keine Datei; eine Aufnahme nennen</translation>
-    </message>
-    <message>
-        <source>%1 has no frame in it; record again</source>
-        <translation>%1 enthält keinen Frame; erneut aufnehmen</translation>
-    </message>
-    <message>
-        <source>%1 has no frame of %2; leave out interface=</source>
-        <translation>%1 enthält keinen Frame von %2; interface= weglassen</translation>
-    </message>
-    <message>
-        <source>%1: it is a Vector BLF log; save it as ASC and take that</source>
-        <translation>%1: ist ein Vector-BLF-Protokoll; als ASC speichern und dieses verwenden</translation>
-    </message>
-    <message>
-        <source>%1: line %2 is neither a line of candump -L nor the beginning of a Vector ASC log; such a line reads %3</source>
-        <translation>%1: Zeile %2 ist weder eine Zeile von candump -L noch der Anfang eines Vector-ASC-Protokolls; eine solche Zeile lautet %3</translation>
-    </message>
-    <message>
-        <source>%1: line %2 is not a line of candump -L; such a line reads %3</source>
-        <translation>%1: Zeile %2 ist keine Zeile von candump -L; eine solche Zeile lautet %3</translation>
-    </message>
-    <message>
-        <source>%1: line %2 is not a line of a Vector ASC log: %3; such a line reads %4</source>
-        <translation>%1: Zeile %2 ist keine Zeile eines Vector-ASC-Protokolls: %3; eine solche Zeile lautet %4</translation>
-    </message>
-    <message>
-        <source>%1: line %2 is not a line of a Vector ASC log; such a line reads %3</source>
-        <translation>%1: Zeile %2 ist keine Zeile eines Vector-ASC-Protokolls; eine solche Zeile lautet %3</translation>
-    </message>
-    <message>
-        <source>%1 was changed while it was played; open it again</source>
-        <translation>%1 wurde während der Wiedergabe geändert; erneut öffnen</translation>
-    </message>
-    <message>
-        <source>speed=%1 is no speed; legal is 0.01 … 1000, or max</source>
-        <translation>speed=%1 ist keine Geschwindigkeit; zulässig ist 0.01 … 1000 oder max</translation>
-    </message>
-    <message>
-        <source>replay links have no option &apos;%1&apos;; they have speed and interface</source>
-        <translation>replay kennt die Option „%1“ nicht; bekannt sind speed und interface</translation>
     </message>
     <message>
         <source>several units answer under this number in the recording</source>
@@ -10055,14 +9695,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Einstellungen erneut schreiben</translation>
     </message>
     <message>
-        <source>%1 of %2 settings were written again; then the board was reset once more; do it again</source>
-        <translation>%1 von %2 Einstellungen wurden erneut geschrieben; dann wurde die Platine nochmals zurückgesetzt; wiederholen</translation>
-    </message>
-    <message>
-        <source>%1 of %2 settings were written again; %3; what is missing is still unknown, do it again</source>
-        <translation>%1 von %2 Einstellungen wurden erneut geschrieben; %3; was fehlt, ist weiterhin unbekannt, wiederholen</translation>
-    </message>
-    <message>
         <source>%1 settings written again</source>
         <translation>%1 Einstellungen erneut geschrieben</translation>
     </message>
@@ -10073,10 +9705,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>the settings that the reset took are written again</source>
         <translation>die durch den Reset verlorenen Einstellungen werden erneut geschrieben</translation>
-    </message>
-    <message>
-        <source>the board was reset since its settings were written; look at it again</source>
-        <translation>die Platine wurde zurückgesetzt, seit ihre Einstellungen geschrieben wurden; erneut ansehen</translation>
     </message>
     <message>
         <source>stop the motor before an experiment begins</source>
@@ -10097,10 +9725,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>polarity bit %1: the input is not active</source>
         <translation>Polaritätsbit %1: der Eingang ist nicht aktiv</translation>
-    </message>
-    <message>
-        <source>the status bit is the same with both polarities, so it tells nothing; look at the wiring of the input</source>
-        <translation>das Statusbit ist bei beiden Polaritäten gleich und sagt daher nichts aus; Verdrahtung des Eingangs prüfen</translation>
     </message>
     <message>
         <source>polarity 0 is active high: the board follows the maker&apos;s library</source>
@@ -10163,34 +9787,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>der Motor wurde gestoppt: %1</translation>
     </message>
     <message>
-        <source>the motor ran faster than the power limit allows; it was stopped</source>
-        <translation>der Motor lief schneller, als die Leistungsgrenze zulässt; er wurde gestoppt</translation>
-    </message>
-    <message>
-        <source>the loop drives the motor the wrong way; exchange the wires of the motor or the phases of the encoder</source>
-        <translation>der Regler treibt den Motor in die falsche Richtung; Leitungen des Motors oder Phasen des Encoders tauschen</translation>
-    </message>
-    <message>
-        <source>the encoder counts against the power; exchange the wires of the motor or the phases of the encoder before any loop is closed</source>
-        <translation>der Encoder zählt entgegen der Leistung; Leitungen des Motors oder Phasen des Encoders tauschen, bevor ein Regler geschlossen wird</translation>
-    </message>
-    <message>
-        <source>the motor turns differently in both directions; the shaft must be free, without load on one side</source>
-        <translation>der Motor dreht in beiden Richtungen unterschiedlich; die Welle muss frei sein, ohne einseitige Last</translation>
-    </message>
-    <message>
-        <source>the motor did not turn at two of the powers; allow it more power, or free its shaft</source>
-        <translation>der Motor drehte sich bei zwei der Leistungen nicht; mehr Leistung zulassen oder die Welle freimachen</translation>
-    </message>
-    <message>
-        <source>the speed does not grow evenly with the power; look whether something brakes or limits the motor</source>
-        <translation>die Drehzahl wächst nicht gleichmäßig mit der Leistung; prüfen, ob etwas den Motor bremst oder begrenzt</translation>
-    </message>
-    <message>
-        <source>no gain of the velocity loop turns the motor; the board may want velocity targets times 4096: choose that setting, and try again</source>
-        <translation>keine Verstärkung des Drehzahlreglers dreht den Motor; die Platine erwartet Drehzahlsollwerte vielleicht mal 4096: diese Einstellung wählen und erneut versuchen</translation>
-    </message>
-    <message>
         <source>no gain of the position loop turns the motor</source>
         <translation>keine Verstärkung des Positionsreglers dreht den Motor</translation>
     </message>
@@ -10237,10 +9833,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 is back</source>
         <translation>%1 ist wieder da</translation>
-    </message>
-    <message>
-        <source>%1 did not come back within %2: %3</source>
-        <translation>%1 kam innerhalb von %2 nicht wieder: %3</translation>
     </message>
     <message>
         <source>all pages are in the unit</source>
@@ -10563,14 +10155,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>jede Nummer, die dieses Programm auf der Leitung haben könnte, gehört zur Gruppe eines Knotens, der Antworten für Befehle hielte; node.mask auf 255 setzen und die Knoten neu starten</translation>
     </message>
     <message>
-        <source>its profile is not known, so a move that passes its target could not be told; read profile.velocity and profile.acceleration</source>
-        <translation>sein Profil ist nicht bekannt, eine Fahrt über das Ziel hinaus wäre nicht zu erkennen; profile.velocity und profile.acceleration lesen</translation>
-    </message>
-    <message>
-        <source>its P or its position is not known, so whether this step overflows its loop is not either; read gain.p</source>
-        <translation>P oder Position sind nicht bekannt, also auch nicht, ob dieser Sprung den Regler überlaufen lässt; gain.p lesen</translation>
-    </message>
-    <message>
         <source>the profiled move passed its target by more than its stopping distance, as this firmware may above 2500 counts/s; use a lower profile.velocity</source>
         <translation>die Bewegung mit Profil ist um mehr als ihren Bremsweg über das Ziel hinausgegangen, was bei dieser Firmware über 2500 counts/s vorkommt; profile.velocity kleiner wählen</translation>
     </message>
@@ -10655,10 +10239,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>ist weg</translation>
     </message>
     <message>
-        <source>the window did not respond in time</source>
-        <translation>das Fenster hat nicht rechtzeitig reagiert</translation>
-    </message>
-    <message>
         <source>Forward limit switch</source>
         <translation>Endschalter vorwärts</translation>
     </message>
@@ -10719,16 +10299,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Digitaleingang 4</translation>
     </message>
     <message>
-        <source>%1 has a name that ends in no kind of picture; end it in .png, .svg or .pdf</source>
-        <translation>%1 hat einen Namen, der auf keine Bildart endet; mit .png, .svg oder .pdf enden lassen</translation>
-    </message>
-    <message>
         <source>the guardian has sent the stop, which nothing on this link confirms; look whether the motor stands</source>
         <translation>der Wächter hat den Stopp gesendet, den auf dieser Verbindung nichts bestätigt; nachsehen, ob der Motor steht</translation>
-    </message>
-    <message>
-        <source>%1 does not open: its driver has not answered for %2 s; unplug it and plug it in again</source>
-        <translation>%1 öffnet sich nicht: sein Treiber hat %2 s lang nicht geantwortet; abziehen und wieder einstecken</translation>
     </message>
     <message>
         <source>%1 is being opened already</source>
@@ -10737,10 +10309,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>%1 was closed before it was open</source>
         <translation>%1 wurde geschlossen, bevor es offen war</translation>
-    </message>
-    <message>
-        <source>the disk has not made %1 within 10 s; name another folder</source>
-        <translation>der Datenträger hat %1 nicht innerhalb von 10 s angelegt; einen anderen Ordner nennen</translation>
     </message>
     <message>
         <source>the disk has not taken %1 for 30 s</source>
@@ -14309,6 +13877,38 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>written, but the current limit, which this firmware overwrites with it, could not be put back to %1 mA: %2</source>
         <translation>geschrieben, aber die Strombegrenzung, die diese Firmware damit überschreibt, ließ sich nicht auf %1 mA zurücksetzen: %2</translation>
+    </message>
+    <message>
+        <source>the order was dropped: what it was for has ended</source>
+        <translation>der Auftrag entfiel: wofür er war, ist zu Ende</translation>
+    </message>
+    <message>
+        <source>%1 is missing</source>
+        <translation>%1 fehlt</translation>
+    </message>
+    <message>
+        <source>no guardian can be started: %1</source>
+        <translation>kein Wächter lässt sich starten: %1</translation>
+    </message>
+    <message>
+        <source>the guardian does not answer</source>
+        <translation>der Wächter antwortet nicht</translation>
+    </message>
+    <message>
+        <source>the guardian ended unexpectedly</source>
+        <translation>der Wächter endete unerwartet</translation>
+    </message>
+    <message>
+        <source>the guardian is of another version</source>
+        <translation>der Wächter ist von einer anderen Version</translation>
+    </message>
+    <message>
+        <source>the stop script of this device is not one that a guardian can carry out</source>
+        <translation>das Stopp-Skript dieses Geräts kann ein Wächter nicht ausführen</translation>
+    </message>
+    <message>
+        <source>without it nothing would stop this motor if the program died: install it there</source>
+        <translation>ohne ihn hielte nichts diesen Motor an, wenn das Programm stürbe: dort installieren</translation>
     </message>
 </context>
 </TS>

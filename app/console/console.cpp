@@ -9,9 +9,9 @@ Console::Console(Clock &clock, std::span<const Family *const> families, Options 
     : m_options(options)
     , m_output(clock)
     , m_session(clock, families, &m_guardian)
-    , m_remarked(m_session.remarked().add([this](const Link &, const std::string &text) { note(text); }))
-    , m_memoryTrouble(m_session.memoryTrouble().add([this](const std::string &text) { note(text); }))
-    , m_profileTrouble(m_session.profileTrouble().add([](const std::string &text) { complain(text); }))
+    , m_remarked(m_session.remarked().add([this](const Link &, const Message &text) { note(text.english()); }))
+    , m_memoryTrouble(m_session.memoryTrouble().add([this](const Message &text) { note(text.english()); }))
+    , m_profileTrouble(m_session.profileTrouble().add([](const Message &text) { complain(text.english()); }))
 {
     m_session.keepProfiles(profileFolder());
     m_session.keepScans(scanFolder());

@@ -164,8 +164,8 @@ Task<void> readCurrent(Console &console, Device &device, std::vector<ParameterIn
 
 Task<std::vector<Change>> changesOf(Console &console, Device &device, ParameterFile file, Arguments arguments)
 {
-    for (const std::string &note : file.notes)
-        console.note(arguments.file + ": " + note + ", left out");
+    for (const Message &note : file.notes)
+        console.note(arguments.file + ": " + note.english() + ", left out");
     auto reading = readCurrent(console, device, toRead(device.family(), file));
     co_await std::move(reading);
     if (!file.serial.empty() && !isOfSameUnit(sourceOf(device), file))

@@ -61,7 +61,7 @@ tuning::ExperimentSurroundings Experimenting::surroundings()
     surroundings.journal = m_notebook.book();
     surroundings.directions = &m_directions;
     surroundings.interruption = &m_interruption;
-    surroundings.note = [this](const std::string &text) { m_console.note(text); };
+    surroundings.note = [this](const Message &text) { m_console.note(text.english()); };
     return surroundings;
 }
 

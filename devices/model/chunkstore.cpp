@@ -66,7 +66,7 @@ bool ChunkStore::extend(std::size_t bytes)
         m_failure = say("%1 cannot take old samples: %2", m_folder, std::strerror(error != 0 ? error : errno));
         return false;
     }
-    m_failure.clear();
+    m_failure = {};
     m_fileSize += size;
     m_extents.emplace_back(address, size);
     for (std::size_t i = roomsPerExtent; i > 0; --i) // the first room is taken first

@@ -213,7 +213,7 @@ private:
     Link &m_link;
     Clock &m_clock;
     std::string m_probedDialect; ///< what the scan said, where the user chose another
-    std::string m_probedDetail;
+    Message m_probedDetail;
     Identity m_identity;
     DeviceProfile m_profile;
     ParameterStore m_parameters;

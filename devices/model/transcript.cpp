@@ -29,7 +29,7 @@ Transcript transcriptOf(
         + std::to_string(seconds.count()) + ".log";
     made.text = "# firmware update of " + device.selector() + '\n';
     for (const LogLine &line : status.log)
-        made.text += '(' + stampOf(line.time.time_since_epoch() + offset) + ") " + line.text + '\n';
+        made.text += '(' + stampOf(line.time.time_since_epoch() + offset) + ") " + line.text.english() + '\n';
     made.text += "# " + std::string(toString(report.outcome)) + ": " + report.summary().english() + '\n';
     return made;
 }

@@ -36,7 +36,7 @@ struct Order {
 HourBench::HourBench(std::uint64_t seed)
     : m_random(seed)
     , m_listening(m_core.noticed().add(
-          [this](Severity, const std::string &about, const std::string &line) { m_lines.insert(about + ": " + line); }))
+          [this](Severity, const std::string &about, const Message &line) { m_lines.insert(about + ": " + line); }))
 {
     for (const char *link : links)
         open(link);

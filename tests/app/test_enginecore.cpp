@@ -77,7 +77,7 @@ protected:
     EngineCore core{clock, families(), false};
     std::optional<Result<void>> opened;
     std::vector<std::string> lines;
-    Subscription listening = core.noticed().add([this](Severity, const std::string &device, const std::string &text) {
+    Subscription listening = core.noticed().add([this](Severity, const std::string &device, const Message &text) {
         lines.push_back(device.empty() ? text : device + ": " + text);
     });
 };

@@ -64,8 +64,8 @@ protected:
     VirtualClock clock;
     EngineCore core{clock, only, false};
     std::vector<std::string> lines;
-    Subscription listening
-        = core.noticed().add([this](Severity, const std::string &, const std::string &text) { lines.push_back(text); });
+    Subscription listening = core.noticed().add(
+        [this](Severity, const std::string &, const Message &text) { lines.push_back(text.english()); });
 };
 
 TEST_F(BoardCore, AnswersAnOrderWhoseLinkIsClosedMeanwhile)

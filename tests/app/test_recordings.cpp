@@ -19,7 +19,7 @@ using namespace std::chrono_literals;
 struct EngineBench {
     EngineBench()
         : core(clock, families(), false)
-        , noticed(core.noticed().add([this](Severity severity, const std::string &, const std::string &text) {
+        , noticed(core.noticed().add([this](Severity severity, const std::string &, const Message &text) {
             notices.emplace_back(severity, text);
         }))
     {

@@ -83,8 +83,8 @@ protected:
     std::unique_ptr<test::PseudoTerminal> terminal;
     std::optional<Result<void>> opened;
     std::vector<std::string> lines;
-    Subscription listening
-        = core.noticed().add([this](Severity, const std::string &, const std::string &text) { lines.push_back(text); });
+    Subscription listening = core.noticed().add(
+        [this](Severity, const std::string &, const Message &text) { lines.push_back(text.english()); });
 };
 
 } // namespace

@@ -168,7 +168,8 @@ TEST(Sleep, WithoutLogindOneWordIsSaidAndNoMore)
     PrivateBus bus;
     LogindInhibitor inhibitor(bus.address.toStdString());
     std::vector<std::string> troubles;
-    const Subscription told = inhibitor.troubled().add([&](const Message &text) { troubles.push_back(text); });
+    const Subscription told
+        = inhibitor.troubled().add([&](const Message &text) { troubles.push_back(text.english()); });
     inhibitor.keepAwake(true);
     ASSERT_TRUE(loop.runUntil([&] { return !troubles.empty(); }));
     EXPECT_NE(troubles[0].find("not kept awake"), std::string::npos) << troubles[0];

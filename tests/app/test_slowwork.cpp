@@ -65,8 +65,8 @@ protected:
     EngineCore core{clock, test::textFamilies, false};
     std::optional<Result<void>> opened;
     std::vector<std::string> lines;
-    Subscription listening
-        = core.noticed().add([this](Severity, const std::string &, const std::string &text) { lines.push_back(text); });
+    Subscription listening = core.noticed().add(
+        [this](Severity, const std::string &, const Message &text) { lines.push_back(text.english()); });
 };
 
 } // namespace

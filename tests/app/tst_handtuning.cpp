@@ -128,8 +128,8 @@ void HandTuningTest::aSluggishLoopIsTunedUntilItStepsWell()
         drive()->id, {{*findParameter(drive()->family->parameters, "velocity.divisor"), 1'000'000}}});
     const tuning::Trial sluggish = step(2000.0, 60.0);
     const tuning::Trial tuned = step(17700.0, 300.0);
-    QCOMPARE(QString::fromStdString(sluggish.reason + ' ' + sluggish.detail), QStringLiteral("done "));
-    QCOMPARE(QString::fromStdString(tuned.reason + ' ' + tuned.detail), QStringLiteral("done "));
+    QCOMPARE(QString::fromStdString(sluggish.reason + ' ' + sluggish.detail.english()), QStringLiteral("done "));
+    QCOMPARE(QString::fromStdString(tuned.reason + ' ' + tuned.detail.english()), QStringLiteral("done "));
     const auto number = [](const std::optional<double> &value) { return value.value_or(-1.0); };
     qInfo("rise %.3f s -> %.3f s, steady error %.1f %% -> %.1f %%, overshoot %.1f %% -> %.1f %%",
         number(sluggish.metrics.rise), number(tuned.metrics.rise), number(sluggish.metrics.sse) * 100.0,

@@ -194,7 +194,7 @@ TEST_F(AbstractDcController, AnOutputThatWrapsStopsTheMotor)
     ASSERT_TRUE(stream.start(setPoint(Mode::Velocity, 900.0), 10s));
     clock.advance(3s);
     EXPECT_EQ(stream.end(), SetPointStream::End::Refused);
-    EXPECT_NE(stream.reason().find("32767"), std::string::npos);
+    EXPECT_NE(stream.reason().english().find("32767"), std::string::npos);
     EXPECT_FALSE(drive.isOutputOn());
     const auto faults = test::run(clock, device->readFaults());
     ASSERT_TRUE(faults);

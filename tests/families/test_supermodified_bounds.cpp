@@ -191,7 +191,7 @@ TEST(SupermodifiedProfile, AFastOnePassesItsTargetInD1AndD2AndIsStopped)
             ++passed;
             EXPECT_NE(dialect, "D3");
             EXPECT_EQ(stream.end(), SetPointStream::End::Refused);
-            EXPECT_NE(stream.reason().find("passed its target"), std::string::npos) << stream.reason();
+            EXPECT_NE(stream.reason().english().find("passed its target"), std::string::npos) << stream.reason();
             EXPECT_FALSE(node.isOutputOn());
         }
     }

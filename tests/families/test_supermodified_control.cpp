@@ -227,7 +227,7 @@ TEST_F(SupermodifiedNode, AStalledMotorEndsTheStreamAndIsNotStartedAgainByItself
     bench.clock.advance(4s);
     EXPECT_FALSE(stream.isRunning());
     EXPECT_EQ(stream.end(), SetPointStream::End::Refused);
-    EXPECT_NE(stream.reason().find("stalled"), std::string::npos) << stream.reason();
+    EXPECT_NE(stream.reason().english().find("stalled"), std::string::npos) << stream.reason();
     EXPECT_FALSE(node.isOutputOn());
     EXPECT_EQ(device->liveness().faults, std::vector<std::string>{"motor_stalled"});
     node.disturb("stall", 0);

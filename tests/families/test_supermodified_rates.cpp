@@ -122,7 +122,7 @@ TEST_F(Rates, ADriverThatDoesNotAnswerLosesTheLinkWithItsRemedy)
     const auto ticket = ask(4, 57600, Rank::Task, first);
     clock.advance(Link::openLimit + 1ms);
     EXPECT_EQ(link->state(), LinkState::Lost);
-    EXPECT_NE(link->reason().find("its driver has not answered for 5 s; unplug it"), std::string::npos)
+    EXPECT_NE(link->reason().english().find("its driver has not answered for 5 s; unplug it"), std::string::npos)
         << link->reason();
     ASSERT_TRUE(first);
     EXPECT_EQ(first->error().fault, Fault::LinkLost);

@@ -79,7 +79,7 @@ int main(int argc, char **argv)
     setPoint.mode = Mode::Duty;
     const Subscription changed = stream.changed().add([&stream] {
         if (!stream.isRunning())
-            std::printf("ended: %s\n", stream.reason().c_str());
+            std::printf("ended: %s\n", stream.reason().english().c_str());
         std::fflush(stdout);
     });
     if (const auto started = stream.start(setPoint, 1h); !started) {

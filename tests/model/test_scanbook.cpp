@@ -101,7 +101,7 @@ struct Program {
     explicit Program(const std::string &directory)
     {
         session.keepScans(directory);
-        told = session.memoryTrouble().add([this](const std::string &text) { troubles.push_back(text); });
+        told = session.memoryTrouble().add([this](const Message &text) { troubles.push_back(text.english()); });
     }
     void scan(const std::string &link)
     {

@@ -274,7 +274,7 @@ TEST_F(Stream, EndsAfterAStallInWhichTheWatchdogOfTheDeviceFired)
         ASSERT_FALSE(control.empty());
         for (const CanFrame &frame : control)
             EXPECT_TRUE(isStop(frame)) << "the motor stood, and nothing may start it again";
-        EXPECT_NE(stream->reason().find("held up"), std::string::npos) << stream->reason();
+        EXPECT_NE(stream->reason().english().find("held up"), std::string::npos) << stream->reason();
         expectEnded(End::Late);
     }
 }

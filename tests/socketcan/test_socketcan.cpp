@@ -251,7 +251,7 @@ TEST_F(SocketCan, ErrorFramesArriveAndBusOffLosesTheLink)
     EXPECT_EQ(link->state(), LinkState::Open);
     peer.send(CAN_ERR_FLAG | CAN_ERR_BUSOFF, {0, 0, 0, 0, 0, 0, 0, 0});
     ASSERT_TRUE(loop.runUntil([&] { return link->state() == LinkState::Lost; }));
-    EXPECT_EQ(link->reason().substr(0, 15), "bus-off: vcan0 ");
+    EXPECT_EQ(link->reason().english().substr(0, 15), "bus-off: vcan0 ");
     EXPECT_EQ(link->counters().errors, 2U);
     EXPECT_TRUE(link->open());
 }

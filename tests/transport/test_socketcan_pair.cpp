@@ -299,7 +299,7 @@ TEST_F(SocketCanPair, BusOffLosesTheLinkAfterItsErrorFrame)
     ASSERT_TRUE(loop.runUntil([this] { return link->state() == LinkState::Lost; }));
     EXPECT_EQ(frames.size(), 1U);
     EXPECT_EQ(errors.size(), 1U);
-    EXPECT_EQ(link->reason().substr(0, 7), "bus-off");
+    EXPECT_EQ(link->reason().english().substr(0, 7), "bus-off");
     const auto sent = link->send(standardFrame(1, {}));
     ASSERT_FALSE(sent);
     EXPECT_EQ(sent.error(), link->loss());

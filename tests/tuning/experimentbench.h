@@ -26,7 +26,7 @@ struct ExperimentBench {
         surroundings.journal = &journal;
         surroundings.directions = &directions;
         surroundings.interruption = &interruption;
-        surroundings.note = [this](const std::string &text) { notes.push_back(text); };
+        surroundings.note = [this](const Message &text) { notes.push_back(text.english()); };
         renew();
     }
     void renew()

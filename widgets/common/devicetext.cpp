@@ -3,7 +3,6 @@
 
 #include "model/axis.h"
 #include "widgets/common/axistext.h"
-#include "widgets/common/devicephrases.h"
 #include "widgets/common/numberformat.h"
 
 #include <QCoreApplication>
@@ -19,7 +18,7 @@ struct DeviceText {
 
 QString tableText(std::string_view english)
 {
-    return devicePhrase(english);
+    return english.empty() ? QString() : QCoreApplication::translate("table", std::string(english).c_str());
 }
 
 namespace {
@@ -39,8 +38,8 @@ QString argumentText(const MessageArgument &argument)
 
 QString messageText(const Message &message)
 {
-    if (message.isVerbatim())
-        return tableText(message.english());
+    if (message.empty() || message.isVerbatim())
+        return qt(message.english());
     const std::string literal(message.literal());
     const QString phrase = QCoreApplication::translate("table", literal.c_str());
     const auto arguments = message.arguments();

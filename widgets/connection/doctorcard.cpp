@@ -12,18 +12,6 @@
 #include <algorithm>
 
 namespace mb {
-namespace {
-
-QString sentence(const std::string &cause, const std::string &remedy)
-{
-    QString text = messageText(cause);
-    if (!remedy.empty())
-        text += QStringLiteral("; ") + messageText(remedy);
-    return text;
-}
-
-} // namespace
-
 DoctorCard::DoctorCard(Workbench &workbench, const ThemeSource &theme, bool all, QWidget *parent)
     : Card(theme, tr("Connection doctor"), parent)
     , m_workbench(workbench)
@@ -92,8 +80,8 @@ void DoctorCard::build()
         m_column->addWidget(makeRow(row));
     if (m_rows.empty())
         m_column->addWidget(makeRow({{}, {},
-            {Ailment::NotThere, "there is no CAN interface",
-                "plug in an adapter at any time; it is opened by itself once it is up", {}},
+            {Ailment::NotThere, say("there is no CAN interface"),
+                say("plug in an adapter at any time; it is opened by itself once it is up"), {}},
             false}));
 }
 
@@ -109,7 +97,8 @@ QWidget *DoctorCard::makeRow(const Row &row)
     grid->addWidget(new StateGlyph(m_theme, healthy ? GlyphState::Done : GlyphState::Warning, widget), 0, 0);
     const QString title = row.link.empty() ? tr("CAN") : QString::fromStdString(row.link);
     grid->addWidget(textLabel(title, TextRole::Emphasis, Tone::Text, widget), 0, 1);
-    const QString says = healthy ? messageText(row.text) : sentence(row.diagnosis.cause, row.diagnosis.remedy);
+    const QString says
+        = healthy ? messageText(row.text) : messageText(joined(row.diagnosis.cause, row.diagnosis.remedy));
     auto *text = textLabel(says, TextRole::Body, Tone::Dim, widget);
     text->setWordWrap(true);
     grid->addWidget(text, 1, 1);

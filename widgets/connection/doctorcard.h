@@ -23,7 +23,7 @@ public:
 private:
     struct Row {
         std::string link; ///< address, as the row's title
-        std::string text; ///< of a healthy one
+        Message text;     ///< of a healthy one
         Diagnosis diagnosis;
         bool reconnect = false; ///< a link of ours that is lost, or was asked for in vain
         friend bool operator==(const Row &, const Row &) = default;

@@ -186,8 +186,8 @@ void OverviewPage::followLinks(const Snapshot &shot)
         }
         const LinkCard &card = entry->second;
         const QString rate = link.bitrate > 0 ? rateText(link) : QString();
-        card.card->setTitle(QString::fromStdString(link.name),
-            link.state == LinkState::Open ? rate : QString::fromStdString(link.reason));
+        card.card->setTitle(
+            QString::fromStdString(link.name), link.state == LinkState::Open ? rate : messageText(link.reason));
         const std::optional<Tone> ailing
             = link.diagnosis.isHealthy() ? std::nullopt : std::optional<Tone>(Tone::Caution);
         card.card->setEdge(link.state == LinkState::Open ? ailing : std::optional<Tone>(Tone::Danger));

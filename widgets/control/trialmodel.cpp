@@ -285,7 +285,7 @@ QVariant TrialModel::data(const QModelIndex &index, int role) const
             return kept->star ? tr("Take the star away") : tr("Give it a star");
         if (column == Use)
             return tr("Stages the gains of this trial; nothing is written yet.");
-        return kept->trial.detail.empty() ? textOf(*kept, column) : QString::fromStdString(kept->trial.detail);
+        return kept->trial.detail.empty() ? textOf(*kept, column) : messageText(kept->trial.detail);
     case Qt::AccessibleTextRole:
         return column == Star ? (kept->star ? tr("starred") : tr("no star"))
             : column == Use   ? tr("Use the gains of trial #%1").arg(kept->number)

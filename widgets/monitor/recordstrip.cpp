@@ -108,7 +108,7 @@ void RecordStrip::follow()
     m_button->setVisible(link && link->kind == LinkKind::Can && !link->replay);
     m_button->setText(running ? tr("End recording") : tr("Record…"));
     m_button->setSymbol(running ? Symbol::Stop : Symbol::Record, running ? Tone::Danger : Tone::Text);
-    const QString problem = link && link->recording ? QString::fromStdString(link->recording->problem) : QString();
+    const QString problem = link && link->recording ? messageText(link->recording->problem) : QString();
     setVisible(running || (!problem.isEmpty() && problem != m_dismissed));
     if (isVisibleTo(parentWidget()))
         show(*link->recording);
@@ -137,7 +137,7 @@ void RecordStrip::show(const RecordingState &recording)
 void RecordStrip::dismiss()
 {
     if (const LinkView *link = m_workbench.snapshot().link(m_link); link && link->recording)
-        m_dismissed = QString::fromStdString(link->recording->problem);
+        m_dismissed = messageText(link->recording->problem);
     hide();
 }
 

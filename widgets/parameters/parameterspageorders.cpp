@@ -120,8 +120,8 @@ void ParametersPage::importFrom(const QString &path)
     m_model->edits()->stageAll(changes, tr("Import of %1").arg(fileNameOf(path)));
     QString remedy = tr("Nothing is written yet: look through the list, then write.");
     if (!file->notes.empty())
-        remedy
-            += QLatin1Char(' ') + tr("Left out: %1, for one: %2.").arg(file->notes.size()).arg(qt(file->notes.front()));
+        remedy += QLatin1Char(' ')
+            + tr("Left out: %1, for one: %2.").arg(file->notes.size()).arg(messageText(file->notes.front()));
     m_banners.post(QLatin1String(importKey), BannerKind::Info,
         tr("Staged from %1: %2 of its values differ.").arg(fileNameOf(path)).arg(changes.size()), remedy,
         tr("Undo the import"));

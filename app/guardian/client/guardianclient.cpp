@@ -107,7 +107,7 @@ public:
             m_post->say({guardian::Order::Kind::Renew, m_id, {}, {}});
         } else if (state() == State::Standing) {
             m_post->distrust();
-            enter(State::Gone, "the guardian does not answer");
+            enter(State::Gone, say("the guardian does not answer"));
         }
     }
     void release() override { m_released = true; }
@@ -121,14 +121,14 @@ public:
             enter(State::Standing);
         else if (report.kind == Kind::Acted)
             enter(State::Acted,
-                report.proved          ? "the guardian stopped the motor because this program was held up"
-                    : report.confirmed ? "the guardian sent the stop because this program was held up, not confirmed"
-                                       : "the guardian tried to stop the motor because this program was held up, "
-                                         "without an answer");
+                report.proved ? say("the guardian stopped the motor because this program was held up")
+                    : report.confirmed
+                    ? say("the guardian sent the stop because this program was held up, not confirmed")
+                    : say("the guardian tried to stop the motor because this program was held up, without an answer"));
         else if (report.kind == Kind::Refused)
-            enter(State::Gone, "the guardian is of another version");
+            enter(State::Gone, say("the guardian is of another version"));
     }
-    void mourn() { enter(State::Gone, "the guardian ended unexpectedly"); }
+    void mourn() { enter(State::Gone, say("the guardian ended unexpectedly")); }
 
 private:
     GuardianClient &m_client;
