@@ -104,6 +104,24 @@ def operands(path, _text, code):
             yield line, "error", "name the operand before co_await: GCC 12 destroys some temporaries twice"
 
 
+# A sentence for people is a literal that scripts/translate finds, not glued (devices/async/message.h).
+SAYING = ("devices/", "app/", "widgets/")
+GLUED = [
+    (r'\bMessage::(?:verbatim|label|composed)\(\s*"[^"]*[a-z]{2}[^"]*"', "a sentence is said by say(\"…\"), which has a translation"),
+    (r'\bsay\(\s*(?:QT_TRANSLATE_NOOP|std::string\b|\w+\s*\+)', "say() takes a literal: what varies stands in %1 … %9"),
+    (r'\bsay\((?:\s*"(?:[^"\\\n]|\\.)*")+\s*\+', "nothing is glued to a literal: what varies stands in %1 … %9"),
+    (r'\bfail\(Fault::\w+,\s*"', "a cause is said by say(\"…\"), which has a translation"),
+]
+
+
+def sentences(path, text, _code):
+    if not is_cpp(path) or not path.startswith(SAYING) or path.startswith("devices/async/message."):
+        return
+    for pattern, why in GLUED:
+        for line, match in matches(pattern, text):
+            yield line, "error", f"{' '.join(match[0].split())[:60]}: {why}"
+
+
 ROOTS = ("async", "wire", "place", "transport", "model", "recording", "tuning", "report", "settings", "storage", "families", "widgets", "app", "support", "tests")
 SCREEN = re.compile(
     r"Qt(?:Gui|Widgets|Svg|PrintSupport|OpenGL)(?:/|$)|qcustomplot|Q(?:GuiApplication|Application|Widget|MainWindow|Dialog|Color|"
@@ -180,7 +198,7 @@ def absolute_paths(_path, text, _code):
         yield line, "error", f"{match[0]}: no path of one machine"
 
 
-RULES = (licence, names, forbidden, operands, layering, budgets, absolute_paths)
+RULES = (licence, names, forbidden, operands, sentences, layering, budgets, absolute_paths)
 
 
 def check_file(path, text):

@@ -12,6 +12,7 @@
 #include <algorithm>
 
 namespace mb {
+
 DoctorCard::DoctorCard(Workbench &workbench, const ThemeSource &theme, bool all, QWidget *parent)
     : Card(theme, tr("Connection doctor"), parent)
     , m_workbench(workbench)
