@@ -63,7 +63,7 @@ void Conditions::follow()
         m_banners.clear(QLatin1String(mayTurnKey));
     if (m_arming.state() == LampState::Stopped)
         m_banners.post(QStringLiteral("stopped"), m_arming.isStoppedByHand() ? BannerKind::Info : BannerKind::Danger,
-            tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the lamp for 1 s to arm again."));
+            tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the Arm button for 1 s to arm again."));
     else
         m_banners.clear(QStringLiteral("stopped"));
 }

@@ -193,7 +193,7 @@ private:
     using MovingStory = std::function<Task<T>(Device &, SetPointStream &, tuning::ExperimentSurroundings)>;
     template <class T>
     void runMoving(DeviceId id, const Message &title, const MovingStory<T> &story,
-        const std::function<Notable(const T &)> &judge, const std::function<void(Result<T>)> &finished);
+        const std::function<Notable(const T &)> &notableOf, const std::function<void(Result<T>)> &finished);
     void write(DeviceId id, std::vector<ParameterChange> changes, settings::Purpose purpose, Finished finished);
     [[nodiscard]] Task<void> keptBefore(Device &device, settings::Occasion occasion, Progress &progress);
     void meetUnits();

@@ -16,7 +16,7 @@ Task<void> rewrite(Device &device, Progress &progress)
     co_return {};
 }
 
-Task<void> tryOut(
+Task<void> runDeviceExperiment(
     Device &device, SetPointStream &stream, const Experiment &experiment, ExperimentOptions options, Progress &progress)
 {
     auto running = experiment.run(device, stream, options, progress);
@@ -109,8 +109,9 @@ void EngineCore::experiment(
     }
     Running *const running = beginSimple(
         id, found->title.data(),
-        [&stream, &experiment = *found, options](
-            Device &unit, Progress &progress) { return tryOut(unit, stream, experiment, options, progress); },
+        [&stream, &experiment = *found, options](Device &unit, Progress &progress) {
+            return runDeviceExperiment(unit, stream, experiment, options, progress);
+        },
         finished);
     if (running)
         running->isExperiment = true;

@@ -55,7 +55,7 @@ Message nameOf(const Trial &trial)
 /// An operation that moves the device by experiments: what is notable in it is told, what it interrupts puts back what it changed.
 template <class T>
 void EngineCore::runMoving(DeviceId id, const Message &title, const MovingStory<T> &story,
-    const std::function<Notable(const T &)> &judge, const std::function<void(Result<T>)> &finished)
+    const std::function<Notable(const T &)> &notableOf, const std::function<void(Result<T>)> &finished)
 {
     const Finished refused = [finished](const Result<void> &result) {
         if (finished)
@@ -69,11 +69,11 @@ void EngineCore::runMoving(DeviceId id, const Message &title, const MovingStory<
     };
     Running *const running = begin<T>(
         id, title, make,
-        [this, judge, finished](Running &done, Result<T> result) {
+        [this, notableOf, finished](Running &done, Result<T> result) {
             experimentEnded(done);
             if (const Device *device = m_session.find(done.device)) {
                 const Notable told = result
-                    ? judge(*result)
+                    ? notableOf(*result)
                     : Notable{Severity::Danger, say("no experiment: %1", result.error().message())};
                 notice(told.severity, labelOf(*device), told.text);
             }

@@ -739,7 +739,7 @@
     </message>
     <message>
         <source>%1 is not armed. Select it, then hold Arm in the header.</source>
-        <translation>%1 ist nicht scharf. Gerät wählen, dann die Lampe in der Kopfzeile halten.</translation>
+        <translation>%1 ist nicht scharf. Gerät wählen, dann die Scharf-Taste in der Kopfzeile halten.</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no frame such as 02061405#8125</source>
@@ -1200,8 +1200,8 @@
         <translation>DEMO</translation>
     </message>
     <message>
-        <source>Arm the device first: hold the lamp for 1 s.</source>
-        <translation>Erst das Gerät scharf schalten: Lampe 1 s halten.</translation>
+        <source>Arm the device first: hold the Arm button for 1 s.</source>
+        <translation>Erst das Gerät scharf schalten: Scharf-Taste 1 s halten.</translation>
     </message>
 </context>
 <context>
@@ -1647,8 +1647,8 @@
         <translation>Gestoppt: %1</translation>
     </message>
     <message>
-        <source>Hold the lamp for 1 s to arm again.</source>
-        <translation>Lampe 1 s halten, um neu scharf zu schalten.</translation>
+        <source>Hold the Arm button for 1 s to arm again.</source>
+        <translation>Scharf-Taste 1 s halten, um neu scharf zu schalten.</translation>
     </message>
     <message>
         <source>Another master drives %1</source>
@@ -1845,8 +1845,8 @@
         <translation>Nicht scharf</translation>
     </message>
     <message>
-        <source>Hold the lamp for 1 s to arm %1.</source>
-        <translation>Lampe 1 s halten, um %1 scharf zu schalten.</translation>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>Scharf-Taste 1 s halten, um %1 scharf zu schalten.</translation>
     </message>
     <message>
         <source>No tuning here</source>
@@ -2932,8 +2932,8 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
 <context>
     <name>mb::GroupMotion</name>
     <message>
-        <source>not prepared: hold the lamp to arm first</source>
-        <translation>nicht vorbereitet: zuerst die Lampe halten, um scharf zu schalten</translation>
+        <source>not prepared: hold the Arm button first</source>
+        <translation>nicht vorbereitet: zuerst die Scharf-Taste halten</translation>
     </message>
     <message>
         <source>not prepared: the selected device has to take part</source>
@@ -3359,8 +3359,8 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>1 s halten</translation>
     </message>
     <message>
-        <source>Arming lamp: %1</source>
-        <translation>Lampe: %1</translation>
+        <source>Arm button: %1</source>
+        <translation>Scharf-Taste: %1</translation>
     </message>
     <message>
         <source>Press to make it safe again</source>
@@ -3904,8 +3904,8 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>aus</translation>
     </message>
     <message>
-        <source>Hold the lamp to arm. One lamp covers all that take part.</source>
-        <translation>Lampe halten, um scharf zu schalten. Eine Lampe gilt für alle, die teilnehmen.</translation>
+        <source>Hold the Arm button. It covers all that take part.</source>
+        <translation>Die Scharf-Taste halten. Sie gilt für alle, die teilnehmen.</translation>
     </message>
     <message>
         <source>All are prepared. Start begins them at the same moment.</source>
@@ -7679,8 +7679,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Gestoppt: %1</translation>
     </message>
     <message>
-        <source>Hold the lamp for 1 s to arm again.</source>
-        <translation>Lampe 1 s halten, um neu scharf zu schalten.</translation>
+        <source>Hold the Arm button for 1 s to arm again.</source>
+        <translation>Scharf-Taste 1 s halten, um neu scharf zu schalten.</translation>
     </message>
     <message>
         <source>%1 cannot be armed</source>
@@ -7727,8 +7727,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Nicht scharf</translation>
     </message>
     <message>
-        <source>Hold the lamp for 1 s to arm %1.</source>
-        <translation>Lampe 1 s halten, um %1 scharf zu schalten.</translation>
+        <source>Hold the Arm button for 1 s to arm %1.</source>
+        <translation>Scharf-Taste 1 s halten, um %1 scharf zu schalten.</translation>
     </message>
     <message>
         <source>%1, slot %2</source>
@@ -7871,8 +7871,8 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>Es bewegt sich etwas</translation>
     </message>
     <message>
-        <source>Hold the lamp for 1 s to arm it first.</source>
-        <translation>Zuerst die Lampe 1 s halten, um es scharf zu schalten.</translation>
+        <source>Hold the Arm button for 1 s to arm it first.</source>
+        <translation>Zuerst die Scharf-Taste 1 s halten, um es scharf zu schalten.</translation>
     </message>
     <message>
         <source>not identified: %1</source>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Session: recordings as links.
 #include "async/sleep.h"
-#include "model/overhearing.h"
+#include "model/passivediscovery.h"
 #include "model/session.h"
 
 #include <algorithm>
@@ -23,13 +23,13 @@ Clock &Session::clockOf(Link &link) const
 
 Task<std::vector<Device *>> Session::overhear(ReplayLink &link)
 {
-    Overhearing overhearing(
+    PassiveDiscovery discovery(
         m_families, [this, &link](const Family &family, const Identity &seen) { overheard(link, family, seen); });
     while (true) {
         const auto complete = link.survey([&](const LoggedFrame &logged) {
             CanFrame frame = logged.frame;
             frame.time = Instant(logged.time);
-            overhearing.take(frame, logged.direction == LogDirection::Sent);
+            discovery.take(frame, logged.direction == LogDirection::Sent);
         });
         if (!complete)
             co_return fail(complete.error());

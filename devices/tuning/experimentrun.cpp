@@ -269,7 +269,7 @@ bool ExperimentRun::beginsHere()
     if (!stimulus)
         return false;
     m_trial.stimulus = *stimulus;
-    aim(*here);
+    setTarget(*here);
     return true;
 }
 
@@ -283,7 +283,7 @@ bool ExperimentRun::isOver() const
     return m_recorder.trip() || !m_stream.isRunning() || isInterrupted();
 }
 
-void ExperimentRun::aim(double target)
+void ExperimentRun::setTarget(double target)
 {
     m_recorder.expect(target);
     if (m_stream.isRunning() && m_stream.setPoint().target != target)
@@ -353,7 +353,7 @@ Task<void> ExperimentRun::followOnce(double dither)
     const Instant begin = clock.now();
     const Instant end = begin + ofSeconds(stimulus.length());
     for (int beat = 0; !isOver() && clock.now() < end; ++beat) {
-        aim(stimulus.at(inSeconds(clock.now() - begin)));
+        setTarget(stimulus.at(inSeconds(clock.now() - begin)));
         if (stimulus.ends && m_recorder.isSettled(begin, leastHold, settledShare, width))
             break;
         Sleep nap(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
@@ -364,7 +364,7 @@ Task<void> ExperimentRun::followOnce(double dither)
         m_holds.emplace_back(begin + ofSeconds(edge), std::min(begin + ofSeconds(edge + stimulus.hold()), back));
     if (stimulus.edges().empty())
         m_holds.emplace_back(begin, back);
-    aim(stimulus.from);
+    setTarget(stimulus.from);
     tellMeasured();
     const Instant limit = back + ofSeconds(std::min(stimulus.length(), longestReturn));
     while (!isOver() && clock.now() < limit && !m_recorder.isSettled(back, leastHold, settledShare, width)) {
@@ -407,7 +407,7 @@ Task<void> ExperimentRun::putBack()
     co_return {};
 }
 
-void ExperimentRun::judge(const std::optional<Error> &error)
+void ExperimentRun::classifyEnding(const std::optional<Error> &error)
 {
     if (m_recorder.trip() && !m_trip)
         m_trip = m_recorder.trip();
@@ -421,7 +421,7 @@ Task<void> ExperimentRun::conclude(std::optional<Error> error)
     if (m_stream.isRunning())
         m_stream.stop();
     m_recorder.unguard();
-    judge(error);
+    classifyEnding(error);
     if (m_moved) {
         auto confirming = confirmStop(m_device);
         m_trial.stopped = co_await std::move(confirming);

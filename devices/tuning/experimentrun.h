@@ -37,13 +37,13 @@ private:
     [[nodiscard]] GuardPlan guardPlan() const;
     [[nodiscard]] double rate() const;
     [[nodiscard]] SetPoint setPointAt(double target) const;
-    void aim(double target);
+    void setTarget(double target);
     void note(const Message &text) const;
     void tellMeasured() const;
     [[nodiscard]] bool isInterrupted() const;
     /// Something has ended the motion.
     [[nodiscard]] bool isOver() const;
-    void judge(const std::optional<Error> &error);
+    void classifyEnding(const std::optional<Error> &error);
 
     Device &m_device;
     SetPointStream &m_stream;

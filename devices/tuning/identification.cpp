@@ -171,7 +171,7 @@ Result<MotorFound> identify(const std::vector<Trial> &pushes)
     return found;
 }
 
-std::vector<Gate> judge(const MotorFound &found, const std::vector<Trial> &pushes)
+std::vector<Gate> gatesOf(const MotorFound &found, const std::vector<Trial> &pushes)
 {
     double smallest = 1.0;
     bool limited = false;

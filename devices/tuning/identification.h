@@ -21,10 +21,10 @@ struct MotorFound {
 
 /// One gate of quality: why a model may not be believed.
 struct Gate {
-    std::string name;   ///< "fit", "friction", "asymmetric load", "resolution", "current limit"
-    Message detail;     ///< with the number
+    std::string name; ///< "fit", "friction", "asymmetric load", "resolution", "current limit"
+    Message detail;   ///< with the number
     bool passed = true;
-    Message remedy{};   ///< what helps where it has not passed; empty: nothing is known
+    Message remedy{}; ///< what helps where it has not passed; empty: nothing is known
 };
 
 /// The pushes of trials in duty mode, each from its own edge. Trials that moved nothing give none. `friction`: duty that moves nothing,
@@ -35,6 +35,6 @@ struct Gate {
 [[nodiscard]] Result<MotorFound> identify(const std::vector<Trial> &pushes);
 
 /// All gates, those that passed too.
-[[nodiscard]] std::vector<Gate> judge(const MotorFound &found, const std::vector<Trial> &pushes);
+[[nodiscard]] std::vector<Gate> gatesOf(const MotorFound &found, const std::vector<Trial> &pushes);
 
 } // namespace mb::tuning

@@ -127,7 +127,7 @@ Result<void> PushIdentification::conclude(AutotuneRun &run) const
         const double speed = proofStep(Mode::Velocity, plant, {}, run.envelope());
         plant.delay += velocityTaking(run.device(), speed, found->filter).delay;
     }
-    auto gates = judge(*found, m_pushes);
+    auto gates = gatesOf(*found, m_pushes);
     return run.take({std::move(*found), plant, std::move(gates), std::nullopt});
 }
 

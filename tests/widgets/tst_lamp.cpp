@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/windowtests.h"
 #include "widgets/common/lamp.h"
+#include "widgets/common/stopbutton.h"
 
 #include <QHBoxLayout>
 #include <QSignalSpy>

@@ -4,6 +4,7 @@
 #include "widgets/common/banner.h"
 #include "widgets/common/chip.h"
 #include "widgets/common/lamp.h"
+#include "widgets/common/stopbutton.h"
 
 class QHBoxLayout;
 class QMenu;

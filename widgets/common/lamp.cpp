@@ -83,7 +83,7 @@ QString Lamp::detail() const
 
 void Lamp::updateAccessibleText(LampState before)
 {
-    setAccessibleName(tr("Arming lamp: %1").arg(word()));
+    setAccessibleName(tr("Arm button: %1").arg(word()));
     setAccessibleDescription(clock().isEmpty() ? detail() : clock() + QLatin1Char(' ') + detail());
     setToolTip(m_status.state == LampState::MayTurn ? detail() + QLatin1Char('\n')
                 + tr("A motor was told to stop and was not seen to. Cut its power, or look at it.")

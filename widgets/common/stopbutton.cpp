@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/common/lamp.h"
+#include "widgets/common/stopbutton.h"
 
 #include <QMouseEvent>
 #include <QPainter>

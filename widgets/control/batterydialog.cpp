@@ -226,7 +226,8 @@ void BatteryDialog::showCurves()
 void BatteryDialog::follow()
 {
     m_start->setEnabled(!m_running && !m_battery.steps.empty() && m_arming.isArmed(m_device) && !m_arming.isMoving());
-    m_start->setToolTip(m_arming.isArmed(m_device) ? QString() : tr("Arm the device first: hold the lamp for 1 s."));
+    m_start->setToolTip(
+        m_arming.isArmed(m_device) ? QString() : tr("Arm the device first: hold the Arm button for 1 s."));
 }
 
 void BatteryDialog::say(const QString &words)

@@ -42,7 +42,7 @@ bool GroupMotion::prepare(DeviceId lead, std::vector<Member> members)
         = std::any_of(members.begin(), members.end(), [lead](const Member &member) { return member.device == lead; });
     if (!m_arming.isArmed(lead) || !takesPart) {
         m_workbench.report(Severity::Caution, {},
-            takesPart ? tr("not prepared: hold the lamp to arm first")
+            takesPart ? tr("not prepared: hold the Arm button first")
                       : tr("not prepared: the selected device has to take part"));
         return false;
     }

@@ -188,7 +188,7 @@ QString MovesPanel::hint() const
             "gives a new one; switching the unit off clears it.")
             .arg(keeping.join(QStringLiteral(", ")));
     return !m_arming.isArmed(m_lead)
-        ? tr("Hold the lamp to arm. One lamp covers all that take part.")
+        ? tr("Hold the Arm button. It covers all that take part.")
         : tr("Prepare switches the motors on where they stand; nothing turns before Start.");
 }
 

@@ -174,7 +174,7 @@ PageStatus TunePage::status() const
         return {GlyphState::Gone, tr("No answer from %1").arg(name), tr("The plot keeps what it has."), false};
     if (m_arming.state() == LampState::Stopped)
         return {m_arming.isStoppedByHand() ? GlyphState::Gone : GlyphState::Fault,
-            tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the lamp for 1 s to arm again."), false};
+            tr("Stopped: %1").arg(m_arming.reason()), tr("Hold the Arm button for 1 s to arm again."), false};
     if (!view->mayNotMove.empty())
         return {GlyphState::Warning, tr("%1 cannot be armed").arg(name), messageText(view->mayNotMove), false};
     if (isLive() && !m_setPoint->fault().isEmpty())
@@ -204,7 +204,7 @@ PageStatus TunePage::liveStatus(const DeviceView &view, const QString &name) con
         return {GlyphState::Moving, tr("Moving"), describe(told ? *told : wanted()) + others, true};
     if (m_arming.isArmed(view.id))
         return {GlyphState::Online, tr("Armed"), tr("F5 runs %1").arg(describe(wanted())) + others, true};
-    return {GlyphState::Gone, tr("Not armed"), tr("Hold the lamp for 1 s to arm %1.").arg(name), false};
+    return {GlyphState::Gone, tr("Not armed"), tr("Hold the Arm button for 1 s to arm %1.").arg(name), false};
 }
 
 QString TunePage::describe(const SetPoint &setPoint) const
@@ -231,7 +231,7 @@ void TunePage::showCommands()
     const PageStatus now = status();
     m_status->say(now, m_frame->isCompact());
     m_jogPanel->setPossible(m_arming.state() == LampState::Armed && jogSetPoint(true),
-        m_arming.isArmed(view->id) ? tr("Something moves") : tr("Hold the lamp for 1 s to arm it first."));
+        m_arming.isArmed(view->id) ? tr("Something moves") : tr("Hold the Arm button for 1 s to arm it first."));
     const Choice &chosen = *choice();
     const QStringList staged = m_gains->stagedNames();
     const bool withGains = !staged.isEmpty() && chosen.editedSlot == chosen.runningSlot;

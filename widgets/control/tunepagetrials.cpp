@@ -139,7 +139,7 @@ PageStatus TunePage::trialStatus(const DeviceView &view, const QString &name) co
             check.words, false};
     if (m_arming.isArmed(view.id))
         return {GlyphState::Online, tr("Armed"), tr("F5 runs the experiment."), true};
-    return {GlyphState::Gone, tr("Not armed"), tr("Hold the lamp for 1 s to arm %1.").arg(name), false};
+    return {GlyphState::Gone, tr("Not armed"), tr("Hold the Arm button for 1 s to arm %1.").arg(name), false};
 }
 
 /// What is staged and no part of an experiment is written first. Several axes take turns.

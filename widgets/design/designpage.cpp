@@ -237,7 +237,7 @@ PageStatus DesignPage::status() const
         return {GlyphState::Busy, tr("Busy"), messageText(view->busy), false};
     if (m_arming.isArmed(view->id))
         return {GlyphState::Online, tr("Armed"), tr("The motor turns both ways as soon as you say so."), true};
-    return {GlyphState::Gone, tr("Not armed"), tr("Hold the lamp for 1 s to arm %1.").arg(name), false};
+    return {GlyphState::Gone, tr("Not armed"), tr("Hold the Arm button for 1 s to arm %1.").arg(name), false};
 }
 
 void DesignPage::chooseLoop(Mode loop)

@@ -70,7 +70,7 @@ public:
             co_await Sleep(
                 m_clock, std::min<Duration>(std::max<Duration>(roundTrip(m_link), 2ms), end - m_clock.now()));
             auto judging = judgeNew();
-            co_await std::move(judging);
+            co_await std::move(identifying);
         }
         co_return {};
     }
@@ -112,8 +112,8 @@ private:
         for (const std::uint32_t answer : seen) {
             if (m_judged.count(answer) > 0 || !m_tried.insert(answer).second)
                 continue;
-            auto judging = judge(m_prober, answer);
-            const std::optional<Found> found = co_await std::move(judging);
+            auto identifying = identifyDrive(m_prober, answer);
+            const std::optional<Found> found = co_await std::move(identifying);
             if (!found || (!found->dialect && (m_offsets.count(found->offset) > 0 || isPositionOfLegacy(answer))))
                 continue;
             m_offsets.insert(found->offset);

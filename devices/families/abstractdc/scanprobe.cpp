@@ -97,7 +97,7 @@ Task<std::optional<Found>> tellPresent(Prober &prober, int offset, std::uint32_t
 } // namespace
 
 /// 6.3: an identifier in 1024…1099 is today's with one offset or legacy with another.
-Task<std::optional<Found>> judge(Prober &prober, std::uint32_t answer)
+Task<std::optional<Found>> identifyDrive(Prober &prober, std::uint32_t answer)
 {
     const int today = static_cast<int>(answer) - static_cast<int>(id::velocityLog);
     const int legacy = static_cast<int>(answer) - static_cast<int>(id::velocityLogLegacy);

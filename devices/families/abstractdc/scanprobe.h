@@ -91,7 +91,7 @@ struct Found {
 };
 
 /// Which drive sends its speed log on `answer`, and its dialect (nullptr: not proven); nothing when not even the offset is sure.
-[[nodiscard]] Task<std::optional<Found>> judge(Prober &prober, std::uint32_t answer);
+[[nodiscard]] Task<std::optional<Found>> identifyDrive(Prober &prober, std::uint32_t answer);
 /// Drives older than the broadcast, asked one by one where the bit rate allows it: their offsets.
 [[nodiscard]] Task<std::vector<int>> findOldest(CanLink &link, Clock &clock);
 

@@ -55,7 +55,7 @@ private:
     [[nodiscard]] Task<PageEnd> writePages();
     [[nodiscard]] Task<PageEnd> writePage(const Page &page);
     /// What the status of a page means, 7.6.
-    [[nodiscard]] Result<Verdict> judge(const Page &page, CommandStatus status);
+    [[nodiscard]] Result<Verdict> verdictOf(const Page &page, CommandStatus status);
     [[nodiscard]] Verdict afterMismatch(const Page &page);
     /// A page cannot be written before its bytes were on the wire.
     [[nodiscard]] bool isTooEarly() const;

@@ -82,10 +82,10 @@ Task<Updater::PageEnd> Updater::writePage(const Page &page)
             co_return fail(reply.error());
         Verdict verdict = Verdict::Again;
         if (reply) {
-            const Result<Verdict> judged = judge(page, reply->status);
-            if (!judged)
-                co_return fail(judged.error());
-            verdict = *judged;
+            const Result<Verdict> told = verdictOf(page, reply->status);
+            if (!told)
+                co_return fail(told.error());
+            verdict = *told;
         } else {
             auto asking = afterSilence(page);
             verdict = co_await std::move(asking);
@@ -96,7 +96,7 @@ Task<Updater::PageEnd> Updater::writePage(const Page &page)
     co_return fail(Fault::Timeout, say("page %1 was not accepted in %2 tries", page.number, pageTries));
 }
 
-Result<Updater::Verdict> Updater::judge(const Page &page, CommandStatus status)
+Result<Updater::Verdict> Updater::verdictOf(const Page &page, CommandStatus status)
 {
     const std::string number = std::to_string(page.number);
     switch (status) {
@@ -109,7 +109,8 @@ Result<Updater::Verdict> Updater::judge(const Page &page, CommandStatus status)
             return Verdict::Restart;
         }
         if (!m_variantKnown)
-            m_progress.log(Severity::Good, say("page %1 accepted with CRC variant %2", number, std::string(1, letterOf(m_variant))));
+            m_progress.log(Severity::Good,
+                say("page %1 accepted with CRC variant %2", number, std::string(1, letterOf(m_variant))));
         m_variantKnown = true;
         return Verdict::Written;
     case CommandStatus::CrcMismatch: return afterMismatch(page);

@@ -143,7 +143,7 @@ void Controller::look()
     if (!m_heard)
         setStates({}, now);
     const bool streamGone = m_streamPeriod > 0 && (!m_streamAt || now - *m_streamAt > silence);
-    if ((streamGone || m_changed || (m_heard && !m_judged)) && !m_checking && busy().empty()
+    if ((streamGone || m_changed || (m_heard && !m_resetKnown)) && !m_checking && busy().empty()
         && m_spi.state() == LinkState::Open) {
         m_checking = true;
         m_scope.spawn<void>(checkReset(), [this](const Result<void> &) { m_checking = false; });
@@ -163,20 +163,20 @@ Task<void> Controller::checkReset()
     const auto masks = parseDataMasks(reply);
     if (!masks)
         co_return fail(Fault::BadReply, say("the data masks have an unexpected length"));
-    judge(*masks);
+    detectReset(*masks);
     if (*masks != m_port.masks()) // another program has changed what the board sends
         m_port.setLayout(*masks, m_port.streamConfig());
     co_return {};
 }
 
 /// Wherever the masks are seen: what is understood with the new ones must not hide what they mean.
-void Controller::judge(const DataMasks &masks)
+void Controller::detectReset(const DataMasks &masks)
 {
     const bool startUp
         = std::all_of(masks.begin(), masks.end(), [](std::uint8_t mask) { return mask == datamask::startUp; });
     const bool told = m_changed && masks != m_port.masks();
-    const bool before = !m_judged && holdsSettings();
-    m_judged = true;
+    const bool before = !m_resetKnown && holdsSettings();
+    m_resetKnown = true;
     if (startUp && (told || before))
         forgetBoard();
 }

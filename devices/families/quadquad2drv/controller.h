@@ -80,7 +80,7 @@ private:
     [[nodiscard]] StopScript doStopScript() const override;
     void enter(int axis, ControlMode mode);
     void limitFirstMotion(int axis);
-    void aim(int axis, const SetPoint &setPoint);
+    void sendTarget(int axis, const SetPoint &setPoint);
     void noteSetPoint(int axis, std::optional<double> target);
     void post(Bytes request);
     void workOff();
@@ -98,7 +98,7 @@ private:
     void schedulePoll();
     void look();
     [[nodiscard]] Task<void> checkReset();
-    void judge(const DataMasks &masks);
+    void detectReset(const DataMasks &masks);
     void forgetBoard();
     void updateLiveness();
     [[nodiscard]] std::optional<Mode> modeOf(int axis) const;
@@ -112,7 +112,7 @@ private:
     bool m_told = false;           ///< a stream of ours runs, unless the board was reset
     bool m_changed = false;        ///< we told the board something that a reset undoes
     bool m_libraryPolarity = true; ///< as inputs were written last
-    bool m_judged = false;         ///< whether the board was reset before we came is known
+    bool m_resetKnown = false;     ///< whether the board was reset before we came is known
     bool m_heard = false;
     bool m_restarted = false;
     bool m_polling = false;

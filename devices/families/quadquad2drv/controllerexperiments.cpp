@@ -18,7 +18,7 @@ void Controller::doProfileChanged()
 {
     const bool library = readings().libraryPolarity;
     const bool changed = library != std::exchange(m_libraryPolarity, library);
-    if (!changed || !m_judged || m_spi.state() != LinkState::Open)
+    if (!changed || !m_resetKnown || m_spi.state() != LinkState::Open)
         return;
     std::vector<Bytes> inputs;
     for (int axis = 0; axis < axes; ++axis) {

@@ -87,7 +87,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
         return fail(Fault::Unsafe, say("the position is not known yet, so nothing would keep the motor from jumping"));
     if (m_drives[static_cast<std::size_t>(axis)].mode != mode)
         enter(axis, mode);
-    aim(axis, setPoint);
+    sendTarget(axis, setPoint);
     noteSetPoint(axis, setPoint.target);
     updateLiveness();
     return {};
@@ -128,7 +128,7 @@ void Controller::limitFirstMotion(int axis)
     parameters().setWritten(index, firstPowerLimit);
 }
 
-void Controller::aim(int axis, const SetPoint &setPoint)
+void Controller::sendTarget(int axis, const SetPoint &setPoint)
 {
     Drive &drive = m_drives[static_cast<std::size_t>(axis)];
     const auto whole = [&setPoint] { return static_cast<std::int32_t>(std::lround(setPoint.target)); };

@@ -29,8 +29,8 @@ Task<void> Controller::doRefresh()
     const auto version = parseVersion(reply);
     if (!version)
         co_return fail(Fault::BadReply, say("the version has an unexpected length"));
-    auto judging = checkReset();
-    co_await std::move(judging);
+    auto checking = checkReset();
+    co_await std::move(checking);
     auto layout = takeLayout();
     co_await std::move(layout);
     Identity known = identity();
@@ -55,7 +55,7 @@ Task<void> Controller::takeLayout()
     const auto period = parseStreamPeriod(periodReply);
     if (!masks || !config || !period)
         co_return fail(Fault::BadReply, say("the stream settings have an unexpected length"));
-    judge(*masks);
+    detectReset(*masks);
     m_port.setLayout(*masks, *config);
     m_streamPeriod = *period;
     schedulePoll();
@@ -65,9 +65,9 @@ Task<void> Controller::takeLayout()
 /// Whole positions, velocity and status of every channel. Afterwards a reset before now could not be seen any more.
 Task<void> Controller::tellEverything()
 {
-    if (!m_judged) {
-        auto judging = checkReset();
-        co_await std::move(judging);
+    if (!m_resetKnown) {
+        auto checking = checkReset();
+        co_await std::move(checking);
         if (m_restarted)
             co_return fail(
                 Fault::Unsafe, say("the board was reset since its settings were written"), say("look at it again"));

@@ -79,7 +79,7 @@ Line::Ticket Line::submit(Request request, Done done)
         m_waiting.begin(), m_waiting.end(), [rank](const Entry &other) { return other.request.rank > rank; });
     m_waiting.insert(place, Entry{id, std::move(request), std::move(done), 0});
     if (rank == Rank::Stop)
-        hurry();
+        shortenTimeout();
     if (m_link.state() == LinkState::Open)
         pump();
     else
@@ -95,7 +95,7 @@ void Line::forget(std::uint64_t id)
 }
 
 /// A stop does not wait for somebody who is silent: what may still come is on the wire for replyTime only.
-void Line::hurry()
+void Line::shortenTimeout()
 {
     if (m_inFlight && m_inFlight->isSent && m_inFlight->entry.request.rank != Rank::Stop)
         armTimeout(std::min(m_inFlight->entry.request.patience, hurriedPatience));

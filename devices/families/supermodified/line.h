@@ -144,7 +144,7 @@ private:
     void armTimeoutAt(Instant deadline);
     void expired(Instant deadline);
     void giveUp();
-    void hurry();
+    void shortenTimeout();
     [[nodiscard]] bool isSilent();
     [[nodiscard]] bool stopWaits() const;
     void keepEarly(const Request &stop);

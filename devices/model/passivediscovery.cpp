@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/overhearing.h"
+#include "model/passivediscovery.h"
 
 #include <algorithm>
 
 namespace mb {
 
-Overhearing::Overhearing(std::span<const Family *const> families, Found found)
+PassiveDiscovery::PassiveDiscovery(std::span<const Family *const> families, Found found)
     : m_found(std::move(found))
 {
     for (const Family *family : families) {
@@ -14,7 +14,7 @@ Overhearing::Overhearing(std::span<const Family *const> families, Found found)
     }
 }
 
-void Overhearing::take(const CanFrame &frame, bool bySelf)
+void PassiveDiscovery::take(const CanFrame &frame, bool bySelf)
 {
     if (frame.error)
         return;
@@ -39,7 +39,7 @@ void Overhearing::take(const CanFrame &frame, bool bySelf)
 
 /// One frame has a part of what is known only. Another session under one address is the unit after a power cycle; one
 /// that comes back after another is a second unit.
-Identity Overhearing::merged(Sighting &sighting, Identity seen)
+Identity PassiveDiscovery::merged(Sighting &sighting, Identity seen)
 {
     const Identity &known = sighting.identity;
     Identity out = known;

@@ -12,11 +12,11 @@ namespace mb {
 
 /// Finds devices by what they send, without asking: for recordings. Tells of each as soon as one frame of it has been
 /// seen, and again when more is known.
-class Overhearing {
+class PassiveDiscovery {
 public:
     using Found = std::function<void(const Family &, const Identity &)>;
 
-    Overhearing(std::span<const Family *const> families, Found found);
+    PassiveDiscovery(std::span<const Family *const> families, Found found);
     /// The next frame. Those that the recorder had sent itself, `bySelf`, are nobody's, but tell what an answer means.
     void take(const CanFrame &frame, bool bySelf);
 
