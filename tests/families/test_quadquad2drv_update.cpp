@@ -58,7 +58,7 @@ struct UpdateBench {
     {
         const auto &log = operation.status().log;
         return std::any_of(
-            log.begin(), log.end(), [text](const LogLine &row) { return row.text.find(text) != std::string::npos; });
+            log.begin(), log.end(), [text](const LogLine &row) { return row.text.english().find(text) != std::string::npos; });
     }
 
     VirtualClock clock;

@@ -383,7 +383,7 @@ Task<void> Updater::verify()
     identity.state = identity.address == 0 ? DeviceState::Unassigned : DeviceState::Online;
     identity.firmware = m_report.to;
     identity.bootloader = versionText(now.bootloader);
-    identity.detail.clear();
+    identity.detail = {};
     m_device.setIdentity(std::move(identity));
     co_return {};
 }
