@@ -196,7 +196,7 @@ Task<Updater::Unit> Updater::findAgain(Duration limit)
 
 Task<void> Updater::preflight(bool force)
 {
-    for (const std::string &note : m_application.notes)
+    for (const Message &note : m_application.notes)
         m_progress.log(Severity::Info, note);
     m_progress.step(say("Preflight"), 0, 0);
     m_device.stop();
