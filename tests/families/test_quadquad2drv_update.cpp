@@ -71,7 +71,7 @@ struct UpdateBench {
     std::unique_ptr<simulation::Boot> boot;
     std::unique_ptr<Device> device;
     FirmwareImage image = *FirmwareImage::fromIntelHex(hex);
-    Operation operation{clock, "update"};
+    Operation operation{clock, say("update")};
     std::function<void()> hand; ///< what the user does, looked at often
 };
 
