@@ -293,7 +293,7 @@ void EngineCore::startMotion(DeviceId id, const SetPoint &setPoint, Duration lea
     }
     SetPointStream &stream = m_session.stream(*device);
     m_streams[id] = stream.changed().add([this, id] { streamChanged(id); });
-    if (const std::string caution = device->caution(setPoint); !caution.empty())
+    if (const Message caution = device->caution(setPoint); !caution.empty())
         notice(Severity::Caution, labelOf(*device), caution);
     answer(finished, stream.start(setPoint, lease));
     touch();

@@ -47,7 +47,7 @@ void EngineCore::endScan(Watched &watched)
     if (watched.scan)
         watched.scan->clear();
     watched.scanning = false;
-    watched.step.clear();
+    watched.step = {};
     watched.done = 0;
     watched.total = 0;
     touch();

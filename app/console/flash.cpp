@@ -86,7 +86,7 @@ class Update {
 public:
     explicit Update(Console &console)
         : m_console(console)
-        , m_operation(console.clock(), "firmware update")
+        , m_operation(console.clock(), say("firmware update"))
         , m_progress(console)
         , m_tick(console.clock())
         , m_interrupted(console.interrupted().add([this] { cancel(); }))
@@ -98,7 +98,7 @@ public:
     void start(const Family &family, Device &device, const FirmwareImage &image, const UpdateOptions &options)
     {
         m_device = &device;
-        device.setBusy("firmware update"); // nothing else may talk to it meanwhile
+        device.setBusy(say("firmware update")); // nothing else may talk to it meanwhile
         m_operation.run<UpdateReport>(
             family.update(device, image, options, m_operation), [this](Result<UpdateReport> result) {
                 report = std::move(result);

@@ -80,7 +80,7 @@ Task<int> set(Console &console, Arguments arguments)
     }
     std::optional<Error> error = firstError(*device, outcomes);
     if (error && outcomes.size() > 1)
-        error->detail += " (written before it: " + std::to_string(outcomes.size() - 1) + ')';
+        error->detail = say("%1 (written before it: %2)", error->detail, outcomes.size() - 1);
     if (error && error->fault != Fault::BadCheck)
         co_return console.fails(*error); // judged now: what is polled meanwhile was not sent by this verb
     if (arguments.store && !error) {

@@ -168,7 +168,8 @@ Task<void> storeGains(Console &console, Device &device, TuneReport &report)
     ProgressLine progress(console);
     auto storing = device.store(progress);
     const bool proven = co_await std::move(storing);
-    report.evidence += proven ? "; the unit has stored them" : "; the unit cannot tell whether it has stored them";
+    report.evidence = joined(report.evidence,
+        proven ? say("the unit has stored them") : say("the unit cannot tell whether it has stored them"));
     co_return {};
 }
 

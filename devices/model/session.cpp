@@ -225,7 +225,7 @@ void Session::remark(const Link &link)
 {
     if (link.kind() != LinkKind::Serial)
         return;
-    if (const std::string &text = static_cast<const SerialLink &>(link).remark(); !text.empty())
+    if (const Message &text = static_cast<const SerialLink &>(link).remark(); !text.empty())
         m_remarked.notify(link, text);
 }
 

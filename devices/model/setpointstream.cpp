@@ -45,7 +45,7 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease)
         return sent;
     m_running = true;
     m_end = End::None;
-    m_reason.clear();
+    m_reason = {};
     watch(lease);
     begin();
     m_changed.notify();

@@ -45,7 +45,7 @@ Result<void> guarded(const auto &work)
         work();
         return {};
     } catch (const mu::Parser::exception_type &error) {
-        return fail(Fault::OutOfRange, error.GetMsg());
+        return fail(Fault::OutOfRange, Message::verbatim(error.GetMsg()));
     }
 }
 

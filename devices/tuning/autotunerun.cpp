@@ -86,7 +86,7 @@ Task<Trial> AutotuneRun::run(ExperimentPlan plan)
             co_return trial;
         note(say("the wire lost too many frames; the same again"));
         m_report.stopReason.clear();
-        m_report.evidence.clear();
+        m_report.evidence = {};
         if (plan.mode == Mode::Position && !m_device.family().capabilities.zeroPosition)
             plan.to += m_here - before;
     }

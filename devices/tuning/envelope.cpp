@@ -189,17 +189,17 @@ Result<void> checkInside(const Envelope &envelope, Mode mode, const Stimulus &st
     const double none = std::numeric_limits<double>::infinity();
     const double travel = envelope.travel.value_or(none);
     if (mode == Mode::Duty && most > envelope.duty.value_or(1.0))
-        return outside(say("duty"), most, say("--duty"), *envelope.duty);
+        return outside(say("duty"), most, "--duty", *envelope.duty);
     if (mode == Mode::Current && most > envelope.current.value_or(none))
-        return outside(say("current"), most, say("--current"), *envelope.current);
+        return outside(say("current"), most, "--current", *envelope.current);
     if (mode == Mode::Velocity && most > envelope.speed.value_or(none))
-        return outside(say("speed"), most, say("--speed"), *envelope.speed);
+        return outside(say("speed"), most, "--speed", *envelope.speed);
     if (mode == Mode::Velocity && wayOf(stimulus) * repeat > travel)
-        return outside(say("a way of counts"), wayOf(stimulus) * repeat, say("--travel"), travel);
+        return outside(say("a way of counts"), wayOf(stimulus) * repeat, "--travel", travel);
     if (mode == Mode::Position) {
         const double farthest = std::max(std::abs(stimulus.from - position), std::abs(stimulus.to - position));
         if (farthest > travel)
-            return outside(say("a way of counts"), farthest, say("--travel"), travel);
+            return outside(say("a way of counts"), farthest, "--travel", travel);
     }
     return {};
 }

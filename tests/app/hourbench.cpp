@@ -36,7 +36,7 @@ struct Order {
 HourBench::HourBench(std::uint64_t seed)
     : m_random(seed)
     , m_listening(m_core.noticed().add(
-          [this](Severity, const std::string &about, const Message &line) { m_lines.insert(about + ": " + line); }))
+          [this](Severity, const std::string &about, const Message &line) { m_lines.insert(about + ": " + line.english()); }))
 {
     for (const char *link : links)
         open(link);
@@ -91,8 +91,8 @@ void HourBench::drive()
     setPoint.mode = view.family->modes.front();
     setPoint.axis = view.family->capabilities.axes > 1 ? number(1, view.family->capabilities.axes) : 1;
     setPoint.target = (setPoint.mode == Mode::Duty ? 0.2 : 400.0) * number(-10, 10) / 10.0;
-    if (const std::string caution = m_core.session().find(view.id)->caution(setPoint); !caution.empty())
-        expect(view, caution);
+    if (const Message caution = m_core.session().find(view.id)->caution(setPoint); !caution.empty())
+        expect(view, caution.english());
     std::optional<Result<void>> started;
     m_core.startMotion(view.id, setPoint, 500ms, [&started](const Result<void> &result) { started = result; });
     for (int i = number(1, 25); i > 0; --i) {

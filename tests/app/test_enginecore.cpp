@@ -78,7 +78,7 @@ protected:
     std::optional<Result<void>> opened;
     std::vector<std::string> lines;
     Subscription listening = core.noticed().add([this](Severity, const std::string &device, const Message &text) {
-        lines.push_back(device.empty() ? text : device + ": " + text);
+        lines.push_back(device.empty() ? text.english() : device + ": " + text.english());
     });
 };
 

@@ -31,7 +31,7 @@ protected:
         database = std::move(*opened);
         book = std::make_unique<SettingsBook>(*database, clock, "anna");
         noticed = core.noticed().add(
-            [this](Severity, const std::string &, const Message &text) { notices.push_back(text); });
+            [this](Severity, const std::string &, const Message &text) { notices.push_back(text.english()); });
         core.setSettingsLog(book.get());
         core.openLink(*LinkAddress::parse("sim:can"), {});
         EXPECT_TRUE(clock.runUntil([this] { return device(7) && device(7)->liveness().heard; }, 10s));

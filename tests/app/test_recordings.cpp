@@ -20,7 +20,7 @@ struct EngineBench {
     EngineBench()
         : core(clock, families(), false)
         , noticed(core.noticed().add([this](Severity severity, const std::string &, const Message &text) {
-            notices.emplace_back(severity, text);
+            notices.emplace_back(severity, text.english());
         }))
     {
     }

@@ -245,7 +245,7 @@ TEST_F(Guarded, TheComputerIsKeptAwakeFromTheFirstSetPointUntilTheMotorIsStopped
 
 TEST_F(Guarded, TheComputerIsKeptAwakeWhileFirmwareIsWritten)
 {
-    device->setBusy("firmware update");
+    device->setBusy(say("firmware update"));
     EXPECT_TRUE(becomesAwake(true));
     device->setBusy({});
     EXPECT_TRUE(becomesAwake(false));

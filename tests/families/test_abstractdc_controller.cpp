@@ -315,7 +315,7 @@ TEST_F(AbstractDcController, ADivisorIsNotChangedWhileItsLoopRuns)
 struct Log final : Progress {
     void step(const Message &, int, int) override { }
     void part(int, PartState) override { }
-    void log(Severity severity, const Message &text) override { lines.emplace_back(severity, text); }
+    void log(Severity severity, const Message &text) override { lines.emplace_back(severity, text.english()); }
     void mayInterrupt(bool) override { }
     std::vector<std::pair<Severity, std::string>> lines;
 };

@@ -195,8 +195,8 @@ protected:
     struct Steps final : Progress {
         void step(const Message &what, int, int) override
         {
-            if (said.empty() || said.back() != what)
-                said.push_back(what);
+            if (said.empty() || said.back() != what.english())
+                said.push_back(what.english());
         }
         void part(int, PartState) override { }
         void log(Severity severity, const Message &) override { worst = std::max(worst, severity); }

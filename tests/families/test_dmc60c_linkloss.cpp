@@ -49,9 +49,9 @@ private:
 };
 
 struct Watch final : Progress {
-    void step(const Message &what, int, int) override { now = what; }
+    void step(const Message &what, int, int) override { now = what.english(); }
     void part(int, PartState) override { }
-    void log(Severity, const Message &text) override { lines += text + '\n'; }
+    void log(Severity, const Message &text) override { lines += text.english() + '\n'; }
     void mayInterrupt(bool may) override { interruptible = may; }
     [[nodiscard]] bool told(const std::string &text) const { return lines.find(text) != std::string::npos; }
 

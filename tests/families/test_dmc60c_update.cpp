@@ -216,7 +216,7 @@ TEST(Dmc60cUpdate, AProgramThatDiesInAnyPageLeavesAUnitThatIsFoundInItsBootloade
         UpdateBench bench("dmc60c:5");
         bench.update(demoImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
         struct Watch final : Progress {
-            void step(const Message &what, int, int) override { now = what; }
+            void step(const Message &what, int, int) override { now = what.english(); }
             void part(int, PartState) override { }
             void log(Severity, const Message &) override { }
             std::string now;
@@ -312,7 +312,7 @@ TEST(Dmc60cUpdate, SaysThatWhatAnotherProgramJustChangedIsLost)
     struct Log final : Progress {
         void step(const Message &, int, int) override { }
         void part(int, PartState) override { }
-        void log(Severity, const Message &text) override { all += text + '\n'; }
+        void log(Severity, const Message &text) override { all += text.english() + '\n'; }
         std::string all;
     };
     for (const char *unit : {"dmc60c:5", "dmc60c:5,state=bootloader"}) {

@@ -165,7 +165,7 @@ TEST_F(QuadQuad2DrvReset, WritingAgainCanBeCancelledHalfWayAndFinishedLater)
     powerCycle();
     bench.clock.advance(1s);
     ASSERT_TRUE(run(bench.clock, device->refresh()));
-    Operation operation(bench.clock, "again");
+    Operation operation(bench.clock, say("again"));
     std::optional<Result<int>> result;
     operation.run<int>(rewriteSettings(*device, operation), [&result](Result<int> end) { result = std::move(end); });
     ASSERT_TRUE(bench.clock.runUntil([&operation] { return operation.status().done == 2; }, 10s));
@@ -185,7 +185,7 @@ TEST_F(QuadQuad2DrvReset, ASecondResetWhileItIsWrittenAgainIsOneClearError)
     powerCycle();
     bench.clock.advance(1s);
     ASSERT_TRUE(run(bench.clock, device->refresh()));
-    Operation operation(bench.clock, "again");
+    Operation operation(bench.clock, say("again"));
     std::optional<Result<int>> result;
     operation.run<int>(rewriteSettings(*device, operation), [&result](Result<int> end) { result = std::move(end); });
     ASSERT_TRUE(bench.clock.runUntil([&operation] { return operation.status().done == 2; }, 10s));

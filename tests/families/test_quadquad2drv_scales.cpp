@@ -107,7 +107,7 @@ TEST_P(QuadQuad2DrvScales, AreFoundWithinTheirTolerance)
 {
     const ScaleCase &row = GetParam();
     Board bench(row.unit);
-    Operation operation(bench.clock, "scales");
+    Operation operation(bench.clock, say("scales"));
     const Instant begin = bench.clock.now();
     const auto report = bench.find(withPower(0.25, row.axis), operation);
     for (const LogLine &line : operation.status().log)
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Boards, QuadQuad2DrvScales,
 TEST(QuadQuad2DrvExperiment, NeverAsksForMorePowerThanItWasAllowed)
 {
     Board bench("quadquad2drv:0");
-    Operation operation(bench.clock, "scales");
+    Operation operation(bench.clock, say("scales"));
     ASSERT_TRUE(bench.find(withPower(0.2), operation));
     EXPECT_TRUE(bench.hasSent(setPowerLimit(1, 1638)));
     for (const Bytes &packet : bench.sent) {
@@ -165,7 +165,7 @@ TEST(QuadQuad2DrvExperiment, PutsGainsLimitsAndHistoryBackWhenItEnds)
             {{indexOf(0, AxisParameter::VelocityP), 77}, {indexOf(0, AxisParameter::LimitPower), 4000},
                 {indexOf(BoardParameter::HistoryLength), 20}},
             progress)));
-    Operation operation(bench.clock, "scales");
+    Operation operation(bench.clock, say("scales"));
     ASSERT_TRUE(bench.find(withPower(0.25), operation));
     const auto lastOf = [&bench](PacketId id) {
         const auto found = std::find_if(bench.sent.rbegin(), bench.sent.rend(),
@@ -182,7 +182,7 @@ TEST(QuadQuad2DrvExperiment, CancelledInTheMiddleItStopsTheMotorAndPutsTheGainsB
 {
     Board bench("quadquad2drv:0");
     bench.renew();
-    Operation operation(bench.clock, "scales");
+    Operation operation(bench.clock, say("scales"));
     std::optional<Fault> end;
     operation.run<ExperimentReport>(findGainScales(*bench.device, bench.stream(), withPower(0.25), operation),
         [&end](const Result<ExperimentReport> &result) { end = result ? Fault::BadCheck : result.error().fault; });
@@ -203,7 +203,7 @@ TEST(QuadQuad2DrvExperiment, CancelledInTheMiddleItStopsTheMotorAndPutsTheGainsB
 TEST(QuadQuad2DrvExperiment, StopsWhenNobodyRenewsTheLease)
 {
     Board bench("quadquad2drv:0");
-    Operation operation(bench.clock, "scales");
+    Operation operation(bench.clock, say("scales"));
     std::optional<Error> end;
     operation.run<ExperimentReport>(findGainScales(*bench.device, bench.stream(), withPower(0.25), operation),
         [&end](const Result<ExperimentReport> &result) { end = result ? Error{} : result.error(); });
@@ -217,7 +217,7 @@ TEST(QuadQuad2DrvExperiment, StopsWhenNobodyRenewsTheLease)
 TEST(QuadQuad2DrvExperiment, AnEncoderThatCountsBackwardsIsFoundBeforeAnyLoopIsClosed)
 {
     Board bench("quadquad2drv:0,fault=encoder-reversed");
-    Operation operation(bench.clock, "scales");
+    Operation operation(bench.clock, say("scales"));
     const auto report = bench.find(withPower(0.25), operation);
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().fault, Fault::Unsafe);
@@ -233,7 +233,7 @@ TEST(QuadQuad2DrvExperiment, AMotorThatDoesNotTurnIsRefused)
 {
     Board bench("quadquad2drv:0");
     ASSERT_TRUE(bench.board().disturb("stall", 1.0));
-    Operation operation(bench.clock, "scales");
+    Operation operation(bench.clock, say("scales"));
     const auto report = bench.find(withPower(0.25), operation);
     ASSERT_FALSE(report);
     EXPECT_NE(report.error().text().find("did not turn"), std::string::npos) << report.error().text();
@@ -242,12 +242,12 @@ TEST(QuadQuad2DrvExperiment, AMotorThatDoesNotTurnIsRefused)
 TEST(QuadQuad2DrvExperiment, ABoardThatWantsItsVelocityTargetShiftedIsTold)
 {
     Board bench("quadquad2drv:0,target=shifted");
-    Operation operation(bench.clock, "scales");
+    Operation operation(bench.clock, say("scales"));
     const auto report = bench.find(withPower(0.25), operation);
     ASSERT_FALSE(report);
     EXPECT_NE(report.error().text().find("times 4096"), std::string::npos) << report.error().text();
     ASSERT_TRUE(bench.device->calibrate(calibration::targetShift, calibration::shiftedTarget));
-    Operation again(bench.clock, "scales");
+    Operation again(bench.clock, say("scales"));
     const auto found = bench.find(withPower(0.25), again);
     ASSERT_TRUE(found) << found.error().text();
     EXPECT_NEAR(bench.kept(calibration::velocityP), simulation::gain::velocityP, 0.02 * simulation::gain::velocityP);

@@ -58,7 +58,7 @@ struct UpdateBench {
     {
         const auto &log = operation.status().log;
         return std::any_of(
-            log.begin(), log.end(), [text](const LogLine &row) { return row.text.find(text) != std::string::npos; });
+            log.begin(), log.end(), [text](const LogLine &row) { return row.text.english().find(text) != std::string::npos; });
     }
 
     VirtualClock clock;
@@ -71,7 +71,7 @@ struct UpdateBench {
     std::unique_ptr<simulation::Boot> boot;
     std::unique_ptr<Device> device;
     FirmwareImage image = *FirmwareImage::fromIntelHex(hex);
-    Operation operation{clock, "update"};
+    Operation operation{clock, say("update")};
     std::function<void()> hand; ///< what the user does, looked at often
 };
 

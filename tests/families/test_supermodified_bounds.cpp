@@ -217,7 +217,7 @@ TEST_F(SupermodifiedNode, WhatIsFastOrStoredIsSaidBeforehand)
 {
     EXPECT_EQ(device->caution(setPoint(Mode::RampPosition, 100.0)), "");
     EXPECT_EQ(device->caution(ramp(100.0, 800.0, 800.0)), "") << "these are in it already";
-    const std::string both = device->caution(ramp(100.0, 2501.0, 800.0));
+    const std::string both = device->caution(ramp(100.0, 2501.0, 800.0)).english();
     EXPECT_NE(both.find("profile.velocity becomes 2501, it was 800"), std::string::npos) << both;
     EXPECT_NE(both.find("may pass the target"), std::string::npos) << both;
     EXPECT_EQ(device->caution(setPoint(Mode::Velocity, 3000.0)), "");

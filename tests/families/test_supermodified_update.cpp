@@ -157,7 +157,7 @@ struct UpdateBench {
     }
     Result<UpdateReport> update(const std::string &via, const std::function<void(Operation &)> &meanwhile = {})
     {
-        Operation operation(loop.clock(), "firmware update");
+        Operation operation(loop.clock(), say("firmware update"));
         std::optional<Result<UpdateReport>> report;
         UpdateOptions options;
         options.via = via;

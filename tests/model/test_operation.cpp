@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 struct Job {
     VirtualClock clock;
-    std::unique_ptr<Operation> operation = std::make_unique<Operation>(clock, "Work");
+    std::unique_ptr<Operation> operation = std::make_unique<Operation>(clock, say("Work"));
     std::optional<Result<int>> result;
     int alive = 0;
 

@@ -194,7 +194,7 @@ TEST(Autotune, ACurrentLimitThatIsTooLowForACurrentLoopIsSaidAndNothingIsWritten
     TunePlan plan = planOf(Mode::Current);
     plan.limits.current = 2.0;
     const auto report = tune(bench, plan);
-    const std::string why = report ? report->evidence : report.error().text();
+    const std::string why = report ? report->evidence.english() : report.error().text();
     std::printf("  %s\n", why.c_str());
     EXPECT_FALSE(report && report->result == TuneResult::Kept);
     EXPECT_NE(why.find(" A"), std::string::npos);

@@ -201,7 +201,7 @@ TEST(TwoPointTuning, TooLittleTravelIsRefusedWithItsReason)
     TunePlan plan = test::planOf(Mode::Position);
     plan.limits.travel = 25.0;
     const auto report = test::tune(bench, plan);
-    const std::string why = report ? report->evidence : report.error().text();
+    const std::string why = report ? report->evidence.english() : report.error().text();
     std::printf("  %s\n", why.c_str());
     EXPECT_FALSE(why.empty());
     EXPECT_FALSE(report && report->result == TuneResult::Kept);

@@ -160,7 +160,7 @@ void TestRates::aBusyDeviceIsAskedOnceItIsFree()
     bench.plots->show();
     QTest::qWait(250);
     QVERIFY(bench.asked().empty());
-    bench.workbench.device(0).busy.clear();
+    bench.workbench.device(0).busy = {};
     bench.workbench.publish();
     QTRY_COMPARE(bench.asked().size(), 4U);
 }

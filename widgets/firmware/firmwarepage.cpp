@@ -72,7 +72,7 @@ void FirmwarePage::inspectImage()
     m_map->setParts(
         m_summary ? m_summary->parts : std::vector<int>{}, m_summary ? m_summary->criticalPart : std::nullopt);
     QStringList notes;
-    for (const std::string &note : m_summary ? m_summary->notes : std::vector<std::string>{})
+    for (const Message &note : m_summary ? m_summary->notes : std::vector<Message>{})
         notes += messageText(note);
     m_notes->setText(notes.join(QLatin1Char('\n')));
     follow();

@@ -196,7 +196,7 @@ Task<Updater::Unit> Updater::findAgain(Duration limit)
 
 Task<void> Updater::preflight(bool force)
 {
-    for (const std::string &note : m_application.notes)
+    for (const Message &note : m_application.notes)
         m_progress.log(Severity::Info, note);
     m_progress.step(say("Preflight"), 0, 0);
     m_device.stop();
@@ -383,7 +383,7 @@ Task<void> Updater::verify()
     identity.state = identity.address == 0 ? DeviceState::Unassigned : DeviceState::Online;
     identity.firmware = m_report.to;
     identity.bootloader = versionText(now.bootloader);
-    identity.detail.clear();
+    identity.detail = {};
     m_device.setIdentity(std::move(identity));
     co_return {};
 }

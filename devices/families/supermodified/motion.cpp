@@ -153,7 +153,7 @@ void Motion::send(Step step)
 {
     auto request = requestFor(step);
     if (!request) {
-        fail(request.error().text());
+        fail(request.error().message());
         return;
     }
     request->rank = Line::Rank::Move;
@@ -179,7 +179,7 @@ void Motion::answered(Step step, const Result<Frame> &reply)
         return;
     }
     if (reply.error().fault != Fault::Timeout) {
-        fail(reply.error().text());
+        fail(reply.error().message());
         return;
     }
     if (step == Step::Move && m_orders.front().relative && !isHold(m_orders.front()))

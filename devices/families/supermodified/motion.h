@@ -117,7 +117,7 @@ private:
     bool m_stopping = false;
     int m_stopTries = 0;
     std::optional<Instant> m_stoppedAt;
-    std::optional<std::string> m_failure;
+    std::optional<Message> m_failure;
     std::int64_t m_origin = 0;
     std::optional<std::int64_t> m_position;
     Line::Ticket m_ticket;

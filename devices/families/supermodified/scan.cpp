@@ -48,7 +48,7 @@ private:
     void forgetSilent();
     void keepFoundRates(std::vector<int> &rates) const;
     [[nodiscard]] Duration silence() const;
-    void report(const std::string &what, int done, int total) const;
+    void report(const Message &what, int done, int total) const;
 
     std::shared_ptr<Line> m_line;
     ScanSink &m_sink;
@@ -152,7 +152,7 @@ Task<bool> Search::look(Place place, Duration patience)
     co_return true;
 }
 
-void Search::report(const std::string &what, int done, int total) const
+void Search::report(const Message &what, int done, int total) const
 {
     m_sink.progress(what, done, total);
 }
