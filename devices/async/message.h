@@ -47,6 +47,7 @@ public:
     {
         return a.m_body == b.m_body || a.english() == b.english();
     }
+    friend bool operator==(const Message &message, std::string_view english) { return message.english() == english; }
     friend std::ostream &operator<<(std::ostream &out, const Message &message);
 
 private:
