@@ -29,7 +29,7 @@ class EngineCore {
 public:
     using Finished = std::function<void(Result<void>)>;
 
-    /// `opensByItself`: also opens CAN interfaces that are up, as they come (product.md, "Link addresses").
+    /// `opensByItself`: also opens CAN interfaces that are up, as they come (docs/names.md#links).
     /// `guard` watches over motors without a watchdog, and outlives this.
     EngineCore(Clock &clock, std::span<const Family *const> families, bool opensByItself, MotionGuard *guard = nullptr);
     EngineCore(const EngineCore &) = delete;

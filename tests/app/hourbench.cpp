@@ -35,8 +35,9 @@ struct Order {
 
 HourBench::HourBench(std::uint64_t seed)
     : m_random(seed)
-    , m_listening(m_core.noticed().add(
-          [this](Severity, const std::string &about, const Message &line) { m_lines.insert(about + ": " + line.english()); }))
+    , m_listening(m_core.noticed().add([this](Severity, const std::string &about, const Message &line) {
+        m_lines.insert(about + ": " + line.english());
+    }))
 {
     for (const char *link : links)
         open(link);
@@ -44,7 +45,7 @@ HourBench::HourBench(std::uint64_t seed)
     for (const DeviceView &device : m_core.snapshot().devices)
         expect(device, "found on " + m_core.snapshot().link(device.link)->name);
     m_rows = rows();
-    EXPECT_EQ(m_rows.size(), 9U) << "of product.md";
+    EXPECT_EQ(m_rows.size(), 9U) << "as many kinds of order";
 }
 
 void HourBench::open(const std::string &link)

@@ -15,7 +15,7 @@
 namespace mb {
 namespace {
 
-/// tuning.md 5.2: a set-point held by hand lives 500 ms without renewal.
+/// docs/names.md#set-points-by-hand: a set-point held by hand lives 500 ms without renewal.
 constexpr std::chrono::milliseconds leaseTime{500};
 constexpr std::chrono::milliseconds armingRenewal{100};
 constexpr Duration startTime = std::chrono::seconds(1);

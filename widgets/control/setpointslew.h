@@ -5,7 +5,7 @@
 
 namespace mb {
 
-/// The host's limit on how fast a set-point of the hand may change (tuning.md 5.6). A value; the caller brings the time.
+/// The host's limit on how fast a set-point of the hand may change (docs/names.md#set-points-by-hand). A value; the caller brings the time.
 class SetPointSlew {
 public:
     /// Largest change per second; 0 jumps.

@@ -262,7 +262,7 @@ void TunePage::zero()
         });
 }
 
-/// tuning.md 5.6: the first set-point is where the motor is, then no faster than the hand's limit. A step of another
+/// docs/names.md#set-points-by-hand: the first set-point is where the motor is, then no faster than the hand's limit. A step of another
 /// quantity than position goes out at once; of several axes, once each holds where it is.
 void TunePage::start()
 {

@@ -24,7 +24,7 @@ namespace mb {
 namespace {
 
 constexpr std::int64_t largestFile = 16 * 1024 * 1024;
-constexpr double lowSupply = 11.0; ///< V; tuning.md 5.7
+constexpr double lowSupply = 11.0; ///< V; docs/names.md#set-points-by-hand
 
 } // namespace
 

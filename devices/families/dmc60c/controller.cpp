@@ -57,7 +57,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     m_commandedAt = clock().now();
     if (m_wakes > 0) {
         --m_wakes;
-        // 6.1, trap 21: only a target that is not zero ends the halt. The least there is goes first.
+        // README.md#stopping: only a target that is not zero ends the halt. The least there is goes first.
         Control wake = *control;
         wake.target = 1;
         if (control->target == 0)
@@ -74,7 +74,7 @@ void Controller::doStop()
     m_idleFrames = 0;
     m_commandedAt = {}; // what comes next finds it halted
     const CanFrame noDrive = encodeControl(identity().address, Control{});
-    // Twice (6.1): the first overtakes what waits, the second comes behind a set-point that the kernel may still hold.
+    // Twice (README.md#stopping): the first overtakes what waits, the second comes behind a set-point that the kernel may still hold.
     // A link that is gone cannot be helped from here.
     (void)m_can.send(noDrive, Priority::Urgent);
     (void)m_can.send(noDrive);

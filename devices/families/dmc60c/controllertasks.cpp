@@ -12,7 +12,7 @@ using namespace std::chrono_literals;
 
 constexpr int numberTries = 3;
 
-/// More tries than section 3 says: the longest answer is 24 frames, of which one in ten may get lost. Asking is harmless, so
+/// More tries than README.md#late-answers says: the longest answer is 24 frames, of which one in ten may get lost. Asking is harmless, so
 /// those tries are short; 54 ms is the longest that a device stands still.
 Attempts patienceFor(Command command)
 {
@@ -133,7 +133,7 @@ Task<void> Controller::doRename(std::string name)
         co_return fail(Fault::OutOfRange, say("a name may hold Latin-1 characters only"));
     if (bytes->empty() || bytes->size() > static_cast<std::size_t>(maxNameLength))
         co_return fail(Fault::OutOfRange, say("a name has 1 to 64 characters"));
-    bytes->push_back(0); // the count of the command includes it, that of the descriptor does not (trap 12)
+    bytes->push_back(0); // the count of the command includes it, that of the descriptor does not (README.md#names)
     const auto count = static_cast<std::uint16_t>(bytes->size());
     auto set = vendor({Command::SetDevName, count}, std::move(*bytes));
     co_await std::move(set);

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Without a ready line: how long the board gets before it is asked, and how far its answer is looked for (section 6).
+/// Without a ready line: how long the board gets before it is asked, and how far its answer is looked for (README.md#ready-line).
 constexpr Duration blindPause = 1ms;
 constexpr std::size_t blindBytes = 64;
 constexpr int mostWaiting = 16; ///< packets read in a row
