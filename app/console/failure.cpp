@@ -26,7 +26,7 @@ std::string_view remedyOf(Fault fault)
     return "";
 }
 
-/// docs/names.md#exit-statuses.
+/// As JSON spells them (docs/names.md#exit-statuses).
 std::string nameOf(Fault fault)
 {
     std::string name(fault == Fault::BadCheck ? "bad check" : toString(fault));

@@ -72,7 +72,7 @@ enum class Bridge : std::uint8_t { Drive, Brake, Coast };
 /// multiple of that does. Deterministic, without time and noise of its own.
 class MotorModel {
 public:
-    /// `loadFactor`: inertia of rotor and load together over the rotor's own, ≥ 1 .
+    /// `loadFactor`: inertia of rotor and load together over the rotor's own, ≥ 1.
     explicit MotorModel(const MotorParameters &parameters, double loadFactor = 1.0, MotorSupply supply = {});
 
     /// `duty` −1…1 (clamped); it counts with Drive only. `seconds` ≥ 0.

@@ -7,7 +7,7 @@
 
 namespace mb {
 
-/// docs/names.md#units. A family offers what its device has.
+/// What a target means: docs/names.md#units. A family offers what its device has.
 enum class Mode : std::uint8_t { Off, Duty, Velocity, Position, Current, Voltage, Follow, RampPosition, RampVelocity };
 
 /// duty, velocity, …, as on the command line.

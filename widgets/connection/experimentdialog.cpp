@@ -159,7 +159,7 @@ void ExperimentDialog::start()
         });
 }
 
-/// Only while somebody can see it .
+/// Only while somebody can see it.
 void ExperimentDialog::renew()
 {
     if (m_running && isVisible() && QGuiApplication::applicationState() != Qt::ApplicationInactive)
