@@ -108,7 +108,7 @@ void EngineCore::experiment(
         return;
     }
     Running *const running = beginSimple(
-        id, found->title.data(),
+        id, Message::label(found->title),
         [&stream, &experiment = *found, options](Device &unit, Progress &progress) {
             return runDeviceExperiment(unit, stream, experiment, options, progress);
         },

@@ -161,8 +161,9 @@ void printTuning(Console &console, const TuneReport &report)
         printModel(console.out(), report);
     if (!report.proposed.rows.empty())
         printGains(console.out(), report);
-    console.out().line(std::string(toString(report.result)) + ": " + report.evidence + " (" + brief(report.seconds)
-        + " s, " + std::to_string(report.trials.size()) + " trials" + (report.simulated ? ", simulated" : "") + ")");
+    console.out().line(std::string(toString(report.result)) + ": " + report.evidence.english() + " ("
+        + brief(report.seconds) + " s, " + std::to_string(report.trials.size()) + " trials"
+        + (report.simulated ? ", simulated" : "") + ")");
 }
 
 Result<void> saveTuning(const std::string &path, const TuneReport &report)

@@ -132,7 +132,7 @@ TEST_F(BoardCore, StopEndsAnExperimentWhereverItIs)
         options.power = 0.25;
         core.experiment(id(), "gain-scales", options, [&end](const Result<void> &result) { end = result; });
         clock.advance(moment);
-        ASSERT_FALSE(end) << "it runs: " << (*end ? "" : end->error().detail) << ' ' << moment.count();
+        ASSERT_FALSE(end) << "it runs: " << (*end ? "" : end->error().text()) << ' ' << moment.count();
         core.stopAll(StopCause::User);
         clock.advance(5ms);
         ASSERT_TRUE(end) << moment.count();
@@ -172,7 +172,7 @@ TEST_F(SilentBoard, ABoardThatWaitsInItsBootloaderIsInTheListThoughItIsSilent)
     clock.advance(2s);
     ASSERT_NE(device(), nullptr);
     EXPECT_EQ(device()->identity().state, DeviceState::Bootloader);
-    EXPECT_NE(device()->identity().detail.find("bootloader"), std::string::npos);
+    EXPECT_NE(device()->identity().detail.english().find("bootloader"), std::string::npos);
     EXPECT_FALSE(device()->mayMove());
 }
 

@@ -183,7 +183,7 @@ TEST(EngineRecordings, WhatADiskTookBeforeItWasFullIsPlayed)
         bench.clock.advance(1s);
     }
     const RecordingState end = *bench.view("sim:can").recording;
-    EXPECT_NE(end.problem.find("greatest size"), std::string::npos) << end.problem;
+    EXPECT_NE(end.problem.english().find("greatest size"), std::string::npos) << end.problem;
     EXPECT_GT(end.frames, end.lost) << "the first frames are in the file";
     EXPECT_FALSE(bench.wasTold("none is missing"));
     ASSERT_TRUE(bench.open("replay:" + path));

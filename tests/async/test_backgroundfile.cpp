@@ -85,7 +85,7 @@ TEST(BackgroundFile, EndsWithAWholeRecordWhenTheDiskIsFullInTheMiddleOfOne)
     while (!(*file)->status().finished)
         std::this_thread::yield();
     EXPECT_EQ((*file)->status().written, 1000U / 18);
-    EXPECT_NE((*file)->status().problem.find("greatest size"), std::string::npos);
+    EXPECT_NE((*file)->status().problem.english().find("greatest size"), std::string::npos);
     EXPECT_EQ(folder.read("a.log"), expected);
 }
 

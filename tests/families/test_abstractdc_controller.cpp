@@ -85,7 +85,7 @@ TEST_F(AbstractDcController, AnUnprovenDialectIsWatchedButNotDriven)
     EXPECT_TRUE(sentOf("067").empty());
     EXPECT_TRUE(sentOf("0CB").empty());
     ASSERT_TRUE(device->setDialect("F"));
-    EXPECT_NE(device->identity().detail.find("chosen by hand"), std::string::npos);
+    EXPECT_NE(device->identity().detail.english().find("chosen by hand"), std::string::npos);
     clock.advance(200ms);
     EXPECT_TRUE(device->command(setPoint(Mode::Duty, 0.5)));
     clock.advance(10ms);

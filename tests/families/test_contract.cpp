@@ -181,7 +181,7 @@ TEST_P(Contract, AChosenDialectIsShownWithItsWarningAndForgottenAgain)
         ASSERT_TRUE(device->setDialect(choice.key)) << choice.key;
         EXPECT_EQ(device->identity().dialect, choice.key);
         EXPECT_FALSE(choice.warning.empty());
-        EXPECT_EQ(device->identity().detail.find(choice.warning) != std::string::npos, choice.key != probed);
+        EXPECT_EQ(device->identity().detail.english().find(choice.warning) != std::string::npos, choice.key != probed);
     }
     ASSERT_TRUE(device->setDialect({}));
     EXPECT_EQ(device->identity().dialect, probed);

@@ -80,15 +80,23 @@ TEST(Dmc60cPages, OfTheReferenceFileAreTwo)
     EXPECT_EQ(pageCrc(CrcVariant::B, application.pages[1].bytes), 0x278E3A56U);
 }
 
+std::vector<std::string> notesOf(const FirmwareImage &image)
+{
+    std::vector<std::string> notes;
+    for (const Message &note : pagesOf(image).notes)
+        notes.push_back(note.english());
+    return notes;
+}
+
 TEST(Dmc60cPages, NoteWhatIsNotSent)
 {
-    const std::vector<std::string> notes = pagesOf(imageOf(referenceFile)).notes;
+    const std::vector<std::string> notes = notesOf(imageOf(referenceFile));
     EXPECT_EQ(notes,
         (std::vector<std::string>{"not sent: 4 bytes for pages 35-42 (bootloader and flash configuration)",
             "not sent: 4 bytes for the user-ID words"}));
     HexText hex = smallApplication();
     hex.add(0x1F000, {1}).add(0x2B000, {2}).add(0xFFFF0000, {3, 4}).add(0x2000, {0, 0, 0, 0x55});
-    EXPECT_EQ(pagesOf(imageOf(hex.text())).notes,
+    EXPECT_EQ(notesOf(imageOf(hex.text())),
         (std::vector<std::string>{"not sent: 1 byte for pages 31-34 (configuration and descriptors)",
             "not sent: 3 bytes outside the controller's flash",
             "not sent: 1 byte where a 24-bit instruction has none, the file may be for another processor"}));

@@ -57,8 +57,8 @@ struct UpdateBench {
     [[nodiscard]] bool said(std::string_view text) const
     {
         const auto &log = operation.status().log;
-        return std::any_of(
-            log.begin(), log.end(), [text](const LogLine &row) { return row.text.english().find(text) != std::string::npos; });
+        return std::any_of(log.begin(), log.end(),
+            [text](const LogLine &row) { return row.text.english().find(text) != std::string::npos; });
     }
 
     VirtualClock clock;
@@ -79,7 +79,7 @@ TEST(QuadQuad2DrvUpdate, GoesThroughEveryStepAndComparesTheVersion)
 {
     UpdateBench bench;
     bench.hand = [&bench] { // closes the jumper when asked, takes it out when asked
-        const std::string &step = bench.operation.status().step;
+        const std::string &step = bench.operation.status().step.english();
         if (step.starts_with("close the jumper"))
             bench.boot->setJumper(true);
         if (step.starts_with("take the jumper out"))
@@ -101,7 +101,7 @@ TEST(QuadQuad2DrvUpdate, TheSameVersionAsBeforeProvesNothing)
     UpdateBench bench;
     bench.boot->setJumper(true);
     bench.hand = [&bench] {
-        const std::string &step = bench.operation.status().step;
+        const std::string &step = bench.operation.status().step.english();
         if (step.starts_with("sending"))
             bench.board->setVersion({1, 2, 1}); // so that what the simulator counts up is what was there before
         if (step.starts_with("take the jumper out"))
@@ -135,7 +135,7 @@ TEST(QuadQuad2DrvUpdate, AJumperThatWasLeftInIsToldAndTheUpdateEndsOnceItIsOut)
     bool told = false;
     Instant since{};
     bench.hand = [&] {
-        const std::string &step = bench.operation.status().step;
+        const std::string &step = bench.operation.status().step.english();
         if (!told && step.starts_with("the jumper is still in")) {
             told = true;
             since = bench.clock.now();

@@ -68,7 +68,7 @@ KeptTuning tuned()
     report.plant = {105'000.0, 0.168, 0.052, 0.021};
     report.motor.emplace();
     report.motor->line.gainError = 120.0;
-    report.gates = {{"fit", "what the fit leaves is 1.4 times", true, {}}};
+    report.gates = {{"fit", say("what the fit leaves is 1.4 times"), true, {}}};
     report.proposed.rows = {{"slot0.p", 38083, 0.5811}};
     report.proposed.made = {1e-5, 6e-5, 0.0, 0.0};
     report.before = {{"slot0.p", 1.165}};

@@ -152,7 +152,7 @@ public:
             m_engine.send(mb::orders::StopRecording{m_link});
         } else if (link->recording && link->recording->finished) {
             const mb::RecordingState &end = *link->recording;
-            std::fprintf(stderr, "%s", end.problem.c_str());
+            std::fprintf(stderr, "%s", end.problem.english().c_str());
             std::printf(
                 "%llu %llu\n", static_cast<unsigned long long>(end.frames), static_cast<unsigned long long>(end.lost));
             QCoreApplication::exit(end.problem.empty() ? 0 : 1);

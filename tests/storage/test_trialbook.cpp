@@ -27,7 +27,7 @@ protected:
     [[nodiscard]] std::unique_ptr<Database> open() const
     {
         auto opened = Database::open(path);
-        EXPECT_TRUE(opened) << (opened ? "" : opened.error().detail);
+        EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
         return opened ? std::move(*opened) : nullptr;
     }
     [[nodiscard]] static tuning::Trial trial()
@@ -58,9 +58,9 @@ protected:
     std::int64_t keep(TrialBook &book, const tuning::Trial &done)
     {
         const auto number = test::run(clock, book.begin(done));
-        EXPECT_TRUE(number) << (number ? "" : number.error().detail);
+        EXPECT_TRUE(number) << (number ? "" : number.error().text());
         const auto completed = test::run(clock, book.complete(number.value_or(0), done));
-        EXPECT_TRUE(completed) << (completed ? "" : completed.error().detail);
+        EXPECT_TRUE(completed) << (completed ? "" : completed.error().text());
         return number.value_or(0);
     }
 

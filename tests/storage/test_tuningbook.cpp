@@ -28,7 +28,7 @@ protected:
     [[nodiscard]] std::unique_ptr<Database> open() const
     {
         auto opened = Database::open(path);
-        EXPECT_TRUE(opened) << (opened ? "" : opened.error().detail);
+        EXPECT_TRUE(opened) << (opened ? "" : opened.error().text());
         return opened ? std::move(*opened) : nullptr;
     }
     [[nodiscard]] static Prediction prediction(int points)
@@ -55,7 +55,8 @@ protected:
         motor.line.gainError = 120.0;
         motor.filter = VelocityFilter{VelocityFilter::Kind::Block, 0.1, 0.09, 0.1};
         report.motor = motor;
-        report.gates = {{"fit", "the fit leaves 1.4 times", true, {}}, {"resolution", "12 counts", false, "go faster"}};
+        report.gates = {{"fit", say("the fit leaves 1.4 times"), true, {}},
+            {"resolution", say("12 counts"), false, say("go faster")}};
         Proposal normal;
         normal.design = {{1e-5, 2e-4, 0.0, 0.0}, 0.152, 0.12, {"delay", "margin"}};
         normal.gains.rows = {{"slot0.p", 38083, 0.5811}, {"slot0.i", 113, 0.001724}};

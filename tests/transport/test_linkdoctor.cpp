@@ -170,19 +170,21 @@ TEST(LinkDoctor, ListingsAreMatchedByTheirInterface)
 {
     LinkSymptoms link = working();
     link.state = LinkState::Lost;
-    const Diagnosis down{Ailment::Down, "can0 is switched off", "bring it up", "x"};
-    const Diagnosis other{Ailment::Down, "can1 is switched off", "bring it up", "y"};
-    std::vector<LinkListing> rows{{{"socketcan", "can1", {}}, LinkKind::Can, "down", "", false, other, false},
-        {{"socketcan", "can0", {}}, LinkKind::Can, "down", "", false, down, false}};
+    const Diagnosis down{Ailment::Down, say("can0 is switched off"), say("bring it up"), "x"};
+    const Diagnosis other{Ailment::Down, say("can1 is switched off"), say("bring it up"), "y"};
+    std::vector<LinkListing> rows{{{"socketcan", "can1", {}}, LinkKind::Can, "down", Message(), false, other, false},
+        {{"socketcan", "can0", {}}, LinkKind::Can, "down", Message(), false, down, false}};
     EXPECT_EQ(diagnose(link, now, rows), down);
     rows.pop_back();
     EXPECT_EQ(diagnose(link, now, rows).ailment, Ailment::Gone);
-    const Diagnosis none{Ailment::NotThere, "there is no CAN interface", "plug in an adapter", ""};
-    EXPECT_EQ(diagnose(link, now, {{{"socketcan", "", {}}, LinkKind::Can, "absent", "", false, none, false}}).ailment,
-        Ailment::Gone);
-    const Diagnosis kernel{Ailment::NoCan, "this kernel has no CAN support", "load it", "sudo modprobe can_raw"};
+    const Diagnosis none{Ailment::NotThere, say("there is no CAN interface"), say("plug in an adapter"), ""};
     EXPECT_EQ(
-        diagnose(link, now, {{{"socketcan", "", {}}, LinkKind::Can, "absent", "", false, kernel, false}}), kernel);
+        diagnose(link, now, {{{"socketcan", "", {}}, LinkKind::Can, "absent", Message(), false, none, false}}).ailment,
+        Ailment::Gone);
+    const Diagnosis kernel{
+        Ailment::NoCan, say("this kernel has no CAN support"), say("load it"), "sudo modprobe can_raw"};
+    EXPECT_EQ(diagnose(link, now, {{{"socketcan", "", {}}, LinkKind::Can, "absent", Message(), false, kernel, false}}),
+        kernel);
 }
 
 TEST(LinkDoctor, AFailedOpeningHasItsPartsFromWhereItFailed)

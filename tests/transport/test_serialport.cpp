@@ -192,7 +192,7 @@ TEST_F(SerialPort, ASecondProgramIsToldThatItIsInUse)
 TEST_F(SerialPort, AnRs485LineWhoseDriverCannotSwitchOpensWithARemark)
 {
     const auto link = open("?rs485=1");
-    EXPECT_NE(link->remark().find("cannot switch the direction"), std::string::npos) << link->remark();
+    EXPECT_NE(link->remark().english().find("cannot switch the direction"), std::string::npos) << link->remark();
     EXPECT_TRUE(link->send(Bytes{1}));
 }
 

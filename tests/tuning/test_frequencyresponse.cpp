@@ -93,7 +93,7 @@ TEST(FrequencyResponse, PlansInsideTheEnvelopeAndSaysWhatItWillDo)
     EXPECT_LE(plan->travel, 2e7);
     EXPECT_LE(plan->speed, 1'500'000.0);
     EXPECT_GT(plan->bias - plan->swing, plant.friction);
-    const std::string said = announcementOf(*plan);
+    const std::string said = announcementOf(*plan).english();
     for (const char *word : {"duty", "counts/s", "one way", " s"})
         EXPECT_NE(said.find(word), std::string::npos) << said;
     Envelope narrow = benchLimits();

@@ -14,7 +14,7 @@ constexpr double beat = 0.02;
 Stimulus made(Profile profile, std::optional<double> seconds = {}, double from = -100.0, double to = 300.0)
 {
     const auto stimulus = Stimulus::make(profile, from, to, seconds, beat);
-    EXPECT_TRUE(stimulus) << (stimulus ? "" : stimulus.error().detail);
+    EXPECT_TRUE(stimulus) << (stimulus ? "" : stimulus.error().text());
     return stimulus.value_or(Stimulus());
 }
 

@@ -11,8 +11,8 @@ namespace {
 
 LinkListing listing(const char *path, const char *state, const char *detail, const Diagnosis &found = {})
 {
-    return {{"socketcan", path, {}}, LinkKind::Can, state, found.isHealthy() ? detail : found.text(), found.isHealthy(),
-        found, false};
+    return {{"socketcan", path, {}}, LinkKind::Can, state,
+        found.isHealthy() ? Message::verbatim(detail) : found.message(), found.isHealthy(), found, false};
 }
 
 LinkView link(const char *address, const char *name, LinkState state, const Diagnosis &found = {})
@@ -37,15 +37,14 @@ QWidget *doctorPage(const ThemeSource &theme, bool empty)
     column->setContentsMargins(0, 0, 0, 0);
     auto *workbench = new test::FakeWorkbench(page);
     auto *selection = new Selection(page);
-    const Diagnosis down{
-        Ailment::Down, "can2 is switched off", "bring it up", "sudo ip link set can2 up type can bitrate 1000000"};
-    const Diagnosis alone{Ailment::NobodyAcknowledges, "nobody acknowledges what can0 sends",
-        "switch the devices on, check the cable and that two 120 Ω resistors end the bus, and that every device has "
-        "the "
-        "bit rate 1 Mbit/s",
+    const Diagnosis down{Ailment::Down, say("can2 is switched off"), say("bring it up"),
+        "sudo ip link set can2 up type can bitrate 1000000"};
+    const Diagnosis alone{Ailment::NobodyAcknowledges, say("nobody acknowledges what can0 sends"),
+        say("switch the devices on, check the cable and that two 120 Ω resistors end the bus, and that every device "
+            "has the bit rate 1 Mbit/s"),
         {}};
-    const Diagnosis gone{Ailment::Gone, "can1 is gone",
-        "plug the adapter in again; the link is opened by itself as soon as it is up", {}};
+    const Diagnosis gone{Ailment::Gone, say("can1 is gone"),
+        say("plug the adapter in again; the link is opened by itself as soon as it is up"), {}};
     workbench->links
         = {listing("can0", "up", "gs_usb, 1 Mbit/s, sample point 87.5 %"), listing("can2", "down", "", down)};
     if (!empty)

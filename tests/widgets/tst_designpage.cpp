@@ -32,7 +32,7 @@ TuneReport identified()
     report.motor->pushes.tauError = 0.004;
     report.motor->pushes.delayError = 0.002;
     report.plant = {350000.0, 0.12, 0.03, 0.02};
-    report.gates = {{"fit", "the fit leaves 1.1 of what whole counts explain", true}};
+    report.gates = {{"fit", say("the fit leaves 1.1 of what whole counts explain"), true}};
     for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk}) {
         Proposal proposal;
         proposal.aim = aim;

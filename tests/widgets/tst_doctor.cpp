@@ -25,12 +25,13 @@ private Q_SLOTS:
 private:
     [[nodiscard]] static LinkListing down()
     {
-        const Diagnosis found{Ailment::Down, "can0 is switched off", "bring it up", "sudo ip link set can0 up"};
-        return {{"socketcan", "can0", {}}, LinkKind::Can, "down", found.text(), false, found, false};
+        const Diagnosis found{
+            Ailment::Down, say("can0 is switched off"), say("bring it up"), "sudo ip link set can0 up"};
+        return {{"socketcan", "can0", {}}, LinkKind::Can, "down", found.message(), false, found, false};
     }
     [[nodiscard]] static LinkListing good()
     {
-        return {{"socketcan", "can1", {}}, LinkKind::Can, "up", "gs_usb, 1 Mbit/s", true, {}, false};
+        return {{"socketcan", "can1", {}}, LinkKind::Can, "up", Message::verbatim("gs_usb, 1 Mbit/s"), true, {}, false};
     }
     [[nodiscard]] static LinkView open(const char *address)
     {
@@ -81,7 +82,7 @@ void DoctorTest::aLostLinkCanBeReconnected()
     test::FakeWorkbench bench;
     LinkView lost = open("socketcan:can0");
     lost.state = LinkState::Lost;
-    lost.diagnosis = {Ailment::Gone, "can0 is gone", "plug the adapter in again", ""};
+    lost.diagnosis = {Ailment::Gone, say("can0 is gone"), say("plug the adapter in again"), ""};
     bench.shot.links = {lost};
     DoctorCard card(bench, m_theme, false);
     card.follow();
@@ -102,7 +103,7 @@ void DoctorTest::nothingIsShownWhileAllIsWell()
     card.follow();
     QVERIFY(card.isHidden());
     bench.shot.links.front().diagnosis
-        = {Ailment::NobodyAcknowledges, "nobody acknowledges what can1 sends", "check the cable", ""};
+        = {Ailment::NobodyAcknowledges, say("nobody acknowledges what can1 sends"), say("check the cable"), ""};
     card.follow();
     QVERIFY(!card.isHidden());
     bench.shot.links.front().diagnosis = {};
@@ -115,7 +116,7 @@ void DoctorTest::aLinkThatWasAskedForInVainCanBeTriedAgain()
     test::FakeWorkbench bench;
     bench.shot.links = {open("sim:can")};
     bench.shot.failed
-        = {{"serial:/dev/ttyUSB0", {Ailment::Busy, "/dev/ttyUSB0 is busy", "close the other program", ""}}};
+        = {{"serial:/dev/ttyUSB0", {Ailment::Busy, say("/dev/ttyUSB0 is busy"), say("close the other program"), ""}}};
     DoctorCard card(bench, m_theme, false);
     card.follow();
     QVERIFY(texts(card).contains(QStringLiteral("/dev/ttyUSB0 is busy; close the other program")));
@@ -153,8 +154,9 @@ void DoctorTest::aRowStaysWhileItSaysTheSame()
 void DoctorTest::absentInterfacesAreNoNewsWhileALinkIsOpen()
 {
     test::FakeWorkbench bench;
-    const Diagnosis none{Ailment::NoCan, "this kernel has no CAN support", "load it", "sudo modprobe can_raw"};
-    bench.links = {{{"socketcan", "", {}}, LinkKind::Can, "absent", none.text(), false, none, false}};
+    const Diagnosis none{
+        Ailment::NoCan, say("this kernel has no CAN support"), say("load it"), "sudo modprobe can_raw"};
+    bench.links = {{{"socketcan", "", {}}, LinkKind::Can, "absent", none.message(), false, none, false}};
     bench.shot.links = {open("sim:can")};
     DoctorCard card(bench, m_theme, false);
     card.follow();

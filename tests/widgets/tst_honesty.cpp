@@ -352,7 +352,7 @@ void HonestyTest::aWindowThatHungSaysSoInWordsForPeople()
     motion.workbench.time += std::chrono::milliseconds(640);
     motion.workbench.device(0).motion.running = false;
     motion.workbench.device(0).motion.end = SetPointStream::End::LeaseExpired;
-    motion.workbench.device(0).motion.reason = "nobody renewed the motion lease";
+    motion.workbench.device(0).motion.reason = say("nobody renewed the motion lease");
     motion.workbench.publish();
     QCOMPARE(motion.arming.state(), LampState::Stopped);
     QCOMPARE(motion.arming.reason(), QStringLiteral("this window did not respond for 0.6 s"));

@@ -133,9 +133,11 @@ void TestSerialLinks::theDialogOffersPortsWithWhatTheyAreAndSaysWhyOneCannotBeUs
 {
     FakeWorkbench workbench;
     workbench.links.push_back({{"serial", "/dev/ttyUSB0", {}}, LinkKind::Serial, "available",
-        "FTDI FT232R USB UART, serial number A50285BI, 0403:6001", true});
+        Message::verbatim("FTDI FT232R USB UART, serial number A50285BI, 0403:6001"), true});
     workbench.links.push_back({{"serial", "/dev/ttyUSB1", {}}, LinkKind::Serial, "no-permission",
-        "no permission to use /dev/ttyUSB1; become a member of its group: sudo usermod -aG dialout $USER", false});
+        Message::verbatim(
+            "no permission to use /dev/ttyUSB1; become a member of its group: sudo usermod -aG dialout $USER"),
+        false});
     QWidget parent;
     askAddLink(workbench, parent, {});
     auto *dialog = parent.findChild<QInputDialog *>();

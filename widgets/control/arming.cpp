@@ -290,7 +290,7 @@ void Arming::runSweep(const tuning::SweepPlan &plan, const tuning::PlantModel &p
 }
 
 /// A guard's stop is latched, as every stop that nobody asked for.
-void Arming::trialEnded(const Result<void> &ran, const std::string &reason, const std::string &detail)
+void Arming::trialEnded(const Result<void> &ran, const std::string &reason, const Message &detail)
 {
     m_onTrial = false;
     if (m_state != LampState::Moving)

@@ -71,7 +71,7 @@ private:
     [[nodiscard]] bool beginTrial(Mode mode, int axis);
     /// `reason` as in Trial, with its detail; an error: nothing has moved.
     void refused(const Error &error);
-    void trialEnded(const Result<void> &ran, const std::string &reason, const std::string &detail);
+    void trialEnded(const Result<void> &ran, const std::string &reason, const Message &detail);
     /// A device that an experiment moves, which was not begun here.
     [[nodiscard]] const DeviceView *experimentedWith() const;
     void stop(StopCause cause, const QString &reason);

@@ -116,7 +116,7 @@ private:
         OperationId operation;
         OperationStatus::State operationState = OperationStatus::State::Done;
         int done = 0;
-        std::string step;
+        Message step;
         int axis = 0;
         friend bool operator==(const Shown &, const Shown &) = default;
     };

@@ -107,8 +107,8 @@ void ParametersPage::importFrom(const QString &path)
         if (!difference.ofAnotherUnit)
             changes.push_back({difference.index, difference.to});
         else
-            file->notes.push_back(std::string(shown->family->parameters[difference.index.value].key)
-                + " belongs to the unit that the file was saved from");
+            file->notes.push_back(say("%1 belongs to the unit that the file was saved from",
+                shown->family->parameters[difference.index.value].key));
     }
     if (changes.empty()) {
         m_banners.post(QLatin1String(importKey), BannerKind::Info,

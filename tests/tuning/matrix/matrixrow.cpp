@@ -140,7 +140,7 @@ MatrixRow tuneCell(const Cell &cell, Compare compare)
     if (report->predicted)
         row.predictedOvershoot = report->predicted->metrics.overshoot.value_or(0.0);
     if (report->result != TuneResult::Kept) {
-        row.reason = report->evidence;
+        row.reason = report->evidence.english();
         const auto after = unit.gains();
         for (std::size_t i = 0; i < before.size(); ++i) // of what was known
             row.gainsAsBefore = row.gainsAsBefore && (!before[i].second || before[i].second == after[i].second);
