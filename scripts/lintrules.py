@@ -10,7 +10,7 @@ from linttext import code_of, functions_of
 ALLOWED_NAMES = {
     ("devices/async/task.h", "PromiseBase"),  # the part of a promise that does not depend on its value type
 }
-DEVICE_TESTS = ("tests/async/", "tests/wire/", "tests/transport/", "tests/model/", "tests/recording/", "tests/tuning/", "tests/settings/", "tests/families/")
+DEVICE_TESTS = ("tests/async/", "tests/wire/", "tests/transport/", "tests/model/", "tests/recording/", "tests/tuning/", "tests/settings/", "tests/service/", "tests/families/")
 
 
 def matches(pattern, text):
@@ -122,7 +122,7 @@ def sentences(path, text, _code):
             yield line, "error", f"{' '.join(match[0].split())[:60]}: {why}"
 
 
-ROOTS = ("async", "wire", "place", "transport", "model", "recording", "tuning", "report", "settings", "storage", "families", "widgets", "app", "support", "tests")
+ROOTS = ("async", "wire", "place", "transport", "model", "recording", "tuning", "report", "settings", "service", "storage", "families", "widgets", "app", "support", "tests")
 SCREEN = re.compile(
     r"Qt(?:Gui|Widgets|Svg|PrintSupport|OpenGL)(?:/|$)|qcustomplot|Q(?:GuiApplication|Application|Widget|MainWindow|Dialog|Color|"
     r"Painter|PaintDevice|Pixmap|Image|Icon|Font|Brush|Pen|Action|Window|Palette|Style|Cursor|KeyEvent|MouseEvent|Screen)$",
@@ -138,14 +138,15 @@ LAYERS = [
     ("devices/tuning/", ("async", "wire", "transport", "model", "tuning"), True),
     ("devices/report/", ("async", "wire", "transport", "model", "tuning", "report"), True),
     ("devices/settings/", ("async", "wire", "transport", "model", "tuning", "settings"), True),
-    ("devices/storage/", ("async", "wire", "transport", "model", "tuning", "report", "settings", "storage"), True),
+    ("devices/service/", ("async", "wire", "transport", "model", "tuning", "settings", "service"), True),
+    ("devices/storage/", ("async", "wire", "transport", "model", "tuning", "report", "settings", "service", "storage"), True),
     ("devices/families/", ("async", "wire", "transport", "model"), True),
-    ("widgets/", ("async", "wire", "transport", "model", "recording", "tuning", "report", "settings", "widgets"), True),
-    ("app/console/", ("async", "wire", "transport", "model", "tuning", "report", "settings", "storage", "app/console", "app/folders", "app/guardian", "app/sleep"), True),
+    ("widgets/", ("async", "wire", "transport", "model", "recording", "tuning", "report", "settings", "service", "widgets"), True),
+    ("app/console/", ("async", "wire", "transport", "model", "tuning", "report", "settings", "service", "storage", "app/console", "app/folders", "app/guardian", "app/sleep"), True),
     ("app/guardian/client/", ("async", "wire", "transport", "model", "app/guardian"), True),
     ("app/sleep/", ("async", "wire", "transport", "model", "app/sleep"), True),
     ("app/guardian/", ("app/guardian", "place"), False),
-    ("app/", ("async", "wire", "transport", "model", "recording", "tuning", "report", "settings", "storage", "widgets", "app"), True),
+    ("app/", ("async", "wire", "transport", "model", "recording", "tuning", "report", "settings", "service", "storage", "widgets", "app"), True),
 ]
 
 

@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "async/result.h"
+#include "storage/sqlconnection.h"
 
-#include <QVariantList>
-
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 class QSqlDatabase;
-class QSqlQuery;
 
 namespace mb {
 
 /// The user's one SQLite file: a connection with the newest schema. Of the thread that opened it, which needs a
 /// QCoreApplication; several programs may have the file open. Reading and writing wait for the disk.
-class Database {
+class Database final : public SqlConnection {
 public:
     /// Makes file and folder where they are missing, and brings an older schema up to date. A file that is damaged is put aside
     /// beside itself, never deleted, and remark() says so. A file that cannot be written is opened for reading, and
@@ -25,22 +21,20 @@ public:
     [[nodiscard]] static Result<std::unique_ptr<Database>> open(const std::string &path);
     Database(const Database &) = delete;
     Database &operator=(const Database &) = delete;
-    ~Database();
+    ~Database() override;
 
     [[nodiscard]] const std::string &path() const { return m_path; }
     [[nodiscard]] const std::string &remark() const { return m_remark; }
     [[nodiscard]] bool isReadOnly() const { return m_readOnly; }
 
-    using Row = std::function<void(const QSqlQuery &)>;
-    /// One statement with its values in order of the question marks; `row` sees each row. OutOfRange with the cause: a full
-    /// disk, another program that holds the file for 5 s.
-    [[nodiscard]] Result<void> run(const char *statement, const QVariantList &values = {}, const Row &row = {});
+    /// OutOfRange with the cause: a full disk, another program that holds the file for 5 s.
+    [[nodiscard]] Result<void> run(
+        const char *statement, const QVariantList &values = {}, const Row &row = {}) override;
     /// The number of the row that run() has added last.
     [[nodiscard]] std::int64_t lastRow() const { return m_lastRow; }
-    /// Number of rows that run() has changed last.
-    [[nodiscard]] int changed() const { return m_changed; }
-    /// All of `work` or nothing of it; on the disk when it succeeds.
-    [[nodiscard]] Result<void> transact(const std::function<Result<void>()> &work);
+    [[nodiscard]] int changed() const override { return m_changed; }
+    /// On the disk when it succeeds.
+    [[nodiscard]] Result<void> transact(const std::function<Result<void>()> &work) override;
 
 private:
     Database(std::string path, std::string connection);

@@ -108,13 +108,83 @@ CREATE TABLE tag (
     time REAL NOT NULL) WITHOUT ROWID;
 )";
 
-constexpr std::array versions{firstSchema, secondSchema, thirdSchema, fourthSchema};
+/// What was done to which unit, in words that PostgreSQL understands, too: it is the schema of a shared journal. A visit is one
+/// unit under one recipe, once; `revision` counts its writes. What is given of a scope's numbers to nobody yet has no unit.
+constexpr const char *fifthSchema = R"(
+CREATE TABLE service_visit (
+    id TEXT PRIMARY KEY,
+    revision BIGINT NOT NULL,
+    run TEXT NOT NULL,
+    time DOUBLE PRECISION NOT NULL,
+    station TEXT NOT NULL,
+    person TEXT NOT NULL,
+    recipe TEXT NOT NULL,
+    recipe_hash TEXT NOT NULL,
+    image_hash TEXT NOT NULL,
+    unit TEXT NOT NULL,
+    serial TEXT NOT NULL,
+    device TEXT NOT NULL,
+    family TEXT NOT NULL,
+    simulated BIGINT NOT NULL,
+    step TEXT NOT NULL,
+    outcome TEXT NOT NULL,
+    firmware_before TEXT NOT NULL,
+    firmware_after TEXT NOT NULL,
+    parameters BIGINT,
+    test TEXT NOT NULL,
+    number BIGINT,
+    snapshot BIGINT,
+    trial BIGINT,
+    seconds DOUBLE PRECISION NOT NULL,
+    cause TEXT NOT NULL,
+    remedy TEXT NOT NULL,
+    evidence TEXT NOT NULL,
+    note TEXT NOT NULL);
+CREATE INDEX service_visit_unit ON service_visit (unit);
+CREATE INDEX service_visit_serial ON service_visit (serial);
+CREATE INDEX service_visit_run ON service_visit (run);
+CREATE INDEX service_visit_recipe ON service_visit (recipe, recipe_hash);
+CREATE TABLE service_step (
+    visit TEXT NOT NULL REFERENCES service_visit (id) ON DELETE CASCADE,
+    place BIGINT NOT NULL,
+    step TEXT NOT NULL,
+    time DOUBLE PRECISION NOT NULL,
+    ended BIGINT NOT NULL,
+    detail TEXT NOT NULL,
+    PRIMARY KEY (visit, place));
+CREATE TABLE service_delivery (
+    visit TEXT PRIMARY KEY,
+    revision BIGINT NOT NULL);
+CREATE TABLE service_scope (
+    scope TEXT PRIMARY KEY,
+    next BIGINT NOT NULL);
+CREATE TABLE service_block (
+    token TEXT PRIMARY KEY,
+    scope TEXT NOT NULL,
+    first BIGINT NOT NULL,
+    last BIGINT NOT NULL,
+    station TEXT NOT NULL,
+    time DOUBLE PRECISION NOT NULL);
+CREATE TABLE service_number (
+    scope TEXT NOT NULL,
+    number BIGINT NOT NULL,
+    unit TEXT NOT NULL,
+    visit TEXT NOT NULL,
+    PRIMARY KEY (scope, number));
+)";
+
+constexpr std::array versions{firstSchema, secondSchema, thirdSchema, fourthSchema, fifthSchema};
 
 } // namespace
 
 std::span<const char *const> schemaVersions()
 {
     return versions;
+}
+
+const char *journalSchema()
+{
+    return fifthSchema;
 }
 
 } // namespace mb

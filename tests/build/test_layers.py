@@ -46,7 +46,7 @@ class Layers(unittest.TestCase):
         self.expect_refusal("model", "PRIVATE", "one")
         self.expect_refusal("tuning", "PRIVATE", "one")
         self.expect_refusal("tuning", "PRIVATE", "Qt5::Sql")
-        for layer in ("report", "settings"):
+        for layer in ("report", "settings", "service"):
             self.expect_refusal(layer, "PRIVATE", "one")
             self.expect_refusal(layer, "PRIVATE", "storage")
         self.expect_refusal("storage", "PRIVATE", "one")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file that every released schema has left behind is opened, and nothing in it is lost.
 #include "async/virtualclock.h"
+#include "storage/servicebook.h"
 #include "storage/settingsbook.h"
 #include "storage/trialbook.h"
 #include "support/coreapplication.h"
@@ -39,9 +40,14 @@ TEST_P(Schemas, AFileOfAnOlderVersionIsBroughtUpToDateAndKeepsEverything)
     SettingsBook settings(**opened, clock, "anna");
     EXPECT_EQ(settings.snapshots()->size(), GetParam() < 3 ? 0U : 1U);
     EXPECT_TRUE(test::run(clock, settings.keep({})));
+    const std::string place = "place can0 supermodified:4";
+    EXPECT_EQ(settings.resolved(place), GetParam() < 4 ? place : "tag supermodified left arm");
+    ServiceBook journal(**opened, clock, "bench 1", "anna");
+    EXPECT_TRUE(test::run(clock, journal.open({})));
+    EXPECT_EQ(journal.list({})->size(), 1U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kept, Schemas, testing::Values(1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(Kept, Schemas, testing::Values(1, 2, 3, 4));
 
 } // namespace
 } // namespace mb

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "service/jsonlines.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <algorithm>
+#include <cstring>
+
+namespace mb::service {
+namespace {
+
+/// Walks a text that is known to be JSON.
+class Walk {
+public:
+    Walk(const QByteArray &text, JsonLines &lines)
+        : m_text(text)
+        , m_lines(lines)
+    {
+    }
+    void value(const std::string &path)
+    {
+        skip();
+        const char c = next();
+        if (c == '{')
+            members(path);
+        else if (c == '[')
+            elements(path);
+        else if (c == '"')
+            (void)string();
+        else
+            word();
+    }
+
+private:
+    [[nodiscard]] char next() const { return m_at < m_text.size() ? m_text.at(m_at) : '\0'; }
+    void skip()
+    {
+        while (m_at < m_text.size() && (next() == ' ' || next() == '\t' || next() == '\r' || next() == '\n')) {
+            m_line += next() == '\n' ? 1 : 0;
+            ++m_at;
+        }
+    }
+    void word()
+    {
+        while (m_at < m_text.size() && !std::strchr(",]} \t\r\n", next()))
+            ++m_at;
+    }
+    std::string string()
+    {
+        const int from = m_at++;
+        while (m_at < m_text.size() && next() != '"')
+            m_at += next() == '\\' ? 2 : 1;
+        ++m_at;
+        const QByteArray quoted = m_text.mid(from, m_at - from);
+        return QJsonDocument::fromJson('[' + quoted + ']').array().at(0).toString().toStdString(); // with its escapes
+    }
+    void members(const std::string &path)
+    {
+        ++m_at;
+        for (skip(); m_at < m_text.size() && next() != '}'; skip()) {
+            if (next() == ',') {
+                ++m_at;
+                continue;
+            }
+            const int line = m_line;
+            const std::string key = string();
+            const std::string inside = path.empty() ? key : path + '.' + key;
+            if (!m_lines.lines.emplace(inside, line).second && m_lines.repeated.empty()) {
+                m_lines.repeated = inside;
+                m_lines.lines[inside] = line;
+            }
+            skip();
+            ++m_at; // the colon
+            value(inside);
+        }
+        ++m_at;
+    }
+    void elements(const std::string &path)
+    {
+        ++m_at;
+        int place = 0;
+        for (skip(); m_at < m_text.size() && next() != ']'; skip()) {
+            if (next() == ',') {
+                ++m_at;
+                continue;
+            }
+            const std::string inside = path + '.' + std::to_string(place++);
+            m_lines.lines[inside] = m_line;
+            value(inside);
+        }
+        ++m_at;
+    }
+
+    const QByteArray &m_text;
+    JsonLines &m_lines;
+    int m_at = 0;
+    int m_line = 1;
+};
+
+} // namespace
+
+int JsonLines::of(std::string path) const
+{
+    for (;;) {
+        if (const auto found = lines.find(path); found != lines.end())
+            return found->second;
+        const auto dot = path.rfind('.');
+        if (dot == std::string::npos)
+            return 1;
+        path.resize(dot);
+    }
+}
+
+JsonLines linesOf(const QByteArray &text)
+{
+    JsonLines lines;
+    Walk(text, lines).value({});
+    return lines;
+}
+
+int lineAt(const QByteArray &text, int offset)
+{
+    return 1 + static_cast<int>(std::count(text.begin(), text.begin() + std::clamp(offset, 0, text.size()), '\n'));
+}
+
+} // namespace mb::service

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+
+#include <map>
+#include <string>
+
+namespace mb::service {
+
+/// On which line each key of a JSON object stands: "test.limits.duty" to its line, counted from 1; a place in a list is its number
+/// from 0 ("accept.rise.1"). The text must be an object that QJsonDocument has taken.
+struct JsonLines {
+    std::map<std::string, int> lines;
+    std::string repeated; ///< path of a key that is there twice; empty: none is
+
+    /// Of the key, or else of the nearest object around it; 1 for the whole.
+    [[nodiscard]] int of(std::string path) const;
+};
+
+[[nodiscard]] JsonLines linesOf(const QByteArray &text);
+/// The line of a place in a text, counted from 1.
+[[nodiscard]] int lineAt(const QByteArray &text, int offset);
+
+} // namespace mb::service

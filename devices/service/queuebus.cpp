@@ -1,0 +1,447 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "service/queuebus.h"
+
+#include "async/sleep.h"
+#include "model/family.h"
+#include "settings/unit.h"
+
+#include <algorithm>
+
+namespace mb::service {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration lookAgain = 300ms;
+constexpr Duration goneAfter = 2s;
+
+RowState stateOf(Outcome outcome)
+{
+    switch (outcome) {
+    case Outcome::Passed: return RowState::Passed;
+    case Outcome::Failed: return RowState::Failed;
+    case Outcome::Refused: return RowState::Refused;
+    case Outcome::Open: break;
+    }
+    return RowState::Waiting;
+}
+
+bool isEnded(RowState state)
+{
+    return state == RowState::Passed || state == RowState::Failed || state == RowState::Refused;
+}
+
+} // namespace
+
+/// Progress into a row, and into the operation that can be cancelled.
+class ServiceQueue::Bus::Telling final : public Progress {
+public:
+    Telling(Bus &bus, Row &row)
+        : m_bus(bus)
+        , m_row(row.shown)
+    {
+    }
+    void step(const std::string &what, int done, int total) override
+    {
+        m_row.what = what;
+        m_row.done = done;
+        m_row.total = total;
+        m_bus.m_operation->step(what, done, total);
+        m_bus.m_queue.m_changed.notify();
+    }
+    void part(int number, PartState state) override
+    {
+        m_row.parts[number] = state;
+        m_bus.m_operation->part(number, state);
+        m_bus.m_queue.m_changed.notify();
+    }
+    void log(Severity severity, const std::string &text) override { m_bus.m_operation->log(severity, text); }
+    void mayInterrupt(bool may) override
+    {
+        m_row.mayInterrupt = may;
+        m_bus.m_operation->mayInterrupt(may);
+        if (may && m_bus.m_wantsSkip)
+            (void)m_bus.m_operation->cancel();
+        m_bus.m_queue.m_changed.notify();
+    }
+    void written(const Visit &visit)
+    {
+        m_row.visit = visit;
+        m_bus.m_queue.m_changed.notify();
+    }
+
+private:
+    Bus &m_bus;
+    QueueRow &m_row;
+};
+
+ServiceQueue::Bus::Bus(ServiceQueue &queue, Session &session, Link &link)
+    : m_queue(queue)
+    , m_session(session)
+    , m_link(link)
+{
+}
+
+ServiceQueue::Bus::~Bus() = default;
+
+Task<void> ServiceQueue::Bus::run()
+{
+    auto looking = look();
+    co_await std::move(looking);
+    if (isOnce()) {
+        auto checking = checkAll();
+        co_await std::move(checking);
+    }
+    while (!m_queue.m_isFinishing && !m_queue.isComplete()) {
+        if (m_link.state() != LinkState::Open)
+            co_return fail(Fault::LinkLost, m_link.address().shortName() + ": " + m_link.reason());
+        Row *const row = m_queue.mayBegin() ? next() : nullptr;
+        if (row) {
+            auto serving = serve(*row);
+            co_await std::move(serving);
+            continue;
+        }
+        if (isOnce() && !hasWaiting())
+            break;
+        Sleep waiting(m_session.clockOf(m_link), lookAgain);
+        co_await waiting;
+        if (isOnce())
+            continue;
+        auto again = look();
+        co_await std::move(again);
+    }
+    co_return {};
+}
+
+Task<void> ServiceQueue::Bus::look()
+{
+    for (Row &row : m_rows)
+        row.seen = false;
+    auto scanning = m_session.scan(m_link);
+    const std::vector<Device *> found = co_await std::move(scanning);
+    for (const Device *const device : found) {
+        if (device->family().key == m_queue.m_matter.recipe.family->key)
+            notice(*device);
+    }
+    markAbsent();
+    m_isFirstLook = false;
+    m_queue.m_changed.notify();
+    co_return {};
+}
+
+void ServiceQueue::Bus::notice(const Device &device)
+{
+    const std::string unit = settings::unitOf(device).key;
+    Row *known = nullptr;
+    for (Row &row : m_rows) {
+        if (row.shown.visit.unit == unit && !row.gone)
+            known = &row;
+    }
+    if (!known) {
+        addRow(device, unit);
+        return;
+    }
+    known->seen = true;
+    known->absentAt.reset();
+    known->shown.device = m_session.idOf(device);
+}
+
+void ServiceQueue::Bus::addRow(const Device &device, const std::string &unit)
+{
+    Row &row = m_rows.emplace_back();
+    row.seen = true;
+    row.shown.id = ++m_queue.m_lastRow;
+    row.shown.device = m_session.idOf(device);
+    row.shown.link = m_link.address().text();
+    row.shown.visit.unit = unit;
+    row.shown.visit.serial = device.identity().serial;
+    row.shown.visit.device = device.selector();
+    row.shown.visit.family = device.identity().family;
+    row.shown.visit.from = device.identity().firmware;
+    row.shown.state = m_queue.m_options.onlyChosen ? RowState::Skipped : RowState::Waiting;
+    if (m_isFirstLook)
+        recallInto(row, device);
+}
+
+/// What the run that is resumed knows of this unit: done, or cut off. One that was given its number may be told by that only.
+void ServiceQueue::Bus::recallInto(Row &row, const Device &device)
+{
+    const bool byPlace = settings::byOf(row.shown.visit.unit) != settings::Unit::By::Serial;
+    const auto isThis = [&](const Visit &visit) {
+        const bool atItsNumber = byPlace && visit.number == device.identity().address
+            && settings::byOf(visit.unit) != settings::Unit::By::Serial
+            && visit.device.substr(0, visit.device.rfind('/')) == row.shown.link;
+        return visit.unit == row.shown.visit.unit || atItsNumber;
+    };
+    for (const Visit &visit : m_queue.m_earlier) {
+        if (!isThis(visit))
+            continue;
+        row.shown.visit = visit;
+        row.shown.state = stateOf(visit.outcome);
+    }
+}
+
+/// Where units come and go: who waits and is gone leaves the list, who has ended may begin again when it was gone for long enough.
+void ServiceQueue::Bus::markAbsent()
+{
+    const Instant now = m_session.clockOf(m_link).now();
+    for (Row &row : m_rows) {
+        if (row.seen)
+            continue;
+        if (!row.absentAt)
+            row.absentAt = now;
+        row.gone = row.gone || now - *row.absentAt >= goneAfter;
+    }
+    if (!isOnce())
+        m_rows.remove_if([this](const Row &row) {
+            return &row != m_serving && row.gone && row.shown.state == RowState::Waiting && row.shown.visit.id.empty();
+        });
+}
+
+/// All of them are looked at before the first is touched.
+Task<void> ServiceQueue::Bus::checkAll()
+{
+    for (Row &row : m_rows) {
+        if (row.shown.state != RowState::Waiting || !row.shown.visit.id.empty())
+            continue;
+        auto checking = check(row);
+        co_await std::move(checking);
+    }
+    co_return {};
+}
+
+Task<void> ServiceQueue::Bus::check(Row &row)
+{
+    Device *const device = m_session.find(row.shown.device);
+    if (!device)
+        co_return {};
+    NoProgress unseen;
+    row.shown.what = "Preflight";
+    m_queue.m_changed.notify();
+    auto looking = preflight(*device, m_queue.m_matter, unseen);
+    const Result<void> looked = co_await std::move(looking).attempt();
+    if (looked || looked.error().fault == Fault::LinkLost || looked.error().fault == Fault::Timeout)
+        co_return {}; // its turn will tell
+    auto refusing = refuse(row, looked.error());
+    co_await std::move(refusing);
+    co_return {};
+}
+
+Task<void> ServiceQueue::Bus::refuse(Row &row, Error error)
+{
+    const Device *const device = m_session.find(row.shown.device);
+    auto opening = openVisit(row, *device);
+    Visit visit = co_await std::move(opening);
+    visit.outcome = Outcome::Refused;
+    visit.cause = error.detail;
+    visit.remedy = error.remedy;
+    visit.steps.push_back({Step::Preflight, 0.0, true, error.detail});
+    auto writing = m_queue.m_around.journal.write(visit);
+    const Visit written = co_await std::move(writing);
+    ended(row, written);
+    co_return {};
+}
+
+Task<Visit> ServiceQueue::Bus::openVisit(Row &row, const Device &device)
+{
+    Visit visit;
+    visit.run = m_queue.m_options.run;
+    visit.recipe = m_queue.m_matter.recipe.name;
+    visit.recipeHash = m_queue.m_matter.hash;
+    visit.imageHash = m_queue.m_matter.imageHash;
+    visit.unit = row.shown.visit.unit;
+    visit.serial = device.identity().serial;
+    visit.device = device.selector();
+    visit.family = device.identity().family;
+    visit.from = device.identity().firmware;
+    visit.simulated = m_link.address().isSimulated();
+    visit.station = m_queue.m_options.station;
+    auto opening = m_queue.m_around.journal.open(visit);
+    Visit opened = co_await std::move(opening);
+    row.shown.visit = opened;
+    co_return opened;
+}
+
+Task<void> ServiceQueue::Bus::serve(Row &row)
+{
+    Device *const device = m_session.find(row.shown.device);
+    if (!device) {
+        row.shown.state = RowState::Skipped;
+        co_return {};
+    }
+    struct Serving {
+        explicit Serving(Bus &bus)
+            : m_bus(bus)
+        {
+        }
+        Serving(const Serving &) = delete;
+        Serving &operator=(const Serving &) = delete;
+        ~Serving()
+        {
+            m_bus.m_serving = nullptr;
+            m_bus.m_stream = nullptr;
+        }
+        Bus &m_bus;
+    };
+    m_serving = &row;
+    const Serving serving(*this);
+    row.shown.state = RowState::Running;
+    row.shown.startedAt = m_queue.m_clock.now();
+    row.shown.parts.clear();
+    ++row.shown.tries;
+    m_queue.m_changed.notify();
+    Visit visit = row.shown.visit;
+    if (visit.id.empty()) {
+        auto opening = openVisit(row, *device);
+        visit = co_await std::move(opening);
+    }
+    auto performing = perform(row, *device, std::move(visit));
+    const Result<Visit> result = co_await std::move(performing).attempt();
+    if (!result && result.error().fault == Fault::Cancelled) {
+        row.shown.state = RowState::Skipped;
+        row.shown.visit.cause = "left out; it goes on where it was when it is tested again";
+        m_queue.m_changed.notify();
+        co_return {};
+    }
+    if (!result)
+        co_return fail(result.error());
+    ended(row, *result);
+    co_return {};
+}
+
+ServiceSurroundings ServiceQueue::Bus::surroundings(Row &row, Telling &telling)
+{
+    QueueSurroundings &around = m_queue.m_around;
+    ServiceSurroundings out{m_queue.m_matter, around.journal, around.settings, {}, around.permit, {}, {}};
+    out.experiments.journal = around.trials;
+    out.experiments.directions = &m_queue.m_directions;
+    out.experiments.interruption = m_interruption.get();
+    out.experiments.note = [&telling](const std::string &text) { telling.log(Severity::Info, text); };
+    out.written = [&telling](const Visit &visit) { telling.written(visit); };
+    for (const Row &other : m_rows) {
+        const Device *const device = m_session.find(other.shown.device);
+        if (&other != &row && device && !other.gone)
+            out.taken.insert(device->identity().address);
+    }
+    return out;
+}
+
+Task<Visit> ServiceQueue::Bus::perform(Row &row, Device &device, Visit visit)
+{
+    m_interruption = std::make_unique<tuning::Interruption>();
+    m_operation = std::make_unique<Operation>(m_session.clockOf(m_link), "service");
+    m_wantsSkip = false;
+    m_queue.m_directions.forget(device.selector()); // another motor may hang on it
+    m_stream = &m_session.stream(device);
+    Telling telling(*this, row);
+    Event done;
+    Result<Visit> result;
+    m_operation->run<Visit>(serveUnit(device, *m_stream, std::move(visit), surroundings(row, telling), telling),
+        [&result, &done](Result<Visit> ended) {
+            result = std::move(ended);
+            done.set();
+        });
+    struct Cut { // the job is never left running without what it works with
+        std::unique_ptr<Operation> &operation;
+        explicit Cut(std::unique_ptr<Operation> &which)
+            : operation(which)
+        {
+        }
+        Cut(const Cut &) = delete;
+        Cut &operator=(const Cut &) = delete;
+        ~Cut() { operation.reset(); }
+    };
+    const Cut cut(m_operation);
+    co_await done.wait();
+    co_return result;
+}
+
+void ServiceQueue::Bus::ended(Row &row, const Visit &visit)
+{
+    row.shown.visit = visit;
+    row.shown.state = stateOf(visit.outcome);
+    row.shown.what.clear();
+    row.shown.mayInterrupt = true;
+    m_queue.count(visit);
+}
+
+bool ServiceQueue::Bus::hasWaiting() const
+{
+    return std::any_of(
+        m_rows.begin(), m_rows.end(), [](const Row &row) { return row.shown.state == RowState::Waiting; });
+}
+
+ServiceQueue::Bus::Row *ServiceQueue::Bus::next()
+{
+    const auto found = std::find_if(m_rows.begin(), m_rows.end(),
+        [this](const Row &row) { return row.shown.state == RowState::Waiting && (row.seen || isOnce()); });
+    return found == m_rows.end() ? nullptr : &*found;
+}
+
+ServiceQueue::Bus::Row *ServiceQueue::Bus::find(std::uint32_t id)
+{
+    const auto found = std::find_if(m_rows.begin(), m_rows.end(), [id](const Row &row) { return row.shown.id == id; });
+    return found == m_rows.end() ? nullptr : &*found;
+}
+
+void ServiceQueue::Bus::addRows(std::vector<QueueRow> &rows) const
+{
+    for (const Row &row : m_rows)
+        rows.push_back(row.shown);
+}
+
+bool ServiceQueue::Bus::skip(std::uint32_t id)
+{
+    Row *const row = find(id);
+    if (!row)
+        return false;
+    if (row == m_serving && m_operation) {
+        m_wantsSkip = true;
+        (void)m_operation->cancel();
+    } else if (row->shown.state == RowState::Waiting) {
+        row->shown.state = RowState::Skipped;
+    }
+    return true;
+}
+
+bool ServiceQueue::Bus::retry(std::uint32_t id)
+{
+    Row *const row = find(id);
+    if (!row || row == m_serving || row->shown.state == RowState::Waiting || row->shown.state == RowState::Passed)
+        return false;
+    if (isEnded(row->shown.state)) {
+        m_queue.uncount(row->shown.visit);
+        Visit again;
+        again.unit = row->shown.visit.unit;
+        again.serial = row->shown.visit.serial;
+        again.device = row->shown.visit.device;
+        again.family = row->shown.visit.family;
+        row->shown.visit = std::move(again);
+    }
+    row->shown.state = RowState::Waiting;
+    return true;
+}
+
+bool ServiceQueue::Bus::retryFailed()
+{
+    bool any = false;
+    for (const Row &row : m_rows) {
+        if (row.shown.state == RowState::Failed)
+            any = retry(row.shown.id) || any;
+    }
+    return any;
+}
+
+void ServiceQueue::Bus::stop()
+{
+    if (m_interruption)
+        m_interruption->interrupt();
+}
+
+void ServiceQueue::Bus::renewLease()
+{
+    if (m_stream)
+        m_stream->renew();
+}
+
+} // namespace mb::service

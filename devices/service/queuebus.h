@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/event.h"
+#include "model/operation.h"
+#include "service/servicequeue.h"
+
+namespace mb::service {
+
+/// One bus of a queue: who is on it, and the unit that is being served. Thread of the queue.
+class ServiceQueue::Bus {
+public:
+    Bus(ServiceQueue &queue, Session &session, Link &link);
+    ~Bus();
+    Bus(const Bus &) = delete;
+    Bus &operator=(const Bus &) = delete;
+
+    /// Until there is nothing left to do here. LinkLost, or a journal that cannot be written, ends it.
+    [[nodiscard]] Task<void> run();
+    [[nodiscard]] bool isInLane() const { return m_isInLane; }
+    void setInLane(bool is) { m_isInLane = is; }
+    [[nodiscard]] bool isServing() const { return m_serving != nullptr; }
+    [[nodiscard]] bool hasWaiting() const;
+    void addRows(std::vector<QueueRow> &rows) const;
+
+    bool skip(std::uint32_t row);
+    /// Whether it is here, and waits again.
+    bool retry(std::uint32_t row);
+    bool retryFailed();
+    void stop();
+    void renewLease();
+
+private:
+    struct Row {
+        QueueRow shown;
+        bool seen = false;               ///< in the last scan
+        std::optional<Instant> absentAt; ///< since when nobody saw it
+        bool gone = false;               ///< long enough to begin again
+    };
+    class Telling;
+    [[nodiscard]] Task<void> look();
+    [[nodiscard]] Task<void> checkAll();
+    [[nodiscard]] Task<void> check(Row &row);
+    [[nodiscard]] Task<void> serve(Row &row);
+    [[nodiscard]] Task<Visit> openVisit(Row &row, const Device &device);
+    [[nodiscard]] Task<Visit> perform(Row &row, Device &device, Visit visit);
+    [[nodiscard]] Task<void> refuse(Row &row, Error error);
+    void notice(const Device &device);
+    void addRow(const Device &device, const std::string &unit);
+    void recallInto(Row &row, const Device &device);
+    void markAbsent();
+    void ended(Row &row, const Visit &visit);
+    [[nodiscard]] Row *next();
+    [[nodiscard]] Row *find(std::uint32_t id);
+    [[nodiscard]] ServiceSurroundings surroundings(Row &row, Telling &telling);
+    [[nodiscard]] bool isOnce() const { return !m_queue.m_options.units; }
+
+    ServiceQueue &m_queue;
+    Session &m_session;
+    Link &m_link;
+    std::list<Row> m_rows;
+    Row *m_serving = nullptr;
+    SetPointStream *m_stream = nullptr; ///< of the unit that is being served
+    std::unique_ptr<Operation> m_operation;
+    std::unique_ptr<tuning::Interruption> m_interruption;
+    bool m_isInLane = false;
+    bool m_isFirstLook = true;
+    bool m_wantsSkip = false;
+};
+
+} // namespace mb::service

@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "service/reciperead.h"
+
+#include "model/family.h"
+#include "model/qttext.h"
+#include "model/registry.h"
+#include "service/jsonlines.h"
+#include "tuning/experiment.h"
+#include "tuning/metrics.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mb::service {
+namespace {
+
+constexpr int mostRepeats = 100;
+constexpr double longestTest = 60.0; ///< s
+constexpr double anyNumber = 1e12;
+
+std::string listed(const std::vector<std::string_view> &words)
+{
+    std::string all;
+    for (const std::string_view word : words)
+        all += (all.empty() ? "" : ", ") + std::string(word);
+    return all;
+}
+
+/// Reads one recipe; stops at the first mistake.
+class Reader {
+public:
+    Reader(const QByteArray &text, std::span<const Family *const> families)
+        : m_lines(linesOf(text))
+        , m_families(families)
+    {
+    }
+    Result<Recipe> read(const QJsonObject &object)
+    {
+        if (!m_lines.repeated.empty())
+            wrong(m_lines.repeated, "the key '" + m_lines.repeated + "' is there twice");
+        expect(object, {}, {"recipe", "name", "family", "firmware", "parameters", "number", "test"});
+        if (number(object, {}, "recipe", 0.0, anyNumber).value_or(0.0) != 1.0)
+            wrong("recipe", "this is no recipe of version 1", "it begins with \"recipe\": 1");
+        m_recipe.name = text(object, {}, "name");
+        readFamily(object);
+        if (m_error)
+            return fail(*m_error);
+        readFirmware(object);
+        readParameters(object);
+        readNumber(object);
+        readTest(object);
+        if (m_error)
+            return fail(*m_error);
+        return std::move(m_recipe);
+    }
+
+private:
+    void wrong(const std::string &path, const std::string &cause, std::string remedy = {})
+    {
+        if (!m_error)
+            m_error = Error{
+                Fault::OutOfRange, "line " + std::to_string(m_lines.of(path)) + ": " + cause, std::move(remedy)};
+    }
+    static std::string pathOf(const std::string &path, const char *key)
+    {
+        return path.empty() ? std::string(key) : path + '.' + key;
+    }
+    void expect(const QJsonObject &object, const std::string &path, const std::vector<std::string_view> &known)
+    {
+        for (const QString &key : object.keys()) {
+            const std::string name = key.toStdString();
+            if (std::find(known.begin(), known.end(), name) == known.end())
+                wrong(pathOf(path, name.c_str()), "unknown key '" + name + '\'', "known are " + listed(known));
+        }
+    }
+    std::string text(const QJsonObject &object, const std::string &path, const char *key, bool needed = true)
+    {
+        const QJsonValue value = object.value(QLatin1String(key));
+        if (value.isUndefined() && !needed)
+            return {};
+        if (!value.isString() || value.toString().trimmed().isEmpty())
+            wrong(pathOf(path, key), '\'' + std::string(key) + "' must be a text");
+        return value.toString().trimmed().toStdString();
+    }
+    std::optional<double> number(
+        const QJsonObject &object, const std::string &path, const char *key, double low, double high)
+    {
+        const QJsonValue value = object.value(QLatin1String(key));
+        if (value.isUndefined())
+            return std::nullopt;
+        if (!value.isDouble() || value.toDouble() < low || value.toDouble() > high) {
+            wrong(pathOf(path, key), '\'' + std::string(key) + "' must be a number",
+                high >= anyNumber ? std::string() : "from " + numberText(low) + " to " + numberText(high));
+            return std::nullopt;
+        }
+        return value.toDouble();
+    }
+    int whole(const QJsonObject &object, const std::string &path, const char *key, int low, int high, int otherwise)
+    {
+        const auto value = number(object, path, key, low, high);
+        if (value && *value != std::floor(*value))
+            wrong(pathOf(path, key), '\'' + std::string(key) + "' must be a whole number");
+        return value ? static_cast<int>(*value) : otherwise;
+    }
+    /// Nothing where it is missing; a mistake where it is something else.
+    std::optional<QJsonObject> part(const QJsonObject &object, const std::string &path, const char *key)
+    {
+        const QJsonValue value = object.value(QLatin1String(key));
+        if (value.isUndefined())
+            return std::nullopt;
+        if (!value.isObject())
+            wrong(pathOf(path, key), '\'' + std::string(key) + "' must be an object in braces");
+        return value.toObject();
+    }
+
+    void readFamily(const QJsonObject &object)
+    {
+        const std::string key = text(object, {}, "family");
+        m_recipe.family = findFamily(m_families, key);
+        if (m_recipe.family)
+            return;
+        std::vector<std::string_view> known;
+        for (const Family *const family : m_families)
+            known.push_back(family->key);
+        wrong("family", "unknown family '" + key + '\'', "this build knows " + listed(known));
+    }
+    void readFirmware(const QJsonObject &object)
+    {
+        const auto firmware = part(object, {}, "firmware");
+        if (!firmware)
+            return;
+        expect(*firmware, "firmware", {"file", "via"});
+        FirmwareRule rule{text(*firmware, "firmware", "file"), text(*firmware, "firmware", "via", false)};
+        const Family &family = *m_recipe.family;
+        if (!family.update)
+            wrong("firmware", std::string(family.key) + " has no firmware update here");
+        if (family.routes.empty() && !rule.via.empty())
+            wrong("firmware.via", std::string(family.key) + " is updated over its own link",
+                "leave the other way in out");
+        const auto leads
+            = [&rule](const UpdateRoute &route) { return rule.via.starts_with(std::string(route.scheme) + ':'); };
+        if (!family.routes.empty() && std::none_of(family.routes.begin(), family.routes.end(), leads))
+            wrong("firmware.via", std::string(family.key) + " is not updated over its own link",
+                "\"via\" must name the other way in, such as \"" + std::string(family.routes.front().example) + '"');
+        m_recipe.firmware = std::move(rule);
+    }
+    void readParameters(const QJsonObject &object)
+    {
+        const auto parameters = part(object, {}, "parameters");
+        if (!parameters)
+            return;
+        expect(*parameters, "parameters", {"file", "store"});
+        const QJsonValue store = parameters->value(QLatin1String("store"));
+        if (!store.isUndefined() && !store.isBool())
+            wrong("parameters.store", "'store' must be true or false");
+        m_recipe.parameters = ParameterRule{text(*parameters, "parameters", "file"), store.toBool(false)};
+    }
+    void readNumber(const QJsonObject &object)
+    {
+        const auto rule = part(object, {}, "number");
+        if (!rule)
+            return;
+        expect(*rule, "number", {"first"});
+        const Capabilities &can = m_recipe.family->capabilities;
+        if (!can.renumber)
+            wrong("number", std::string(m_recipe.family->key) + " has no number that could be set");
+        m_recipe.number = NumberRule{whole(*rule, "number", "first", 1, can.lastAddress, 1)};
+    }
+    void readTest(const QJsonObject &object)
+    {
+        const auto test = part(object, {}, "test");
+        if (!test)
+            return;
+        expect(*test, "test", {"loop", "from", "to", "time", "repeat", "axis", "slot", "limits", "accept"});
+        SelfTest out;
+        const std::string loop = text(*test, "test", "loop");
+        if (const auto mode = modeFromString(loop))
+            out.loop = *mode;
+        else
+            wrong("test.loop", "unknown loop '" + loop + '\'');
+        out.from = number(*test, "test", "from", -anyNumber, anyNumber);
+        const auto to = number(*test, "test", "to", -anyNumber, anyNumber);
+        if (!to)
+            wrong("test.to", "'to' is missing", "the set-point of the step");
+        out.to = to.value_or(0.0);
+        out.seconds = number(*test, "test", "time", 0.001, longestTest);
+        out.repeat = whole(*test, "test", "repeat", 1, mostRepeats, 1);
+        out.axis = whole(*test, "test", "axis", 1, m_recipe.family->capabilities.axes, 1);
+        out.slot = whole(*test, "test", "slot", 0, m_recipe.family->capabilities.gainSlots - 1, 0);
+        readLimits(*test, out);
+        readAccept(*test, out);
+        checkPossible(out);
+        m_recipe.test = std::move(out);
+    }
+    void readLimits(const QJsonObject &test, SelfTest &out)
+    {
+        const auto limits = part(test, "test", "limits");
+        if (!limits)
+            return;
+        expect(*limits, "test.limits", {"travel", "speed", "current", "duty"});
+        for (const EnvelopeBound &bound : envelopeBounds)
+            out.limits.*bound.value = number(
+                *limits, "test.limits", bound.key, 0.0, std::string_view(bound.key) == "duty" ? 1.0 : anyNumber);
+    }
+    void readAccept(const QJsonObject &test, SelfTest &out)
+    {
+        const auto accept = part(test, "test", "accept");
+        if (!accept)
+            return;
+        std::vector<std::string_view> known;
+        for (const tuning::MetricKey &metric : tuning::metricKeys())
+            known.push_back(metric.key);
+        known.insert(known.end(), {figure::resistance, figure::friction, figure::gain, figure::encoder});
+        expect(*accept, "test.accept", known);
+        for (const QString &key : accept->keys())
+            readLimit(key.toStdString(), accept->value(key), out);
+    }
+    void readLimit(const std::string &key, const QJsonValue &value, SelfTest &out)
+    {
+        const std::string path = "test.accept." + key;
+        const QJsonArray both = value.toArray();
+        if (isFigure(key) && m_recipe.family->trials && m_recipe.family->trials->nudge > 0.0)
+            wrong(path, std::string(m_recipe.family->key) + " has no duty command, so '" + key + "' is not measured");
+        if (key == figure::encoder) {
+            if (!value.isBool() || !value.toBool())
+                wrong(path, "'encoder' is true: it counts both ways");
+            out.accept.push_back({key, std::nullopt, 1.0});
+        } else if (value.isDouble()) {
+            const bool isSigned = key == "sse"; // its size counts
+            out.accept.push_back(
+                {key, isSigned ? std::optional(-std::abs(value.toDouble())) : std::nullopt, value.toDouble()});
+        } else if (both.size() == 2 && both.at(0).isDouble() && both.at(1).isDouble()
+            && both.at(0).toDouble() <= both.at(1).toDouble()) {
+            out.accept.push_back({key, both.at(0).toDouble(), both.at(1).toDouble()});
+        } else {
+            wrong(path, "the limit of '" + key + "' must be the greatest value, or [least, greatest]");
+        }
+    }
+    void checkPossible(const SelfTest &test)
+    {
+        if (m_error)
+            return;
+        tuning::ExperimentPlan plan;
+        plan.mode = test.loop;
+        plan.axis = test.axis;
+        plan.slot = test.slot;
+        plan.from = test.from;
+        plan.to = test.to;
+        plan.seconds = test.seconds;
+        plan.repeat = test.repeat;
+        if (auto possible = tuning::checkPlan(*m_recipe.family, plan); !possible)
+            wrong("test", possible.error().detail, possible.error().remedy);
+    }
+
+    JsonLines m_lines;
+    std::span<const Family *const> m_families;
+    Recipe m_recipe;
+    std::optional<Error> m_error;
+};
+
+} // namespace
+
+Result<Recipe> readRecipe(const QByteArray &text, std::span<const Family *const> families)
+{
+    QJsonParseError mistake;
+    const QJsonDocument document = QJsonDocument::fromJson(text, &mistake);
+    if (document.isNull())
+        return fail(Fault::OutOfRange,
+            "line " + std::to_string(lineAt(text, mistake.offset)) + ": " + mistake.errorString().toStdString(),
+            "a recipe is a JSON object");
+    if (!document.isObject())
+        return fail(Fault::OutOfRange, "line 1: a recipe is a JSON object", "it begins with {");
+    return Reader(text, families).read(document.object());
+}
+
+} // namespace mb::service

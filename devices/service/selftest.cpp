@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "service/selftest.h"
+
+#include "service/figuretext.h"
+#include "service/motorfigures.h"
+#include "tuning/guards.h"
+
+#include <algorithm>
+
+namespace mb::service {
+namespace {
+
+using tuning::Trial;
+
+std::string limitsText(const TestValue &value)
+{
+    if (!value.low)
+        return "limit " + figureText(value.high.value_or(0.0));
+    return "limits " + figureText(*value.low) + " … " + figureText(value.high.value_or(0.0));
+}
+
+/// What may be done about a value that is out of its limits.
+std::string remedyOf(std::string_view key)
+{
+    if (key == figure::encoder)
+        return "look at the plug and the polarity of encoder and motor, then test again";
+    if (key == figure::resistance)
+        return "look at brushes, plugs and leads, then test again";
+    if (key == figure::friction)
+        return "free the shaft and see that no brake is on, then test again";
+    if (key == figure::gain)
+        return "see that this is the motor and the encoder of the recipe, then test again";
+    return "see that motor and load are those of the recipe, then test again";
+}
+
+/// Why a trial ended that should have ended by itself.
+Error failureOf(const Trial &trial)
+{
+    if (!trial.stopped)
+        return {Fault::Unsafe, "the stop of the self-test was not confirmed: " + trial.detail,
+            "cut the power if the motor still turns"};
+    if (trial.reason == "interrupted")
+        return {Fault::Unsafe, "the self-test was stopped by hand", "test again when it is safe"};
+    if (trial.reason == toString(tuning::Guard::Link))
+        return {Fault::LinkLost, "the unit was not heard during the self-test: " + trial.detail,
+            "look at the cable and test again"};
+    if (trial.reason.empty())
+        return {Fault::Refused, "the self-test could not go on: " + trial.detail};
+    return {Fault::Unsafe, "the self-test was ended by the guard '" + trial.reason + "': " + trial.detail,
+        "remove the cause, then test again"};
+}
+
+std::optional<double> metricOf(const Trial &trial, std::string_view key)
+{
+    for (const tuning::MetricKey &metric : tuning::metricKeys()) {
+        if (metric.key == key)
+            return trial.metrics.*metric.value;
+    }
+    return std::nullopt;
+}
+
+std::optional<double> figureOf(const MotorFigures &figures, std::string_view key)
+{
+    if (key == figure::resistance)
+        return figures.resistance;
+    if (key == figure::friction)
+        return figures.friction;
+    if (key == figure::gain)
+        return figures.gain;
+    return figures.encoder ? 1.0 : 0.0;
+}
+
+void judge(TestFinding &finding, const SelfTest &test, const Trial &trial, const MotorFigures &figures)
+{
+    for (const Acceptance &limit : test.accept) {
+        finding.values.push_back(
+            judged(limit, isFigure(limit.key) ? figureOf(figures, limit.key) : metricOf(trial, limit.key)));
+        const TestValue &value = finding.values.back();
+        if (value.passed || finding.failure)
+            continue;
+        const std::string what = value.key == figure::encoder ? "the encoder does not count both ways"
+            : value.value ? value.key + " is " + figureText(*value.value) + ", " + limitsText(value)
+                          : value.key + " could not be measured";
+        finding.failure = Error{Fault::BadCheck, what, remedyOf(value.key)};
+    }
+}
+
+Task<Trial> step(
+    Device &device, SetPointStream &stream, const SelfTest &test, tuning::ExperimentSurroundings surroundings)
+{
+    tuning::ExperimentPlan plan;
+    plan.mode = test.loop;
+    plan.axis = test.axis;
+    plan.slot = test.slot;
+    plan.from = test.from;
+    plan.to = test.to;
+    plan.seconds = test.seconds;
+    plan.repeat = test.repeat;
+    plan.limits = test.limits;
+    auto running = tuning::runExperiment(device, stream, std::move(plan), std::move(surroundings));
+    co_return co_await std::move(running).attempt();
+}
+
+} // namespace
+
+TestValue judged(const Acceptance &limit, std::optional<double> value)
+{
+    TestValue out{limit.key, value, limit.low, limit.high};
+    if (limit.key == figure::encoder)
+        out.low = 1.0;
+    out.passed = value && *value <= limit.high && (!out.low || *value >= *out.low);
+    return out;
+}
+
+Task<TestFinding> runSelfTest(
+    Device &device, SetPointStream &stream, SelfTest test, tuning::ExperimentSurroundings surroundings)
+{
+    TestFinding finding;
+    MotorFigures figures;
+    const auto wanted = [](const Acceptance &limit) { return isFigure(limit.key); };
+    const bool identifies = std::any_of(test.accept.begin(), test.accept.end(), wanted);
+    if (identifies) {
+        auto measuring = measureMotor(device, stream, test.axis, test.slot, test.limits, surroundings);
+        figures = co_await std::move(measuring);
+        if (figures.ended) {
+            finding.failure = failureOf(*figures.ended);
+            co_return finding;
+        }
+    }
+    auto stepping = step(device, stream, test, surroundings);
+    Result<Trial> trial = co_await std::move(stepping).attempt();
+    if (!trial && !identifies)
+        co_return fail(trial.error());
+    if (!trial) {
+        finding.failure = trial.error();
+        co_return finding;
+    }
+    finding.trial = trial->number;
+    if (trial->reason != "done" || !trial->stopped) {
+        finding.failure = failureOf(*trial);
+        co_return finding;
+    }
+    judge(finding, test, *trial, figures);
+    co_return finding;
+}
+
+} // namespace mb::service

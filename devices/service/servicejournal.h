@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "async/task.h"
+#include "service/visit.h"
+
+#include <set>
+
+namespace mb::service {
+
+/// A number that a unit is to get.
+struct NumberWish {
+    std::string scope; ///< numbers are given once in it: "dmc60c drive-base rev C"
+    std::string unit;  ///< Visit::unit: it gets the same number whenever it asks again
+    std::string visit;
+    int first = 1;
+    int last = 63;       ///< of the family
+    std::set<int> taken; ///< by others that are connected now
+};
+
+/// How the cause begins when all numbers up to the family's highest are given.
+constexpr std::string_view numbersUsedUp = "all numbers are used up";
+
+/// Which visits are meant; what is empty, or nothing, leaves it open.
+struct VisitFilter {
+    std::string recipe;
+    std::string recipeHash;
+    std::string run;
+    std::string station;
+    std::string unit;
+    std::string serial;
+    std::optional<double> since; ///< Unix, s
+    std::optional<Outcome> outcome;
+};
+
+/// Where every unit is written down. Thread of the session; whoever implements it waits for disk and server in a thread of its
+/// own where that matters. Everything that write() has taken is on this computer's disk when it ends, whether a server answers or not.
+class ServiceJournal {
+public:
+    virtual ~ServiceJournal() = default;
+
+    /// A new visit: it with its id, the present time, station and person.
+    [[nodiscard]] virtual Task<Visit> open(Visit visit) = 0;
+    /// What is known of a visit by now, in place of what was; its last step gets the present time. OutOfRange with the cause,
+    /// such as a full disk.
+    [[nodiscard]] virtual Task<Visit> write(Visit visit) = 0;
+    /// Oldest first.
+    [[nodiscard]] virtual Task<std::vector<Visit>> visits(VisitFilter filter) = 0;
+    /// Reserved for this unit for good, by nobody else. OutOfRange, the cause beginning with
+    /// `numbersUsedUp`: all are given, up to the highest. Timeout: there is none
+    /// left here, and the server that has more does not answer.
+    [[nodiscard]] virtual Task<int> number(NumberWish wish) = 0;
+};
+
+} // namespace mb::service

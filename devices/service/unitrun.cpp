@@ -1,0 +1,377 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "service/unitrun.h"
+
+#include "async/sleep.h"
+#include "service/goldenband.h"
+#include "service/selftest.h"
+#include "settings/snapshots.h"
+#include "settings/writing.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mb::service {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration numberAgain = 2s;
+
+/// Nothing else talks to a unit while its firmware is written.
+class Busy {
+public:
+    Busy(Device &device, const char *why)
+        : m_device(device)
+    {
+        device.setBusy(why);
+    }
+    Busy(const Busy &) = delete;
+    Busy &operator=(const Busy &) = delete;
+    ~Busy() { m_device.setBusy({}); }
+
+private:
+    Device &m_device;
+};
+
+std::string settingsText(int count)
+{
+    return std::to_string(count) + (count == 1 ? " setting" : " settings");
+}
+
+} // namespace
+
+UnitRun::UnitRun(
+    Device &device, SetPointStream &stream, Visit visit, ServiceSurroundings surroundings, Progress &progress)
+    : m_device(device)
+    , m_stream(stream)
+    , m_visit(std::move(visit))
+    , m_around(std::move(surroundings))
+    , m_progress(progress)
+    , m_begun(device.clock().now())
+    , m_earlier(m_visit.seconds)
+{
+    m_visit.imageHash = m_around.matter.imageHash;
+    if (m_visit.from.empty() && !isEnded(Step::Firmware))
+        m_visit.from = device.identity().firmware;
+}
+
+Task<void> UnitRun::serve()
+{
+    const Recipe &recipe = m_around.matter.recipe;
+    struct Entry {
+        Step step;
+        Work work;
+        bool wanted;
+    };
+    const std::array<Entry, 7> order{{
+        {Step::Preflight, &UnitRun::look, true},
+        {Step::Backup, &UnitRun::backUp, !isEnded(Step::Backup)},
+        {Step::Firmware, &UnitRun::update, recipe.firmware && !(isEnded(Step::Firmware) && hasImage())},
+        {Step::Parameters, &UnitRun::setParameters, recipe.parameters.has_value()},
+        {Step::Test, &UnitRun::test, recipe.test && !isEnded(Step::Test)},
+        {Step::Number, &UnitRun::giveNumber, recipe.number.has_value()},
+        {Step::Proof, &UnitRun::prove, true},
+    }};
+    for (const Entry &entry : order) {
+        if (!entry.wanted)
+            continue;
+        auto performing = perform(entry.step, entry.work);
+        co_await std::move(performing);
+    }
+    co_return {};
+}
+
+/// Written down before it begins and when it has ended, so that whoever goes on after a cut knows where the unit stands.
+Task<void> UnitRun::perform(Step step, Work work)
+{
+    m_visit.step = step;
+    m_visit.steps.push_back({step, 0.0, false, {}});
+    auto beginning = write();
+    co_await std::move(beginning);
+    auto working = (this->*work)();
+    const std::string detail = co_await std::move(working);
+    m_visit.steps.push_back({step, 0.0, true, detail});
+    auto ending = write();
+    co_await std::move(ending);
+    co_return {};
+}
+
+Task<void> UnitRun::write()
+{
+    const auto took = std::chrono::duration<double>(m_device.clock().now() - m_begun);
+    m_visit.seconds = m_earlier + took.count();
+    m_visit.device = m_device.selector();
+    auto writing = m_around.journal.write(m_visit);
+    Result<Visit> written = co_await std::move(writing).attempt();
+    if (!written) {
+        m_journalError = written.error();
+        co_return fail(written.error());
+    }
+    m_visit = std::move(*written);
+    if (m_around.written)
+        m_around.written(m_visit);
+    co_return {};
+}
+
+bool UnitRun::isEnded(Step step) const
+{
+    return std::any_of(m_visit.steps.begin(), m_visit.steps.end(),
+        [step](const StepEntry &entry) { return entry.step == step && entry.ended; });
+}
+
+/// The unit still has what an earlier run has written: it tells the version, or nobody can.
+bool UnitRun::hasImage() const
+{
+    const Identity &identity = m_device.identity();
+    if (identity.state == DeviceState::Bootloader)
+        return false;
+    return !m_device.family().capabilities.versionOnWire || identity.firmware == m_visit.to;
+}
+
+bool UnitRun::storesByItself() const
+{
+    const Capabilities &can = m_device.family().capabilities;
+    return can.storesAtOnce || can.storesAfter.count() > 0;
+}
+
+/// Another unit may answer under the number of the one before: what was known of that one is no part of this.
+Task<void> UnitRun::meet()
+{
+    if (!m_device.liveness().restarted || m_device.identity().state == DeviceState::Bootloader)
+        co_return {};
+    auto refreshing = m_device.refresh();
+    co_await std::move(refreshing);
+    if (storesByItself()) {
+        auto forgetting = m_device.store(m_progress); // says that the flash of the former one is not proved
+        (void)co_await std::move(forgetting).attempt();
+    }
+    co_return {};
+}
+
+Task<std::string> UnitRun::look()
+{
+    auto meeting = meet();
+    co_await std::move(meeting);
+    auto looking = preflight(m_device, m_around.matter, m_progress);
+    co_await std::move(looking);
+    if (m_device.identity().serial != m_visit.serial)
+        co_return fail(Fault::Refused, "this is another unit by now, number " + m_device.identity().serial,
+            "look for units again");
+    co_return m_device.identity().firmware.empty() ? std::string("no version is told")
+                                                   : "firmware " + m_device.identity().firmware;
+}
+
+Task<std::string> UnitRun::backUp()
+{
+    if (m_device.identity().state == DeviceState::Bootloader)
+        co_return std::string("nothing can be read in the bootloader");
+    if (!m_around.settings) {
+        auto reading = readAll();
+        co_await std::move(reading);
+        co_return std::string("not kept: there is no notebook");
+    }
+    auto taking = settings::takeSnapshot(
+        m_device, settings::Occasion::Update, "before " + m_visit.recipe, *m_around.settings, m_progress);
+    const settings::ParameterSnapshot snapshot = co_await std::move(taking);
+    m_visit.snapshot = snapshot.number;
+    const auto entries = m_device.parameters().entries();
+    m_before.assign(entries.begin(), entries.end());
+    co_return "snapshot " + std::to_string(snapshot.number) + " has " + std::to_string(snapshot.count) + " values";
+}
+
+Task<UpdateReport> UnitRun::runUpdate()
+{
+    const Busy busy(m_device, "firmware update");
+    auto updating = m_device.family().update(
+        m_device, m_around.matter.image, updateOptionsOf(*m_around.matter.recipe.firmware), m_progress);
+    co_return co_await std::move(updating).attempt();
+}
+
+Task<std::string> UnitRun::update()
+{
+    auto updating = runUpdate();
+    const UpdateReport report = co_await std::move(updating);
+    if (!report.from.empty() || m_visit.from.empty())
+        m_visit.from = m_visit.from.empty() ? report.from : m_visit.from;
+    m_visit.to = report.to;
+    m_visit.evidence = report.evidence;
+    if (report.outcome == UpdateOutcome::Cancelled)
+        co_return fail(Fault::Cancelled, report.evidence);
+    if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate)
+        co_return report.outcome == UpdateOutcome::UpToDate
+            ? "already " + report.to
+            : std::to_string(report.pages) + " pages, " + std::to_string(report.retries) + " sent again";
+    co_return fail(Error::fromPhrase(report.fault.value_or(Fault::Refused), report.evidence));
+}
+
+Task<void> UnitRun::readAll()
+{
+    auto reading = readParameters(m_device, readable(m_device), m_progress);
+    const std::vector<TransferOutcome> outcomes = co_await std::move(reading);
+    for (const TransferOutcome &outcome : outcomes) {
+        if (!outcome.raw)
+            co_return fail(outcome.raw.error());
+    }
+    co_return {};
+}
+
+/// What the recipe says and the unit is not known to have.
+std::vector<ParameterChange> UnitRun::missing() const
+{
+    std::vector<ParameterChange> changes;
+    for (const ParameterChange &change : m_around.matter.parameters) {
+        const ParameterStore::Entry &entry = m_device.parameters().entry(change.index);
+        const bool known = entry.raw && entry.state != ParameterState::Failed;
+        if (m_device.offers(change.index) && (!known || *entry.raw != change.raw))
+            changes.push_back(change);
+    }
+    return changes;
+}
+
+/// Readable settings that are not part of the recipe and not what the backup says.
+int UnitRun::others() const
+{
+    int count = 0;
+    const auto &wanted = m_around.matter.parameters;
+    for (std::uint16_t i = 0; i < m_before.size(); ++i) {
+        const Parameter &parameter = m_device.parameters().parameter({i});
+        const bool ours = std::any_of(
+            wanted.begin(), wanted.end(), [i](const ParameterChange &change) { return change.index.value == i; });
+        const auto &now = m_device.parameters().entry({i});
+        if (!ours && parameter.nature == Nature::Setting && parameter.persistent && !parameter.belongsToUnit
+            && m_before[i].raw && now.raw && *m_before[i].raw != *now.raw)
+            ++count;
+    }
+    return count;
+}
+
+Task<std::string> UnitRun::setParameters()
+{
+    auto reading = readAll();
+    co_await std::move(reading);
+    const std::vector<ParameterChange> changes = missing();
+    auto writing = settings::writeKept(
+        m_device, changes, {settings::Origin::Recipe, settings::Purpose::Write}, m_around.settings, m_progress);
+    const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
+    for (const TransferOutcome &outcome : outcomes) {
+        if (!outcome.raw)
+            co_return fail(outcome.raw.error());
+    }
+    m_wrote = !changes.empty();
+    if (m_around.matter.recipe.parameters->store && !storesByItself()) {
+        auto storing = m_device.store(m_progress);
+        co_await std::move(storing);
+    }
+    m_visit.parameters = static_cast<int>(m_around.matter.parameters.size());
+    co_return std::to_string(changes.size()) + " of " + settingsText(*m_visit.parameters) + " written";
+}
+
+Task<std::string> UnitRun::test()
+{
+    if (!m_around.permit)
+        co_return fail(Fault::Unsafe, "nobody watches over this self-test, and it moves the motor", "arm it first");
+    const SelfTest &wanted = *m_around.matter.recipe.test;
+    const tuning::Interruption *const stop = m_around.experiments.interruption;
+    auto asking = m_around.permit->beforeMotion(m_device, wanted);
+    co_await std::move(asking);
+    if (stop && stop->isRequested())
+        co_return fail(Fault::Unsafe, "the self-test was stopped by hand", "test again when it is safe");
+    auto testing = runSelfTest(m_device, m_stream, wanted, m_around.experiments);
+    TestFinding finding = co_await std::move(testing);
+    VisitFilter passed;
+    passed.recipe = m_visit.recipe;
+    passed.recipeHash = m_visit.recipeHash;
+    passed.outcome = Outcome::Passed;
+    auto asking2 = m_around.journal.visits(passed);
+    const Result<std::vector<Visit>> others = co_await std::move(asking2).attempt();
+    const std::string unusual = others ? markUnusual(finding.values, *others) : std::string();
+    m_visit.test = std::move(finding.values);
+    m_visit.trial = finding.trial;
+    if (finding.failure)
+        co_return fail(*finding.failure);
+    co_return unusual.empty() ? std::string("within its limits") : "within its limits; " + unusual;
+}
+
+/// Without a server and with none left the unit waits here: nothing else is lost by that.
+Task<int> UnitRun::reserve()
+{
+    const Family &family = m_device.family();
+    NumberWish wish{std::string(family.key) + ' ' + m_visit.recipe, m_visit.unit, m_visit.id,
+        m_around.matter.recipe.number->first, family.capabilities.lastAddress, m_around.taken};
+    for (;;) {
+        auto asking = m_around.journal.number(wish);
+        const Result<int> number = co_await std::move(asking).attempt();
+        if (number || number.error().fault != Fault::Timeout)
+            co_return number;
+        m_progress.step("no number: server silent", 0, 0);
+        Sleep waiting(m_device.clock(), numberAgain);
+        co_await waiting;
+    }
+}
+
+Task<std::string> UnitRun::giveNumber()
+{
+    if (!m_visit.number) {
+        auto reserving = reserve();
+        m_visit.number = co_await std::move(reserving);
+        auto noting = write(); // it is this unit's, whatever happens next
+        co_await std::move(noting);
+    }
+    const int old = m_device.identity().address;
+    m_progress.step("Giving it number " + std::to_string(*m_visit.number), 0, 0);
+    if (old != *m_visit.number) {
+        auto moving = m_device.renumber(*m_visit.number);
+        co_await std::move(moving);
+    }
+    co_return "number " + std::to_string(*m_visit.number) + (old == *m_visit.number ? ", as before" : "");
+}
+
+Task<std::string> UnitRun::prove()
+{
+    const bool stores = storesByItself();
+    bool stored = false;
+    if (stores) {
+        auto storing = m_device.store(m_progress);
+        stored = co_await std::move(storing);
+    }
+    auto refreshing = m_device.refresh();
+    co_await std::move(refreshing);
+    m_visit.to = m_device.identity().firmware;
+    auto reading = readAll();
+    co_await std::move(reading);
+    if (const auto left = missing(); m_around.matter.recipe.parameters && !left.empty())
+        co_return fail(Fault::BadCheck,
+            settingsText(static_cast<int>(left.size())) + " of the recipe read back different, first "
+                + std::string(m_device.parameters().parameter(left.front().index).key),
+            "do it again");
+    if (m_around.matter.recipe.firmware && m_device.family().capabilities.versionOnWire
+        && !m_around.matter.imageVersion.empty() && m_visit.to != m_around.matter.imageVersion)
+        co_return fail(Fault::BadCheck,
+            "the unit answers with firmware " + m_visit.to + ", the image is " + m_around.matter.imageVersion,
+            "do it again");
+    std::string told = stored ? "its flash has it" : stores ? "nothing had to be stored" : "read back";
+    if (const int changed = others(); changed > 0)
+        told += "; " + settingsText(changed) + " besides those of the recipe differ from the backup";
+    co_return told;
+}
+
+Task<Visit> UnitRun::conclude(Outcome outcome, Error error)
+{
+    std::string evidence;
+    for (const StepEntry &entry : m_visit.steps) {
+        if (entry.ended && !entry.detail.empty())
+            evidence += (evidence.empty() ? "" : "; ") + std::string(toString(entry.step)) + ": " + entry.detail;
+    }
+    m_visit.evidence = std::move(evidence);
+    m_visit.outcome = outcome;
+    m_visit.cause = error.detail;
+    m_visit.remedy = error.remedy;
+    if (outcome == Outcome::Passed)
+        m_visit.step = Step::Done;
+    m_visit.steps.push_back({m_visit.step, 0.0, true, outcome == Outcome::Passed ? "passed" : error.detail});
+    auto writing = write();
+    co_await std::move(writing);
+    co_return m_visit;
+}
+
+} // namespace mb::service

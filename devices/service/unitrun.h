@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/family.h"
+#include "model/parametertransfer.h"
+#include "service/unitservice.h"
+
+namespace mb::service {
+
+[[nodiscard]] UpdateOptions updateOptionsOf(const FirmwareRule &rule);
+
+/// One unit under one recipe: its steps, and what they share. Lives in the frame of serveUnit().
+class UnitRun {
+public:
+    UnitRun(Device &device, SetPointStream &stream, Visit visit, ServiceSurroundings surroundings, Progress &progress);
+
+    /// All steps; fails with the first that did.
+    [[nodiscard]] Task<void> serve();
+    /// The verdict into the journal.
+    [[nodiscard]] Task<Visit> conclude(Outcome outcome, Error error);
+    [[nodiscard]] const Visit &visit() const { return m_visit; }
+    /// The journal could not be written.
+    [[nodiscard]] const std::optional<Error> &journalError() const { return m_journalError; }
+
+private:
+    using Work = Task<std::string> (UnitRun::*)();
+    [[nodiscard]] Task<void> perform(Step step, Work work);
+    [[nodiscard]] Task<void> write();
+    [[nodiscard]] bool isEnded(Step step) const;
+    [[nodiscard]] bool hasImage() const;
+    [[nodiscard]] bool storesByItself() const;
+
+    // Each yields what came of it, one clause.
+    [[nodiscard]] Task<std::string> look();
+    [[nodiscard]] Task<std::string> backUp();
+    [[nodiscard]] Task<std::string> update();
+    [[nodiscard]] Task<std::string> setParameters();
+    [[nodiscard]] Task<std::string> test();
+    [[nodiscard]] Task<std::string> giveNumber();
+    [[nodiscard]] Task<std::string> prove();
+
+    [[nodiscard]] Task<void> meet();
+    [[nodiscard]] Task<UpdateReport> runUpdate();
+    [[nodiscard]] Task<int> reserve();
+    [[nodiscard]] Task<void> readAll();
+    [[nodiscard]] std::vector<ParameterChange> missing() const;
+    [[nodiscard]] int others() const;
+
+    Device &m_device;
+    SetPointStream &m_stream;
+    Visit m_visit;
+    ServiceSurroundings m_around;
+    Progress &m_progress;
+    const Instant m_begun;
+    const double m_earlier;                      ///< s, of what was cut off
+    std::vector<ParameterStore::Entry> m_before; ///< in table order, of the backup
+    bool m_wrote = false;
+    std::optional<Error> m_journalError;
+};
+
+} // namespace mb::service

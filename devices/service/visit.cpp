@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "service/visit.h"
+
+#include <algorithm>
+#include <array>
+
+namespace mb::service {
+namespace {
+
+constexpr std::array<std::string_view, 8> steps{
+    "preflight", "backup", "firmware", "parameters", "self-test", "number", "proof", "done"};
+constexpr std::array<std::string_view, 4> outcomes{"open", "passed", "failed", "refused"};
+
+template <std::size_t N> std::size_t placeOf(const std::array<std::string_view, N> &words, std::string_view text)
+{
+    const auto found = std::find(words.begin(), words.end(), text);
+    return found == words.end() ? 0 : static_cast<std::size_t>(found - words.begin());
+}
+
+} // namespace
+
+std::string_view toString(Step step)
+{
+    return steps[static_cast<std::size_t>(step)];
+}
+
+Step stepFromString(std::string_view text)
+{
+    return static_cast<Step>(placeOf(steps, text));
+}
+
+std::string_view toString(Outcome outcome)
+{
+    return outcomes[static_cast<std::size_t>(outcome)];
+}
+
+Outcome outcomeFromString(std::string_view text)
+{
+    return static_cast<Outcome>(placeOf(outcomes, text));
+}
+
+} // namespace mb::service

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/visittable.h"
+
+#include "model/qttext.h"
+#include "storage/visitjson.h"
+
+#include <QJsonDocument>
+#include <QSqlQuery>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+using service::StepEntry;
+using service::Visit;
+
+constexpr const char *visitColumns
+    = "id, revision, run, time, station, person, recipe, recipe_hash, image_hash, unit, "
+      "serial, device, family, simulated, "
+      "step, outcome, firmware_before, firmware_after, parameters, test, number, snapshot, "
+      "trial, seconds, cause, remedy, "
+      "evidence, note";
+
+template <class Number> QVariant sqlOrNull(const std::optional<Number> &number)
+{
+    return number ? QVariant(static_cast<qlonglong>(*number)) : QVariant(QVariant::LongLong);
+}
+
+template <class Number> std::optional<Number> countAt(const QSqlQuery &row, int column)
+{
+    const QVariant value = row.value(column);
+    return value.isNull() ? std::nullopt : std::optional(static_cast<Number>(value.toLongLong()));
+}
+
+QString testText(const std::vector<service::TestValue> &test)
+{
+    return QString::fromUtf8(QJsonDocument(testToJson(test)).toJson(QJsonDocument::Compact));
+}
+
+QVariantList visitValues(const KeptVisit &kept)
+{
+    const Visit &v = kept.visit;
+    return {qt(v.id), static_cast<qlonglong>(kept.revision), qt(v.run), v.time, qt(v.station), qt(v.person),
+        qt(v.recipe), qt(v.recipeHash), qt(v.imageHash), qt(v.unit), qt(v.serial), qt(v.device), qt(v.family),
+        v.simulated ? 1 : 0, qt(toString(v.step)), qt(toString(v.outcome)), qt(v.from), qt(v.to),
+        sqlOrNull(v.parameters), testText(v.test), sqlOrNull(v.number), sqlOrNull(v.snapshot), sqlOrNull(v.trial),
+        v.seconds, qt(v.cause), qt(v.remedy), qt(v.evidence), qt(v.note)};
+}
+
+std::string wordAt(const QSqlQuery &row, int column)
+{
+    return row.value(column).toString().toStdString();
+}
+
+KeptVisit visitFrom(const QSqlQuery &row)
+{
+    KeptVisit kept;
+    Visit &v = kept.visit;
+    kept.revision = row.value(1).toLongLong();
+    v.id = wordAt(row, 0);
+    v.run = wordAt(row, 2);
+    v.time = row.value(3).toDouble();
+    v.station = wordAt(row, 4);
+    v.person = wordAt(row, 5);
+    v.recipe = wordAt(row, 6);
+    v.recipeHash = wordAt(row, 7);
+    v.imageHash = wordAt(row, 8);
+    v.unit = wordAt(row, 9);
+    v.serial = wordAt(row, 10);
+    v.device = wordAt(row, 11);
+    v.family = wordAt(row, 12);
+    v.simulated = row.value(13).toInt() != 0;
+    v.step = service::stepFromString(wordAt(row, 14));
+    v.outcome = service::outcomeFromString(wordAt(row, 15));
+    v.from = wordAt(row, 16);
+    v.to = wordAt(row, 17);
+    v.parameters = countAt<int>(row, 18);
+    v.test = testFromJson(QJsonDocument::fromJson(row.value(19).toString().toUtf8()).array());
+    v.number = countAt<int>(row, 20);
+    v.snapshot = countAt<std::int64_t>(row, 21);
+    v.trial = countAt<std::int64_t>(row, 22);
+    v.seconds = row.value(23).toDouble();
+    v.cause = wordAt(row, 24);
+    v.remedy = wordAt(row, 25);
+    v.evidence = wordAt(row, 26);
+    v.note = wordAt(row, 27);
+    return kept;
+}
+
+Result<void> putSteps(SqlConnection &sql, const Visit &visit)
+{
+    int place = 0;
+    for (const StepEntry &entry : visit.steps) {
+        auto put
+            = sql.run("INSERT INTO service_step (visit, place, step, time, ended, detail) VALUES (?, ?, ?, ?, ?, ?) "
+                      "ON CONFLICT (visit, place) DO NOTHING",
+                {qt(visit.id), place++, qt(toString(entry.step)), entry.time, entry.ended ? 1 : 0, qt(entry.detail)});
+        if (!put)
+            return put;
+    }
+    return {};
+}
+
+/// All but the id are taken from what is put.
+const std::string &putStatement()
+{
+    static const std::string statement = [] {
+        const QStringList names = QString::fromUtf8(visitColumns).split(QStringLiteral(", "));
+        QStringList marks;
+        QStringList changes;
+        for (const QString &name : names) {
+            marks += QStringLiteral("?");
+            if (name != QLatin1String("id"))
+                changes += name + QStringLiteral(" = excluded.") + name;
+        }
+        const QString text
+            = QStringLiteral("INSERT INTO service_visit (%1) VALUES (%2) ON CONFLICT (id) DO UPDATE SET %3 "
+                             "WHERE service_visit.revision <= excluded.revision");
+        return text
+            .arg(QString::fromUtf8(visitColumns), marks.join(QStringLiteral(", ")), changes.join(QStringLiteral(", ")))
+            .toStdString();
+    }();
+    return statement;
+}
+
+Result<std::vector<KeptVisit>> select(SqlConnection &sql, const std::string &rest, const QVariantList &values)
+{
+    std::vector<KeptVisit> visits;
+    auto read = sql.run(("SELECT " + std::string(visitColumns) + " FROM service_visit " + rest).c_str(), values,
+        [&visits](const QSqlQuery &row) { visits.push_back(visitFrom(row)); });
+    for (KeptVisit &kept : visits) {
+        if (!read)
+            break;
+        read = sql.run("SELECT step, time, ended, detail FROM service_step WHERE visit = ? ORDER BY place",
+            {qt(kept.visit.id)}, [&kept](const QSqlQuery &row) {
+                kept.visit.steps.push_back({service::stepFromString(wordAt(row, 0)), row.value(1).toDouble(),
+                    row.value(2).toInt() != 0, wordAt(row, 3)});
+            });
+    }
+    if (!read)
+        return fail(read.error());
+    return visits;
+}
+
+} // namespace
+
+Result<void> putVisits(SqlConnection &sql, const std::vector<KeptVisit> &visits)
+{
+    return sql.transact([&]() -> Result<void> {
+        for (const KeptVisit &kept : visits) {
+            if (auto put = sql.run(putStatement().c_str(), visitValues(kept)); !put)
+                return put;
+            if (auto steps = putSteps(sql, kept.visit); !steps)
+                return steps;
+        }
+        return {};
+    });
+}
+
+Result<std::vector<KeptVisit>> getVisits(SqlConnection &sql, const service::VisitFilter &filter)
+{
+    std::string where;
+    QVariantList values;
+    const auto add = [&where, &values](const char *condition, const QVariant &value) {
+        where += (where.empty() ? "WHERE " : " AND ") + std::string(condition);
+        values += value;
+    };
+    const std::pair<const char *, const std::string *> texts[]
+        = {{"recipe = ?", &filter.recipe}, {"recipe_hash = ?", &filter.recipeHash}, {"run = ?", &filter.run},
+            {"station = ?", &filter.station}, {"unit = ?", &filter.unit}, {"serial = ?", &filter.serial}};
+    for (const auto &[condition, text] : texts) {
+        if (!text->empty())
+            add(condition, qt(*text));
+    }
+    if (filter.since)
+        add("time >= ?", *filter.since);
+    if (filter.outcome)
+        add("outcome = ?", qt(toString(*filter.outcome)));
+    return select(sql, where + " ORDER BY time, id", values);
+}
+
+Result<KeptVisit> getVisit(SqlConnection &sql, const std::string &id)
+{
+    auto found = select(sql, "WHERE id = ?", {qt(id)});
+    if (!found)
+        return fail(found.error());
+    if (found->empty())
+        return fail(Fault::OutOfRange, "there is no entry " + id + " in the journal");
+    return std::move(found->front());
+}
+
+Result<std::vector<KeptVisit>> undelivered(SqlConnection &sql, int most)
+{
+    return select(sql,
+        "WHERE NOT EXISTS (SELECT 1 FROM service_delivery WHERE service_delivery.visit = service_visit.id AND "
+        "service_delivery.revision = service_visit.revision) ORDER BY time, id LIMIT ?",
+        {most});
+}
+
+Result<int> countUndelivered(SqlConnection &sql)
+{
+    int count = 0;
+    auto counted = sql.run("SELECT count(*) FROM service_visit WHERE NOT EXISTS (SELECT 1 FROM service_delivery WHERE "
+                           "service_delivery.visit = service_visit.id AND service_delivery.revision = "
+                           "service_visit.revision)",
+        {}, [&count](const QSqlQuery &row) { count = row.value(0).toInt(); });
+    if (!counted)
+        return fail(counted.error());
+    return count;
+}
+
+Result<void> markDelivered(SqlConnection &sql, const std::vector<KeptVisit> &visits)
+{
+    return sql.transact([&]() -> Result<void> {
+        for (const KeptVisit &kept : visits) {
+            auto marked = sql.run("INSERT INTO service_delivery (visit, revision) VALUES (?, ?) ON CONFLICT (visit) DO "
+                                  "UPDATE SET revision = excluded.revision",
+                {qt(kept.visit.id), static_cast<qlonglong>(kept.revision)});
+            if (!marked)
+                return marked;
+        }
+        return {};
+    });
+}
+
+} // namespace mb

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/family.h"
+#include "model/registry.h"
+#include "service/goldenband.h"
+#include "service/recipe.h"
+
+#include <gtest/gtest.h>
+
+namespace mb::service {
+namespace {
+
+const QByteArray whole = R"({
+  "recipe": 1,
+  "name": "drive-base rev C",
+  "family": "dmc60c",
+  "firmware": {"file": "dmc60c-1.25.hex"},
+  "parameters": {"file": "base_c.json", "store": true},
+  "number": {"first": 10},
+  "test": {
+    "loop": "velocity", "from": 0, "to": 4000, "time": 0.8, "repeat": 1, "slot": 0,
+    "limits": {"travel": 40000, "speed": 9000, "current": 20, "duty": 0.6},
+    "accept": {
+      "settle": 0.6,
+      "sse": 0.02,
+      "friction": [0.1, 0.4],
+      "encoder": true
+    }
+  }
+})";
+
+Result<Recipe> parse(const QByteArray &text)
+{
+    return parseRecipe(text, families());
+}
+
+std::string mistakeIn(QByteArray text, const char *what, const char *with)
+{
+    text.replace(what, with);
+    const auto parsed = parse(text);
+    EXPECT_FALSE(parsed) << with;
+    return parsed ? std::string() : parsed.error().text();
+}
+
+TEST(Recipes, SayWhatIsDoneToEveryUnit)
+{
+    const auto recipe = parse(whole);
+    ASSERT_TRUE(recipe) << recipe.error().text();
+    EXPECT_EQ(recipe->name, "drive-base rev C");
+    EXPECT_EQ(recipe->family->key, "dmc60c");
+    EXPECT_EQ(recipe->firmware->file, "dmc60c-1.25.hex");
+    EXPECT_TRUE(recipe->parameters->store);
+    EXPECT_EQ(recipe->number->first, 10);
+    const SelfTest &test = *recipe->test;
+    EXPECT_EQ(test.loop, Mode::Velocity);
+    EXPECT_EQ(test.to, 4000.0);
+    EXPECT_EQ(test.limits.duty, 0.6);
+    ASSERT_EQ(test.accept.size(), 4U);
+    EXPECT_EQ(test.accept[0].key, "encoder");
+    EXPECT_EQ(test.accept[1].low, 0.1);
+    EXPECT_EQ(test.accept[3].low, -0.02); // the size of an error counts
+}
+
+TEST(Recipes, AreWrittenAsTheyWereRead)
+{
+    const auto recipe = parse(whole);
+    ASSERT_TRUE(recipe);
+    const auto again = parse(toText(*recipe));
+    ASSERT_TRUE(again) << again.error().text();
+    EXPECT_EQ(toText(*again), toText(*recipe));
+    EXPECT_EQ(again->test->accept.size(), 4U);
+}
+
+TEST(Recipes, NeedNothingButNameAndFamily)
+{
+    EXPECT_TRUE(parse(R"({"recipe":1,"name":"look","family":"quadquad2drv"})"));
+}
+
+TEST(Recipes, EveryMistakeHasItsLine)
+{
+    EXPECT_EQ(mistakeIn(whole, "\"first\": 10", "\"frist\": 10"), "line 7: unknown key 'frist'; known are first");
+    EXPECT_EQ(mistakeIn(whole, "\"duty\": 0.6", "\"duty\": 1.6"), "line 10: 'duty' must be a number; from 0 to 1");
+    EXPECT_EQ(mistakeIn(whole, "\"settle\"", "\"setle\"").substr(0, 28), "line 12: unknown key 'setle'");
+    EXPECT_EQ(mistakeIn(whole, "[0.1, 0.4]", "[0.4, 0.1]"),
+        "line 14: the limit of 'friction' must be the greatest value, or [least, greatest]");
+    EXPECT_EQ(
+        mistakeIn(whole, "\"encoder\": true", "\"encoder\": 4096"), "line 15: 'encoder' is true: it counts both ways");
+    EXPECT_EQ(mistakeIn(whole, "\"dmc60c\"", "\"dmc60\"").substr(0, 31), "line 4: unknown family 'dmc60';");
+    EXPECT_EQ(mistakeIn(whole, "\"first\": 10", "\"first\": 64"), "line 7: 'first' must be a number; from 1 to 63");
+    EXPECT_EQ(mistakeIn(whole, "\"velocity\"", "\"torque\"").substr(0, 28), "line 9: unknown loop 'torque");
+    EXPECT_EQ(mistakeIn(whole, "\"number\"", "\"name\"").substr(0, 41), "line 7: the key 'name' is there twice");
+    EXPECT_EQ(
+        mistakeIn(whole, "\"recipe\": 1,", "\"recipe\": 2,").substr(0, 38), "line 2: this is no recipe of version 1");
+    EXPECT_EQ(mistakeIn(whole, "\"store\": true", "\"store\": 1"), "line 6: 'store' must be true or false");
+    EXPECT_EQ(mistakeIn(whole, "{\"first\": 10},", "{\"first\": 10}").substr(0, 7), "line 8:");
+    EXPECT_EQ(mistakeIn("[1]", "1", "2").substr(0, 7), "line 1:");
+}
+
+TEST(Recipes, KnowWhatAFamilyCannotDo)
+{
+    const char *const via = R"({"recipe":1,"name":"n","family":"supermodified","firmware":{"file":"a.hex"}})";
+    const auto needs = parse(via);
+    ASSERT_FALSE(needs);
+    EXPECT_NE(needs.error().remedy.find("avrdude:"), std::string::npos) << needs.error().text();
+    const auto no = parse(R"({"recipe":1,"name":"n","family":"supermodified",
+"test":{"loop":"position","to":100,
+"accept":{"friction":0.5}}})");
+    ASSERT_FALSE(no);
+    EXPECT_EQ(no.error().detail.substr(0, 7), "line 3:");
+}
+
+Visit passedWith(const std::string &unit, double settle)
+{
+    Visit visit;
+    visit.unit = unit;
+    visit.outcome = Outcome::Passed;
+    visit.test = {{"settle", settle, std::nullopt, 1.0}};
+    return visit;
+}
+
+TEST(GoldenBand, BeginsAtEightUnitsAndOnlyWarns)
+{
+    std::vector<Visit> passed;
+    for (int i = 0; i < 7; ++i)
+        passed.push_back(passedWith("u" + std::to_string(i), 0.40 + 0.01 * i));
+    EXPECT_FALSE(bandOf(passed, "settle"));
+    passed.push_back(passedWith("u0", 0.40)); // the same unit again
+    EXPECT_FALSE(bandOf(passed, "settle"));
+    passed.push_back(passedWith("u7", 0.47));
+    const auto band = bandOf(passed, "settle");
+    ASSERT_TRUE(band);
+    EXPECT_NEAR(band->median, 0.435, 1e-9);
+    EXPECT_NEAR(band->deviation, 0.02, 1e-9);
+    std::vector<TestValue> values{{"settle", 0.50, std::nullopt, 1.0}};
+    EXPECT_EQ(markUnusual(values, passed), "settle 0.5 is unusual: 8 units have 0.375 to 0.495");
+    EXPECT_TRUE(values[0].passed);
+    EXPECT_TRUE(values[0].unusual);
+    values[0].value = 0.49;
+    EXPECT_EQ(markUnusual(values, passed), "");
+}
+
+} // namespace
+} // namespace mb::service
