@@ -11143,14 +11143,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>&apos;motorbenchctl trials&apos; nennt die vorhandenen</translation>
     </message>
     <message>
-        <source>--current</source>
-        <translation>--current</translation>
-    </message>
-    <message>
-        <source>--duty</source>
-        <translation>--duty</translation>
-    </message>
-    <message>
         <source>--font-scale takes 0.5 to 3</source>
         <translation>--font-scale nimmt 0.5 bis 3</translation>
     </message>
@@ -11171,10 +11163,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>--size nimmt BREITExHÖHE, etwa 1280x800</translation>
     </message>
     <message>
-        <source>--speed</source>
-        <translation>--speed</translation>
-    </message>
-    <message>
         <source>--target is missing</source>
         <translation>--target fehlt</translation>
     </message>
@@ -11189,10 +11177,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>--tour needs a folder for its pictures</source>
         <translation>--tour braucht einen Ordner für seine Bilder</translation>
-    </message>
-    <message>
-        <source>--travel</source>
-        <translation>--travel</translation>
     </message>
     <message>
         <source>--via: &apos;%1&apos; is no way into a Supermodified</source>
@@ -13909,6 +13893,274 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>without it nothing would stop this motor if the program died: install it there</source>
         <translation>ohne ihn hielte nichts diesen Motor an, wenn das Programm stürbe: dort installieren</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the unit that the file was saved from</source>
+        <translation>%1 gehört zu der Einheit, von der die Datei stammt</translation>
+    </message>
+    <message>
+        <source>%1 could not be measured</source>
+        <translation>%1 ließ sich nicht messen</translation>
+    </message>
+    <message>
+        <source>%1 has no duty command, so &apos;%2&apos; is not measured</source>
+        <translation>%1 hat kein Kommando für den Tastgrad, &apos;%2&apos; wird also nicht gemessen</translation>
+    </message>
+    <message>
+        <source>%1 has no firmware update here</source>
+        <translation>%1 lässt sich hier nicht mit Firmware aktualisieren</translation>
+    </message>
+    <message>
+        <source>%1 has no number that could be set</source>
+        <translation>%1 hat keine Nummer, die sich setzen ließe</translation>
+    </message>
+    <message>
+        <source>%1 has no setting that could be written to every unit</source>
+        <translation>%1 hat keine Einstellung, die sich in jedes Gerät schreiben ließe</translation>
+    </message>
+    <message>
+        <source>%1 is %2, %3</source>
+        <translation>%1 ist %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 is not updated over its own link</source>
+        <translation>%1 wird nicht über seinen eigenen Link aktualisiert</translation>
+    </message>
+    <message>
+        <source>%1 is updated over its own link</source>
+        <translation>%1 wird über seinen eigenen Link aktualisiert</translation>
+    </message>
+    <message>
+        <source>%1 of the recipe read back different, first %2</source>
+        <translation>%1 des Rezepts lesen sich anders zurück, als erstes %2</translation>
+    </message>
+    <message>
+        <source>%1, the highest is %2</source>
+        <translation>%1, die höchste ist %2</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be a number</source>
+        <translation>&apos;%1&apos; muss eine Zahl sein</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be a text</source>
+        <translation>&apos;%1&apos; muss ein Text sein</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be a whole number</source>
+        <translation>&apos;%1&apos; muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; must be an object in braces</source>
+        <translation>&apos;%1&apos; muss ein Objekt in geschweiften Klammern sein</translation>
+    </message>
+    <message>
+        <source>&apos;encoder&apos; is true: it counts both ways</source>
+        <translation>&apos;encoder&apos; ist true: er zählt in beide Richtungen</translation>
+    </message>
+    <message>
+        <source>&apos;store&apos; must be true or false</source>
+        <translation>&apos;store&apos; muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>&apos;to&apos; is missing</source>
+        <translation>&apos;to&apos; fehlt</translation>
+    </message>
+    <message>
+        <source>Giving it number %1</source>
+        <translation>Vergabe der Nummer %1</translation>
+    </message>
+    <message>
+        <source>&quot;via&quot; must name the other way in, such as &quot;%1&quot;</source>
+        <translation>&quot;via&quot; muss den anderen Weg nennen, etwa &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>a recipe is a JSON object</source>
+        <translation>ein Rezept ist ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>another program or controller drives this unit</source>
+        <translation>ein anderes Programm oder Steuergerät steuert dieses Gerät an</translation>
+    </message>
+    <message>
+        <source>arm it first</source>
+        <translation>es zuerst scharf schalten</translation>
+    </message>
+    <message>
+        <source>begin another recipe, or another bus</source>
+        <translation>ein anderes Rezept oder einen anderen Bus beginnen</translation>
+    </message>
+    <message>
+        <source>bring it to rest first</source>
+        <translation>ihn zuerst zum Stillstand bringen</translation>
+    </message>
+    <message>
+        <source>cut the power if the motor still turns</source>
+        <translation>den Strom abschalten, wenn der Motor noch dreht</translation>
+    </message>
+    <message>
+        <source>free the shaft and see that no brake is on, then test again</source>
+        <translation>die Welle freimachen, prüfen, dass keine Bremse anliegt, dann erneut prüfen</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>give it a number first, or take the self-test out of the recipe</source>
+        <translation>ihm zuerst eine Nummer geben, oder den Selbsttest aus dem Rezept nehmen</translation>
+    </message>
+    <message>
+        <source>it begins with &quot;recipe&quot;: 1</source>
+        <translation>es beginnt mit &quot;recipe&quot;: 1</translation>
+    </message>
+    <message>
+        <source>it begins with {</source>
+        <translation>es beginnt mit {</translation>
+    </message>
+    <message>
+        <source>its motor is turning or driven already</source>
+        <translation>sein Motor dreht sich oder wird schon angesteuert</translation>
+    </message>
+    <message>
+        <source>known are %1</source>
+        <translation>bekannt sind %1</translation>
+    </message>
+    <message>
+        <source>limit %1</source>
+        <translation>Grenze %1</translation>
+    </message>
+    <message>
+        <source>limits %1 … %2</source>
+        <translation>Grenzen %1 … %2</translation>
+    </message>
+    <message>
+        <source>line 1: a recipe is a JSON object</source>
+        <translation>Zeile 1: ein Rezept ist ein JSON-Objekt</translation>
+    </message>
+    <message>
+        <source>look at brushes, plugs and leads, then test again</source>
+        <translation>Bürsten, Stecker und Leitungen prüfen, dann erneut prüfen</translation>
+    </message>
+    <message>
+        <source>look at the cable and test again</source>
+        <translation>das Kabel prüfen und erneut prüfen</translation>
+    </message>
+    <message>
+        <source>look at the plug and the polarity of encoder and motor, then test again</source>
+        <translation>Stecker und Polung von Encoder und Motor prüfen, dann erneut prüfen</translation>
+    </message>
+    <message>
+        <source>look for units again</source>
+        <translation>erneut nach Geräten suchen</translation>
+    </message>
+    <message>
+        <source>name a firmware in the recipe</source>
+        <translation>im Rezept eine Firmware nennen</translation>
+    </message>
+    <message>
+        <source>no number: server silent</source>
+        <translation>keine Nummer: der Server schweigt</translation>
+    </message>
+    <message>
+        <source>nobody watches over this self-test, and it moves the motor</source>
+        <translation>niemand überwacht diesen Selbsttest, und er bewegt den Motor</translation>
+    </message>
+    <message>
+        <source>remove the cause, then test again</source>
+        <translation>die Ursache beseitigen, dann erneut prüfen</translation>
+    </message>
+    <message>
+        <source>see that motor and load are those of the recipe, then test again</source>
+        <translation>prüfen, ob Motor und Last die des Rezepts sind, dann erneut prüfen</translation>
+    </message>
+    <message>
+        <source>see that this is the motor and the encoder of the recipe, then test again</source>
+        <translation>prüfen, ob dies Motor und Encoder des Rezepts sind, dann erneut prüfen</translation>
+    </message>
+    <message>
+        <source>take the other one off, or give one of them another number</source>
+        <translation>das andere abnehmen, oder einem der beiden eine andere Nummer geben</translation>
+    </message>
+    <message>
+        <source>test again when it is safe</source>
+        <translation>erneut prüfen, wenn es sicher ist</translation>
+    </message>
+    <message>
+        <source>the encoder does not count both ways</source>
+        <translation>der Encoder zählt nicht in beide Richtungen</translation>
+    </message>
+    <message>
+        <source>the key &apos;%1&apos; is there twice</source>
+        <translation>der Schlüssel &apos;%1&apos; steht zweimal da</translation>
+    </message>
+    <message>
+        <source>the limit of &apos;%1&apos; must be the greatest value, or [least, greatest]</source>
+        <translation>die Grenze von &apos;%1&apos; muss der größte Wert sein, oder [kleinster, größter]</translation>
+    </message>
+    <message>
+        <source>the self-test could not go on: %1</source>
+        <translation>der Selbsttest konnte nicht weitergehen: %1</translation>
+    </message>
+    <message>
+        <source>the self-test was ended by the guard &apos;%1&apos;: %2</source>
+        <translation>der Selbsttest wurde von der Überwachung &apos;%1&apos; beendet: %2</translation>
+    </message>
+    <message>
+        <source>the self-test was stopped by hand</source>
+        <translation>der Selbsttest wurde von Hand gestoppt</translation>
+    </message>
+    <message>
+        <source>the set-point of the step</source>
+        <translation>der Sollwert des Sprungs</translation>
+    </message>
+    <message>
+        <source>the stop of the self-test was not confirmed: %1</source>
+        <translation>der Stopp des Selbsttests wurde nicht bestätigt: %1</translation>
+    </message>
+    <message>
+        <source>the unit answers with firmware %1, the image is %2</source>
+        <translation>das Gerät antwortet mit Firmware %1, das Image ist %2</translation>
+    </message>
+    <message>
+        <source>the unit was not heard during the self-test: %1</source>
+        <translation>das Gerät war während des Selbsttests nicht zu hören: %1</translation>
+    </message>
+    <message>
+        <source>there is no entry %1 in the journal</source>
+        <translation>es gibt keinen Eintrag %1 im Journal</translation>
+    </message>
+    <message>
+        <source>this build knows %1</source>
+        <translation>diese Fassung kennt %1</translation>
+    </message>
+    <message>
+        <source>this is another unit by now, number %1</source>
+        <translation>dies ist inzwischen ein anderes Gerät, Nummer %1</translation>
+    </message>
+    <message>
+        <source>this is no recipe of version 1</source>
+        <translation>dies ist kein Rezept der Version 1</translation>
+    </message>
+    <message>
+        <source>this unit has no number yet, and without one its motor may not be driven</source>
+        <translation>dieses Gerät hat noch keine Nummer, und ohne eine darf sein Motor nicht angesteuert werden</translation>
+    </message>
+    <message>
+        <source>this unit waits in its bootloader, and the recipe has no firmware for it</source>
+        <translation>dieses Gerät wartet in seinem Bootloader, und das Rezept hat keine Firmware dafür</translation>
+    </message>
+    <message>
+        <source>unknown family &apos;%1&apos;</source>
+        <translation>unbekannte Familie &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>unknown key &apos;%1&apos;</source>
+        <translation>unbekannter Schlüssel &apos;%1&apos;</translation>
+    </message>
+    <message>
+        <source>unknown loop &apos;%1&apos;</source>
+        <translation>unbekannter Regler &apos;%1&apos;</translation>
     </message>
 </context>
 </TS>

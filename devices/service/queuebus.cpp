@@ -41,7 +41,7 @@ public:
         , m_row(row.shown)
     {
     }
-    void step(const std::string &what, int done, int total) override
+    void step(const Message &what, int done, int total) override
     {
         m_row.what = what;
         m_row.done = done;
@@ -55,7 +55,7 @@ public:
         m_bus.m_operation->part(number, state);
         m_bus.m_queue.m_changed.notify();
     }
-    void log(Severity severity, const std::string &text) override { m_bus.m_operation->log(severity, text); }
+    void log(Severity severity, const Message &text) override { m_bus.m_operation->log(severity, text); }
     void mayInterrupt(bool may) override
     {
         m_row.mayInterrupt = may;
@@ -94,7 +94,7 @@ Task<void> ServiceQueue::Bus::run()
     }
     while (!m_queue.m_isFinishing && !m_queue.isComplete()) {
         if (m_link.state() != LinkState::Open)
-            co_return fail(Fault::LinkLost, m_link.address().shortName() + ": " + m_link.reason());
+            co_return fail(Fault::LinkLost, say("%1: %2", m_link.address().shortName(), m_link.reason()));
         Row *const row = m_queue.mayBegin() ? next() : nullptr;
         if (row) {
             auto serving = serve(*row);
@@ -216,7 +216,7 @@ Task<void> ServiceQueue::Bus::check(Row &row)
     if (!device)
         co_return {};
     NoProgress unseen;
-    row.shown.what = "Preflight";
+    row.shown.what = say("Preflight");
     m_queue.m_changed.notify();
     auto looking = preflight(*device, m_queue.m_matter, unseen);
     const Result<void> looked = co_await std::move(looking).attempt();
@@ -233,9 +233,9 @@ Task<void> ServiceQueue::Bus::refuse(Row &row, Error error)
     auto opening = openVisit(row, *device);
     Visit visit = co_await std::move(opening);
     visit.outcome = Outcome::Refused;
-    visit.cause = error.detail;
-    visit.remedy = error.remedy;
-    visit.steps.push_back({Step::Preflight, 0.0, true, error.detail});
+    visit.cause = error.detail.english();
+    visit.remedy = error.help().english();
+    visit.steps.push_back({Step::Preflight, 0.0, true, error.detail.english()});
     auto writing = m_queue.m_around.journal.write(visit);
     const Visit written = co_await std::move(writing);
     ended(row, written);
@@ -316,7 +316,7 @@ ServiceSurroundings ServiceQueue::Bus::surroundings(Row &row, Telling &telling)
     out.experiments.journal = around.trials;
     out.experiments.directions = &m_queue.m_directions;
     out.experiments.interruption = m_interruption.get();
-    out.experiments.note = [&telling](const std::string &text) { telling.log(Severity::Info, text); };
+    out.experiments.note = [&telling](const Message &text) { telling.log(Severity::Info, text); };
     out.written = [&telling](const Visit &visit) { telling.written(visit); };
     for (const Row &other : m_rows) {
         const Device *const device = m_session.find(other.shown.device);
@@ -360,7 +360,7 @@ void ServiceQueue::Bus::ended(Row &row, const Visit &visit)
 {
     row.shown.visit = visit;
     row.shown.state = stateOf(visit.outcome);
-    row.shown.what.clear();
+    row.shown.what = {};
     row.shown.mayInterrupt = true;
     m_queue.count(visit);
 }

@@ -114,7 +114,7 @@ Result<void> readParameters(const std::string &path, RecipeMatter &matter)
             matter.parameters.push_back(change);
     }
     if (matter.parameters.empty())
-        return fail(Fault::OutOfRange, file + " has no setting that could be written to every unit");
+        return fail(Fault::OutOfRange, say("%1 has no setting that could be written to every unit", file));
     return {};
 }
 

@@ -42,10 +42,10 @@ public:
     Result<Recipe> read(const QJsonObject &object)
     {
         if (!m_lines.repeated.empty())
-            wrong(m_lines.repeated, "the key '" + m_lines.repeated + "' is there twice");
+            wrong(m_lines.repeated, say("the key '%1' is there twice", m_lines.repeated));
         expect(object, {}, {"recipe", "name", "family", "firmware", "parameters", "number", "test"});
         if (number(object, {}, "recipe", 0.0, anyNumber).value_or(0.0) != 1.0)
-            wrong("recipe", "this is no recipe of version 1", "it begins with \"recipe\": 1");
+            wrong("recipe", say("this is no recipe of version 1"), say("it begins with \"recipe\": 1"));
         m_recipe.name = text(object, {}, "name");
         readFamily(object);
         if (m_error)
@@ -60,11 +60,10 @@ public:
     }
 
 private:
-    void wrong(const std::string &path, const std::string &cause, std::string remedy = {})
+    void wrong(const std::string &path, const Message &cause, Message remedy = {})
     {
         if (!m_error)
-            m_error = Error{
-                Fault::OutOfRange, "line " + std::to_string(m_lines.of(path)) + ": " + cause, std::move(remedy)};
+            m_error = Error{Fault::OutOfRange, say("line %1: %2", m_lines.of(path), cause), std::move(remedy)};
     }
     static std::string pathOf(const std::string &path, const char *key)
     {
@@ -75,7 +74,7 @@ private:
         for (const QString &key : object.keys()) {
             const std::string name = key.toStdString();
             if (std::find(known.begin(), known.end(), name) == known.end())
-                wrong(pathOf(path, name.c_str()), "unknown key '" + name + '\'', "known are " + listed(known));
+                wrong(pathOf(path, name.c_str()), say("unknown key '%1'", name), say("known are %1", listed(known)));
         }
     }
     std::string text(const QJsonObject &object, const std::string &path, const char *key, bool needed = true)
@@ -84,7 +83,7 @@ private:
         if (value.isUndefined() && !needed)
             return {};
         if (!value.isString() || value.toString().trimmed().isEmpty())
-            wrong(pathOf(path, key), '\'' + std::string(key) + "' must be a text");
+            wrong(pathOf(path, key), say("'%1' must be a text", key));
         return value.toString().trimmed().toStdString();
     }
     std::optional<double> number(
@@ -94,8 +93,8 @@ private:
         if (value.isUndefined())
             return std::nullopt;
         if (!value.isDouble() || value.toDouble() < low || value.toDouble() > high) {
-            wrong(pathOf(path, key), '\'' + std::string(key) + "' must be a number",
-                high >= anyNumber ? std::string() : "from " + numberText(low) + " to " + numberText(high));
+            wrong(pathOf(path, key), say("'%1' must be a number", key),
+                high >= anyNumber ? Message() : say("from %1 to %2", low, high));
             return std::nullopt;
         }
         return value.toDouble();
@@ -104,7 +103,7 @@ private:
     {
         const auto value = number(object, path, key, low, high);
         if (value && *value != std::floor(*value))
-            wrong(pathOf(path, key), '\'' + std::string(key) + "' must be a whole number");
+            wrong(pathOf(path, key), say("'%1' must be a whole number", key));
         return value ? static_cast<int>(*value) : otherwise;
     }
     /// Nothing where it is missing; a mistake where it is something else.
@@ -114,7 +113,7 @@ private:
         if (value.isUndefined())
             return std::nullopt;
         if (!value.isObject())
-            wrong(pathOf(path, key), '\'' + std::string(key) + "' must be an object in braces");
+            wrong(pathOf(path, key), say("'%1' must be an object in braces", key));
         return value.toObject();
     }
 
@@ -127,7 +126,7 @@ private:
         std::vector<std::string_view> known;
         for (const Family *const family : m_families)
             known.push_back(family->key);
-        wrong("family", "unknown family '" + key + '\'', "this build knows " + listed(known));
+        wrong("family", say("unknown family '%1'", key), say("this build knows %1", listed(known)));
     }
     void readFirmware(const QJsonObject &object)
     {
@@ -138,15 +137,15 @@ private:
         FirmwareRule rule{text(*firmware, "firmware", "file"), text(*firmware, "firmware", "via", false)};
         const Family &family = *m_recipe.family;
         if (!family.update)
-            wrong("firmware", std::string(family.key) + " has no firmware update here");
+            wrong("firmware", say("%1 has no firmware update here", family.key));
         if (family.routes.empty() && !rule.via.empty())
-            wrong("firmware.via", std::string(family.key) + " is updated over its own link",
-                "leave the other way in out");
+            wrong(
+                "firmware.via", say("%1 is updated over its own link", family.key), say("leave the other way in out"));
         const auto leads
             = [&rule](const UpdateRoute &route) { return rule.via.starts_with(std::string(route.scheme) + ':'); };
         if (!family.routes.empty() && std::none_of(family.routes.begin(), family.routes.end(), leads))
-            wrong("firmware.via", std::string(family.key) + " is not updated over its own link",
-                "\"via\" must name the other way in, such as \"" + std::string(family.routes.front().example) + '"');
+            wrong("firmware.via", say("%1 is not updated over its own link", family.key),
+                say("\"via\" must name the other way in, such as \"%1\"", family.routes.front().example));
         m_recipe.firmware = std::move(rule);
     }
     void readParameters(const QJsonObject &object)
@@ -157,7 +156,7 @@ private:
         expect(*parameters, "parameters", {"file", "store"});
         const QJsonValue store = parameters->value(QLatin1String("store"));
         if (!store.isUndefined() && !store.isBool())
-            wrong("parameters.store", "'store' must be true or false");
+            wrong("parameters.store", say("'store' must be true or false"));
         m_recipe.parameters = ParameterRule{text(*parameters, "parameters", "file"), store.toBool(false)};
     }
     void readNumber(const QJsonObject &object)
@@ -168,7 +167,7 @@ private:
         expect(*rule, "number", {"first"});
         const Capabilities &can = m_recipe.family->capabilities;
         if (!can.renumber)
-            wrong("number", std::string(m_recipe.family->key) + " has no number that could be set");
+            wrong("number", say("%1 has no number that could be set", m_recipe.family->key));
         m_recipe.number = NumberRule{whole(*rule, "number", "first", 1, can.lastAddress, 1)};
     }
     void readTest(const QJsonObject &object)
@@ -182,11 +181,11 @@ private:
         if (const auto mode = modeFromString(loop))
             out.loop = *mode;
         else
-            wrong("test.loop", "unknown loop '" + loop + '\'');
+            wrong("test.loop", say("unknown loop '%1'", loop));
         out.from = number(*test, "test", "from", -anyNumber, anyNumber);
         const auto to = number(*test, "test", "to", -anyNumber, anyNumber);
         if (!to)
-            wrong("test.to", "'to' is missing", "the set-point of the step");
+            wrong("test.to", say("'to' is missing"), say("the set-point of the step"));
         out.to = to.value_or(0.0);
         out.seconds = number(*test, "test", "time", 0.001, longestTest);
         out.repeat = whole(*test, "test", "repeat", 1, mostRepeats, 1);
@@ -225,10 +224,10 @@ private:
         const std::string path = "test.accept." + key;
         const QJsonArray both = value.toArray();
         if (isFigure(key) && m_recipe.family->trials && m_recipe.family->trials->nudge > 0.0)
-            wrong(path, std::string(m_recipe.family->key) + " has no duty command, so '" + key + "' is not measured");
+            wrong(path, say("%1 has no duty command, so '%2' is not measured", m_recipe.family->key, key));
         if (key == figure::encoder) {
             if (!value.isBool() || !value.toBool())
-                wrong(path, "'encoder' is true: it counts both ways");
+                wrong(path, say("'encoder' is true: it counts both ways"));
             out.accept.push_back({key, std::nullopt, 1.0});
         } else if (value.isDouble()) {
             const bool isSigned = key == "sse"; // its size counts
@@ -238,7 +237,7 @@ private:
             && both.at(0).toDouble() <= both.at(1).toDouble()) {
             out.accept.push_back({key, both.at(0).toDouble(), both.at(1).toDouble()});
         } else {
-            wrong(path, "the limit of '" + key + "' must be the greatest value, or [least, greatest]");
+            wrong(path, say("the limit of '%1' must be the greatest value, or [least, greatest]", key));
         }
     }
     void checkPossible(const SelfTest &test)
@@ -271,10 +270,10 @@ Result<Recipe> readRecipe(const QByteArray &text, std::span<const Family *const>
     const QJsonDocument document = QJsonDocument::fromJson(text, &mistake);
     if (document.isNull())
         return fail(Fault::OutOfRange,
-            "line " + std::to_string(lineAt(text, mistake.offset)) + ": " + mistake.errorString().toStdString(),
-            "a recipe is a JSON object");
+            say("line %1: %2", lineAt(text, mistake.offset), mistake.errorString().toStdString()),
+            say("a recipe is a JSON object"));
     if (!document.isObject())
-        return fail(Fault::OutOfRange, "line 1: a recipe is a JSON object", "it begins with {");
+        return fail(Fault::OutOfRange, say("line 1: a recipe is a JSON object"), say("it begins with {"));
     return Reader(text, families).read(document.object());
 }
 

@@ -12,42 +12,42 @@ namespace {
 
 using tuning::Trial;
 
-std::string limitsText(const TestValue &value)
+Message limitsText(const TestValue &value)
 {
     if (!value.low)
-        return "limit " + figureText(value.high.value_or(0.0));
-    return "limits " + figureText(*value.low) + " … " + figureText(value.high.value_or(0.0));
+        return say("limit %1", figureText(value.high.value_or(0.0)));
+    return say("limits %1 … %2", figureText(*value.low), figureText(value.high.value_or(0.0)));
 }
 
 /// What may be done about a value that is out of its limits.
-std::string remedyOf(std::string_view key)
+Message remedyOf(std::string_view key)
 {
     if (key == figure::encoder)
-        return "look at the plug and the polarity of encoder and motor, then test again";
+        return say("look at the plug and the polarity of encoder and motor, then test again");
     if (key == figure::resistance)
-        return "look at brushes, plugs and leads, then test again";
+        return say("look at brushes, plugs and leads, then test again");
     if (key == figure::friction)
-        return "free the shaft and see that no brake is on, then test again";
+        return say("free the shaft and see that no brake is on, then test again");
     if (key == figure::gain)
-        return "see that this is the motor and the encoder of the recipe, then test again";
-    return "see that motor and load are those of the recipe, then test again";
+        return say("see that this is the motor and the encoder of the recipe, then test again");
+    return say("see that motor and load are those of the recipe, then test again");
 }
 
 /// Why a trial ended that should have ended by itself.
 Error failureOf(const Trial &trial)
 {
     if (!trial.stopped)
-        return {Fault::Unsafe, "the stop of the self-test was not confirmed: " + trial.detail,
-            "cut the power if the motor still turns"};
+        return {Fault::Unsafe, say("the stop of the self-test was not confirmed: %1", trial.detail),
+            say("cut the power if the motor still turns")};
     if (trial.reason == "interrupted")
-        return {Fault::Unsafe, "the self-test was stopped by hand", "test again when it is safe"};
+        return {Fault::Unsafe, say("the self-test was stopped by hand"), say("test again when it is safe")};
     if (trial.reason == toString(tuning::Guard::Link))
-        return {Fault::LinkLost, "the unit was not heard during the self-test: " + trial.detail,
-            "look at the cable and test again"};
+        return {Fault::LinkLost, say("the unit was not heard during the self-test: %1", trial.detail),
+            say("look at the cable and test again")};
     if (trial.reason.empty())
-        return {Fault::Refused, "the self-test could not go on: " + trial.detail};
-    return {Fault::Unsafe, "the self-test was ended by the guard '" + trial.reason + "': " + trial.detail,
-        "remove the cause, then test again"};
+        return {Fault::Refused, say("the self-test could not go on: %1", trial.detail)};
+    return {Fault::Unsafe, say("the self-test was ended by the guard '%1': %2", trial.reason, trial.detail),
+        say("remove the cause, then test again")};
 }
 
 std::optional<double> metricOf(const Trial &trial, std::string_view key)
@@ -78,9 +78,9 @@ void judge(TestFinding &finding, const SelfTest &test, const Trial &trial, const
         const TestValue &value = finding.values.back();
         if (value.passed || finding.failure)
             continue;
-        const std::string what = value.key == figure::encoder ? "the encoder does not count both ways"
-            : value.value ? value.key + " is " + figureText(*value.value) + ", " + limitsText(value)
-                          : value.key + " could not be measured";
+        const Message what = value.key == figure::encoder ? say("the encoder does not count both ways")
+            : value.value ? say("%1 is %2, %3", value.key, figureText(*value.value), limitsText(value))
+                          : say("%1 could not be measured", value.key);
         finding.failure = Error{Fault::BadCheck, what, remedyOf(value.key)};
     }
 }

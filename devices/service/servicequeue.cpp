@@ -97,7 +97,7 @@ void ServiceQueue::count(const Visit &visit)
     change(visit, 1);
     if (visit.cause.starts_with(numbersUsedUp)) {
         m_isFinishing = true;
-        m_trouble = Error{Fault::OutOfRange, visit.cause, visit.remedy};
+        m_trouble = Error{Fault::OutOfRange, Message::verbatim(visit.cause), Message::verbatim(visit.remedy)};
     }
     m_unitEnded.notify(visit);
     m_changed.notify();

@@ -20,8 +20,8 @@ struct QueueRow {
     DeviceId device;      ///< in the session of its bus
     std::string link;     ///< address
     RowState state = RowState::Waiting;
-    Visit visit;      ///< as the journal has it; before its turn unit, serial and device only
-    std::string what; ///< what is being done now, English
+    Visit visit;  ///< as the journal has it; before its turn unit, serial and device only
+    Message what; ///< what is being done now
     int done = 0;
     int total = 0;                  ///< 0: unknown length
     bool mayInterrupt = true;       ///< false: power must stay on

@@ -20,7 +20,7 @@ constexpr Duration numberAgain = 2s;
 /// Nothing else talks to a unit while its firmware is written.
 class Busy {
 public:
-    Busy(Device &device, const char *why)
+    Busy(Device &device, const Message &why)
         : m_device(device)
     {
         device.setBusy(why);
@@ -155,8 +155,8 @@ Task<std::string> UnitRun::look()
     auto looking = preflight(m_device, m_around.matter, m_progress);
     co_await std::move(looking);
     if (m_device.identity().serial != m_visit.serial)
-        co_return fail(Fault::Refused, "this is another unit by now, number " + m_device.identity().serial,
-            "look for units again");
+        co_return fail(Fault::Refused, say("this is another unit by now, number %1", m_device.identity().serial),
+            say("look for units again"));
     co_return m_device.identity().firmware.empty() ? std::string("no version is told")
                                                    : "firmware " + m_device.identity().firmware;
 }
@@ -181,7 +181,7 @@ Task<std::string> UnitRun::backUp()
 
 Task<UpdateReport> UnitRun::runUpdate()
 {
-    const Busy busy(m_device, "firmware update");
+    const Busy busy(m_device, say("firmware update"));
     auto updating = m_device.family().update(
         m_device, m_around.matter.image, updateOptionsOf(*m_around.matter.recipe.firmware), m_progress);
     co_return co_await std::move(updating).attempt();
@@ -194,14 +194,14 @@ Task<std::string> UnitRun::update()
     if (!report.from.empty() || m_visit.from.empty())
         m_visit.from = m_visit.from.empty() ? report.from : m_visit.from;
     m_visit.to = report.to;
-    m_visit.evidence = report.evidence;
+    m_visit.evidence = report.summary().english();
     if (report.outcome == UpdateOutcome::Cancelled)
         co_return fail(Fault::Cancelled, report.evidence);
     if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate)
         co_return report.outcome == UpdateOutcome::UpToDate
             ? "already " + report.to
             : std::to_string(report.pages) + " pages, " + std::to_string(report.retries) + " sent again";
-    co_return fail(Error::fromPhrase(report.fault.value_or(Fault::Refused), report.evidence));
+    co_return fail(report.fault.value_or(Fault::Refused), report.evidence, report.remedy);
 }
 
 Task<void> UnitRun::readAll()
@@ -269,13 +269,14 @@ Task<std::string> UnitRun::setParameters()
 Task<std::string> UnitRun::test()
 {
     if (!m_around.permit)
-        co_return fail(Fault::Unsafe, "nobody watches over this self-test, and it moves the motor", "arm it first");
+        co_return fail(
+            Fault::Unsafe, say("nobody watches over this self-test, and it moves the motor"), say("arm it first"));
     const SelfTest &wanted = *m_around.matter.recipe.test;
     const tuning::Interruption *const stop = m_around.experiments.interruption;
     auto asking = m_around.permit->beforeMotion(m_device, wanted);
     co_await std::move(asking);
     if (stop && stop->isRequested())
-        co_return fail(Fault::Unsafe, "the self-test was stopped by hand", "test again when it is safe");
+        co_return fail(Fault::Unsafe, say("the self-test was stopped by hand"), say("test again when it is safe"));
     auto testing = runSelfTest(m_device, m_stream, wanted, m_around.experiments);
     TestFinding finding = co_await std::move(testing);
     VisitFilter passed;
@@ -303,7 +304,7 @@ Task<int> UnitRun::reserve()
         const Result<int> number = co_await std::move(asking).attempt();
         if (number || number.error().fault != Fault::Timeout)
             co_return number;
-        m_progress.step("no number: server silent", 0, 0);
+        m_progress.step(say("no number: server silent"), 0, 0);
         Sleep waiting(m_device.clock(), numberAgain);
         co_await waiting;
     }
@@ -318,7 +319,7 @@ Task<std::string> UnitRun::giveNumber()
         co_await std::move(noting);
     }
     const int old = m_device.identity().address;
-    m_progress.step("Giving it number " + std::to_string(*m_visit.number), 0, 0);
+    m_progress.step(say("Giving it number %1", *m_visit.number), 0, 0);
     if (old != *m_visit.number) {
         auto moving = m_device.renumber(*m_visit.number);
         co_await std::move(moving);
@@ -341,14 +342,14 @@ Task<std::string> UnitRun::prove()
     co_await std::move(reading);
     if (const auto left = missing(); m_around.matter.recipe.parameters && !left.empty())
         co_return fail(Fault::BadCheck,
-            settingsText(static_cast<int>(left.size())) + " of the recipe read back different, first "
-                + std::string(m_device.parameters().parameter(left.front().index).key),
-            "do it again");
+            say("%1 of the recipe read back different, first %2", settingsText(static_cast<int>(left.size())),
+                m_device.parameters().parameter(left.front().index).key),
+            say("do it again"));
     if (m_around.matter.recipe.firmware && m_device.family().capabilities.versionOnWire
         && !m_around.matter.imageVersion.empty() && m_visit.to != m_around.matter.imageVersion)
         co_return fail(Fault::BadCheck,
-            "the unit answers with firmware " + m_visit.to + ", the image is " + m_around.matter.imageVersion,
-            "do it again");
+            say("the unit answers with firmware %1, the image is %2", m_visit.to, m_around.matter.imageVersion),
+            say("do it again"));
     std::string told = stored ? "its flash has it" : stores ? "nothing had to be stored" : "read back";
     if (const int changed = others(); changed > 0)
         told += "; " + settingsText(changed) + " besides those of the recipe differ from the backup";
@@ -364,11 +365,11 @@ Task<Visit> UnitRun::conclude(Outcome outcome, Error error)
     }
     m_visit.evidence = std::move(evidence);
     m_visit.outcome = outcome;
-    m_visit.cause = error.detail;
-    m_visit.remedy = error.remedy;
+    m_visit.cause = error.detail.english();
+    m_visit.remedy = error.help().english();
     if (outcome == Outcome::Passed)
         m_visit.step = Step::Done;
-    m_visit.steps.push_back({m_visit.step, 0.0, true, outcome == Outcome::Passed ? "passed" : error.detail});
+    m_visit.steps.push_back({m_visit.step, 0.0, true, outcome == Outcome::Passed ? "passed" : error.detail.english()});
     auto writing = write();
     co_await std::move(writing);
     co_return m_visit;

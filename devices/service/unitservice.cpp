@@ -24,17 +24,17 @@ Result<void> checkState(const Device &device, const Recipe &recipe)
     const std::string number = std::to_string(device.identity().address);
     switch (device.identity().state) {
     case DeviceState::Duplicate:
-        return fail(Fault::Unsafe, "several units answer as number " + number,
-            "take the other one off, or give one of them another number");
+        return fail(Fault::Unsafe, say("several units answer as number %1", number),
+            say("take the other one off, or give one of them another number"));
     case DeviceState::Unassigned:
         if (recipe.test)
-            return fail(Fault::Unsafe, "this unit has no number yet, and without one its motor may not be driven",
-                "give it a number first, or take the self-test out of the recipe");
+            return fail(Fault::Unsafe, say("this unit has no number yet, and without one its motor may not be driven"),
+                say("give it a number first, or take the self-test out of the recipe"));
         return {};
     case DeviceState::Bootloader:
         if (!recipe.firmware)
-            return fail(Fault::Unsafe, "this unit waits in its bootloader, and the recipe has no firmware for it",
-                "name a firmware in the recipe");
+            return fail(Fault::Unsafe, say("this unit waits in its bootloader, and the recipe has no firmware for it"),
+                say("name a firmware in the recipe"));
         return {};
     case DeviceState::Online: return {};
     }
@@ -44,9 +44,9 @@ Result<void> checkState(const Device &device, const Recipe &recipe)
 Result<void> checkStill(const Device &device)
 {
     if (device.liveness().foreignMaster)
-        return fail(Fault::Unsafe, "another program or controller drives this unit", "stop it there first");
+        return fail(Fault::Unsafe, say("another program or controller drives this unit"), say("stop it there first"));
     if (device.liveness().moving)
-        return fail(Fault::Unsafe, "its motor is turning or driven already", "bring it to rest first");
+        return fail(Fault::Unsafe, say("its motor is turning or driven already"), say("bring it to rest first"));
     return {};
 }
 
@@ -71,7 +71,7 @@ Task<void> preflight(Device &device, const RecipeMatter &matter, Progress &progr
     if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate)
         co_return {};
     const Fault fault = report.outcome == UpdateOutcome::Refused ? Fault::Unsafe : Fault::Refused;
-    co_return fail(Error::fromPhrase(report.fault.value_or(fault), report.evidence));
+    co_return fail(report.fault.value_or(fault), report.evidence, report.remedy);
 }
 
 UpdateOptions updateOptionsOf(const FirmwareRule &rule)

@@ -41,9 +41,8 @@ Result<NumberBlock> advance(SqlConnection &sql, const NumberWish &wish, int size
         return fail(done.error());
     const NumberBlock block{next - size, std::min(next - 1, wish.last)};
     if (block.first > wish.last)
-        return fail(Fault::OutOfRange,
-            std::string(service::numbersUsedUp) + ", the highest is " + std::to_string(wish.last),
-            "begin another recipe, or another bus");
+        return fail(Fault::OutOfRange, say("%1, the highest is %2", service::numbersUsedUp, wish.last),
+            say("begin another recipe, or another bus"));
     return block;
 }
 

@@ -186,7 +186,7 @@ Result<KeptVisit> getVisit(SqlConnection &sql, const std::string &id)
     if (!found)
         return fail(found.error());
     if (found->empty())
-        return fail(Fault::OutOfRange, "there is no entry " + id + " in the journal");
+        return fail(Fault::OutOfRange, say("there is no entry %1 in the journal", id));
     return std::move(found->front());
 }
 

@@ -100,12 +100,12 @@ TEST(Recipes, KnowWhatAFamilyCannotDo)
     const char *const via = R"({"recipe":1,"name":"n","family":"supermodified","firmware":{"file":"a.hex"}})";
     const auto needs = parse(via);
     ASSERT_FALSE(needs);
-    EXPECT_NE(needs.error().remedy.find("avrdude:"), std::string::npos) << needs.error().text();
+    EXPECT_NE(needs.error().remedy.english().find("avrdude:"), std::string::npos) << needs.error().text();
     const auto no = parse(R"({"recipe":1,"name":"n","family":"supermodified",
 "test":{"loop":"position","to":100,
 "accept":{"friction":0.5}}})");
     ASSERT_FALSE(no);
-    EXPECT_EQ(no.error().detail.substr(0, 7), "line 3:");
+    EXPECT_EQ(no.error().detail.english().substr(0, 7), "line 3:");
 }
 
 Visit passedWith(const std::string &unit, double settle)
