@@ -69,7 +69,7 @@ public:
         while (m_clock.now() < end) {
             co_await Sleep(
                 m_clock, std::min<Duration>(std::max<Duration>(roundTrip(m_link), 2ms), end - m_clock.now()));
-            auto judging = judgeNew();
+            auto identifying = identifyNew();
             co_await std::move(identifying);
         }
         co_return {};
@@ -106,11 +106,11 @@ public:
     [[nodiscard]] std::size_t count() const { return m_offsets.size(); }
 
 private:
-    Task<void> judgeNew()
+    Task<void> identifyNew()
     {
         const std::set<std::uint32_t> seen = m_census.velocityIds();
         for (const std::uint32_t answer : seen) {
-            if (m_judged.count(answer) > 0 || !m_tried.insert(answer).second)
+            if (m_identified.count(answer) > 0 || !m_tried.insert(answer).second)
                 continue;
             auto identifying = identifyDrive(m_prober, answer);
             const std::optional<Found> found = co_await std::move(identifying);
@@ -121,7 +121,7 @@ private:
                 m_sink.found(identityOf(found->offset, nullptr));
                 continue;
             }
-            m_judged.insert(answer);
+            m_identified.insert(answer);
             m_known.emplace_back(found->offset, found->dialect);
             m_found.emplace_back(answer, *found);
             m_sink.found(identityOf(found->offset, found->dialect));
@@ -143,7 +143,7 @@ private:
     Census m_census;
     Prober m_prober;
     std::vector<std::pair<int, const Dialect *>> m_known; ///< offsets in the list or found now
-    std::set<std::uint32_t> m_judged;
+    std::set<std::uint32_t> m_identified;
     std::set<std::uint32_t> m_tried; ///< in this round
     std::set<int> m_offsets;
     std::vector<std::pair<std::uint32_t, Found>> m_found;
