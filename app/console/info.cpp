@@ -107,7 +107,7 @@ void addBus(Table &table, Console &console, const CanLink &link)
             + " receive errors";
     table.add({"bus", bus + ", load " + numberText(std::round(link.load(console.clock().now()) * 100)) + " %"});
     if (health.lastError)
-        table.add({"last error", describe(health.last)});
+        table.add({"last error", describe(health.last).english()});
     const auto found = diagnose(symptomsOf(link, console.clock().now()), console.clock().now(), listLinks());
     if (!found.isHealthy())
         table.add({"link", found.text()});

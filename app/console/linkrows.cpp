@@ -13,7 +13,7 @@ std::vector<LinkListing> allLinks(const Console &console)
         links.push_back(std::move(link));
     for (const LinkAddress &address : expandLink(LinkAddress{"sim", "", {}}, console.families()))
         links.push_back(
-            {address, kindOf(address), "available", "simulated devices inside this program", true, {}, false});
+            {address, kindOf(address), "available", say("simulated devices inside this program"), true, {}, false});
     return links;
 }
 
@@ -21,7 +21,7 @@ LinkListing listingOf(const Link &link, Instant now)
 {
     const bool open = link.state() == LinkState::Open;
     const Diagnosis found = diagnose(symptomsOf(link, now), now, listLinks());
-    return {link.address(), link.kind(), open ? "open" : "lost", found.text(), open, found, false};
+    return {link.address(), link.kind(), open ? "open" : "lost", found.message(), open, found, false};
 }
 
 QJsonArray toJson(const std::vector<LinkListing> &links)

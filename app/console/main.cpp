@@ -111,8 +111,8 @@ int print(const std::string &text, bool json)
         else if (errno == EPIPE)
             return exitDone;
         else if (errno != EINTR && errno != EAGAIN) {
-            tell({Fault::Refused, std::string("standard output cannot be written: ") + std::strerror(errno),
-                     "make room, or choose another place"},
+            tell({Fault::Refused, say("standard output cannot be written: %1", std::strerror(errno)),
+                     say("make room, or choose another place")},
                 exitDevice, json);
             return exitDevice;
         }
