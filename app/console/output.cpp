@@ -78,8 +78,8 @@ void Output::flush()
     if (written.error == EPIPE)
         failed({Fault::Refused, {}});
     else if (written.error != 0)
-        failed({Fault::Refused, std::string("standard output cannot be written: ") + std::strerror(written.error),
-            "make room, or choose another place"});
+        failed({Fault::Refused, say("standard output cannot be written: %1", std::strerror(written.error)),
+            say("make room, or choose another place")});
     m_writable.setEnabled(!isDone());
     if (isDone())
         m_posted.startIn(Duration::zero(), [this] { m_done.notify(); });

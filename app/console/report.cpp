@@ -118,7 +118,7 @@ Error print(const QByteArray &html, const std::string &out, bool json)
     const int memory = ::memfd_create("report", 0);
     const auto written = memory < 0 ? -1 : ::write(memory, html.constData(), static_cast<std::size_t>(html.size()));
     if (written != html.size())
-        return {Fault::OutOfRange, std::string("the report cannot be handed over: ") + std::strerror(errno), {}};
+        return {Fault::OutOfRange, say("the report cannot be handed over: %1", std::strerror(errno)), {}};
     std::vector<std::string> words{"--report", "/proc/self/fd/" + std::to_string(memory), "--out", out};
     if (json)
         words.emplace_back("--json");

@@ -24,7 +24,8 @@ Error becomeWindow(std::vector<std::string> words)
     Signals::release();
     ::execv(program.c_str(), pointers.data());
     return {
-        Fault::OutOfRange, program + " cannot be run: " + std::strerror(errno), "both programs must be in one folder"};
+        Fault::OutOfRange, say("%1 cannot be run: %2", program, std::strerror(errno)),
+        say("both programs must be in one folder")};
 }
 
 } // namespace mb::console
