@@ -88,7 +88,7 @@ Result<Options> Options::parse(const QStringList &arguments)
     QCommandLineParser parser;
     declare(parser);
     if (!parser.parse(arguments))
-        return fail(Fault::OutOfRange, parser.errorText().toStdString());
+        return fail(Fault::OutOfRange, Message::verbatim(parser.errorText().toStdString()));
     Options options;
     options.files = parser.positionalArguments();
     for (const QString &file : std::as_const(options.files)) {

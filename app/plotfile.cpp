@@ -50,8 +50,8 @@ int plotFile(const Options &options)
             options.json);
     const auto recording = loadRecording(options.plot.toLocal8Bit().toStdString());
     if (!recording)
-        return refuse({Fault::OutOfRange, recording.error().text(),
-                          "give an .mcap or .csv that this program wrote, or the output of watch"},
+        return refuse({Fault::OutOfRange, recording.error().message(),
+                          say("give an .mcap or .csv that this program wrote, or the output of watch")},
             options.json);
     const double points = 10.0 * options.fontScale.value_or(1.0);
     const ThemeSource theme(options.theme == QLatin1String("light") ? lightTheme(points) : darkTheme(points));
@@ -71,7 +71,7 @@ int plotFile(const Options &options)
     const QByteArray picture
         = suffix == QLatin1String("png") ? pngOf(stack.plot().picture(size, pictureScale)) : stack.pictureAs(suffix);
     if (picture.isEmpty())
-        return refuse({Fault::OutOfRange, options.out.toStdString() + " cannot be painted", "choose a smaller --size"},
+        return refuse({Fault::OutOfRange, say("%1 cannot be painted", options.out.toStdString()), say("choose a smaller --size")},
             options.json);
     if (const auto saved = saveFile(options.out.toStdString(), picture); !saved)
         return refuse(saved.error(), options.json);

@@ -64,13 +64,13 @@ TEST(Operation, AnswersWhenItIsDismissedEvenInAPartThatMustNotBeCut)
     job.start(work(job.clock, *job.operation, job.alive, true));
     job.clock.advance(500ms);
     EXPECT_FALSE(job.operation->cancel());
-    job.operation->dismiss({Fault::LinkLost, "the device is gone"});
+    job.operation->dismiss({Fault::LinkLost, say("the device is gone")});
     EXPECT_EQ(job.state(), OperationStatus::State::Failed);
     EXPECT_EQ(job.alive, 0);
     ASSERT_TRUE(job.result);
     ASSERT_FALSE(*job.result);
     EXPECT_EQ(job.result->error().detail, "the device is gone");
-    job.operation->dismiss({Fault::Refused, "again"});
+    job.operation->dismiss({Fault::Refused, say("again")});
     EXPECT_EQ(job.operation->status().error.detail, "the device is gone");
 }
 

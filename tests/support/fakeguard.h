@@ -13,7 +13,7 @@ public:
     Result<std::unique_ptr<GuardWatch>> watch(Link &, const StopScript &script, const std::string &name) override
     {
         if (!refusal.empty())
-            return fail(Fault::Unsafe, refusal);
+            return fail(Fault::Unsafe, Message::verbatim(refusal));
         ++calls;
         lastScript = script;
         lastName = name;
@@ -57,7 +57,7 @@ private:
             m_released = true;
             ++m_guard.released;
         }
-        void become(State state, std::string reason = {}) { enter(state, std::move(reason)); }
+        void become(State state, std::string reason = {}) { enter(state, Message::verbatim(std::move(reason))); }
 
     private:
         FakeGuard &m_guard;

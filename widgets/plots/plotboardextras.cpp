@@ -99,7 +99,7 @@ void PlotBoard::ensureDerived(const QString &name, const QString &unit, const QS
 Result<void> PlotBoard::addDerived(const QString &name, const QString &unit, const QString &formula)
 {
     if (const QString wrong = whatIsWrong(name, formula); !wrong.isEmpty())
-        return fail(Fault::OutOfRange, wrong.toStdString());
+        return fail(Fault::OutOfRange, Message::verbatim(wrong.toStdString()));
     m_derived.push_back({name.trimmed(), unit.trimmed(), formula.trimmed()});
     compile(m_derived.back());
     choose({derivedDevice, {static_cast<std::uint16_t>(m_derived.size() - 1)}}, true);
