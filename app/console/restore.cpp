@@ -127,9 +127,9 @@ Result<void> mayPutBack(
     if (named.kind != NamedSettings::Kind::Snapshot || by != settings::Unit::By::Place || arguments.dryRun
         || arguments.yes)
         return {};
-    const std::string cause
-        = device.selector() + " has no serial number: the snapshot is of " + std::string(settings::caveatOf(by));
-    if (isAgreedTo(cause + "; write it?"))
+    const Message cause
+        = say("%1 has no serial number: the snapshot is of %2", device.selector(), settings::caveatOf(by));
+    if (isAgreedTo(cause.english() + "; write it?"))
         return {};
     return fail(Fault::Usage, cause,
         say("look at --dry-run first; --yes writes it, and 'motorbenchctl rename' gives the unit a name of its own"));

@@ -52,7 +52,7 @@ public:
             ScanOptions options;
             options.extent = m_extent;
             options.progress
-                = [this](const std::string &what, int place, int total) { m_progress.step(what, place, total); };
+                = [this](const Message &what, int place, int total) { m_progress.step(what, place, total); };
             m_scope.spawn<std::vector<Device *>>(scanPatiently(m_console, *links[i], std::move(options)),
                 [this, i](Result<std::vector<Device *>> found) { ended(i, std::move(found)); });
         }
