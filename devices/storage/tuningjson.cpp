@@ -23,7 +23,8 @@ constexpr std::array<std::string_view, 5> boundNames{
 template <class T> using Numbers = std::vector<std::pair<const char *, double T::*>>;
 
 const Numbers<PlantModel> plantNumbers{{"gain", &PlantModel::gain}, {"tau", &PlantModel::tau},
-    {"delay", &PlantModel::delay}, {"friction", &PlantModel::friction}};
+    {"delay", &PlantModel::delay}, {"friction", &PlantModel::friction}, {"braking", &PlantModel::braking},
+    {"stall_current", &PlantModel::stallCurrent}, {"back_duty", &PlantModel::backDuty}};
 const Numbers<ContinuousGains> gainNumbers{
     {"p", &ContinuousGains::p}, {"i", &ContinuousGains::i}, {"d", &ContinuousGains::d}, {"f", &ContinuousGains::f}};
 const Numbers<PushFit> pushNumbers{{"tau", &PushFit::tau}, {"tau_error", &PushFit::tauError},
@@ -47,12 +48,14 @@ template <class T> QJsonObject numbersToJson(const T &value, const Numbers<T> &n
     return object;
 }
 
-/// What was infinite is so again.
+/// What was infinite is so again; what an older program did not write is as it is without.
 template <class T> T numbersFrom(const QJsonObject &object, const Numbers<T> &numbers)
 {
     T value;
-    for (const auto &[key, member] : numbers)
-        value.*member = object.value(QLatin1String(key)).toDouble(std::numeric_limits<double>::infinity());
+    for (const auto &[key, member] : numbers) {
+        if (const QJsonValue number = object.value(QLatin1String(key)); !number.isUndefined())
+            value.*member = number.toDouble(std::numeric_limits<double>::infinity());
+    }
     return value;
 }
 

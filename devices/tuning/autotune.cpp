@@ -51,6 +51,10 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
     }
     auto proving = run.prove();
     co_await std::move(proving);
+    if (!run.isOver() && run.report().result == TuneResult::RolledBack && run.calmDown()) {
+        auto calmly = run.prove();
+        co_await std::move(calmly);
+    }
     if (run.isOver() || run.report().result == TuneResult::RolledBack)
         co_return {};
     auto keeping = run.keep();

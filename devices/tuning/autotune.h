@@ -21,6 +21,7 @@ struct TunePlan {
     bool keep = false;               ///< also where nobody knows what it replaces
     std::optional<PlantModel> known; ///< of this loop, identified before: no pushes
     std::optional<TriedScale> scale; ///< that belongs to it: TuneReport::scale
+    VelocityTaking taking;           ///< and how its loop takes its velocity: TuneReport::taking
     Envelope limits;
 };
 
@@ -72,7 +73,8 @@ struct TuneReport {
 [[nodiscard]] Result<void> checkTuning(const Family &family, const TunePlan &plan);
 
 /// From an unknown motor to proven gains, or a refusal that says why (docs/tuning.md): a model (motoridentification.h), gains
-/// within bounds, their step in both directions, and the gains stay only if they do what was predicted. The gains run in the
+/// within bounds, their step in both directions, and the gains stay only if they do what was predicted; where those of an aim do not,
+/// the calm ones are proven once. The gains run in the
 /// slot that does not hold the result where there are two. Everything of ExperimentSurroundings holds; the stream's lease is the
 /// caller's to renew. Fails only where nothing has moved.
 [[nodiscard]] Task<TuneReport> autotune(

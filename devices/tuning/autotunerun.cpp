@@ -176,6 +176,8 @@ VelocityTaking AutotuneRun::taking() const
 {
     if (m_plan.loop != Mode::Velocity || m_report.scale)
         return {};
+    if (m_plan.known && m_plan.taking != VelocityTaking())
+        return m_plan.taking;
     const double speed = proofStep(Mode::Velocity, m_report.plant, {}, m_envelope);
     return velocityTaking(m_device, speed, m_report.motor ? m_report.motor->filter : std::nullopt);
 }
@@ -204,16 +206,36 @@ Result<void> AutotuneRun::propose()
             return fail(proposal.error());
         if (!proposal)
             continue;
-        if (aim == m_plan.aim) {
-            m_report.design = proposal->design;
-            m_report.proposed = proposal->gains;
-            m_report.margins = proposal->margins;
-            m_report.predicted = proposal->predicted;
-            m_step = proposal->step;
-        }
+        if (aim == m_plan.aim)
+            choose(*proposal);
         m_report.proposals.push_back(std::move(*proposal));
     }
     return {};
+}
+
+void AutotuneRun::choose(const Proposal &proposal)
+{
+    m_report.design = proposal.design;
+    m_report.proposed = proposal.gains;
+    m_report.margins = proposal.margins;
+    m_report.predicted = proposal.predicted;
+    m_step = proposal.step;
+}
+
+bool AutotuneRun::calmDown()
+{
+    const auto calm = std::find_if(m_report.proposals.begin(), m_report.proposals.end(),
+        [](const Proposal &proposal) { return proposal.aim == Aim::Calm; });
+    if (m_plan.aim == Aim::Calm || m_plan.response || m_plan.ms || calm == m_report.proposals.end())
+        return false;
+    m_quicker = say("the %1 gains did not: %2", Message::label(toString(m_plan.aim)), m_report.evidence);
+    note(joined(m_quicker, say("now the calm ones")));
+    m_plan.aim = Aim::Calm;
+    m_report.result = TuneResult::Refused;
+    m_report.evidence.clear();
+    m_report.proof.clear();
+    choose(*calm);
+    return true;
 }
 
 /// The proposal as changes of the slot that it is proven in, with everything else of the slot that it is for.
@@ -249,8 +271,10 @@ double AutotuneRun::proofTarget(double sign) const
 
 Task<void> AutotuneRun::prove()
 {
-    auto reading = readGains(m_device, m_plan.loop, m_plan.axis, m_plan.slot);
-    m_report.before = co_await std::move(reading);
+    if (m_quicker.empty()) { // else they are known, and those that did not hold may be in force
+        auto reading = readGains(m_device, m_plan.loop, m_plan.axis, m_plan.slot);
+        m_report.before = co_await std::move(reading);
+    }
     const bool unknown = std::any_of(
         m_report.before.begin(), m_report.before.end(), [](const auto &gain) { return !gain.second.has_value(); });
     const bool mayStay = m_plan.keep && unknown && m_provingSlot == m_plan.slot; // else they are put back
@@ -277,7 +301,7 @@ Task<void> AutotuneRun::prove()
     const Message wrong = judgeProof(m_report.measured, m_report.predicted->metrics, m_step, resting());
     if (!wrong.empty()) {
         m_report.result = TuneResult::RolledBack;
-        m_report.evidence = wrong;
+        m_report.evidence = joined(wrong, m_quicker);
     }
     co_return {};
 }
@@ -293,6 +317,8 @@ Task<void> AutotuneRun::keep()
         : say("the steps in both directions did what was predicted; the gains were written, which this family cannot "
               "read "
               "back");
+    if (!m_quicker.empty())
+        m_report.evidence = joined(m_report.evidence, say("these are the calm gains, %1", m_quicker));
     const bool tried = m_report.scale.has_value();
     if (resting() > notableRest * m_step)
         m_report.evidence = joined(m_report.evidence,

@@ -52,6 +52,8 @@ public:
     [[nodiscard]] Result<void> propose();
     /// Steps both ways with the proposal in force.
     [[nodiscard]] Task<void> prove();
+    /// Takes the calm proposal after a quicker one did not do what was predicted; false where there is none, or numbers were asked for.
+    [[nodiscard]] bool calmDown();
     /// Writes what was proven.
     [[nodiscard]] Task<void> keep();
 
@@ -71,6 +73,7 @@ public:
 private:
     [[nodiscard]] Task<Trial> runOnce(ExperimentPlan plan);
     [[nodiscard]] Result<Proposal> proposalFor(Aim aim) const;
+    void choose(const Proposal &proposal);
     [[nodiscard]] VelocityTaking taking() const;
     [[nodiscard]] double resting() const;
     [[nodiscard]] double proofSeconds() const;
@@ -89,6 +92,7 @@ private:
     bool m_placed = false; ///< m_start is known
     int m_provingSlot = 0;
     bool m_moved = false;
+    Message m_quicker; ///< what gains did that were proven before; empty: none were
 };
 
 } // namespace mb::tuning

@@ -100,6 +100,7 @@ Result<Ohm> fitOhm(const std::vector<Trial> &pushes)
         return fail(Fault::OutOfRange, say("the current did not follow the duty, so its resistance is not known"),
             say("see that the motor is connected"));
     ohm.gain = 1.0 / solved->values[0];
+    ohm.back = solved->values[1];
     ohm.gainError = ohm.gain * solved->errors[0] / solved->values[0];
     for (const Sums &sums : each) {
         const double gain = sums.current / (sums.driven - solved->values[1] * sums.way);

@@ -12,6 +12,7 @@ namespace mb::tuning {
 struct Ohm {
     double gain = 0.0; ///< A per duty at standstill: supply/R
     double gainError = 0.0;
+    double back = 0.0;    ///< duty that a count/s takes off it
     double scatter = 0.0; ///< largest difference of one push's gain, of the gain
     double supply = 0.0;  ///< V at rest; 0: not told
 };

@@ -100,12 +100,13 @@ double responseOf(Mode loop, Aim aim, const PlantModel &plant)
     return plant.delay * std::array<double, 3>{3.0, 1.5, 1.0}[step];
 }
 
-bool hasMargin(Mode loop, const PlantModel &plant, const ContinuousGains &gains, double mostMs, double mostMsOff)
+bool hasMargin(
+    Mode loop, const PlantModel &plant, const ContinuousGains &gains, double mostMs, double mostMsOff, int points)
 {
     PlantModel off = plant;
     off.gain *= offGain;
     off.delay *= offDelay;
-    return marginsOf(loop, plant, gains).ms <= mostMs && marginsOf(loop, off, gains).ms <= mostMsOff;
+    return marginsOf(loop, plant, gains, points).ms <= mostMs && marginsOf(loop, off, gains, points).ms <= mostMsOff;
 }
 
 bool isWithin(const ContinuousGains &gains, const LoopBounds &bounds)

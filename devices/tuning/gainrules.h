@@ -12,10 +12,13 @@ namespace mb::tuning {
 /// A motor as one of its loops sees it: gain·e^(−delay·s)/(tau·s + 1) from duty to what the loop measures; to its speed in a
 /// position loop, which integrates it.
 struct PlantModel {
-    double gain = 0.0;     ///< counts/s per duty; A per duty in a current loop
-    double tau = 0.0;      ///< s
-    double delay = 0.0;    ///< s, of the whole loop
-    double friction = 0.0; ///< duty
+    double gain = 0.0;         ///< counts/s per duty; A per duty in a current loop
+    double tau = 0.0;          ///< s
+    double delay = 0.0;        ///< s, of the whole loop
+    double friction = 0.0;     ///< duty
+    double braking = 1.0;      ///< times as strongly as it drives, that a current brakes (rollout.h)
+    double stallCurrent = 0.0; ///< A per duty at standstill; 0: not known
+    double backDuty = 0.0;     ///< duty that a count/s takes off it
 
     friend bool operator==(const PlantModel &, const PlantModel &) = default;
 };
@@ -67,8 +70,8 @@ struct Design {
     std::vector<std::string_view> bounds; ///< "delay", "derivative noise", "largest error", "margin"; empty: none
 };
 /// The sensitivity peak is at most `mostMs` on the model, and `mostMsOff` with 20 % more gain and 30 % more delay.
-[[nodiscard]] bool hasMargin(
-    Mode loop, const PlantModel &plant, const ContinuousGains &gains, double mostMs, double mostMsOff);
+[[nodiscard]] bool hasMargin(Mode loop, const PlantModel &plant, const ContinuousGains &gains, double mostMs,
+    double mostMsOff, int points = 400);
 /// Neither one count nor the largest error makes more output than `bounds` allow.
 [[nodiscard]] bool isWithin(const ContinuousGains &gains, const LoopBounds &bounds);
 /// Within `bounds`, and with a sensitivity peak of `mostMs` at most on the model (and `mostMsOff` where the gain is 20 % and the

@@ -1,45 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/gainsearch.h"
 
+#include "tuning/margins.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 namespace mb::tuning {
 namespace {
 
-constexpr std::array<double, 4> factors{1.4, 1.2, 1.08, 1.03};
-constexpr int roundsOfAFactor = 12; ///< of each factor
-constexpr double fewPasses = 400.0;
-constexpr double overshootPrice = 200.0; ///< of the integral, for each unit beyond
+constexpr std::array<double, 3> factors{1.16, 1.06, 1.02};
+constexpr int roundsOfAFactor = 6;
+constexpr std::size_t starts = 4; ///< of the grid, that are followed downhill
+constexpr double passesOfDelay = 20.0;
+constexpr double mostPasses = 1200.0;       ///< of one step
+constexpr double quickestOfSetPoints = 2.0; ///< natural frequency over theirs, about
+constexpr double longerSteps = 2.0;         ///< of an integral that adds whole steps: where it rests shows late
+constexpr int restingPasses = 25;           ///< of a loop without an integral, after which nothing happens any more
 
 /// A motor that is not quite as thought, and what it may overshoot by.
 struct Doubt {
     double gain;
     double tau;
     double friction;
-    double overshoot;
-    double weight; ///< of its integral
+    double moreOvershoot; ///< than SearchTask::overshoot
+    double weight;        ///< of its integral
 };
 constexpr std::array<Doubt, 3> doubts{{
-    {1.0, 1.0, 1.0, 0.005, 0.6},
-    {1.0, 1.15, 1.3, 0.02, 0.4}, // hot, with a supply that sags, or with grease that is cold
-    {1.05, 1.0, 0.0, 0.04, 0.0}, // overcome before: the integral carries its friction from the last step
+    {1.0, 1.0, 1.0, 0.0, 0.5},
+    {1.0, 1.08, 1.15, 0.02, 0.25}, // hot, with a supply that sags, or with grease that is cold
+    {1.02, 0.96, 0.87, 0.02, 0.25},
 }};
-constexpr double lessFriction = 0.7; ///< of a position loop: its friction is there at each start
-constexpr double weakIntegral = 0.15;
-constexpr double leastIntegral = 0.1; ///< of the rule's
+/// Where a loop of whole steps comes to rest is a matter of luck: what is good on the average is wanted.
+constexpr std::array<Doubt, 8> wholeDoubts{{
+    {1.0, 1.0, 1.0, 0.0, 0.16},
+    {1.0, 1.1, 1.2, 0.02, 0.12},
+    {1.03, 0.95, 0.8, 0.02, 0.12},
+    {1.01, 1.02, 1.05, 0.01, 0.12},
+    {0.99, 0.97, 1.0, 0.01, 0.12},
+    {1.005, 1.03, 0.95, 0.01, 0.12},
+    {0.995, 0.99, 1.08, 0.01, 0.12},
+    {1.015, 1.0, 0.9, 0.01, 0.12},
+}};
+constexpr double overshootPrice = 40.0; ///< of the integral, for each unit beyond
+constexpr double near = 4.0;            ///< counts beside a target that nobody asks to be mended
 constexpr double never = std::numeric_limits<double>::infinity();
 
-struct Seen {
-    double itae = 0.0;
-    double overshoot = 0.0;
-};
+constexpr std::array<double, 6> responses{0.6, 0.8, 1.0, 1.3, 1.9, 3.0};      ///< delays
+constexpr std::array<double, 6> integralTimes{0.35, 0.5, 0.7, 1.0, 1.4, 2.0}; ///< lags of the motor
+constexpr std::array<double, 4> dampings{0.6, 0.8, 1.0, 1.4};
+constexpr std::array<double, 3> integralWeights{0.03, 0.08, 0.2};
+constexpr int frequencies = 7;
+constexpr double nextFrequency = 1.4;
+constexpr double quickest = 0.5; ///< over the delay
 
 struct Found {
     ContinuousGains gains;
-    double price = 0.0;
+    double price = never;
 };
 
 class Search {
@@ -49,87 +70,203 @@ public:
         , m_plant(plant)
         , m_task(task)
         , m_start(start)
-        , m_seconds(std::clamp(12.0 * (plant.delay + start.response) + 4.0 * plant.tau, 1.0, 6.0))
+        , m_seconds(std::clamp((6.0 * (plant.delay + start.response) + 3.0 * plant.tau)
+                  * (task.shape.integralStep > 0.0 ? longerSteps : 1.0),
+              0.8, 4.0))
+        , m_doubts(task.shape.integralStep > 0.0 ? std::span<const Doubt>(wholeDoubts) : std::span<const Doubt>(doubts))
+        , m_near(loop == Mode::Position ? near / std::abs(task.step) : 0.0)
     {
-        m_task.shape.period = std::clamp(m_task.shape.period, 1e-4, m_seconds / fewPasses);
+        if (task.shape.integralStep == 0.0)
+            m_task.shape.period = std::max({task.shape.period, plant.delay / passesOfDelay, m_seconds / mostPasses});
     }
 
-    [[nodiscard]] double price(const ContinuousGains &gains) const
+    [[nodiscard]] Found best() const
     {
-        if (!isAllowed(gains))
-            return never;
-        double itae = 0.0;
-        double beyond = 0.0;
-        for (const Doubt &doubt : doubts) {
-            PlantModel plant = m_plant;
-            plant.gain *= doubt.gain;
-            plant.tau *= doubt.tau;
-            plant.friction *= m_loop == Mode::Position && doubt.friction == 0.0 ? lessFriction : doubt.friction;
-            const Seen seen = step(plant, gains);
-            beyond += std::max(seen.overshoot - doubt.overshoot, 0.0);
-            itae += seen.itae * doubt.weight;
+        std::vector<Found> all{{m_start.gains, price(m_start.gains, never)}};
+        const auto look = [&](const ContinuousGains &gains) {
+            if (const double its = price(gains, worstOf(all)); its < never)
+                all.push_back({gains, its});
+        };
+        if (m_loop == Mode::Position)
+            lookAtPositions(look);
+        else
+            lookAtVelocities(look);
+        sort(all);
+        Found found = all.front();
+        for (std::size_t i = 0; i < std::min(starts, all.size()); ++i) {
+            const Found other = downhill(all[i]);
+            if (other.price < found.price)
+                found = other;
         }
-        return itae * (1.0 + overshootPrice * beyond);
+        return found;
     }
 
-    /// Downhill, one gain at a time, in ever smaller steps.
-    [[nodiscard]] Found from(const ContinuousGains &start) const
+private:
+    static void sort(std::vector<Found> &all)
     {
-        Found best{start, price(start)};
+        std::sort(all.begin(), all.end(), [](const Found &a, const Found &b) { return a.price < b.price; });
+    }
+    /// What one has to be better than to be followed.
+    static double worstOf(std::vector<Found> &all)
+    {
+        if (all.size() < starts)
+            return never;
+        sort(all);
+        return all[starts - 1].price;
+    }
+
+    template <class Look> void lookAtVelocities(const Look &look) const
+    {
+        for (const double response : responses) {
+            const double p = std::min(m_plant.tau / (m_plant.gain * m_plant.delay * (1.0 + response)), mostOfError());
+            for (const double share : integralTimes)
+                look(ContinuousGains{p, p / (share * m_plant.tau), 0.0, 0.0});
+        }
+    }
+
+    template <class Look> void lookAtPositions(const Look &look) const
+    {
+        const bool integrates = m_task.bounds.integralWeight > 0.0;
+        for (const double damping : dampings) {
+            double omega = quickestPosition(damping);
+            for (int i = 0; i < frequencies; ++i, omega /= nextFrequency) {
+                if (!integrates)
+                    look(positionRule(m_plant, omega, damping));
+                for (const double weight : integralWeights) {
+                    if (integrates)
+                        look(positionRuleWithIntegral(m_plant, omega, damping, weight));
+                }
+            }
+        }
+    }
+
+    /// P, with which the largest error makes no more output than it may.
+    [[nodiscard]] double mostOfError() const
+    {
+        const LoopBounds &bounds = m_task.bounds;
+        return bounds.largestError > 0.0 ? bounds.strongestError / bounds.largestError : never;
+    }
+    /// rad/s, that delay and noise allow.
+    [[nodiscard]] double quickestPosition(double damping) const
+    {
+        const LoopBounds &bounds = m_task.bounds;
+        const double delayed = quickest / m_plant.delay;
+        if (bounds.period <= 0.0)
+            return delayed;
+        const double most = bounds.derivativeShare * bounds.period;
+        return std::min(delayed, (1.0 + m_plant.gain * most) / (2.0 * damping * m_plant.tau));
+    }
+
+    /// One gain or two at a time, in ever smaller steps.
+    [[nodiscard]] Found downhill(Found best) const
+    {
+        static constexpr std::array<std::array<int, 3>, 5> directions{
+            {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 0}}};
         for (const double factor : factors) {
-            for (int round = 0; round < roundsOfAFactor && better(best, factor); ++round) { }
+            for (int round = 0; round < roundsOfAFactor; ++round) {
+                const double before = best.price;
+                for (const auto &direction : directions) {
+                    for (const double by : {factor, 1.0 / factor})
+                        step(best, direction, by);
+                }
+                if (best.price >= before)
+                    break;
+            }
         }
         return best;
     }
 
-private:
-    [[nodiscard]] bool better(Found &best, double factor) const
+    void step(Found &best, const std::array<int, 3> &direction, double by) const
     {
-        const double before = best.price;
-        for (const auto gain : {&ContinuousGains::i, &ContinuousGains::p, &ContinuousGains::d}) {
-            for (const double by : {factor, 1.0 / factor}) {
-                ContinuousGains tried = best.gains;
-                tried.*gain *= by;
-                const double its = tried.*gain != 0.0 ? price(tried) : never;
-                if (its < best.price)
-                    best = {tried, its};
-            }
-        }
-        return best.price < before;
+        ContinuousGains tried = best.gains;
+        tried.p *= direction[0] != 0 ? by : 1.0;
+        tried.i *= direction[1] != 0 ? by : 1.0;
+        tried.d *= direction[2] != 0 ? by : 1.0;
+        if (tried == best.gains)
+            return;
+        if (const double its = price(tried, best.price); its < best.price)
+            best = {tried, its};
     }
-    [[nodiscard]] Seen step(const PlantModel &plant, const ContinuousGains &gains) const
+
+    /// Given up as soon as it is more than `most`.
+    [[nodiscard]] double price(const ContinuousGains &gains, double most) const
+    {
+        if (!isAllowed(gains))
+            return never;
+        double sum = 0.0;
+        double beyond = 0.0;
+        for (const Doubt &doubt : m_doubts) {
+            PlantModel plant = m_plant;
+            plant.gain *= doubt.gain;
+            plant.tau *= doubt.tau;
+            plant.friction *= doubt.friction;
+            double overshoot = 0.0;
+            sum += doubt.weight * steps(plant, gains, (most - sum) / doubt.weight, overshoot);
+            beyond = std::max(beyond, overshoot - m_task.overshoot - doubt.moreOvershoot);
+            if (sum >= most)
+                return never;
+        }
+        return sum * (1.0 + overshootPrice * beyond);
+    }
+
+    /// From rest, back, and once more: what the proof does. The mean of both integrals.
+    [[nodiscard]] double steps(
+        const PlantModel &plant, const ContinuousGains &gains, double most, double &overshoot) const
     {
         SimulatedLoop simulated(m_loop, plant, gains, m_task.shape, 0.0);
-        Seen seen;
-        const double near = m_task.shape.goodEnough / std::abs(m_task.step);
-        for (double t = 0.0; t < m_seconds; t += m_task.shape.period) {
-            (void)simulated.pass(m_task.step);
-            const double value = simulated.value() / m_task.step;
-            seen.itae += t * std::max(std::abs(1.0 - value) - near, 0.0) * m_task.shape.period;
-            seen.overshoot = std::max(seen.overshoot, value - 1.0);
+        const double period = m_task.shape.period;
+        double itae = 0.0;
+        for (const bool up : {true, false, true}) {
+            const double target = up ? m_task.step : 0.0;
+            int still = 0;
+            for (double t = period; t < m_seconds; t += period) {
+                const double before = simulated.value();
+                (void)simulated.pass(target);
+                const double value = simulated.value() / m_task.step;
+                const double error = std::max(std::abs(1.0 - value) - m_near, 0.0);
+                still = gains.i == 0.0 && simulated.value() == before ? still + 1 : 0;
+                const bool rests = still > restingPasses;
+                if (up) {
+                    itae += 0.5 * error * (rests ? 0.5 * (m_seconds * m_seconds - t * t) : t * period);
+                    overshoot = std::max(overshoot, value - 1.0);
+                }
+                if (itae >= most)
+                    return itae;
+                if (rests)
+                    break;
+            }
         }
-        return seen;
+        return itae;
     }
 
     [[nodiscard]] bool isAllowed(const ContinuousGains &gains) const
     {
-        const bool quick = m_loop == Mode::Position ? gains.p > mostPositionGain() : gains.p > m_start.gains.p * 1.001;
-        const bool weak = m_loop == Mode::Position
-            && gains.i < leastIntegral * m_start.gains.i; // it has a purpose, and devices store whole steps
-        return !quick && !weak && isWithin(gains, m_task.bounds)
-            && hasMargin(m_loop, m_plant, gains, m_task.mostMs, m_task.mostMsOff);
+        if (gains.p <= 0.0 || gains.p > mostGain())
+            return false;
+        return isWithin(gains, m_task.bounds)
+            && hasMargin(m_loop, m_plant, gains, m_task.mostMs, m_task.mostMsOff, pointsOfSearch);
     }
-    [[nodiscard]] double mostPositionGain() const
+    [[nodiscard]] double mostGain() const
     {
-        const double omega = 1.0 / m_start.asked;
-        return 1.001 * std::max(m_start.gains.p, m_plant.tau * omega * omega / m_plant.gain);
+        double omega = m_task.isHeldToRule ? 1.0 / m_start.asked : never;
+        if (m_task.setPoints > 0.0)
+            omega = std::min(omega, quickestOfSetPoints / m_task.setPoints);
+        const bool position = m_loop == Mode::Position;
+        const double natural = position ? m_plant.tau * omega * omega / m_plant.gain
+            : m_task.isHeldToRule       ? 0.0
+                                        : never;
+        return 1.001 * std::max(m_start.gains.p, natural);
     }
+
+    static constexpr int pointsOfSearch = 30; ///< of a decade
 
     Mode m_loop;
     PlantModel m_plant;
     SearchTask m_task;
     const Design &m_start;
     double m_seconds;
+    std::span<const Doubt> m_doubts;
+    double m_near;
 };
 
 } // namespace
@@ -138,14 +275,7 @@ Design searched(Mode loop, const PlantModel &plant, const Design &start, const S
 {
     if (task.step == 0.0 || loop == Mode::Current)
         return start;
-    const Search search(loop, plant, start, task);
-    Found best = search.from(start.gains);
-    if (loop == Mode::Position && start.gains.i > 0.0) { // a strong integral and a weak one are valleys of their own
-        ContinuousGains weak = start.gains;
-        weak.i *= weakIntegral;
-        if (const Found other = search.from(weak); other.price < best.price)
-            best = other;
-    }
+    const Found best = Search(loop, plant, start, task).best();
     Design design = start;
     design.gains = best.gains;
     return design;

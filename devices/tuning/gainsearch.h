@@ -10,7 +10,11 @@ struct SearchTask {
     LoopBounds bounds;
     double mostMs = 1.6;
     double mostMsOff = 1.9;
-    double step = 0.0; ///< from rest, in the unit of the loop
+    double step = 0.0;         ///< from rest, in the unit of the loop
+    double overshoot = 0.0;    ///< of the step, that costs nothing
+    bool isHeldToRule = false; ///< P is at most what the rule was asked for
+    double setPoints
+        = 0.0; ///< s between set-points of a profile, which a position loop must not answer one by one; 0: none
     LoopShape shape;
 };
 

@@ -2,6 +2,8 @@
 #include "tuning/identification.h"
 
 #include "tuning/figures.h"
+#include "tuning/pushedge.h"
+#include "tuning/rollout.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,66 +11,12 @@
 namespace mb::tuning {
 namespace {
 
-constexpr double edgeSearch = 0.5;  ///< s after the order in which the device's own duty shows the edge
-constexpr double edgeBefore = 0.15; ///< s before it, by another clock
-constexpr double leastShare = 0.05; ///< of the duty ordered
-constexpr double wholeShare = 0.95;
 constexpr double beforePush = 0.05; ///< s of rest that a record begins with
 constexpr double mostCost = 3.0;
 constexpr double mostAsymmetry = 0.10;
 constexpr double leastCounts = 50.0;
 constexpr double mostFrictionShare = 0.7; ///< of the smallest push
-constexpr double mostOfDuty = 0.9;        ///< that friction may take, when it is told where a slow push began
 constexpr double nearLimit = 0.98;
-
-/// When a push began, and when its duty was all there.
-struct Edge {
-    double at = 0.0;
-    double whole = 0.0;
-};
-
-/// A push whose duty grows slowly is one that came at once, but later: by what was missing beyond friction (a share of the duty).
-double centre(const Trace &duty, double ordered, std::size_t whole, double target, double friction)
-{
-    const auto moving = [&](double y) { return std::clamp((y / target - friction) / (1.0 - friction), 0.0, 1.0); };
-    double missing = 0.0;
-    double before = ordered;
-    double last = 0.0;
-    for (std::size_t i = 0; i <= whole; ++i) {
-        if (duty.t[i] <= ordered)
-            continue;
-        const double now = moving(duty.y[i]);
-        missing += (1.0 - 0.5 * (last + now)) * (duty.t[i] - before);
-        before = duty.t[i];
-        last = now;
-    }
-    return ordered + missing;
-}
-
-/// When the order was carried out: at once, unless the device's own duty shows that it came later (its frame was lost, its
-/// output grows slowly) or, by the clock of the samples, sooner. A sample tells that the edge lay between it and the one before.
-Edge edgeOf(const Signal *duty, double ordered, double target, double friction)
-{
-    if (!duty)
-        return {ordered, ordered};
-    const Trace &trace = duty->trace;
-    int between = 0;
-    std::optional<double> half;
-    for (std::size_t i = 1; i < trace.size() && trace.t[i] <= ordered + edgeSearch; ++i) {
-        const double share = trace.y[i] / target;
-        if (trace.t[i] < ordered - edgeBefore || share < leastShare)
-            continue;
-        if (!half && share >= 0.5)
-            half = std::clamp(ordered, trace.t[i - 1], trace.t[i]);
-        if (share >= wholeShare) {
-            if (between < 2)
-                return {half.value_or(ordered), half.value_or(ordered)};
-            return {centre(trace, ordered, i, target, friction), trace.t[i]};
-        }
-        ++between;
-    }
-    return {half.value_or(ordered), half.value_or(ordered)};
-}
 
 /// While the duty still grows, nothing is fitted.
 Trace without(const Trace &trace, double from, double to)
@@ -123,7 +71,7 @@ std::vector<PushRecord> pushesOf(const Trial &trial, double friction)
     for (const Span &hold : trial.holds) {
         if (!position || target == 0.0)
             break;
-        const auto [edge, whole] = edgeOf(duty, hold.from, target, std::min(friction / std::abs(target), mostOfDuty));
+        const auto [edge, whole] = edgeOf(duty, hold.from, target, friction);
         PushRecord record;
         record.position = without(position->trace.part(std::min(edge, hold.from) - beforePush, hold.to, edge),
             hold.from - edge, whole - edge);
@@ -165,6 +113,12 @@ Result<MotorFound> identify(const std::vector<Trial> &pushes)
         if (!line)
             return fail(line.error());
         found.line = *line;
+        std::vector<RollOut> rolls;
+        for (const Trial &trial : pushes) {
+            const auto more = rollOutsOf(trial, *fit, line->friction);
+            rolls.insert(rolls.end(), more.begin(), more.end());
+        }
+        found.braking = brakingOf(rolls, fit->tau, line->gain * line->friction).value_or(1.0);
         if (!growsSlowly(pushes))
             break;
     }

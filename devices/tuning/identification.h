@@ -15,6 +15,7 @@ struct MotorFound {
     PushFit pushes;
     GainFit line;
     std::optional<VelocityFilter> filter;   ///< nothing where the device tells no velocity of its own
+    double braking = 1.0;                   ///< as PlantModel::braking
     double supply = 0.0;                    ///< V at rest, which `line` is per full duty of; 0: not told
     std::string unit = "counts/s per duty"; ///< of the gain
 };

@@ -8,7 +8,6 @@
 namespace mb::tuning {
 namespace {
 
-constexpr int pointsPerDecade = 400;
 constexpr double decadesBelow = 4.0; ///< of 1/(τ + delay)
 constexpr double decadesAbove = 3.0;
 
@@ -29,17 +28,17 @@ std::complex<double> openLoop(Mode loop, const PlantModel &plant, const Continuo
     return withoutDelay(loop, plant, gains, omega) * std::polar(1.0, -omega * plant.delay);
 }
 
-Margins marginsOf(Mode loop, const PlantModel &plant, const ContinuousGains &gains)
+Margins marginsOf(Mode loop, const PlantModel &plant, const ContinuousGains &gains, int points)
 {
     Margins margins{1.0, std::numeric_limits<double>::infinity(), 180.0, 0.0};
     const double centre = 1.0 / (plant.tau + plant.delay);
-    const int first = static_cast<int>(-decadesBelow * pointsPerDecade);
-    const int last = static_cast<int>(decadesAbove * pointsPerDecade);
+    const int first = static_cast<int>(-decadesBelow * points);
+    const int last = static_cast<int>(decadesAbove * points);
     double phase = 0.0; // unwrapped, without the delay's
     double magnitude = 0.0;
     double total = 0.0;
     for (int k = first; k <= last; ++k) {
-        const double omega = centre * std::pow(10.0, static_cast<double>(k) / pointsPerDecade);
+        const double omega = centre * std::pow(10.0, static_cast<double>(k) / points);
         const std::complex<double> plain = withoutDelay(loop, plant, gains, omega);
         double angle = std::arg(plain);
         if (k > first)

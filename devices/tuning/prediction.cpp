@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/prediction.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace mb::tuning {
 namespace {
 
@@ -17,8 +20,13 @@ Prediction predictStep(Mode loop, const PlantModel &plant, const ContinuousGains
     result.shape = shape;
     SimulatedLoop simulated(loop, plant, gains, shape, from);
     double next = -restBefore;
-    for (double t = -restBefore; t < seconds; t += shape.period) {
+    double peak = 0.0;
+    const double end = std::min(seconds, longestPrediction);
+    const auto passes = static_cast<long>(std::ceil((restBefore + end) / shape.period));
+    for (long pass = 0; pass < passes; ++pass) {
+        const double t = static_cast<double>(pass) * shape.period - restBefore;
         const double duty = simulated.pass(t < 0.0 ? from : to);
+        peak = std::max(peak, std::abs(simulated.current()));
         if (t >= next - 1e-9) {
             result.measured.add(t, simulated.measured());
             result.duty.add(t, duty);
@@ -26,6 +34,8 @@ Prediction predictStep(Mode loop, const PlantModel &plant, const ContinuousGains
         }
     }
     result.metrics = readResponse(result.measured, to, loop == Mode::Current ? 0.0 : leastShownMove).metrics;
+    if (plant.stallCurrent > 0.0)
+        result.metrics.peakCurrent = peak;
     return result;
 }
 

@@ -10,11 +10,14 @@ namespace mb::tuning {
 struct Prediction {
     Trace measured; ///< counts/s, counts or A
     Trace duty;
-    Metrics metrics;
+    Metrics metrics;   ///< its peak current where the model knows what the motor draws
     LoopShape shape{}; ///< of the loop that it is of
 };
 
-/// A step from `from` to `to`, held for `seconds`, with the friction of the model in a loop of this shape.
+/// s, beyond which nothing is predicted: a lag without end is no reason for a prediction without end.
+constexpr double longestPrediction = 60.0;
+
+/// A step from `from` to `to`, held for `seconds` (at most longestPrediction), with the friction of the model in a loop of this shape.
 [[nodiscard]] Prediction predictStep(Mode loop, const PlantModel &plant, const ContinuousGains &gains, double from,
     double to, double seconds, const LoopShape &shape);
 /// In a loop of which only this is known.

@@ -4,8 +4,12 @@
 #include "model/family.h"
 #include "tuning/gainsearch.h"
 #include "tuning/proof.h"
+#include "tuning/seconds.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace mb::tuning {
 namespace {
@@ -15,10 +19,11 @@ constexpr double usualMs = 1.6;       ///< largest sensitivity, of the model
 constexpr double usualMsOff = 1.9;    ///< and of a motor that is not quite as it says
 constexpr double briskMs = 1.7;
 constexpr double briskMsOff = 2.3;
-constexpr double currentOfStall = 0.1;     ///< that a proof of a current loop asks for
-constexpr double currentOfLimit = 0.3;     ///< and at most
-constexpr double currentPrediction = 0.2;  ///< s
-constexpr double longestPrediction = 30.0; ///< s
+constexpr double currentOfStall = 0.1;    ///< that a proof of a current loop asks for
+constexpr double currentOfLimit = 0.3;    ///< and at most
+constexpr double currentPrediction = 0.2; ///< s
+constexpr double longestShown = 30.0;     ///< s
+constexpr int smallerSteps = 4;
 
 double cycleOf(const ProposalBasis &basis)
 {
@@ -36,6 +41,12 @@ LoopBounds boundsOf(const ProposalBasis &basis)
     else if (basis.loop == Mode::Position && !hasFrictionHelp(basis.family))
         bounds.integralWeight = integralShare;
     return bounds;
+}
+
+/// Of the step, that an aim allows itself.
+double overshootOf(Aim aim)
+{
+    return std::array<double, 3>{0.005, 0.025, 0.03}[static_cast<std::size_t>(aim)];
 }
 
 LoopShape shapeOf(const ProposalBasis &basis)
@@ -70,11 +81,13 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
     const double response = wish.response.value_or(responseOf(basis.loop, wish.aim, plant));
     Proposal proposal;
     proposal.aim = wish.aim;
-    SearchTask task{boundsOf(basis), ms.model, ms.off, 0.0, shapeOf(basis)};
+    SearchTask task{boundsOf(basis), ms.model, ms.off, 0.0, overshootOf(wish.aim), wish.aim == Aim::Calm,
+        inSeconds(family.capabilities.commandPeriod), shapeOf(basis)};
     proposal.design = design(basis.loop, plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
         task.bounds, ms.model, ms.off);
     if (basis.loop != Mode::Current && !basis.scale && !wish.response && !wish.ms) {
         task.step = proofStep(basis.loop, plant, proposal.design.gains, basis.envelope);
+        task.bounds.largestError = task.step;
         proposal.design = searched(basis.loop, plant, proposal.design, task);
     }
     auto scaled
@@ -88,11 +101,16 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
     proposal.margins = marginsOf(basis.loop, plant, gains);
     proposal.step = basis.loop == Mode::Current
         ? std::min(currentOfStall * plant.gain, currentOfLimit * basis.envelope.current.value_or(plant.gain))
-        : proofStep(basis.loop, plant, gains, basis.envelope);
-    const double seconds = basis.loop == Mode::Current
-        ? currentPrediction
-        : std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestPrediction);
+        : task.step > 0.0 ? task.step
+                          : proofStep(basis.loop, plant, gains, basis.envelope);
+    const double seconds = basis.loop == Mode::Current ? currentPrediction
+                                                       : std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestShown);
     proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, task.shape);
+    const double most = basis.envelope.current.value_or(std::numeric_limits<double>::infinity());
+    for (int i = 0; i < smallerSteps && proposal.predicted.metrics.peakCurrent.value_or(0.0) > most; ++i) {
+        proposal.step = std::round(0.98 * proposal.step * most / *proposal.predicted.metrics.peakCurrent);
+        proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, task.shape);
+    }
     return proposal;
 }
 

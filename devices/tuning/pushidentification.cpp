@@ -3,6 +3,7 @@
 
 #include "model/family.h"
 #include "tuning/autotunerun.h"
+#include "tuning/currentidentification.h"
 #include "tuning/figures.h"
 #include "tuning/proof.h"
 
@@ -27,7 +28,18 @@ constexpr double usableShare = 0.75;   ///< of a limit of the envelope
 constexpr double nearlyFull = 0.96;    ///< of the duty limit
 constexpr double speedReserve = 1.3;   ///< friction takes a smaller share of a stronger push
 constexpr int pushRepeats = 2;
-constexpr double loopDelays = 1.5; ///< periods of the device's loop
+constexpr double loopDelays = 1.5;        ///< periods of the device's loop
+constexpr double mostCurrentDoubt = 0.15; ///< of what the motor draws at standstill
+
+/// What the motor draws; nothing where its current is not told in ampere, or not well enough.
+std::optional<Ohm> drawnBy(const std::vector<Trial> &pushes)
+{
+    const Signal *const current = pushes.empty() ? nullptr : pushes.front().signal("current");
+    if (!current || current->unit != "A")
+        return std::nullopt;
+    const auto ohm = fitOhm(pushes);
+    return ohm && ohm->gainError <= mostCurrentDoubt * ohm->gain ? std::optional(*ohm) : std::nullopt;
+}
 
 } // namespace
 
@@ -121,8 +133,12 @@ Result<void> PushIdentification::conclude(AutotuneRun &run) const
     if (!found)
         return fail(found.error());
     const double loop = run.device().family().loop->cycle;
-    PlantModel plant{
-        found->line.gain, found->pushes.tau, found->pushes.delay + loopDelays * loop, found->line.friction};
+    PlantModel plant{found->line.gain, found->pushes.tau, found->pushes.delay + loopDelays * loop, found->line.friction,
+        found->braking};
+    if (const auto ohm = drawnBy(m_pushes)) {
+        plant.stallCurrent = ohm->gain;
+        plant.backDuty = ohm->back;
+    }
     if (run.plan().loop == Mode::Velocity) {
         const double speed = proofStep(Mode::Velocity, plant, {}, run.envelope());
         plant.delay += velocityTaking(run.device(), speed, found->filter).delay;

@@ -9,6 +9,9 @@ namespace {
 
 constexpr double patienceForCounts = 0.671; ///< s, that a window of counts waits for them
 constexpr double breakawayShare = 1.2;      ///< of the friction while it moves
+/// Passes of the plant's delay that are not waited for: half of one is what an output held from pass to pass is late already, and one
+/// is counted for a loop that may put out in the next pass what it has measured in this one, which these do at once.
+constexpr double promptPasses = 1.5;
 
 double wholeSteps(double value, double step)
 {
@@ -37,6 +40,7 @@ SimulatedLoop::SimulatedLoop(
     , m_gains(gains)
     , m_shape(shape)
     , m_kept(std::exp(-shape.period / plant.tau))
+    , m_braked(std::exp(-shape.period * plant.braking / plant.tau))
     , m_speed(m_integrates ? 0.0 : from)
     , m_place(m_integrates ? from : 0.0)
     , m_measured(from)
@@ -45,8 +49,7 @@ SimulatedLoop::SimulatedLoop(
     if (m_windowed)
         m_span = std::max<std::size_t>(
             1, passesOf(shape.windowCounts > 0.0 ? patienceForCounts : shape.window, shape.period));
-    // an output that is held from pass to pass is half of one late already
-    m_lag = passesOf(plant.delay - (m_windowed ? 0.5 * shape.window : 0.0) - 0.5 * shape.period, shape.period);
+    m_lag = passesOf(plant.delay - (m_windowed ? 0.5 * shape.window : 0.0) - promptPasses * shape.period, shape.period);
     const double before = static_cast<double>(m_lag + m_span);
     for (std::size_t i = 0; i < m_lag + m_span; ++i) {
         const double ago = before - static_cast<double>(i);
@@ -100,16 +103,35 @@ double SimulatedLoop::output(double target, double measured)
     return std::clamp(duty, -m_shape.mostDuty, m_shape.mostDuty);
 }
 
-/// Exact for constant duty.
-void SimulatedLoop::turn(double duty)
+/// Exact for constant duty, as long as it goes one way; what is left of the time after a turn is yielded.
+double SimulatedLoop::advance(double duty, double seconds)
 {
     const double push = std::abs(duty);
-    const bool stuck = m_speed == 0.0 && push <= breakawayShare * m_plant.friction;
-    const double sign = m_speed != 0.0 ? (m_speed > 0.0 ? 1.0 : -1.0) : (duty > 0.0 ? 1.0 : -1.0);
-    const double ends = stuck ? 0.0 : m_plant.gain * (duty - sign * m_plant.friction);
-    const double next = ends + (m_speed - ends) * m_kept;
-    m_place += ends * m_shape.period + (m_speed - ends) * m_plant.tau * (1.0 - m_kept);
-    m_speed = m_speed * next < 0.0 && push <= m_plant.friction ? 0.0 : next;
+    if (m_speed == 0.0 && push <= breakawayShare * m_plant.friction)
+        return 0.0;
+    const double sign = m_speed != 0.0 ? std::copysign(1.0, m_speed) : std::copysign(1.0, duty);
+    const bool brakes = (m_plant.gain * duty - m_speed) * sign < 0.0;
+    const double stronger = brakes ? m_plant.braking : 1.0;
+    const double tau = m_plant.tau / stronger;
+    const double ends = m_plant.gain * (duty - sign * m_plant.friction / stronger);
+    const bool whole = seconds == m_shape.period;
+    double kept = whole ? (brakes ? m_braked : m_kept) : std::exp(-seconds / tau);
+    double left = 0.0;
+    if (m_speed * (ends + (m_speed - ends) * kept) < 0.0) {
+        kept = ends / (ends - m_speed); // it stands
+        left = seconds + tau * std::log(kept);
+    }
+    m_place += ends * (seconds - left) + (m_speed - ends) * tau * (1.0 - kept);
+    m_speed = left > 0.0 ? 0.0 : ends + (m_speed - ends) * kept;
+    return left;
+}
+
+void SimulatedLoop::turn(double duty)
+{
+    m_duty = duty;
+    const double left = advance(duty, m_shape.period);
+    if (left > 0.0 && std::abs(duty) > m_plant.friction)
+        (void)advance(duty, left);
 }
 
 double SimulatedLoop::pass(double target)

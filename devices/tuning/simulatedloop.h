@@ -35,22 +35,27 @@ public:
     [[nodiscard]] double value() const { return m_integrates ? m_place : m_speed; }
     /// As the loop measured it in the last pass.
     [[nodiscard]] double measured() const { return m_measured; }
+    /// A, at the duty of the last pass; 0 where the model knows none.
+    [[nodiscard]] double current() const { return m_plant.stallCurrent * (m_duty - m_plant.backDuty * m_speed); }
 
 private:
     [[nodiscard]] double measure();
     [[nodiscard]] double measureByCounts();
     [[nodiscard]] double output(double target, double measured);
     void turn(double duty);
+    double advance(double duty, double seconds);
 
     bool m_integrates;
     bool m_windowed;
     PlantModel m_plant;
     ContinuousGains m_gains;
     LoopShape m_shape;
-    double m_kept; ///< of the speed, of one pass to the next
+    double m_kept;   ///< of the speed, of one pass to the next
+    double m_braked; ///< the same while its current brakes it
     double m_speed;
     double m_place;
     double m_measured;
+    double m_duty = 0.0;
     double m_integral = 0.0;
     double m_lastError = 0.0; ///< it begins at rest
     std::size_t m_lag = 0;    ///< passes

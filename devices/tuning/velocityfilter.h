@@ -27,6 +27,8 @@ struct VelocityTaking {
     double window = 0.0; ///< s
     double delay = 0.0;  ///< s, half of it and what it is late beyond
     double counts = 0.0; ///< the window is as long as they take; 0: always the same
+
+    friend bool operator==(const VelocityTaking &, const VelocityTaking &) = default;
 };
 
 /// Compares what the device calls its velocity with its own positions (docs/tuning.md, "Velocity filter"). Counts and counts/s of

@@ -67,7 +67,10 @@ TEST(FrequencyResponse, ReadsMagnitudePhaseAndCoherenceOutOfASine)
 TEST(FrequencyResponse, TrustsNothingBeyondATenthOfTheSampleRateOrWithoutCoherence)
 {
     const PlantModel plant{20'000.0, 0.15, 0.0, 0.03};
-    EXPECT_FALSE(frequencyPoint(sineOf(plant, 0.25, 0.1, 3.0, 0.05), plant.tau)->trusted) << "too few samples a swing";
+    const auto sparse = frequencyPoint(sineOf(plant, 0.25, 0.1, 3.0, 0.04), plant.tau);
+    ASSERT_TRUE(sparse) << sparse.error().text();
+    EXPECT_FALSE(sparse->trusted) << "too few samples a swing";
+    EXPECT_FALSE(frequencyPoint(sineOf(plant, 0.25, 0.1, 3.0, 0.05), plant.tau)) << "hardly any";
     const PlantModel coarse{60.0, 0.15, 0.0, 0.03}; // counts of a poor encoder hide the sine
     const auto hidden = frequencyPoint(sineOf(coarse, 0.25, 0.02, 3.0, 0.01), coarse.tau);
     ASSERT_TRUE(hidden) << hidden.error().text();

@@ -293,6 +293,7 @@ void DesignPage::prove()
     tuning::TunePlan wanted = plan();
     wanted.known = known->plant;
     wanted.scale = known->scale;
+    wanted.taking = known->taking;
     run(std::move(wanted));
 }
 
