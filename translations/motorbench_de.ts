@@ -14162,5 +14162,33 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>unknown loop &apos;%1&apos;</source>
         <translation>unbekannter Regler &apos;%1&apos;</translation>
     </message>
+    <message>
+        <source>%1 cannot be painted</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>choose a smaller --size</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>give an .mcap or .csv that this program wrote, or the output of watch</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>now the calm ones</source>
+        <translation>nun die ruhigen</translation>
+    </message>
+    <message>
+        <source>the %1 gains did not: %2</source>
+        <translation>die Verstärkungen „%1“ taten es nicht: %2</translation>
+    </message>
+    <message>
+        <source>these are the calm gains, %1</source>
+        <translation>dies sind die ruhigen Verstärkungen, %1</translation>
+    </message>
 </context>
 </TS>
