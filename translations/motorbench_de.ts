@@ -14164,19 +14164,15 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>%1 cannot be painted</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich nicht zeichnen</translation>
     </message>
     <message>
         <source>choose a smaller --size</source>
-        <translation type="unfinished"></translation>
+        <translation>ein kleineres --size wählen</translation>
     </message>
     <message>
         <source>give an .mcap or .csv that this program wrote, or the output of watch</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>interrupted</source>
-        <translation>abgebrochen</translation>
+        <translation>eine .mcap oder .csv dieses Programms angeben, oder die Ausgabe von watch</translation>
     </message>
     <message>
         <source>now the calm ones</source>

@@ -112,7 +112,7 @@ Task<void> findScales(AutotuneRun &run)
     if (recorder.trip())
         run.end(toString(recorder.trip()->guard), recorder.trip()->detail);
     else if (user.isRequested())
-        run.end(say("interrupted"), say("the user stopped it"));
+        run.end("interrupted", say("the user stopped it"));
     else if (!found && found.error().fault == Fault::LinkLost)
         run.end(toString(Guard::Link), found.error().detail);
     else if (!found)
