@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// dmc60c/README.md#updates, from the file to the version that the device answers with.
-#include "model/parameterfile.h"
+// Section 7 of the protocol reference, from the file to the version that the device answers with.
+#include "model/filebytes.h"
 #include "support/hextext.h"
 #include "support/simulatedsession.h"
 #include "support/sourcetree.h"
@@ -38,14 +38,14 @@ struct UpdateBench {
         device.reset();
         struct Sink final : ScanSink {
             void found(const Identity &identity) override { last = identity; }
-            void progress(const Message &, int, int) override { }
+            void progress(const std::string &, int, int) override { }
             std::optional<Identity> last;
         } sink;
         for (int i = 0; i < 20 && !sink.last; ++i) {
             (void)run(clock, family.scan(host, clock, sink));
         }
         if (!sink.last)
-            return fail(Fault::Timeout, say("the unit was not found"));
+            return fail(Fault::Timeout, "the unit was not found");
         state = sink.last->state;
         device = family.open(host, clock, *sink.last);
         return updateOpened(image, std::move(options));
@@ -144,7 +144,7 @@ TEST(Dmc60cUpdate, TakesAtMostATenthLongerThanBusAndFlashNeed)
     UpdateBench bench("dmc60c:9,state=bootloader");
     const Instant begin = bench.clock.now();
     expectDone(bench.update(demoImage()));
-    // Per page: 513 frames of at least 131 bits back to back, 23.1 ms of erasing and 54 ms of writing (dmc60c/README.md#updates); the resets apart.
+    // Per page: 513 frames of at least 131 bits back to back, 23.1 ms of erasing and 54 ms of writing (7.5); the resets apart.
     const double frames = 513 * 131e-6 * 1.05; // stuff bits of ordinary data
     const double needed = 31 * (frames + 0.0231 + 0.054);
     const double taken = std::chrono::duration<double>(bench.clock.now() - begin).count() - 0.45; // the scan
@@ -216,9 +216,9 @@ TEST(Dmc60cUpdate, AProgramThatDiesInAnyPageLeavesAUnitThatIsFoundInItsBootloade
         UpdateBench bench("dmc60c:5");
         bench.update(demoImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
         struct Watch final : Progress {
-            void step(const Message &what, int, int) override { now = what.english(); }
+            void step(const std::string &what, int, int) override { now = what; }
             void part(int, PartState) override { }
-            void log(Severity, const Message &) override { }
+            void log(Severity, const std::string &) override { }
             std::string now;
         } watch;
         Task<UpdateReport> task = bench.family.update(*bench.device, demoImage(), {}, watch);
@@ -310,9 +310,9 @@ TEST(Dmc60cUpdate, WaitsUntilParametersThatWereJustChangedAreInFlash)
 TEST(Dmc60cUpdate, SaysThatWhatAnotherProgramJustChangedIsLost)
 {
     struct Log final : Progress {
-        void step(const Message &, int, int) override { }
+        void step(const std::string &, int, int) override { }
         void part(int, PartState) override { }
-        void log(Severity, const Message &text) override { all += text.english() + '\n'; }
+        void log(Severity, const std::string &text) override { all += text + '\n'; }
         std::string all;
     };
     for (const char *unit : {"dmc60c:5", "dmc60c:5,state=bootloader"}) {
@@ -344,7 +344,7 @@ TEST(Dmc60cUpdate, ReportsAFlashThatCannotBeWrittenAndSaysWhatToDo)
     ASSERT_TRUE(report);
     EXPECT_EQ(report->outcome, UpdateOutcome::Failed);
     EXPECT_FALSE(report->verified);
-    EXPECT_NE(report->evidence.english().find("run the update again"), std::string::npos) << report->evidence;
+    EXPECT_NE(report->evidence.find("run the update again"), std::string::npos) << report->evidence;
 }
 
 TEST(Dmc60cUpdate, NeverReportsSuccessWhenTheUnitVanishesBeforeItsVersionIsRead)

@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/firmware.h"
 
-#include "async/sleep.h"
 #include "families/supermodified/avrdude.h"
 #include "families/supermodified/controller.h"
+#include "model/programmer.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QTemporaryFile>
 
-#include <array>
-#include <cstdio>
 #include <memory>
 
 namespace mb::supermodified {
 namespace {
 
-using namespace std::chrono_literals;
 using avrdude::Stage;
 
 constexpr std::uint32_t pageSize = 128;
-constexpr Duration patience = 60s; ///< without a word
-constexpr Duration answerEvery = 500ms;
-constexpr int answerTries = 10;
 
 /// The first instruction is a jump of an AVR.
 bool hasVectors(const FirmwareImage &image)
@@ -34,35 +27,6 @@ bool hasVectors(const FirmwareImage &image)
     const bool jmp = (*low & 0xFEU) == 0x0CU && *high == 0x94U;
     const bool rjmp = (*high & 0xF0U) == 0xC0U;
     return jmp || rjmp;
-}
-
-std::string hexRecord(std::uint32_t address, std::span<const std::uint8_t> data)
-{
-    std::vector<unsigned> bytes{static_cast<unsigned>(data.size()), address >> 8U, address & 0xFFU, 0U};
-    bytes.insert(bytes.end(), data.begin(), data.end());
-    unsigned sum = 0;
-    for (const unsigned byte : bytes)
-        sum += byte;
-    bytes.push_back((0U - sum) & 0xFFU);
-    std::string line = ":";
-    for (const unsigned byte : bytes) {
-        std::array<char, 12> text{};
-        std::snprintf(text.data(), text.size(), "%02X", byte);
-        line += text.data();
-    }
-    return line + '\n';
-}
-
-Result<std::unique_ptr<QTemporaryFile>> written(const FirmwareImage &image)
-{
-    auto file = std::make_unique<QTemporaryFile>(QDir::tempPath() + QStringLiteral("/motorbench-XXXXXX.hex"));
-    const std::string text = toIntelHex(image);
-    const auto size = static_cast<qint64>(text.size());
-    if (!file->open() || file->write(text.data(), size) != size || !file->flush())
-        return fail(Fault::LinkLost,
-            say("a temporary file for avrdude cannot be written: %1", file->errorString().toStdString()),
-            say("make room in %1", QDir::tempPath().toStdString()));
-    return file;
 }
 
 /// Lets the port go while avrdude has it. What opens lost links opens it again where the update is given up.
@@ -85,7 +49,7 @@ public:
             return;
         m_device.setAsleep(false);
         if (m_shared)
-            m_link.closedFor(say("avrdude had the port"));
+            m_link.closedFor("avrdude had the port");
     }
 
     Task<void> end()
@@ -113,85 +77,53 @@ private:
 
 void show(const avrdude::Reading &reading, Progress &progress)
 {
-    progress.step(titleOf(reading.stage()), 100 * static_cast<int>(reading.stage()) + reading.percent(),
+    progress.step(std::string(titleOf(reading.stage())), 100 * static_cast<int>(reading.stage()) + reading.percent(),
         100 * (static_cast<int>(Stage::Verifying) + 1));
     progress.mayInterrupt(reading.stage() == Stage::Connecting);
 }
 
-/// One run of avrdude that came to its end.
-struct Attempt {
-    avrdude::Reading reading;
-    std::optional<Error> error; ///< of one that failed
-    bool hasBegun = false;      ///< to write, so that it is not simply tried again
-};
-
-Task<Attempt> runOnce(Clock &clock, avrdude::Job job, Progress &progress)
+/// Runs avrdude to its end.
+Task<avrdude::Reading> runOnce(Clock &clock, avrdude::Job job, Progress &progress)
 {
-    ExternalProgram program(clock);
     avrdude::Reading reading;
-    if (auto started = program.start(avrdude::commandOf(job)); !started)
-        co_return fail(started.error());
-    for (;;) {
+    const auto take = [&reading, &progress](const ExternalProgram::Piece &piece) {
+        reading.take(piece.text, piece.complete);
         show(reading, progress);
-        const auto piece = co_await program.next(patience);
-        if (!piece)
-            co_return fail(piece.error().fault, say("avrdude said nothing for a minute and was ended"),
-                say("check the cables and try again"));
-        if (!*piece)
-            break;
-        reading.take((*piece)->text, (*piece)->complete);
-        if ((*piece)->complete && !(*piece)->text.empty())
-            progress.log(Severity::Info, Message::verbatim((*piece)->text));
-    }
-    if (program.exit().isSuccess() && reading.isVerified())
-        co_return Attempt{std::move(reading), {}, true};
+    };
+    show(reading, progress);
+    auto running = runProgrammer(clock, avrdude::commandOf(job), "check the cables and try again", take, progress);
+    const ExternalProgram::Exit exit = co_await std::move(running);
+    if (exit.isSuccess() && reading.isVerified())
+        co_return reading;
     Error error = reading.failure(job);
     if (reading.hasBegun())
-        error.remedy = joined(
-            error.remedy, say("the controller may hold half a program, and runs again once an update has succeeded"));
-    co_return Attempt{{}, std::move(error), reading.hasBegun()};
+        error.remedy += (error.remedy.empty() ? std::string() : std::string("; "))
+            + "the controller may hold half a program, and runs again once an update has succeeded";
+    co_return fail(error);
 }
 
 /// The bootloader is asked at both of its rates.
 Task<avrdude::Reading> program(Clock &clock, avrdude::Job job, Progress &progress)
 {
     if (!ExternalProgram::locate("avrdude"))
-        co_return fail(
-            Fault::LinkLost, say("avrdude is not installed"), say("install it with"), "sudo apt install avrdude");
+        co_return fail(Fault::LinkLost, "avrdude is not installed", "install it with: sudo apt install avrdude");
     if (!job.isBootloader()) {
         auto run = runOnce(clock, job, progress);
-        Attempt attempt = co_await std::move(run);
-        if (attempt.error)
-            co_return fail(*attempt.error);
-        co_return std::move(attempt.reading);
+        co_return co_await std::move(run).attempt();
     }
-    Error last{Fault::Timeout, say("no bootloader answers")};
+    Error last{Fault::Timeout, "no bootloader answers"};
     for (const int rate : avrdude::bootloaderRates) {
         job.rate = rate;
         auto run = runOnce(clock, job, progress);
-        Attempt attempt = co_await std::move(run);
-        if (!attempt.error)
-            co_return std::move(attempt.reading);
-        last = *attempt.error;
-        if (last.fault != Fault::Timeout || attempt.hasBegun)
+        Result<avrdude::Reading> reading = co_await std::move(run).attempt();
+        if (reading)
+            co_return std::move(*reading);
+        last = reading.error();
+        if (last.fault != Fault::Timeout || last.remedy.find("half a program") != std::string::npos)
             break;
-        progress.log(Severity::Caution, say("no bootloader answers at %1 bit/s", rate));
+        progress.log(Severity::Caution, "no bootloader answers at " + std::to_string(rate) + " bit/s");
     }
     co_return fail(last);
-}
-
-Task<bool> answers(Device &device)
-{
-    for (int attempt = 0; attempt < answerTries; ++attempt) {
-        co_await Sleep(device.clock(), answerEvery);
-        auto asking = device.refresh();
-        const Result<void> answer = co_await std::move(asking).attempt();
-        if (answer)
-            co_return true;
-        if (answer.error().fault == Fault::LinkLost)
-            co_return fail(answer.error());
-    }
-    co_return false;
 }
 
 Result<void> preflight(const Controller &device, const FirmwareImage &image, const avrdude::Job &job)
@@ -199,71 +131,55 @@ Result<void> preflight(const Controller &device, const FirmwareImage &image, con
     if (auto summary = inspect(image); !summary)
         return fail(summary.error());
     if (job.isBootloader() && image.hasAny(avrdude::bootloaderStart, avrdude::flashSize - 1))
-        return fail(Fault::OutOfRange, say("this image holds a bootloader too, which cannot write itself"),
-            say("use a programmer on the pins"));
+        return fail(Fault::OutOfRange, "this image holds a bootloader too, which cannot write itself",
+            "use a programmer on the pins");
     if (device.isLineDriving())
-        return fail(Fault::Unsafe, say("a motor is driven on this line"), say("stop it first"));
+        return fail(Fault::Unsafe, "a motor is driven on this line", "stop it first");
     return {};
 }
 
 UpdateReport reportOf(const Device &device, const FirmwareImage &image, bool answered)
 {
     UpdateReport report;
+    const std::string proof
+        = "avrdude read back all " + std::to_string(image.byteCount()) + " bytes and they are equal";
     report.pages = static_cast<int>(inspect(image)->parts.size());
     report.verified = answered;
     report.outcome = answered ? UpdateOutcome::Done : UpdateOutcome::Failed;
     if (answered) {
-        report.evidence
-            = say("avrdude read back all %1 bytes and they are equal; the controller answers again, dialect %2",
-                image.byteCount(), device.identity().dialect);
+        report.evidence = proof + "; the controller answers again, dialect " + device.identity().dialect;
     } else {
         report.fault = Fault::Timeout;
-        report.evidence
-            = say("avrdude read back all %1 bytes and they are equal, but the controller does not answer; cut its "
-                  "power for a moment, and scan: a new firmware may have another rate or node id",
-                image.byteCount());
+        report.evidence = proof
+            + ", but the controller does not answer; cut its power for a moment, and scan: a new firmware may have "
+              "another rate or node id";
     }
     return report;
 }
 
 } // namespace
 
-std::string toIntelHex(const FirmwareImage &image)
-{
-    constexpr std::size_t perLine = 16;
-    std::string text;
-    for (const FirmwareImage::Segment &segment : image.segments()) {
-        std::span<const std::uint8_t> rest = image.bytes(segment);
-        for (std::uint32_t address = segment.first; !rest.empty(); address += perLine) {
-            const auto size = std::min(rest.size(), perLine);
-            text += hexRecord(address, rest.first(size));
-            rest = rest.subspan(size);
-        }
-    }
-    return text + ":00000001FF\n";
-}
-
 Result<ImageSummary> inspect(const FirmwareImage &image)
 {
     if (image.segments().empty() || image.segments().back().last >= avrdude::flashSize)
         return fail(Fault::OutOfRange,
-            say("this is no program for the controller: it has bytes outside the 32 KiB of an ATmega328P"));
+            "this is no program for the controller: it has bytes outside the 32 KiB of an ATmega328P");
     if (!hasVectors(image))
         return fail(Fault::OutOfRange,
-            say("this is no program for the controller: it does not begin with a jump of an AVR at address 0"));
+            "this is no program for the controller: it does not begin with a jump of an AVR at address 0");
     ImageSummary summary;
     for (std::uint32_t page = 0; page < avrdude::flashSize; page += pageSize) {
         if (image.hasAny(page, page + pageSize - 1))
             summary.parts.push_back(static_cast<int>(page / pageSize));
     }
-    summary.notes.emplace_back(say(
-        "The controller tells no version: the programmer's own verify and the controller's answer prove the update."));
-    summary.notes.emplace_back(say("A programmer on the pins erases the chip first, the stored settings and the serial "
-                                   "bootloader with it: save the parameters before. The bootloader keeps both."));
-    summary.notes.emplace_back(say("The serial bootloader listens for a moment after power-up only: restart the "
-                                   "controller when the update begins."));
+    summary.notes.emplace_back(
+        "The controller tells no version: the programmer's own verify and the controller's answer prove the update.");
+    summary.notes.emplace_back("A programmer on the pins erases the chip first, the stored settings and the serial "
+                               "bootloader with it: save the parameters before. The bootloader keeps both.");
+    summary.notes.emplace_back("The serial bootloader listens for a moment after power-up only: restart the controller "
+                               "when the update begins.");
     if (image.hasAny(avrdude::bootloaderStart, avrdude::flashSize - 1))
-        summary.notes.emplace_back(say("The image holds a bootloader too, so it needs a programmer on the pins."));
+        summary.notes.emplace_back("The image holds a bootloader too, so it needs a programmer on the pins.");
     return summary;
 }
 
@@ -274,17 +190,16 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     if (!job)
         co_return fail(job.error());
     if (!options.target.empty())
-        co_return fail(
-            Fault::OutOfRange, say("a Supermodified has one kind of microcontroller"), say("leave out --target"));
+        co_return fail(Fault::OutOfRange, "a Supermodified has one kind of microcontroller", "leave out --target");
     if (auto ready = preflight(controller, image, *job); !ready)
         co_return fail(ready.error());
     if (options.dryRun) {
         UpdateReport report;
         report.outcome = UpdateOutcome::Done;
-        report.evidence = say("dry run: %1 pages would be written", inspect(image)->parts.size());
+        report.evidence = "dry run: " + std::to_string(inspect(image)->parts.size()) + " pages would be written";
         co_return report;
     }
-    const auto file = written(image);
+    const auto file = hexFileFor(image, "avrdude");
     if (!file)
         co_return fail(file.error());
     job->file = (*file)->fileName().toStdString();
@@ -297,9 +212,9 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         co_return fail(programmed.error());
     if (!opened)
         co_return fail(opened.error());
-    progress.step(say("Looking for the controller"), 1, 1);
+    progress.step("Looking for the controller", 1, 1);
     progress.mayInterrupt(true);
-    auto asking = answers(device);
+    auto asking = answersAgain(device);
     const bool answered = co_await std::move(asking);
     co_return reportOf(device, image, answered);
 }
