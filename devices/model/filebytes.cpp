@@ -19,7 +19,7 @@ Result<QByteArray> loadFile(const std::string &path, std::int64_t limit)
     if (path.starts_with(":/")) { // a resource of the program, which only Qt can read
         QFile resource(qt(path));
         if (!resource.open(QIODevice::ReadOnly))
-            return fail(Fault::OutOfRange, path + " is not in this program");
+            return fail(Fault::OutOfRange, say("%1 is not in this program", path));
         return resource.readAll();
     }
     auto text = readTextFile(path, static_cast<std::size_t>(limit));

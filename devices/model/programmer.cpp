@@ -24,13 +24,11 @@ Result<std::unique_ptr<QTemporaryFile>> hexFileFor(const FirmwareImage &image, s
     const std::string text = toIntelHex(image);
     const auto size = static_cast<qint64>(text.size());
     if (!file->open() || file->write(text.data(), size) != size || !file->flush())
-        return fail(Fault::LinkLost,
-            "a temporary file for " + std::string(program) + " cannot be written: " + file->errorString().toStdString(),
-            "make room in " + QDir::tempPath().toStdString());
+        return fail(Fault::LinkLost, say("a temporary file for %1 cannot be written: %2", program, file->errorString().toStdString()), say("make room in %1", QDir::tempPath().toStdString()));
     return file;
 }
 
-Task<ExternalProgram::Exit> runProgrammer(Clock &clock, ExternalProgram::Command command, std::string remedy,
+Task<ExternalProgram::Exit> runProgrammer(Clock &clock, ExternalProgram::Command command, Message remedy,
     std::function<void(const ExternalProgram::Piece &)> take, Progress &progress)
 {
     ExternalProgram program(clock);
@@ -39,12 +37,12 @@ Task<ExternalProgram::Exit> runProgrammer(Clock &clock, ExternalProgram::Command
     for (;;) {
         const auto piece = co_await program.next(programPatience);
         if (!piece)
-            co_return fail(piece.error().fault, command.program + " said nothing for a minute and was ended", remedy);
+            co_return fail(piece.error().fault, say("%1 said nothing for a minute and was ended", command.program), remedy);
         if (!*piece)
             break;
         take(**piece);
         if ((*piece)->complete && !(*piece)->text.empty())
-            progress.log(Severity::Info, (*piece)->text);
+            progress.log(Severity::Info, Message::verbatim((*piece)->text));
     }
     co_return program.exit();
 }

@@ -21,17 +21,17 @@ template <class Options> struct SimulatorOption {
 
 /// OutOfRange for a key that is in no row of `table` and for a value that its row refuses; `what` is "a simulated …".
 template <class Options, std::size_t N>
-[[nodiscard]] Result<void> takeOptions(const SimulatedUnit &unit, std::string_view what,
+[[nodiscard]] Result<void> takeOptions(const SimulatedUnit &unit, const Message &what,
     const std::array<SimulatorOption<Options>, N> &table, Options &options)
 {
     for (const auto &[key, value] : unit.options) {
         const auto row = std::find_if(table.begin(), table.end(),
             [&wanted = key](const SimulatorOption<Options> &option) { return option.key == wanted; });
         if (row == table.end())
-            return fail(Fault::OutOfRange, std::string(what) + " has no option '" + key + "'");
+            return fail(Fault::OutOfRange, say("%1 has no option '%2'", what, key));
         if (!row->set(options, value))
             return fail(
-                Fault::OutOfRange, "'" + value + "' is no value for the option '" + key + "' of " + std::string(what));
+                Fault::OutOfRange, say("'%1' is no value for the option '%2' of %3", value, key, what));
     }
     return {};
 }

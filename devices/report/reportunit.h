@@ -42,7 +42,7 @@ struct Report {
     std::string program; ///< "MotorBench 0.1.0"
     std::vector<ReportUnit> units;
     /// Words of devices and tables in the language of the reader; English as they are without it.
-    std::function<QString(std::string_view)> phrase;
+    std::function<QString(const Message &)> phrase;
 
     [[nodiscard]] bool isSimulated() const;
 };

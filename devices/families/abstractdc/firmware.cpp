@@ -36,12 +36,11 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
             progress.part(page, state);
     };
     if (!ExternalProgram::locate("openocd"))
-        co_return fail(Error::fromPhrase(Fault::LinkLost,
-            QT_TRANSLATE_NOOP("table", "openocd is not installed; install it with: sudo apt install openocd")));
+        co_return fail(Fault::LinkLost, say("openocd is not installed"), say("install it with"), "sudo apt install openocd");
     openocd::Reading reading;
     const auto show = [&reading, &progress] {
         progress.step(
-            std::string(titleOf(reading.stage())), static_cast<int>(reading.stage()), static_cast<int>(Stage::Over));
+            titleOf(reading.stage()), static_cast<int>(reading.stage()), static_cast<int>(Stage::Over));
     };
     const auto take = [&](const ExternalProgram::Piece &piece) {
         const Stage before = reading.stage();
@@ -55,7 +54,7 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
     };
     mark(PartState::Waiting);
     show();
-    auto running = runProgrammer(clock, openocd::commandOf(job), "check the probe and try again", take, progress);
+    auto running = runProgrammer(clock, openocd::commandOf(job), say("check the probe and try again"), take, progress);
     const ExternalProgram::Exit exit = co_await std::move(running);
     if (!exit.isSuccess() || !reading.isVerified())
         co_return fail(reading.failure(job));
@@ -67,10 +66,9 @@ Result<void> preflight(const Device &device, const FirmwareImage &image, const U
     if (auto summary = inspect(image); !summary)
         return fail(summary.error());
     if (device.liveness().moving)
-        return fail(Error::fromPhrase(Fault::Unsafe, QT_TRANSLATE_NOOP("table", "its motor moves; stop it first")));
+        return fail(Fault::Unsafe, say("its motor moves"), say("stop it first"));
     if (options.eraseSettings && touchesSettings(image))
-        return fail(Error::fromPhrase(Fault::OutOfRange,
-            QT_TRANSLATE_NOOP("table", "the image itself writes the settings pages; leave out erasing them")));
+        return fail(Fault::OutOfRange, say("the image itself writes the settings pages"), say("leave out erasing them"));
     return {};
 }
 
@@ -80,31 +78,22 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
 {
     const auto &segments = image.segments();
     if (segments.empty() || segments.front().first < flashBegin || segments.back().last >= flashEnd)
-        return fail(Fault::OutOfRange,
-            QT_TRANSLATE_NOOP("table",
-                "this is no program for the drive: it has bytes outside the flash of an STM32, 0x08000000 … "
-                "0x081FFFFF"));
+        return fail(Fault::OutOfRange, say("this is no program for the drive: it has bytes outside the flash of an STM32, 0x08000000 … 0x081FFFFF"));
     std::array<std::uint8_t, 8> vectors{};
     image.overlay(flashBegin, vectors);
     const std::uint32_t stack = readU32le(vectors, 0);
     const std::uint32_t reset = readU32le(vectors, 4);
     if (image.byteCount(flashBegin, flashBegin + 7) != vectors.size() || (stack >> 24U) != 0x20U || (reset & 1U) == 0
         || !image.has(reset & ~1U))
-        return fail(Fault::OutOfRange,
-            QT_TRANSLATE_NOOP("table",
-                "this is no program for the drive: there are no vectors of an STM32 at 0x08000000. Make the Intel HEX "
-                "file "
-                "with: "
-                "arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf"));
+        return fail(Fault::OutOfRange, say("this is no program for the drive: there are no vectors of an STM32 at 0x08000000. Make the Intel HEX file with: arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf"));
     ImageSummary summary;
     for (std::uint32_t page = flashBegin; page <= segments.back().last; page += pageSize) {
         if (image.hasAny(page, page + pageSize - 1))
             summary.parts.push_back(static_cast<int>((page - flashBegin) / pageSize));
     }
-    summary.notes.emplace_back(
-        "The drive tells no version: the programmer's own verify and the drive's answer prove the update.");
+    summary.notes.emplace_back(say("The drive tells no version: the programmer's own verify and the drive's answer prove the update."));
     if (touchesSettings(image))
-        summary.notes.emplace_back("The image writes the settings pages: stored gains are replaced.");
+        summary.notes.emplace_back(say("The image writes the settings pages: stored gains are replaced."));
     return summary;
 }
 
@@ -119,7 +108,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     UpdateReport report;
     if (options.dryRun) {
         report.outcome = UpdateOutcome::Done;
-        report.evidence = "nothing was written; the image fits, " + std::to_string(summary->parts.size()) + " pages";
+        report.evidence = say("nothing was written; the image fits, %1 pages", summary->parts.size());
         co_return report;
     }
     const auto file = hexFileFor(image, "OpenOCD");
@@ -128,12 +117,11 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     job->file = (*file)->fileName().toStdString();
     job->eraseSettings = options.eraseSettings;
     if (options.eraseSettings)
-        progress.log(Severity::Caution,
-            "the gains stored in the drive are erased; all its loops do nothing until they are written again");
+        progress.log(Severity::Caution, say("the gains stored in the drive are erased; all its loops do nothing until they are written again"));
     device.stop();
     auto programming = program(device.clock(), *job, summary->parts, progress);
     const openocd::Reading reading = co_await std::move(programming);
-    progress.step(std::string(titleOf(Stage::Over)), static_cast<int>(Stage::Over), static_cast<int>(Stage::Over));
+    progress.step(titleOf(Stage::Over), static_cast<int>(Stage::Over), static_cast<int>(Stage::Over));
     if (reading.isErased())
         static_cast<Controller &>(device).settingsErased();
     auto asking = answersAgain(device);
@@ -141,9 +129,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     report.pages = static_cast<int>(summary->parts.size());
     report.outcome = answered ? UpdateOutcome::Done : UpdateOutcome::Failed;
     report.verified = answered;
-    report.evidence = answered ? "OpenOCD verified the flash, and the drive answers again"
-                               : "OpenOCD verified the flash, but nothing answers as " + device.selector()
-            + "; the new firmware may have another offset or bit rate: scan again";
+    report.evidence = answered ? say("OpenOCD verified the flash, and the drive answers again") : say("OpenOCD verified the flash, but nothing answers as %1; the new firmware may have another offset or bit rate: scan again", device.selector());
     if (!answered)
         report.fault = Fault::Timeout;
     co_return report;

@@ -43,13 +43,13 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
 {
     if (unit.address < 0 || unit.address > maxOffset)
         return fail(
-            Fault::OutOfRange, "an Abstract DC Drive has an offset from 0 to 99, not " + std::to_string(unit.address));
+            Fault::OutOfRange, say("an Abstract DC Drive has an offset from 0 to 99, not %1", unit.address));
     UnitOptions options;
     options.offset = unit.address;
     options.motor = motorByName("25d");
     options.seed = unit.seed;
     options.faults = unit.faults;
-    if (auto taken = takeOptions(unit, "a simulated Abstract DC Drive", optionTable, options); !taken)
+    if (auto taken = takeOptions(unit, say("a simulated Abstract DC Drive"), optionTable, options); !taken)
         return fail(taken.error());
     return options;
 }

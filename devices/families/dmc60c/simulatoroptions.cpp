@@ -79,14 +79,14 @@ double usualLoad(std::string_view motor)
 Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
 {
     if (unit.address < 0 || unit.address > maxDeviceNumber)
-        return fail(Fault::OutOfRange, "a DMC60C has a number from 0 to 63, not " + std::to_string(unit.address));
+        return fail(Fault::OutOfRange, say("a DMC60C has a number from 0 to 63, not %1", unit.address));
     UnitOptions options;
     options.number = unit.address;
     options.seed = unit.seed;
     options.faults = unit.faults;
     options.serial = defaultSerial(unit.seed, unit.address);
     options.load = usualLoad(unit.option("motor").value_or("cim"));
-    if (auto taken = takeOptions(unit, "a simulated DMC60C", optionTable, options); !taken)
+    if (auto taken = takeOptions(unit, say("a simulated DMC60C"), optionTable, options); !taken)
         return fail(taken.error());
     return options;
 }

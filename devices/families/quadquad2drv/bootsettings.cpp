@@ -55,12 +55,12 @@ Result<void> apply(BootSettings &settings, const std::string &key, const std::st
         settings.failures = words(value);
     } else if (key == "ending") {
         if (std::find(endings.begin(), endings.end(), value) == endings.end())
-            return fail(Fault::OutOfRange, "ending=" + value + ": legal are cr, lf and crlf");
+            return fail(Fault::OutOfRange, say("ending=%1: legal are cr, lf and crlf", value));
         settings.ending = value == "cr" ? "\r" : value == "lf" ? "\n" : "\r\n";
     } else { // pause
         int milliseconds = 0;
         if (!takeNumber(value, milliseconds) || milliseconds < 0 || milliseconds > slowestPause)
-            return fail(Fault::OutOfRange, "pause=" + value + ": legal are 0 to 1000 milliseconds");
+            return fail(Fault::OutOfRange, say("pause=%1: legal are 0 to 1000 milliseconds", value));
         settings.lineTime = std::chrono::milliseconds(milliseconds);
     }
     return {};

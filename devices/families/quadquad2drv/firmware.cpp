@@ -15,8 +15,11 @@
 namespace mb::quadquad2drv {
 namespace {
 
-constexpr std::string_view noWay
-    = "the board is updated over its UART: name its serial port, for example --via serial:/dev/ttyUSB0";
+Error noWay()
+{
+    return {Fault::OutOfRange, say("the board is updated over its UART"),
+        say("name its serial port, for example --via serial:/dev/ttyUSB0")};
+}
 
 constexpr std::array<GuidedStep, 6> steps{{
     {QT_TRANSLATE_NOOP("table", "Close the jumper"),
@@ -58,7 +61,8 @@ UpdateReport refused(const Error &error)
 {
     UpdateReport report;
     report.outcome = UpdateOutcome::Refused;
-    report.evidence = error.text();
+    report.evidence = error.detail;
+    report.remedy = error.help();
     report.fault = error.fault;
     return report;
 }
@@ -73,19 +77,18 @@ std::span<const UpdateRoute> routes()
 Result<ImageSummary> inspect(const FirmwareImage &image)
 {
     if (image.lines().empty())
-        return fail(Fault::OutOfRange, "the file has no lines to send");
+        return fail(Fault::OutOfRange, say("the file has no lines to send"));
     ImageSummary summary;
-    summary.notes.push_back(std::to_string(image.lines().size()) + " lines, " + std::to_string(image.byteCount())
-        + " bytes; the file does not name its version");
+    summary.notes.push_back(say("%1 lines, %2 bytes; the file does not name its version", image.lines().size(), image.byteCount()));
     return summary;
 }
 
 Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress)
 {
     if (!options.target.empty())
-        co_return fail(Fault::Unsupported, "a QuadQuad2Drv has one kind of chip", "leave the target out");
+        co_return fail(Fault::Unsupported, say("a QuadQuad2Drv has one kind of chip"), say("leave the target out"));
     if (options.via.empty())
-        co_return refused({Fault::OutOfRange, std::string(noWay)});
+        co_return refused(noWay());
     auto address = LinkAddress::parse(options.via);
     if (!address)
         co_return refused(address.error());
@@ -97,7 +100,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         co_return refused(link.error());
     (*link)->setBackground(device.link().background());
     if ((*link)->kind() != LinkKind::Serial)
-        co_return refused({Fault::OutOfRange, std::string(noWay)});
+        co_return refused(noWay());
     Updater updater(device, static_cast<SerialLink &>(**link), image, progress, *settings);
     auto task = updater.run(options.dryRun);
     UpdateReport report = co_await std::move(task);

@@ -61,7 +61,7 @@ constexpr std::array optionTable{
 Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
 {
     if (unit.address != 0)
-        return fail(Fault::OutOfRange, "a QuadQuad2Drv has no address but 0");
+        return fail(Fault::OutOfRange, say("a QuadQuad2Drv has no address but 0"));
     BoardOptions options;
     options.motors = {"25d", "n20", "25dlp", "25d"};
     options.seed = unit.seed;
@@ -69,10 +69,10 @@ Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
     // the timed ones in order, so that one index serves
     std::stable_sort(options.faults.begin(), options.faults.end(),
         [](const SimulatedFault &a, const SimulatedFault &b) { return a.at < b.at; });
-    if (auto taken = takeOptions(unit, "a simulated QuadQuad2Drv", optionTable, options); !taken)
+    if (auto taken = takeOptions(unit, say("a simulated QuadQuad2Drv"), optionTable, options); !taken)
         return fail(taken.error());
     if ((options.jumper || options.inBootloader) && !options.boot)
-        return fail(Fault::OutOfRange, "a bootloader needs the board's serial line, such as boot=pty:./boot");
+        return fail(Fault::OutOfRange, say("a bootloader needs the board's serial line, such as boot=pty:./boot"));
     return options;
 }
 
@@ -140,7 +140,7 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
 {
     auto *slave = dynamic_cast<SpiSlaveLink *>(&link);
     if (!slave)
-        return fail(Fault::OutOfRange, "a QuadQuad2Drv is simulated on the board's end of an SPI link");
+        return fail(Fault::OutOfRange, say("a QuadQuad2Drv is simulated on the board's end of an SPI link"));
     const auto options = simulation::BoardOptions::parse(unit);
     if (!options)
         return fail(options.error());

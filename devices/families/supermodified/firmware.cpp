@@ -49,7 +49,7 @@ public:
             return;
         m_device.setAsleep(false);
         if (m_shared)
-            m_link.closedFor("avrdude had the port");
+            m_link.closedFor(say("avrdude had the port"));
     }
 
     Task<void> end()
@@ -77,13 +77,19 @@ private:
 
 void show(const avrdude::Reading &reading, Progress &progress)
 {
-    progress.step(std::string(titleOf(reading.stage())), 100 * static_cast<int>(reading.stage()) + reading.percent(),
+    progress.step(titleOf(reading.stage()), 100 * static_cast<int>(reading.stage()) + reading.percent(),
         100 * (static_cast<int>(Stage::Verifying) + 1));
     progress.mayInterrupt(reading.stage() == Stage::Connecting);
 }
 
-/// Runs avrdude to its end.
-Task<avrdude::Reading> runOnce(Clock &clock, avrdude::Job job, Progress &progress)
+/// One run of avrdude that came to its end.
+struct Attempt {
+    avrdude::Reading reading;
+    std::optional<Error> error; ///< of one that failed
+    bool hasBegun = false;      ///< to write, so that it is not simply tried again
+};
+
+Task<Attempt> runOnce(Clock &clock, avrdude::Job job, Progress &progress)
 {
     avrdude::Reading reading;
     const auto take = [&reading, &progress](const ExternalProgram::Piece &piece) {
@@ -91,37 +97,41 @@ Task<avrdude::Reading> runOnce(Clock &clock, avrdude::Job job, Progress &progres
         show(reading, progress);
     };
     show(reading, progress);
-    auto running = runProgrammer(clock, avrdude::commandOf(job), "check the cables and try again", take, progress);
+    auto running = runProgrammer(clock, avrdude::commandOf(job), say("check the cables and try again"), take, progress);
     const ExternalProgram::Exit exit = co_await std::move(running);
     if (exit.isSuccess() && reading.isVerified())
-        co_return reading;
+        co_return Attempt{std::move(reading), {}, true};
     Error error = reading.failure(job);
     if (reading.hasBegun())
-        error.remedy += (error.remedy.empty() ? std::string() : std::string("; "))
-            + "the controller may hold half a program, and runs again once an update has succeeded";
-    co_return fail(error);
+        error.remedy = joined(error.remedy,
+            say("the controller may hold half a program, and runs again once an update has succeeded"));
+    const bool hasBegun = reading.hasBegun();
+    co_return Attempt{{}, std::move(error), hasBegun};
 }
 
 /// The bootloader is asked at both of its rates.
 Task<avrdude::Reading> program(Clock &clock, avrdude::Job job, Progress &progress)
 {
     if (!ExternalProgram::locate("avrdude"))
-        co_return fail(Fault::LinkLost, "avrdude is not installed", "install it with: sudo apt install avrdude");
+        co_return fail(Fault::LinkLost, say("avrdude is not installed"), say("install it with"), "sudo apt install avrdude");
     if (!job.isBootloader()) {
         auto run = runOnce(clock, job, progress);
-        co_return co_await std::move(run).attempt();
+        Attempt attempt = co_await std::move(run);
+        if (attempt.error)
+            co_return fail(*attempt.error);
+        co_return std::move(attempt.reading);
     }
-    Error last{Fault::Timeout, "no bootloader answers"};
+    Error last{Fault::Timeout, say("no bootloader answers")};
     for (const int rate : avrdude::bootloaderRates) {
         job.rate = rate;
         auto run = runOnce(clock, job, progress);
-        Result<avrdude::Reading> reading = co_await std::move(run).attempt();
-        if (reading)
-            co_return std::move(*reading);
-        last = reading.error();
-        if (last.fault != Fault::Timeout || last.remedy.find("half a program") != std::string::npos)
+        Result<Attempt> attempt = co_await std::move(run).attempt();
+        if (attempt && !attempt->error)
+            co_return std::move(attempt->reading);
+        last = attempt ? *attempt->error : attempt.error();
+        if (last.fault != Fault::Timeout || (attempt && attempt->hasBegun))
             break;
-        progress.log(Severity::Caution, "no bootloader answers at " + std::to_string(rate) + " bit/s");
+        progress.log(Severity::Caution, say("no bootloader answers at %1 bit/s", rate));
     }
     co_return fail(last);
 }
@@ -131,28 +141,26 @@ Result<void> preflight(const Controller &device, const FirmwareImage &image, con
     if (auto summary = inspect(image); !summary)
         return fail(summary.error());
     if (job.isBootloader() && image.hasAny(avrdude::bootloaderStart, avrdude::flashSize - 1))
-        return fail(Fault::OutOfRange, "this image holds a bootloader too, which cannot write itself",
-            "use a programmer on the pins");
+        return fail(Fault::OutOfRange, say("this image holds a bootloader too, which cannot write itself"), say("use a programmer on the pins"));
     if (device.isLineDriving())
-        return fail(Fault::Unsafe, "a motor is driven on this line", "stop it first");
+        return fail(Fault::Unsafe, say("a motor is driven on this line"), say("stop it first"));
     return {};
 }
 
 UpdateReport reportOf(const Device &device, const FirmwareImage &image, bool answered)
 {
     UpdateReport report;
-    const std::string proof
-        = "avrdude read back all " + std::to_string(image.byteCount()) + " bytes and they are equal";
     report.pages = static_cast<int>(inspect(image)->parts.size());
     report.verified = answered;
     report.outcome = answered ? UpdateOutcome::Done : UpdateOutcome::Failed;
     if (answered) {
-        report.evidence = proof + "; the controller answers again, dialect " + device.identity().dialect;
+        report.evidence = say("avrdude read back all %1 bytes and they are equal; the controller answers again, dialect %2",
+            image.byteCount(), device.identity().dialect);
     } else {
         report.fault = Fault::Timeout;
-        report.evidence = proof
-            + ", but the controller does not answer; cut its power for a moment, and scan: a new firmware may have "
-              "another rate or node id";
+        report.evidence = say("avrdude read back all %1 bytes and they are equal, but the controller does not answer; cut its "
+                              "power for a moment, and scan: a new firmware may have another rate or node id",
+            image.byteCount());
     }
     return report;
 }
@@ -162,24 +170,19 @@ UpdateReport reportOf(const Device &device, const FirmwareImage &image, bool ans
 Result<ImageSummary> inspect(const FirmwareImage &image)
 {
     if (image.segments().empty() || image.segments().back().last >= avrdude::flashSize)
-        return fail(Fault::OutOfRange,
-            "this is no program for the controller: it has bytes outside the 32 KiB of an ATmega328P");
+        return fail(Fault::OutOfRange, say("this is no program for the controller: it has bytes outside the 32 KiB of an ATmega328P"));
     if (!hasVectors(image))
-        return fail(Fault::OutOfRange,
-            "this is no program for the controller: it does not begin with a jump of an AVR at address 0");
+        return fail(Fault::OutOfRange, say("this is no program for the controller: it does not begin with a jump of an AVR at address 0"));
     ImageSummary summary;
     for (std::uint32_t page = 0; page < avrdude::flashSize; page += pageSize) {
         if (image.hasAny(page, page + pageSize - 1))
             summary.parts.push_back(static_cast<int>(page / pageSize));
     }
-    summary.notes.emplace_back(
-        "The controller tells no version: the programmer's own verify and the controller's answer prove the update.");
-    summary.notes.emplace_back("A programmer on the pins erases the chip first, the stored settings and the serial "
-                               "bootloader with it: save the parameters before. The bootloader keeps both.");
-    summary.notes.emplace_back("The serial bootloader listens for a moment after power-up only: restart the controller "
-                               "when the update begins.");
+    summary.notes.emplace_back(say("The controller tells no version: the programmer's own verify and the controller's answer prove the update."));
+    summary.notes.emplace_back(say("A programmer on the pins erases the chip first, the stored settings and the serial bootloader with it: save the parameters before. The bootloader keeps both."));
+    summary.notes.emplace_back(say("The serial bootloader listens for a moment after power-up only: restart the controller when the update begins."));
     if (image.hasAny(avrdude::bootloaderStart, avrdude::flashSize - 1))
-        summary.notes.emplace_back("The image holds a bootloader too, so it needs a programmer on the pins.");
+        summary.notes.emplace_back(say("The image holds a bootloader too, so it needs a programmer on the pins."));
     return summary;
 }
 
@@ -190,13 +193,13 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     if (!job)
         co_return fail(job.error());
     if (!options.target.empty())
-        co_return fail(Fault::OutOfRange, "a Supermodified has one kind of microcontroller", "leave out --target");
+        co_return fail(Fault::OutOfRange, say("a Supermodified has one kind of microcontroller"), say("leave out --target"));
     if (auto ready = preflight(controller, image, *job); !ready)
         co_return fail(ready.error());
     if (options.dryRun) {
         UpdateReport report;
         report.outcome = UpdateOutcome::Done;
-        report.evidence = "dry run: " + std::to_string(inspect(image)->parts.size()) + " pages would be written";
+        report.evidence = say("dry run: %1 pages would be written", inspect(image)->parts.size());
         co_return report;
     }
     const auto file = hexFileFor(image, "avrdude");
@@ -212,7 +215,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         co_return fail(programmed.error());
     if (!opened)
         co_return fail(opened.error());
-    progress.step("Looking for the controller", 1, 1);
+    progress.step(say("Looking for the controller"), 1, 1);
     progress.mayInterrupt(true);
     auto asking = answersAgain(device);
     const bool answered = co_await std::move(asking);

@@ -41,12 +41,12 @@ constexpr std::array optionTable{
 Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
 {
     if (unit.address < lowestNode || unit.address > highestNode)
-        return fail(Fault::OutOfRange, "a Supermodified has an id from 1 to 127, not " + std::to_string(unit.address));
+        return fail(Fault::OutOfRange, say("a Supermodified has an id from 1 to 127, not %1", unit.address));
     UnitOptions options;
     options.node = unit.address;
     options.seed = unit.seed;
     options.faults = unit.faults;
-    if (auto taken = takeOptions(unit, "a simulated Supermodified", optionTable, options); !taken)
+    if (auto taken = takeOptions(unit, say("a simulated Supermodified"), optionTable, options); !taken)
         return fail(taken.error());
     return options;
 }
