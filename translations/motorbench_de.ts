@@ -185,26 +185,6 @@
         <translation>Nicht ausgeführt: %1</translation>
     </message>
     <message>
-        <source>over-current</source>
-        <translation>Überstrom</translation>
-    </message>
-    <message>
-        <source>over-temperature</source>
-        <translation>Übertemperatur</translation>
-    </message>
-    <message>
-        <source>under-voltage</source>
-        <translation>Unterspannung</translation>
-    </message>
-    <message>
-        <source>gate driver</source>
-        <translation>Gatetreiber</translation>
-    </message>
-    <message>
-        <source>communication</source>
-        <translation>Kommunikation</translation>
-    </message>
-    <message>
         <source>off</source>
         <translation>aus</translation>
     </message>
@@ -283,14 +263,6 @@
     <message>
         <source>axis %1: %2</source>
         <translation>Achse %1: %2</translation>
-    </message>
-    <message>
-        <source>encoder glitch</source>
-        <translation>Encoderstörung</translation>
-    </message>
-    <message>
-        <source>overspeed</source>
-        <translation>Überdrehzahl</translation>
     </message>
     <message>
         <source>Dialect %1</source>
@@ -2569,14 +2541,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Busspannung unbekannt</translation>
     </message>
     <message>
-        <source>Page 0 is being written: it must not be cut</source>
-        <translation>Seite 0 wird geschrieben: nicht unterbrechen</translation>
-    </message>
-    <message>
-        <source>The unit then waits in its bootloader; the update can be run again</source>
-        <translation>Das Gerät wartet dann im Bootloader; das Update lässt sich wiederholen</translation>
-    </message>
-    <message>
         <source>%1 s a page, about %2 s left</source>
         <translation>%1 s je Seite, noch etwa %2 s</translation>
     </message>
@@ -2595,10 +2559,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Failed: %1</source>
         <translation>Fehlgeschlagen: %1</translation>
-    </message>
-    <message>
-        <source>Cancelled. The unit waits in its bootloader; run the update again.</source>
-        <translation>Abgebrochen. Das Gerät wartet im Bootloader; Update wiederholen.</translation>
     </message>
     <message>
         <source>Nothing running</source>
@@ -2625,14 +2585,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Jetzt wird nichts geschrieben</translation>
     </message>
     <message>
-        <source>Page 0 holds the reset vector. A cut now cannot be repaired over the bus.</source>
-        <translation>Seite 0 enthält den Reset-Vektor. Eine Unterbrechung jetzt lässt sich über den Bus nicht beheben.</translation>
-    </message>
-    <message>
-        <source>A unit that is cut stays in its bootloader and can be updated again. Only page 0, the last, must not be interrupted.</source>
-        <translation>Ein unterbrochenes Gerät bleibt im Bootloader und lässt sich erneut aktualisieren. Nur Seite 0, die letzte, darf nicht unterbrochen werden.</translation>
-    </message>
-    <message>
         <source>Open a firmware image</source>
         <translation>Firmware-Image öffnen</translation>
     </message>
@@ -2653,24 +2605,12 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>A board that is cut stays in its bootloader. Leave the jumper in and run the update again.</source>
-        <translation>Eine unterbrochene Platine bleibt im Bootloader. Steckbrücke stecken lassen und Update wiederholen.</translation>
-    </message>
-    <message>
-        <source>The flash is being written: it must not be cut</source>
-        <translation>Der Flash wird geschrieben: nicht unterbrechen</translation>
-    </message>
-    <message>
-        <source>Nothing is written yet; the update can be run again</source>
-        <translation>Noch ist nichts geschrieben; das Update kann noch einmal gestartet werden</translation>
-    </message>
-    <message>
-        <source>A unit that is cut while it is written holds half a program. It runs again once an update has succeeded.</source>
-        <translation>Ein Gerät, das beim Schreiben unterbrochen wird, enthält ein halbes Programm. Es läuft wieder, sobald ein Update gelungen ist.</translation>
-    </message>
-    <message>
         <source>One update a bus: %1 is being written.</source>
         <translation>Eine Aktualisierung je Bus: %1 wird gerade beschrieben.</translation>
+    </message>
+    <message>
+        <source>Cancelled. %1.</source>
+        <translation>Abgebrochen. %1.</translation>
     </message>
 </context>
 <context>
@@ -3307,21 +3247,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>A click moves it for a tenth of a second; held, it goes on until it is let go.</source>
         <translation>Ein Klick bewegt ihn eine Zehntelsekunde; gehalten läuft er, bis man loslässt.</translation>
-    </message>
-</context>
-<context>
-    <name>mb::JumperDrawing</name>
-    <message>
-        <source>Drawing: the jumper connects AUX1 and AUX2; adapter TX to board RX, RX to TX, 3.3 V, GND</source>
-        <translation>Zeichnung: die Steckbrücke verbindet AUX1 und AUX2; TX des Adapters an RX der Platine, RX an TX, 3.3 V, GND</translation>
-    </message>
-    <message>
-        <source>Drawing: the jumper between AUX1 and AUX2 is taken out</source>
-        <translation>Zeichnung: die Steckbrücke zwischen AUX1 und AUX2 ist abgezogen</translation>
-    </message>
-    <message>
-        <source>adapter, 3.3 V</source>
-        <translation>Adapter, 3.3 V</translation>
     </message>
 </context>
 <context>
@@ -11107,22 +11032,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>&apos;%1&apos; ist keine Zeit in Sekunden</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of a simulated Abstract DC Drive</source>
-        <translation>&apos;%1&apos; ist kein Wert für die Option &apos;%2&apos; eines simulierten Abstract DC Drive</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of a simulated DMC60C</source>
-        <translation>&apos;%1&apos; ist kein Wert für die Option &apos;%2&apos; eines simulierten DMC60C</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of a simulated QuadQuad2Drv</source>
-        <translation>&apos;%1&apos; ist kein Wert für die Option &apos;%2&apos; eines simulierten QuadQuad2Drv</translation>
-    </message>
-    <message>
-        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of a simulated Supermodified</source>
-        <translation>&apos;%1&apos; ist kein Wert für die Option &apos;%2&apos; eines simulierten Supermodified</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; is not a device: LINK/FAMILY:ADDRESS is needed, such as sim:can/dmc60c:5</source>
         <translation>&apos;%1&apos; ist kein Gerät: nötig ist LINK/FAMILIE:ADRESSE, etwa sim:can/dmc60c:5</translation>
     </message>
@@ -11337,10 +11246,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>OpenOCD ended without saying why</source>
         <translation>OpenOCD endete ohne Angabe eines Grundes</translation>
-    </message>
-    <message>
-        <source>OpenOCD said nothing for a minute and was ended</source>
-        <translation>OpenOCD sagte eine Minute lang nichts und wurde beendet</translation>
     </message>
     <message>
         <source>OpenOCD verified the flash, and the drive answers again</source>
@@ -11587,22 +11492,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>eine Suche in der Aufzeichnung nennt, wer es tut</translation>
     </message>
     <message>
-        <source>a simulated Abstract DC Drive has no option &apos;%1&apos;</source>
-        <translation>ein simulierter Abstract DC Drive hat keine Option &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a simulated DMC60C has no option &apos;%1&apos;</source>
-        <translation>ein simulierter DMC60C hat keine Option &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a simulated QuadQuad2Drv has no option &apos;%1&apos;</source>
-        <translation>ein simulierter QuadQuad2Drv hat keine Option &apos;%1&apos;</translation>
-    </message>
-    <message>
-        <source>a simulated Supermodified has no option &apos;%1&apos;</source>
-        <translation>ein simulierter Supermodified hat keine Option &apos;%1&apos;</translation>
-    </message>
-    <message>
         <source>a step from the wrong place could be far too large</source>
         <translation>ein Sprung von der falschen Stelle könnte viel zu groß sein</translation>
     </message>
@@ -11625,14 +11514,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>a swing</source>
         <translation>eine Schwingung</translation>
-    </message>
-    <message>
-        <source>a temporary file for OpenOCD cannot be written: %1</source>
-        <translation>eine temporäre Datei für OpenOCD lässt sich nicht schreiben: %1</translation>
-    </message>
-    <message>
-        <source>a temporary file for avrdude cannot be written: %1</source>
-        <translation>eine temporäre Datei für avrdude lässt sich nicht schreiben: %1</translation>
     </message>
     <message>
         <source>a time</source>
@@ -11797,10 +11678,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>avrdude is not installed</source>
         <translation>avrdude ist nicht installiert</translation>
-    </message>
-    <message>
-        <source>avrdude said nothing for a minute and was ended</source>
-        <translation>avrdude sagte eine Minute lang nichts und wurde beendet</translation>
     </message>
     <message>
         <source>baud, format, rs485 and echo are known</source>
@@ -14185,6 +14062,118 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>these are the calm gains, %1</source>
         <translation>dies sind die ruhigen Verstärkungen, %1</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet; the update can be run again</source>
+        <translation>Noch ist nichts geschrieben; das Update kann noch einmal gestartet werden</translation>
+    </message>
+    <message>
+        <source>The flash is being written: it must not be cut</source>
+        <translation>Der Flash wird geschrieben: nicht unterbrechen</translation>
+    </message>
+    <message>
+        <source>A unit that is cut while it is written holds half a program. It runs again once an update has succeeded.</source>
+        <translation>Ein Gerät, das beim Schreiben unterbrochen wird, enthält ein halbes Programm. Es läuft wieder, sobald ein Update gelungen ist.</translation>
+    </message>
+    <message>
+        <source>output saturated</source>
+        <translation>Ausgang am Anschlag</translation>
+    </message>
+    <message>
+        <source>output wrapped around</source>
+        <translation>Ausgang übergelaufen</translation>
+    </message>
+    <message>
+        <source>over-current</source>
+        <translation>Überstrom</translation>
+    </message>
+    <message>
+        <source>over-temperature</source>
+        <translation>Übertemperatur</translation>
+    </message>
+    <message>
+        <source>under-voltage</source>
+        <translation>Unterspannung</translation>
+    </message>
+    <message>
+        <source>gate driver</source>
+        <translation>Gatetreiber</translation>
+    </message>
+    <message>
+        <source>communication</source>
+        <translation>Kommunikation</translation>
+    </message>
+    <message>
+        <source>The unit then waits in its bootloader; the update can be run again</source>
+        <translation>Das Gerät wartet dann im Bootloader; das Update lässt sich wiederholen</translation>
+    </message>
+    <message>
+        <source>Page 0 is being written: it must not be cut</source>
+        <translation>Seite 0 wird geschrieben: nicht unterbrechen</translation>
+    </message>
+    <message>
+        <source>A unit that is cut stays in its bootloader and can be updated again. Only page 0, the last, must not be interrupted.</source>
+        <translation>Ein unterbrochenes Gerät bleibt im Bootloader und lässt sich erneut aktualisieren. Nur Seite 0, die letzte, darf nicht unterbrochen werden.</translation>
+    </message>
+    <message>
+        <source>Page 0 holds the reset vector. A cut now cannot be repaired over the bus.</source>
+        <translation>Seite 0 enthält den Reset-Vektor. Eine Unterbrechung jetzt lässt sich über den Bus nicht beheben.</translation>
+    </message>
+    <message>
+        <source>adapter, 3.3 V</source>
+        <translation>Adapter, 3.3 V</translation>
+    </message>
+    <message>
+        <source>Drawing: the jumper connects AUX1 and AUX2; adapter TX to board RX, RX to TX, 3.3 V, GND</source>
+        <translation>Zeichnung: die Steckbrücke verbindet AUX1 und AUX2; TX des Adapters an RX der Platine, RX an TX, 3.3 V, GND</translation>
+    </message>
+    <message>
+        <source>Drawing: the jumper between AUX1 and AUX2 is taken out</source>
+        <translation>Zeichnung: die Steckbrücke zwischen AUX1 und AUX2 ist abgezogen</translation>
+    </message>
+    <message>
+        <source>encoder glitch</source>
+        <translation>Encoderstörung</translation>
+    </message>
+    <message>
+        <source>overspeed</source>
+        <translation>Überdrehzahl</translation>
+    </message>
+    <message>
+        <source>A board that is cut stays in its bootloader. Leave the jumper in and run the update again.</source>
+        <translation>Eine unterbrochene Platine bleibt im Bootloader. Steckbrücke stecken lassen und Update wiederholen.</translation>
+    </message>
+    <message>
+        <source>%1 has no option &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 said nothing for a minute and was ended</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of %3</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a simulated Abstract DC Drive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a simulated DMC60C</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a simulated QuadQuad2Drv</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a simulated Supermodified</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>a temporary file for %1 cannot be written: %2</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

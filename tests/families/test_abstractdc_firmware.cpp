@@ -262,7 +262,7 @@ TEST_F(AbstractDcUpdate, WithoutAnAnswerItIsNotDone)
     ASSERT_TRUE(report);
     EXPECT_EQ(report->outcome, UpdateOutcome::Failed);
     EXPECT_FALSE(report->verified);
-    EXPECT_NE(report->evidence.english().find("nothing answers"), std::string::npos);
+    EXPECT_NE(report->summary().english().find("nothing answers"), std::string::npos);
 }
 
 TEST_F(AbstractDcUpdate, ADryRunStartsNothing)

@@ -38,14 +38,14 @@ struct UpdateBench {
         device.reset();
         struct Sink final : ScanSink {
             void found(const Identity &identity) override { last = identity; }
-            void progress(const std::string &, int, int) override { }
+            void progress(const Message &, int, int) override { }
             std::optional<Identity> last;
         } sink;
         for (int i = 0; i < 20 && !sink.last; ++i) {
             (void)run(clock, family.scan(host, clock, sink));
         }
         if (!sink.last)
-            return fail(Fault::Timeout, "the unit was not found");
+            return fail(Fault::Timeout, say("the unit was not found"));
         state = sink.last->state;
         device = family.open(host, clock, *sink.last);
         return updateOpened(image, std::move(options));
@@ -216,9 +216,9 @@ TEST(Dmc60cUpdate, AProgramThatDiesInAnyPageLeavesAUnitThatIsFoundInItsBootloade
         UpdateBench bench("dmc60c:5");
         bench.update(demoImage(), {.dryRun = true, .force = false, .via = {}, .target = {}});
         struct Watch final : Progress {
-            void step(const std::string &what, int, int) override { now = what; }
+            void step(const Message &what, int, int) override { now = what.english(); }
             void part(int, PartState) override { }
-            void log(Severity, const std::string &) override { }
+            void log(Severity, const Message &) override { }
             std::string now;
         } watch;
         Task<UpdateReport> task = bench.family.update(*bench.device, demoImage(), {}, watch);
@@ -310,9 +310,9 @@ TEST(Dmc60cUpdate, WaitsUntilParametersThatWereJustChangedAreInFlash)
 TEST(Dmc60cUpdate, SaysThatWhatAnotherProgramJustChangedIsLost)
 {
     struct Log final : Progress {
-        void step(const std::string &, int, int) override { }
+        void step(const Message &, int, int) override { }
         void part(int, PartState) override { }
-        void log(Severity, const std::string &text) override { all += text + '\n'; }
+        void log(Severity, const Message &text) override { all += text.english() + '\n'; }
         std::string all;
     };
     for (const char *unit : {"dmc60c:5", "dmc60c:5,state=bootloader"}) {
@@ -344,7 +344,7 @@ TEST(Dmc60cUpdate, ReportsAFlashThatCannotBeWrittenAndSaysWhatToDo)
     ASSERT_TRUE(report);
     EXPECT_EQ(report->outcome, UpdateOutcome::Failed);
     EXPECT_FALSE(report->verified);
-    EXPECT_NE(report->evidence.find("run the update again"), std::string::npos) << report->evidence;
+    EXPECT_NE(report->summary().english().find("run the update again"), std::string::npos) << report->evidence;
 }
 
 TEST(Dmc60cUpdate, NeverReportsSuccessWhenTheUnitVanishesBeforeItsVersionIsRead)

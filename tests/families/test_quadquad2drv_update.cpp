@@ -111,7 +111,7 @@ TEST(QuadQuad2DrvUpdate, TheSameVersionAsBeforeProvesNothing)
     EXPECT_EQ(report.outcome, UpdateOutcome::Done) << report.evidence;
     EXPECT_EQ(report.to, "1.3");
     EXPECT_FALSE(report.verified);
-    EXPECT_NE(report.evidence.english().find("nothing proves"), std::string::npos) << report.evidence;
+    EXPECT_NE(report.summary().english().find("nothing proves"), std::string::npos) << report.evidence;
 }
 
 TEST(QuadQuad2DrvUpdate, WaitsForTheGreetingAndSaysWhatToLookAtWhenNoneComes)
@@ -120,7 +120,7 @@ TEST(QuadQuad2DrvUpdate, WaitsForTheGreetingAndSaysWhatToLookAtWhenNoneComes)
     const Instant begin = bench.clock.now();
     const UpdateReport report = bench.update();
     EXPECT_EQ(report.outcome, UpdateOutcome::Failed);
-    EXPECT_NE(report.evidence.english().find("check the jumper"), std::string::npos);
+    EXPECT_NE(report.summary().english().find("check the jumper"), std::string::npos);
     EXPECT_GE(bench.clock.now() - begin, 30s);
     EXPECT_EQ(bench.step(0), PartState::Active) << "it never got further than the hands";
     EXPECT_EQ(bench.step(3), PartState::Waiting);
@@ -158,7 +158,7 @@ TEST(QuadQuad2DrvUpdate, ARefusalIsRecognisedByTheWordsThatWereSet)
     settings.failures = {"ok"};
     const UpdateReport report = bench.update(settings);
     EXPECT_EQ(report.outcome, UpdateOutcome::Failed);
-    EXPECT_NE(report.evidence.english().find("line 1 was refused: ok"), std::string::npos) << report.evidence;
+    EXPECT_NE(report.summary().english().find("line 1 was refused: ok"), std::string::npos) << report.evidence;
 }
 
 TEST(QuadQuad2DrvUpdate, CancelledWhileItWaitsForHandsItLeavesNothingBehind)

@@ -209,7 +209,7 @@ TEST(SupermodifiedUpdate, IsDoneWhenAvrdudeVerifiedAndTheNodeAnswersAgain)
     EXPECT_TRUE(report->verified);
     EXPECT_TRUE(report->to.empty()) << "the wire carries no version";
     EXPECT_EQ(report->pages, 1);
-    EXPECT_NE(report->evidence.english().find("answers again"), std::string::npos) << report->evidence;
+    EXPECT_NE(report->summary().english().find("answers again"), std::string::npos) << report->evidence;
     EXPECT_EQ(bench.calls().count('\n'), 1);
     EXPECT_GT(bench.log.size(), 4U);
 }
@@ -223,7 +223,7 @@ TEST(SupermodifiedUpdate, IsNotDoneWhenTheNodeStaysSilent)
     ASSERT_TRUE(report);
     EXPECT_EQ(report->outcome, UpdateOutcome::Failed);
     EXPECT_FALSE(report->verified);
-    EXPECT_NE(report->evidence.english().find("does not answer"), std::string::npos);
+    EXPECT_NE(report->summary().english().find("does not answer"), std::string::npos);
 }
 
 TEST(SupermodifiedUpdate, AsksTheBootloaderAtBothOfItsRates)

@@ -100,17 +100,17 @@ private:
         co_return std::vector{FaultRecord{"stalled", m_status.stalled, false, std::nullopt}};
     }
     Task<std::vector<FaultRecord>> doClearFaults() override { return doReadFaults(); }
-    Task<void> doIdentify() override { co_return fail(Fault::Unsupported, "it has no light"); }
-    Task<void> doRename(std::string) override { co_return fail(Fault::Unsupported, "it has no name"); }
-    Task<void> doRenumber(int) override { co_return fail(Fault::Unsupported, "its number is soldered"); }
+    Task<void> doIdentify() override { co_return fail(Fault::Unsupported, say("it has no light")); }
+    Task<void> doRename(std::string) override { co_return fail(Fault::Unsupported, say("it has no name")); }
+    Task<void> doRenumber(int) override { co_return fail(Fault::Unsupported, say("its number is soldered")); }
     Task<void> doSetRate(ChannelIndex, double) override { co_return {}; } // it has one
 
     Result<void> doCheck(const SetPoint &setPoint) const override
     {
         if (setPoint.mode != Mode::Duty && setPoint.mode != Mode::Position && setPoint.mode != Mode::Off)
-            return fail(Fault::Unsupported, "it has duty and position only");
+            return fail(Fault::Unsupported, say("it has duty and position only"));
         if (setPoint.mode == Mode::Duty && std::abs(setPoint.target) > 1.0)
-            return fail(Fault::OutOfRange, "duty is -1 to 1");
+            return fail(Fault::OutOfRange, say("duty is -1 to 1"));
         return {};
     }
     Result<void> doCommand(const SetPoint &setPoint) override
@@ -162,7 +162,7 @@ Task<void> scan(Link &link, Clock &clock, ScanSink &sink)
 {
     auto *const can = dynamic_cast<CanLink *>(&link);
     if (!can)
-        co_return fail(Fault::Unsupported, "it lives on CAN links only");
+        co_return fail(Fault::Unsupported, say("it lives on CAN links only"));
     std::set<int> known;
     const Subscription heard = can->received().add([&known, &sink](const CanFrame &frame) {
         const auto address = static_cast<int>(frame.id & 0xFFU);

@@ -59,7 +59,7 @@ std::span<const UpdateRoute> routes()
 Result<ImageSummary> inspect(const FirmwareImage &image)
 {
     if (!image.has(0) || !image.has(1) || image.hasAny(programSize, 0xFFFFFFFF))
-        return fail(Fault::OutOfRange, "it is no program of this unit");
+        return fail(Fault::OutOfRange, say("it is no program of this unit"));
     ImageSummary summary;
     summary.version = std::to_string(*image.at(0)) + '.' + std::to_string(*image.at(1));
     summary.parts = {0, 1};
@@ -72,7 +72,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     if (!summary)
         co_return fail(summary.error());
     if (!options.via.starts_with("handle:"))
-        co_return fail(Fault::Usage, "turn the handle and say so", "--via handle:right");
+        co_return fail(Fault::Usage, say("turn the handle and say so"), say("--via handle:right"));
     UpdateReport report;
     report.from = device.identity().firmware;
     const int unit = device.identity().address;
@@ -91,7 +91,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         const auto place = static_cast<std::uint16_t>(at);
         auto delivering = deliver(device, piece(unit, place, four), place);
         co_await std::move(delivering);
-        progress.step("sending", sent += pieceSize, bytes);
+        progress.step(say("sending"), sent += pieceSize, bytes);
     }
     auto running = deliver(device, ask(Message::Run, unit), wholeProgram);
     co_await std::move(running);
@@ -100,7 +100,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     report.to = device.identity().firmware;
     report.verified = report.to == summary->version;
     report.outcome = report.verified ? UpdateOutcome::Done : UpdateOutcome::Failed;
-    report.evidence = "it says that it is " + report.to;
+    report.evidence = say("it says that it is %1", report.to);
     progress.part(1, PartState::Done);
     co_return report;
 }

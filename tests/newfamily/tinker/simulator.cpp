@@ -184,14 +184,14 @@ Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const Simu
 {
     auto *const can = dynamic_cast<CanLink *>(&link);
     if (!can)
-        return fail(Fault::Unsupported, "it lives on CAN links only");
+        return fail(Fault::Unsupported, say("it lives on CAN links only"));
     if (unit.address < 1 || unit.address > highestAddress)
-        return fail(Fault::OutOfRange, "it has an address from 1 to 15, not " + std::to_string(unit.address));
+        return fail(Fault::OutOfRange, say("it has an address from 1 to 15, not %1", unit.address));
     const MotorParameters *motor = motorByName("25d");
     for (const auto &[key, value] : unit.options) {
         motor = key == "motor" ? motorByName(value) : nullptr;
         if (!motor)
-            return fail(Fault::OutOfRange, "it has no option " + key + '=' + value);
+            return fail(Fault::OutOfRange, say("it has no option %1=%2", key, value));
     }
     return std::unique_ptr<Simulator>(std::make_unique<Unit>(*can, clock, unit.address, *motor));
 }
