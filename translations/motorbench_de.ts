@@ -14145,35 +14145,35 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>%1 has no option &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat keine Option &apos;%2&apos;</translation>
     </message>
     <message>
         <source>%1 said nothing for a minute and was ended</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 sagte eine Minute lang nichts und wurde beendet</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no value for the option &apos;%2&apos; of %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%3: &apos;%1&apos; ist kein Wert für die Option &apos;%2&apos;</translation>
     </message>
     <message>
         <source>a simulated Abstract DC Drive</source>
-        <translation type="unfinished"></translation>
+        <translation>ein simulierter Abstract DC Drive</translation>
     </message>
     <message>
         <source>a simulated DMC60C</source>
-        <translation type="unfinished"></translation>
+        <translation>ein simulierter DMC60C</translation>
     </message>
     <message>
         <source>a simulated QuadQuad2Drv</source>
-        <translation type="unfinished"></translation>
+        <translation>ein simulierter QuadQuad2Drv</translation>
     </message>
     <message>
         <source>a simulated Supermodified</source>
-        <translation type="unfinished"></translation>
+        <translation>ein simulierter Supermodified</translation>
     </message>
     <message>
         <source>a temporary file for %1 cannot be written: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>eine temporäre Datei für %1 lässt sich nicht schreiben: %2</translation>
     </message>
 </context>
 </TS>
