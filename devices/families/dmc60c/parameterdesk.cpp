@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Controller: parameters, faults, rates, and the proof that flash has them.
+#include "families/dmc60c/parameterdesk.h"
+
+#include "async/sleep.h"
+#include "families/dmc60c/channels.h"
+#include "families/dmc60c/parameters.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mb::dmc60c {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration sequencePollPeriod = 250ms;
+constexpr int counterTries = 4;
+
+constexpr std::array<std::string_view, 5> faultKeys{
+    "over_current", "over_temperature", "under_voltage", "gate_driver", "communication"};
+
+} // namespace
+
+ParameterDesk::ParameterDesk(const UnitContact &contact, VendorOrders &orders, ParameterStore &known)
+    : m_contact(contact)
+    , m_orders(orders)
+    , m_known(known)
+    , m_exchange(contact.link, contact.clock)
+{
+}
+
+void ParameterDesk::restarted()
+{
+    m_flashLost = m_flashLost || m_flash.isPending();
+    m_flash.restarted();
+}
+
+Task<std::int64_t> ParameterDesk::read(std::uint8_t parameter)
+{
+    const Parameter &row = parameterTable()[parameterWithId(parameter)->value];
+    auto asking = m_exchange.get(m_contact.target(), parameter);
+    Result<ParamResponse> response = co_await std::move(asking).attempt();
+    if (response && response->status == ParameterStatus::BadParameter && row.nature == Nature::Counter) {
+        auto setting = m_exchange.set(m_contact.target(), parameter, 0); // "keep": reads as well (section 4)
+        response = co_await std::move(setting).attempt();
+    }
+    if (!response) {
+        if (response.error().fault == Fault::Timeout)
+            m_contact.unanswered();
+        co_return fail(response.error().about(row.key));
+    }
+    if (auto checked = dmc60c::check(*response, row.key); !checked)
+        co_return fail(checked.error());
+    co_return rawOf(row.type, response->field);
+}
+
+Task<std::int64_t> ParameterDesk::write(const Parameter &parameter, std::int64_t raw)
+{
+    const auto number = static_cast<std::uint8_t>(parameter.id);
+    if (parameter.persistent && parameter.nature == Nature::Setting) {
+        auto reading = read(number);
+        const std::int64_t present = co_await std::move(reading);
+        if (present == raw)
+            co_return raw; // nothing changes, so flash must not be expected to
+        if (m_flash.wantsBaseline()) {
+            auto asking = m_orders.flashSequence();
+            const Result<std::uint32_t> sequence = co_await std::move(asking).attempt();
+            m_flash.setBaseline(sequence ? std::optional(*sequence) : std::nullopt);
+        }
+        m_flash.changed(m_contact.clock.now()); // also when the answer is lost
+    }
+    auto setting = m_exchange.set(m_contact.target(), number, fieldOf(parameter.type, raw));
+    const Result<ParamResponse> response = co_await std::move(setting).attempt();
+    if (!response)
+        co_return fail(response.error().about(parameter.key));
+    if (auto checked = dmc60c::check(*response, parameter.key); !checked)
+        co_return fail(checked.error());
+    co_return rawOf(parameter.type, response->field);
+}
+
+/// The answer to a clear carries the count before it, so a clear is repeated only when a reading shows that it did not
+/// arrive (trap 19); when it did, the reading before it is the count.
+Task<std::int64_t> ParameterDesk::clearCounter(const Parameter &parameter, std::int64_t raw)
+{
+    const auto number = static_cast<std::uint8_t>(parameter.id);
+    auto reading = read(number);
+    const std::int64_t before = co_await std::move(reading);
+    for (int attempt = 0; attempt < counterTries; ++attempt) {
+        auto setting = m_exchange.setOnce(m_contact.target(), number, fieldOf(parameter.type, raw));
+        const Result<ParamResponse> response = co_await std::move(setting).attempt();
+        if (response) {
+            if (auto checked = dmc60c::check(*response, parameter.key); !checked)
+                co_return fail(checked.error());
+            co_return rawOf(parameter.type, response->field);
+        }
+        if (response.error().fault != Fault::Timeout)
+            co_return fail(response.error());
+        auto again = read(number);
+        const std::int64_t now = co_await std::move(again);
+        if (now < before || now == 0)
+            co_return before;
+    }
+    co_return fail(Fault::Timeout,
+        std::string(parameter.key) + " was " + std::to_string(before) + " and is not known to be cleared");
+}
+
+Task<bool> ParameterDesk::store(Progress &progress)
+{
+    if (std::exchange(m_flashLost, false))
+        co_return fail(
+            Fault::BadCheck, "the device restarted before its flash was proved to be written", "read it again");
+    const Instant begun = m_contact.clock.now();
+    const Instant end = std::max(m_flash.deadline(), begun + 1s);
+    bool advanced = false;
+    while (m_flash.isPending()) {
+        auto asking = m_orders.flashSequence();
+        const Result<std::uint32_t> sequence = co_await std::move(asking).attempt();
+        const Instant now = m_contact.clock.now();
+        if (m_flashLost)
+            continue; // restarted meanwhile, and so no longer pending
+        if (!sequence && sequence.error().fault == Fault::LinkLost)
+            co_return fail(sequence.error());
+        if (sequence && m_flash.isProvedBy(*sequence, now))
+            break;
+        advanced = advanced || (sequence && m_flash.hasAdvanced(*sequence));
+        if (now >= end) {
+            m_flash.settle();
+            if (advanced || (!sequence && sequence.error().fault == Fault::Unsupported))
+                co_return false;
+            co_return fail(Fault::BadCheck, "the device did not write its flash within 20 s");
+        }
+        progress.step("Waiting until the device has written its flash", static_cast<int>((now - begun) / 1s),
+            static_cast<int>((end - begun) / 1s));
+        co_await Sleep(m_contact.clock, sequencePollPeriod);
+    }
+    if (std::exchange(m_flashLost, false))
+        co_return fail(
+            Fault::BadCheck, "the device restarted before its flash was proved to be written", "read it again");
+    m_flash.settle();
+    m_known.setAllStored();
+    co_return true;
+}
+
+Task<std::vector<FaultRecord>> ParameterDesk::faults(bool clear)
+{
+    auto readingActive = read(param::activeFaults);
+    const std::int64_t active = co_await std::move(readingActive);
+    std::array<std::int64_t, 1 + faultKeys.size()> values{}; // sticky bits, then counts in the order of the bits
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto number = static_cast<std::uint8_t>(param::stickyFaults + i);
+        const Parameter &row = parameterTable()[parameterWithId(number)->value];
+        auto task = clear ? clearCounter(row, 1) : read(number);
+        values.at(i) = co_await std::move(task);
+        m_known.setRead(*parameterWithId(number), clear ? 0 : values.at(i));
+    }
+    m_known.setRead(*parameterWithId(param::activeFaults), active);
+    std::vector<FaultRecord> records;
+    for (std::size_t i = 0; i < faultKeys.size(); ++i) {
+        const std::int64_t bit = std::int64_t{1} << i;
+        records.push_back(
+            {std::string(faultKeys.at(i)), (active & bit) != 0, (values[0] & bit) != 0, values.at(i + 1)});
+    }
+    co_return records;
+}
+
+} // namespace mb::dmc60c
