@@ -113,8 +113,8 @@ Task<void> Controller::doRestart()
     auto resetting = m_orders.ask({Command::SoftReset});
     const Result<VendorReply> reply = co_await std::move(resetting).attempt();
     if (!reply && reply.error().fault == Fault::Timeout)
-        co_return fail(
-            Fault::Timeout, "it did not come back; without an application its bootloader is silent (scan shows it)");
+        co_return fail(Fault::Timeout, say("it did not come back"),
+            say("without an application its bootloader is silent (scan shows it)"));
     if (!reply)
         co_return fail(reply.error());
     auto refreshing = doRefresh();
@@ -126,10 +126,10 @@ Task<void> Controller::doRename(std::string name)
 {
     auto bytes = toLatin1(name);
     if (!bytes)
-        co_return fail(Fault::OutOfRange, "a name may hold Latin-1 characters only");
+        co_return fail(Fault::OutOfRange, say("a name may hold Latin-1 characters only"));
     if (bytes->empty() || bytes->size() > static_cast<std::size_t>(maxNameLength))
-        co_return fail(Fault::OutOfRange, "a name has 1 to 64 characters");
-    bytes->push_back(0); // the count of the command includes it, that of the descriptor does not (trap 12)
+        co_return fail(Fault::OutOfRange, say("a name has 1 to 64 characters"));
+    bytes->push_back(0); // the count of the command includes it, that of the descriptor does not (README.md#names)
     const auto count = static_cast<std::uint16_t>(bytes->size());
     auto set = m_orders.ask({Command::SetDevName, count}, std::move(*bytes));
     co_await std::move(set);
@@ -139,14 +139,14 @@ Task<void> Controller::doRename(std::string name)
     setDescriptors(known, list);
     setIdentity(known);
     if (known.name != name)
-        co_return fail(Fault::BadCheck, "the name was written, but the device answers '" + known.name + "'");
+        co_return fail(Fault::BadCheck, say("the name was written, but the device answers '%1'", known.name));
     co_return {};
 }
 
 Task<void> Controller::doRenumber(int address)
 {
     if (address < 1 || address > maxDeviceNumber)
-        co_return fail(Fault::OutOfRange, "a device number is 1 … 63");
+        co_return fail(Fault::OutOfRange, say("a device number is 1 … 63"));
     if (address == identity().address)
         co_return {};
     auto looking = m_orders.expectFree(address);
@@ -170,7 +170,8 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
 {
     const Parameter &row = parameters().parameter(index);
     if (row.id == param::encoderPosition && (liveness().moving || m_sense.general().duty != 0))
-        co_return fail(Fault::Unsafe, "the position is written only while the output is off", "stop the motor first");
+        co_return fail(
+            Fault::Unsafe, say("the position is written only while the output is off"), say("stop the motor first"));
     if (row.nature == Nature::Counter && raw != 0) {
         auto clearing = m_desk.clearCounter(row, raw);
         const std::int64_t before = co_await std::move(clearing);
@@ -364,7 +365,7 @@ void Controller::restarted()
     updateLiveness();
 }
 
-void Controller::setState(DeviceState state, std::string detail)
+void Controller::setState(DeviceState state, Message detail)
 {
     Identity known = identity();
     known.state = state;

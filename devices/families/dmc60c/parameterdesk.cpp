@@ -43,7 +43,7 @@ Task<std::int64_t> ParameterDesk::read(std::uint8_t parameter)
     auto asking = m_exchange.get(m_contact.target(), parameter);
     Result<ParamResponse> response = co_await std::move(asking).attempt();
     if (response && response->status == ParameterStatus::BadParameter && row.nature == Nature::Counter) {
-        auto setting = m_exchange.set(m_contact.target(), parameter, 0); // "keep": reads as well (section 4)
+        auto setting = m_exchange.set(m_contact.target(), parameter, 0); // "keep": reads as well (README.md#parameters)
         response = co_await std::move(setting).attempt();
     }
     if (!response) {
@@ -81,7 +81,7 @@ Task<std::int64_t> ParameterDesk::write(const Parameter &parameter, std::int64_t
 }
 
 /// The answer to a clear carries the count before it, so a clear is repeated only when a reading shows that it did not
-/// arrive (trap 19); when it did, the reading before it is the count.
+/// arrive (README.md#counters); when it did, the reading before it is the count.
 Task<std::int64_t> ParameterDesk::clearCounter(const Parameter &parameter, std::int64_t raw)
 {
     const auto number = static_cast<std::uint8_t>(parameter.id);
@@ -102,15 +102,14 @@ Task<std::int64_t> ParameterDesk::clearCounter(const Parameter &parameter, std::
         if (now < before || now == 0)
             co_return before;
     }
-    co_return fail(Fault::Timeout,
-        std::string(parameter.key) + " was " + std::to_string(before) + " and is not known to be cleared");
+    co_return fail(Fault::Timeout, say("%1 was %2 and is not known to be cleared", parameter.key, before));
 }
 
 Task<bool> ParameterDesk::store(Progress &progress)
 {
     if (std::exchange(m_flashLost, false))
-        co_return fail(
-            Fault::BadCheck, "the device restarted before its flash was proved to be written", "read it again");
+        co_return fail(Fault::BadCheck, say("the device restarted before its flash was proved to be written"),
+            say("read it again"));
     const Instant begun = m_contact.clock.now();
     const Instant end = std::max(m_flash.deadline(), begun + 1s);
     bool advanced = false;
@@ -129,15 +128,15 @@ Task<bool> ParameterDesk::store(Progress &progress)
             m_flash.settle();
             if (advanced || (!sequence && sequence.error().fault == Fault::Unsupported))
                 co_return false;
-            co_return fail(Fault::BadCheck, "the device did not write its flash within 20 s");
+            co_return fail(Fault::BadCheck, say("the device did not write its flash within 20 s"));
         }
-        progress.step("Waiting until the device has written its flash", static_cast<int>((now - begun) / 1s),
+        progress.step(say("Waiting until the device has written its flash"), static_cast<int>((now - begun) / 1s),
             static_cast<int>((end - begun) / 1s));
         co_await Sleep(m_contact.clock, sequencePollPeriod);
     }
     if (std::exchange(m_flashLost, false))
-        co_return fail(
-            Fault::BadCheck, "the device restarted before its flash was proved to be written", "read it again");
+        co_return fail(Fault::BadCheck, say("the device restarted before its flash was proved to be written"),
+            say("read it again"));
     m_flash.settle();
     m_known.setAllStored();
     co_return true;

@@ -27,9 +27,9 @@ Task<void> StatusRates::set(ChannelIndex channel, double hertz)
 {
     const auto number = periodOf(channel);
     if (!number)
-        co_return fail(Fault::Unsupported, "the set-point comes from here, not from the device");
+        co_return fail(Fault::Unsupported, say("the set-point comes from here, not from the device"));
     if (!std::isfinite(hertz) || hertz < 0.0)
-        co_return fail(Fault::OutOfRange, "a rate is a positive number, or 0 for the usual one");
+        co_return fail(Fault::OutOfRange, say("a rate is a positive number, or 0 for the usual one"));
     const Parameter &row = parameterTable()[parameterWithId(*number)->value];
     RateWishes &wishes = m_wishes[*number];
     wishes.set(channel, hertz);

@@ -8,7 +8,7 @@ using namespace std::chrono_literals;
 
 constexpr int numberTries = 3;
 
-/// More tries than section 3 says: the longest answer is 24 frames, of which one in ten may get lost. Asking is harmless, so
+/// More tries than the maker says: the longest answer is 24 frames, of which one in ten may get lost. Asking is harmless, so
 /// those tries are short; 54 ms is the longest that a device stands still.
 Attempts patienceFor(Command command)
 {
@@ -45,7 +45,7 @@ Task<FirmwareVersions> VendorOrders::versions()
     const VendorReply reply = co_await std::move(task);
     const auto versions = decodeFirmwareVersions(reply.data);
     if (!versions)
-        co_return fail(Fault::BadReply, "GetFwver: 6 bytes were expected");
+        co_return fail(Fault::BadReply, say("GetFwver: 6 bytes were expected"));
     co_return *versions;
 }
 
@@ -55,7 +55,7 @@ Task<DescriptorList> VendorOrders::descriptors()
     const VendorReply reply = co_await std::move(task);
     auto list = decodeDescriptors(reply.data);
     if (!list)
-        co_return fail(Fault::BadReply, "GetDescriptors: a field ends too early");
+        co_return fail(Fault::BadReply, say("GetDescriptors: a field ends too early"));
     co_return std::move(*list);
 }
 
@@ -65,7 +65,7 @@ Task<std::uint32_t> VendorOrders::flashSequence()
     const VendorReply reply = co_await std::move(task);
     const auto sequence = decodeFlashSequence(reply.data);
     if (!sequence)
-        co_return fail(Fault::BadReply, "GetFlashSeqnum: 4 bytes were expected");
+        co_return fail(Fault::BadReply, say("GetFlashSeqnum: 4 bytes were expected"));
     co_return *sequence;
 }
 
@@ -80,7 +80,7 @@ Task<void> VendorOrders::expectFree(int number)
             co_return fail(sent.error());
         const Result<CanFrame> answer = co_await inbox.next(enumWindow);
         if (answer)
-            co_return fail(Fault::Refused, "number " + std::to_string(number) + " is used by another unit");
+            co_return fail(Fault::Refused, say("number %1 is used by another unit", number));
         if (answer.error().fault != Fault::Timeout)
             co_return fail(answer.error());
     }
@@ -92,7 +92,7 @@ Task<void> VendorOrders::expectFree(int number)
 Task<FirmwareVersions> VendorOrders::moveTo(int number)
 {
     const auto [old, session] = m_contact.target();
-    Error last{Fault::Timeout, "no answer"};
+    Error last{Fault::Timeout, say("no answer")};
     for (int attempt = 0; attempt < numberTries; ++attempt) {
         VendorRequest request{old, session, {Command::SetDevNumber, static_cast<std::uint16_t>(number)}, {}, number};
         auto setting = vendorExchange(
