@@ -114,7 +114,7 @@ Result<Opened> openNamed(Console &console, const std::vector<std::string> &names
             opened.links.push_back(*link);
             continue;
         }
-        opened.listings.push_back({address, kindOf(address), "absent", link.error().text(), false, {}, false});
+        opened.listings.push_back({address, kindOf(address), "absent", link.error().message(), false, {}, false});
         if (!opened.error)
             opened.error = link.error();
     }
