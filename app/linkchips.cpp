@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/linkchips.h"
 
-#include "app/mainwindow.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/monitor/recordstrip.h"
+
+#include <QCoreApplication>
 
 #include <algorithm>
 #include <optional>
@@ -20,13 +21,13 @@ LinkStatus chipOf(const LinkView &link, const Snapshot &shot)
     chip.healthy = open && link.counters.lost == 0 && link.diagnosis.isHealthy();
     chip.state = open ? chip.healthy ? GlyphState::Online : GlyphState::Warning : GlyphState::Fault;
     if (!open)
-        chip.word = MainWindow::tr("lost");
+        chip.word = QCoreApplication::translate("mb::MainWindow", "lost");
     else
         chip.load = link.load;
     chip.lost = static_cast<qint64>(samplesOn(shot, link.address).lost);
     const QString counts = link.kind == LinkKind::Can
-        ? MainWindow::tr("%1: %2 frames received, %3 sent, %4 dropped, %5 errors")
-        : MainWindow::tr("%1: %2 bytes received, %3 sent, %4 dropped, %5 errors");
+        ? QCoreApplication::translate("mb::MainWindow", "%1: %2 frames received, %3 sent, %4 dropped, %5 errors")
+        : QCoreApplication::translate("mb::MainWindow", "%1: %2 bytes received, %3 sent, %4 dropped, %5 errors");
     chip.tooltip = open ? counts.arg(chip.name)
                               .arg(link.counters.rx)
                               .arg(link.counters.tx)
@@ -48,7 +49,7 @@ QString recordingTime(const Snapshot &shot)
     if (!since)
         return {};
     const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(shot.time - *since).count();
-    return MainWindow::tr("REC %1").arg(formatClock(std::max<qint64>(seconds, 0)));
+    return QCoreApplication::translate("mb::MainWindow", "REC %1").arg(formatClock(std::max<qint64>(seconds, 0)));
 }
 
 } // namespace mb

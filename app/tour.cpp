@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tour.h"
 
-#include "model/parameterfile.h"
+#include "model/filebytes.h"
+#include "widgets/common/devicetext.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/common/losses.h"
 #include "widgets/control/tunepage.h"
@@ -18,10 +19,9 @@ namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds pollTime{20};
-constexpr std::string_view toured = "dmc60c"; ///< several families may have a unit of one address
-constexpr int tuned = 5;
-constexpr int overshooting = 7;
-constexpr int inBootloader = 9;
+constexpr auto tuned = &DemoUnits::tuned;
+constexpr auto overshooting = &DemoUnits::overshooting;
+constexpr auto inBootloader = &DemoUnits::inBootloader;
 constexpr std::chrono::milliseconds driveAgain{500};
 constexpr double stepTarget = 60000.0; // counts/s
 
@@ -50,11 +50,11 @@ void Tour::start()
     m_poll.start();
 }
 
-const DeviceView *Tour::device(int address) const
+const DeviceView *Tour::device(int DemoUnits::*unit) const
 {
     const auto &devices = m_workbench.snapshot().devices;
     const auto found = std::find_if(devices.begin(), devices.end(),
-        [address](const DeviceView &d) { return d.identity.address == address && d.family->key == toured; });
+        [unit](const DeviceView &d) { return d.family->demo && d.identity.address == d.family->demo->*unit; });
     return found == devices.end() ? nullptr : &*found;
 }
 
@@ -209,7 +209,7 @@ void Tour::planFirmware()
             m_window.selection().select(device(inBootloader)->id);
             m_window.showPage(PageId::Firmware);
             auto *page = qobject_cast<FirmwarePage *>(m_window.page(PageId::Firmware));
-            page->loadImage(QStringLiteral(":/firmware/dmc60c-demo.hex"));
+            page->loadImage(QStringLiteral(":/firmware/") + qt(device(inBootloader)->family->demo->image));
             page->startUpdate();
         },
         [this] {

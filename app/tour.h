@@ -54,7 +54,7 @@ private:
     void save(const QString &name, bool dark);
     void drive();
     [[nodiscard]] bool comesToSpeed();
-    [[nodiscard]] const DeviceView *device(int address) const;
+    [[nodiscard]] const DeviceView *device(int DemoUnits::*unit) const;
     [[nodiscard]] const DeviceView *board() const;
 
     Workbench &m_workbench;

@@ -8,7 +8,7 @@ namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds afterPaint{1200};
-constexpr int other = 7;
+constexpr auto other = &DemoUnits::overshooting;
 constexpr double triggerLevel = 30000.0; // counts/s
 
 PlotsPage &plotsOf(MainWindow &window)
@@ -33,8 +33,8 @@ void Tour::planPlots()
     };
     act("several devices", [this](PlotsPage &page) {
         page.addSignal({device(other)->id, *device(other)->telemetry->find("velocity")});
-        (void)page.board().addDerived(
-            tr("acceleration"), tr("counts/s²"), QStringLiteral("average(derivative(d5_velocity), 0.1)"));
+        (void)page.board().addDerived(tr("acceleration"), tr("counts/s²"),
+            QStringLiteral("average(derivative(d%1_velocity), 0.1)").arg(device(&DemoUnits::tuned)->identity.address));
         const int last = page.board().traces().back().id;
         page.board().moveToPane(last, page.board().paneOf(0));
         page.board().setSecondAxis(page.board().traces().back().id, true);

@@ -13,7 +13,7 @@
 namespace mb {
 namespace {
 
-constexpr int lively = 7;               ///< its stored gains overshoot
+constexpr auto lively = &DemoUnits::overshooting;
 constexpr double trialTarget = 60000.0; ///< counts/s
 constexpr double calmerP = 0.55;        ///< of what is stored
 constexpr double calmerI = 0.42;
@@ -28,7 +28,8 @@ void Tour::tryGains(double p, double i)
     const DeviceView &view = *device(lively);
     StagedEdits &edits = EditDesk::of(m_workbench).editsOf(view);
     std::vector<ParameterChange> changes;
-    for (const auto &[key, share] : {std::pair("slot0.p", p), std::pair("slot0.i", i)}) {
+    const std::span<const std::string_view> gains = view.family->demo->livelyGains;
+    for (const auto &[key, share] : {std::pair(gains[0], p), std::pair(gains[1], i)}) {
         const ParameterIndex index = *findParameter(view.family->parameters, key);
         const auto raw = view.parameters[index.value].raw;
         if (raw && share != 1.0)
@@ -126,8 +127,8 @@ void Tour::planDesign()
 
 void Tour::tellOvershoot() const
 {
-    std::printf("#%d overshoots by %.1f %% as it was found, by %.1f %% after one press\n", lively,
-        100.0 * m_foundOvershoot, 100.0 * m_tunedOvershoot);
+    std::printf("#%d overshoots by %.1f %% as it was found, by %.1f %% after one press\n",
+        device(lively)->identity.address, 100.0 * m_foundOvershoot, 100.0 * m_tunedOvershoot);
     std::fflush(stdout);
 }
 

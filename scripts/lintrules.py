@@ -4,7 +4,7 @@ text with comments and literals blanked, so that a rule finds only what is compi
 what each rejects."""
 import re
 
-from linttext import code_of, functions_of
+from linttext import code_of, functions_of, without_comments
 
 # Names that a rule forbids and we keep, each with its reason.
 ALLOWED_NAMES = {
@@ -155,6 +155,29 @@ def layering(path, text, _code):
             yield line, "error", f"{include}: nothing of the screen in {folder}"
 
 
+# Facts of a family are data of its folder. A name of one elsewhere is a fact that leaked, but for the examples in what people
+# are told to type, which must be real.
+FAMILY_NAME = re.compile(r"dmc60c|supermodified|abstract ?dc|quad ?quad(?:2drv)?", re.IGNORECASE)
+FAMILY_EXAMPLES = {
+    "app/console/commandline.cpp",  # "a DEVICE is LINK/FAMILY:ADDRESS, such as sim:can/dmc60c:5", and so in the next
+    "app/console/parameters.cpp",
+    "app/console/simulate.cpp",
+    "devices/model/identity.cpp",
+    "devices/model/simulator.cpp",
+    "widgets/common/devicephrases.cpp",  # patterns of sentences that families say
+    "widgets/monitor/framefilterterms.cpp",  # the help of the filter's language
+}
+
+
+def families(path, text, _code):
+    if not is_cpp(path) or not path.startswith(("devices/", "widgets/", "app/")) or path.startswith("devices/families/"):
+        return
+    if path in FAMILY_EXAMPLES:
+        return
+    for line, match in matches(FAMILY_NAME, without_comments(text)):
+        yield line, "error", f"{match[0]}: what is known of a family is data of its folder (model/family.h)"
+
+
 FILE_LINES = (300, 500)
 FUNCTION_LINES = (40, 60)
 CONSTRUCTOR_LINES = 25
@@ -181,7 +204,7 @@ def absolute_paths(_path, text, _code):
         yield line, "error", f"{match[0]}: no path of one machine"
 
 
-RULES = (licence, names, forbidden, operands, layering, budgets, absolute_paths)
+RULES = (licence, names, forbidden, operands, layering, families, budgets, absolute_paths)
 
 
 def check_file(path, text):

@@ -23,6 +23,11 @@ def code_of(text):
     return LITERALS.sub(blank, text)
 
 
+def without_comments(text):
+    """The text with comments blanked and literals as they are."""
+    return LITERALS.sub(lambda match: blank(match) if match[0].startswith("/") else match[0], text)
+
+
 CONTAINER = re.compile(r"^(?:export\s+)?(?:inline\s+)?(?:namespace\b|extern\s*\"|(?:template\s*<.*>\s*)?(?:class|struct|union|enum)\b[^()]*$)")
 INITIALIZERS = re.compile(r"\)\s*(?:noexcept\s*(?:\([^)]*\)\s*)?)?:(?!:)")
 NAME = re.compile(r"([~\w:]+|operator\s*\S+?)\s*\(")

@@ -185,26 +185,6 @@
         <translation>Nicht ausgeführt: %1</translation>
     </message>
     <message>
-        <source>over-current</source>
-        <translation>Überstrom</translation>
-    </message>
-    <message>
-        <source>over-temperature</source>
-        <translation>Übertemperatur</translation>
-    </message>
-    <message>
-        <source>under-voltage</source>
-        <translation>Unterspannung</translation>
-    </message>
-    <message>
-        <source>gate driver</source>
-        <translation>Gatetreiber</translation>
-    </message>
-    <message>
-        <source>communication</source>
-        <translation>Kommunikation</translation>
-    </message>
-    <message>
         <source>off</source>
         <translation>aus</translation>
     </message>
@@ -283,14 +263,6 @@
     <message>
         <source>axis %1: %2</source>
         <translation>Achse %1: %2</translation>
-    </message>
-    <message>
-        <source>encoder glitch</source>
-        <translation>Encoderstörung</translation>
-    </message>
-    <message>
-        <source>overspeed</source>
-        <translation>Überdrehzahl</translation>
     </message>
     <message>
         <source>Dialect %1</source>
@@ -2569,14 +2541,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Busspannung unbekannt</translation>
     </message>
     <message>
-        <source>Page 0 is being written: it must not be cut</source>
-        <translation>Seite 0 wird geschrieben: nicht unterbrechen</translation>
-    </message>
-    <message>
-        <source>The unit then waits in its bootloader; the update can be run again</source>
-        <translation>Das Gerät wartet dann im Bootloader; das Update lässt sich wiederholen</translation>
-    </message>
-    <message>
         <source>%1 s a page, about %2 s left</source>
         <translation>%1 s je Seite, noch etwa %2 s</translation>
     </message>
@@ -2595,10 +2559,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Failed: %1</source>
         <translation>Fehlgeschlagen: %1</translation>
-    </message>
-    <message>
-        <source>Cancelled. The unit waits in its bootloader; run the update again.</source>
-        <translation>Abgebrochen. Das Gerät wartet im Bootloader; Update wiederholen.</translation>
     </message>
     <message>
         <source>Nothing running</source>
@@ -2625,14 +2585,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Jetzt wird nichts geschrieben</translation>
     </message>
     <message>
-        <source>Page 0 holds the reset vector. A cut now cannot be repaired over the bus.</source>
-        <translation>Seite 0 enthält den Reset-Vektor. Eine Unterbrechung jetzt lässt sich über den Bus nicht beheben.</translation>
-    </message>
-    <message>
-        <source>A unit that is cut stays in its bootloader and can be updated again. Only page 0, the last, must not be interrupted.</source>
-        <translation>Ein unterbrochenes Gerät bleibt im Bootloader und lässt sich erneut aktualisieren. Nur Seite 0, die letzte, darf nicht unterbrochen werden.</translation>
-    </message>
-    <message>
         <source>Open a firmware image</source>
         <translation>Firmware-Image öffnen</translation>
     </message>
@@ -2653,24 +2605,12 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>unbekannt</translation>
     </message>
     <message>
-        <source>A board that is cut stays in its bootloader. Leave the jumper in and run the update again.</source>
-        <translation>Eine unterbrochene Platine bleibt im Bootloader. Steckbrücke stecken lassen und Update wiederholen.</translation>
-    </message>
-    <message>
-        <source>The flash is being written: it must not be cut</source>
-        <translation>Der Flash wird geschrieben: nicht unterbrechen</translation>
-    </message>
-    <message>
-        <source>Nothing is written yet; the update can be run again</source>
-        <translation>Noch ist nichts geschrieben; das Update kann noch einmal gestartet werden</translation>
-    </message>
-    <message>
-        <source>A unit that is cut while it is written holds half a program. It runs again once an update has succeeded.</source>
-        <translation>Ein Gerät, das beim Schreiben unterbrochen wird, enthält ein halbes Programm. Es läuft wieder, sobald ein Update gelungen ist.</translation>
-    </message>
-    <message>
         <source>One update a bus: %1 is being written.</source>
         <translation>Eine Aktualisierung je Bus: %1 wird gerade beschrieben.</translation>
+    </message>
+    <message>
+        <source>Cancelled. %1.</source>
+        <translation>Abgebrochen. %1.</translation>
     </message>
 </context>
 <context>
@@ -3310,21 +3250,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
-    <name>mb::JumperDrawing</name>
-    <message>
-        <source>Drawing: the jumper connects AUX1 and AUX2; adapter TX to board RX, RX to TX, 3.3 V, GND</source>
-        <translation>Zeichnung: die Steckbrücke verbindet AUX1 und AUX2; TX des Adapters an RX der Platine, RX an TX, 3.3 V, GND</translation>
-    </message>
-    <message>
-        <source>Drawing: the jumper between AUX1 and AUX2 is taken out</source>
-        <translation>Zeichnung: die Steckbrücke zwischen AUX1 und AUX2 ist abgezogen</translation>
-    </message>
-    <message>
-        <source>adapter, 3.3 V</source>
-        <translation>Adapter, 3.3 V</translation>
-    </message>
-</context>
-<context>
     <name>mb::Lamp</name>
     <message>
         <source>SAFE</source>
@@ -3535,10 +3460,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>braucht ein Gerät; zuerst eine Verbindung öffnen</translation>
     </message>
     <message>
-        <source>lost</source>
-        <translation>verloren</translation>
-    </message>
-    <message>
         <source>simulated bench</source>
         <translation>simulierter Prüfstand</translation>
     </message>
@@ -3549,18 +3470,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>the window lost the focus</source>
         <translation>das Fenster verlor den Fokus</translation>
-    </message>
-    <message>
-        <source>REC %1</source>
-        <translation>REC %1</translation>
-    </message>
-    <message>
-        <source>%1: %2 frames received, %3 sent, %4 dropped, %5 errors</source>
-        <translation>%1: %2 Frames empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
-    </message>
-    <message>
-        <source>%1: %2 bytes received, %3 sent, %4 dropped, %5 errors</source>
-        <translation>%1: %2 Bytes empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
     </message>
     <message>
         <source>stop every motor</source>
@@ -3625,6 +3534,22 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>held for 1 s: arms; let go early it does nothing</source>
         <translation>1 s gehalten: schaltet scharf; zu früh losgelassen geschieht nichts</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames received, %3 sent, %4 dropped, %5 errors</source>
+        <translation>%1: %2 Frames empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
+    </message>
+    <message>
+        <source>%1: %2 bytes received, %3 sent, %4 dropped, %5 errors</source>
+        <translation>%1: %2 Bytes empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation>REC %1</translation>
     </message>
 </context>
 <context>
@@ -10873,6 +10798,194 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>before update</source>
         <translation>vor dem Update</translation>
+    </message>
+    <message>
+        <source>Nothing is written yet; the update can be run again</source>
+        <translation>Noch ist nichts geschrieben; das Update kann noch einmal gestartet werden</translation>
+    </message>
+    <message>
+        <source>The flash is being written: it must not be cut</source>
+        <translation>Der Flash wird geschrieben: nicht unterbrechen</translation>
+    </message>
+    <message>
+        <source>A unit that is cut while it is written holds half a program. It runs again once an update has succeeded.</source>
+        <translation>Ein Gerät, das beim Schreiben unterbrochen wird, enthält ein halbes Programm. Es läuft wieder, sobald ein Update gelungen ist.</translation>
+    </message>
+    <message>
+        <source>output saturated</source>
+        <translation>Ausgang am Anschlag</translation>
+    </message>
+    <message>
+        <source>output wrapped around</source>
+        <translation>Ausgang übergelaufen</translation>
+    </message>
+    <message>
+        <source>over-current</source>
+        <translation>Überstrom</translation>
+    </message>
+    <message>
+        <source>over-temperature</source>
+        <translation>Übertemperatur</translation>
+    </message>
+    <message>
+        <source>under-voltage</source>
+        <translation>Unterspannung</translation>
+    </message>
+    <message>
+        <source>gate driver</source>
+        <translation>Gatetreiber</translation>
+    </message>
+    <message>
+        <source>communication</source>
+        <translation>Kommunikation</translation>
+    </message>
+    <message>
+        <source>The unit then waits in its bootloader; the update can be run again</source>
+        <translation>Das Gerät wartet dann im Bootloader; das Update lässt sich wiederholen</translation>
+    </message>
+    <message>
+        <source>Page 0 is being written: it must not be cut</source>
+        <translation>Seite 0 wird geschrieben: nicht unterbrechen</translation>
+    </message>
+    <message>
+        <source>A unit that is cut stays in its bootloader and can be updated again. Only page 0, the last, must not be interrupted.</source>
+        <translation>Ein unterbrochenes Gerät bleibt im Bootloader und lässt sich erneut aktualisieren. Nur Seite 0, die letzte, darf nicht unterbrochen werden.</translation>
+    </message>
+    <message>
+        <source>Page 0 holds the reset vector. A cut now cannot be repaired over the bus.</source>
+        <translation>Seite 0 enthält den Reset-Vektor. Eine Unterbrechung jetzt lässt sich über den Bus nicht beheben.</translation>
+    </message>
+    <message>
+        <source>adapter, 3.3 V</source>
+        <translation>Adapter, 3.3 V</translation>
+    </message>
+    <message>
+        <source>Drawing: the jumper connects AUX1 and AUX2; adapter TX to board RX, RX to TX, 3.3 V, GND</source>
+        <translation>Zeichnung: die Steckbrücke verbindet AUX1 und AUX2; TX des Adapters an RX der Platine, RX an TX, 3.3 V, GND</translation>
+    </message>
+    <message>
+        <source>Drawing: the jumper between AUX1 and AUX2 is taken out</source>
+        <translation>Zeichnung: die Steckbrücke zwischen AUX1 und AUX2 ist abgezogen</translation>
+    </message>
+    <message>
+        <source>encoder glitch</source>
+        <translation>Encoderstörung</translation>
+    </message>
+    <message>
+        <source>overspeed</source>
+        <translation>Überdrehzahl</translation>
+    </message>
+    <message>
+        <source>A board that is cut stays in its bootloader. Leave the jumper in and run the update again.</source>
+        <translation>Eine unterbrochene Platine bleibt im Bootloader. Steckbrücke stecken lassen und Update wiederholen.</translation>
+    </message>
+    <message>
+        <source>the motor stalled</source>
+        <translation>der Motor ist blockiert</translation>
+    </message>
+    <message>
+        <source>the position left its range upwards</source>
+        <translation>die Position hat ihren Bereich nach oben verlassen</translation>
+    </message>
+    <message>
+        <source>the position left its range downwards</source>
+        <translation>die Position hat ihren Bereich nach unten verlassen</translation>
+    </message>
+    <message>
+        <source>it has no such command</source>
+        <translation>diesen Befehl gibt es nicht</translation>
+    </message>
+    <message>
+        <source>wrong number of data bytes</source>
+        <translation>falsche Anzahl von Datenbytes</translation>
+    </message>
+    <message>
+        <source>a value that it does not take</source>
+        <translation>ein Wert, den es nicht annimmt</translation>
+    </message>
+    <message>
+        <source>not possible while the motor is not started</source>
+        <translation>nicht möglich, solange der Motor nicht gestartet ist</translation>
+    </message>
+    <message>
+        <source>data bytes where none belong</source>
+        <translation>Datenbytes, wo keine hingehören</translation>
+    </message>
+    <message>
+        <source>I2C: nobody answers</source>
+        <translation>I2C: niemand antwortet</translation>
+    </message>
+    <message>
+        <source>I2C: bus error</source>
+        <translation>I2C: Busfehler</translation>
+    </message>
+    <message>
+        <source>I2C: arbitration lost</source>
+        <translation>I2C: Arbitrierung verloren</translation>
+    </message>
+    <message>
+        <source>I2C: indeterminate state</source>
+        <translation>I2C: unbestimmter Zustand</translation>
+    </message>
+    <message>
+        <source>I2C: the bus did not become ready</source>
+        <translation>I2C: der Bus wurde nicht bereit</translation>
+    </message>
+    <message>
+        <source>I2C: sending took too long</source>
+        <translation>I2C: das Senden dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>I2C: receiving took too long</source>
+        <translation>I2C: das Empfangen dauerte zu lange</translation>
+    </message>
+    <message>
+        <source>I2C: a packet was overwritten</source>
+        <translation>I2C: ein Paket wurde überschrieben</translation>
+    </message>
+    <message>
+        <source>I2C: a packet of wrong length</source>
+        <translation>I2C: ein Paket falscher Länge</translation>
+    </message>
+    <message>
+        <source>UART: out of memory</source>
+        <translation>UART: kein Speicher mehr</translation>
+    </message>
+    <message>
+        <source>UART: framing error</source>
+        <translation>UART: Rahmenfehler</translation>
+    </message>
+    <message>
+        <source>UART: parity error</source>
+        <translation>UART: Paritätsfehler</translation>
+    </message>
+    <message>
+        <source>UART: receive buffer overflow</source>
+        <translation>UART: Empfangspuffer übergelaufen</translation>
+    </message>
+    <message>
+        <source>UART: data overrun (the datasheet means a framing error)</source>
+        <translation>UART: Datenüberlauf (das Datenblatt meint einen Rahmenfehler)</translation>
+    </message>
+    <message>
+        <source>UART: sending took too long (the datasheet means a parity error)</source>
+        <translation>UART: das Senden dauerte zu lange (das Datenblatt meint einen Paritätsfehler)</translation>
+    </message>
+    <message>
+        <source>UART: receive buffer overflow, by the datasheet&apos;s number</source>
+        <translation>UART: Empfangspuffer übergelaufen, nach der Nummer des Datenblatts</translation>
+    </message>
+    <message>
+        <source>UART: data overrun, by the datasheet&apos;s number</source>
+        <translation>UART: Datenüberlauf, nach der Nummer des Datenblatts</translation>
+    </message>
+    <message>
+        <source>a frame paused for more than 50 ms</source>
+        <translation>eine Nachricht stockte länger als 50 ms</translation>
+    </message>
+    <message>
+        <source>wrong checksum</source>
+        <translation>falsche Prüfsumme</translation>
     </message>
 </context>
 </TS>

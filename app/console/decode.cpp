@@ -189,7 +189,7 @@ Job declareDecode(CLI::App &arguments)
     const auto a = std::make_shared<Arguments>();
     arguments.add_option(
         "file", a->file, "Text of candump -L, of monitor, or a Vector ASC log; standard input otherwise");
-    arguments.add_option("--dialect", a->dialect, "Of Abstract DC frames: F (the usual one), L, LL or D");
+    arguments.add_option("--dialect", a->dialect, dialectHelp());
     return [a](Console &console) { return decode(console, *a); };
 }
 

@@ -5,8 +5,8 @@
 #include "app/console/verb.h"
 #include "app/folders/userfolders.h"
 #include "async/event.h"
+#include "model/filebytes.h"
 #include "model/operation.h"
-#include "model/parameterfile.h"
 #include "model/transcript.h"
 
 #include <algorithm>

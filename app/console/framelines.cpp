@@ -2,6 +2,7 @@
 #include "app/console/framelines.h"
 
 #include "app/console/target.h"
+#include "model/registry.h"
 #include "wire/bytelog.h"
 
 #include <algorithm>
@@ -175,6 +176,19 @@ void FrameLines::printText(
     Duration time, std::string_view link, const CanFrame &frame, const std::optional<DecodedFrame> &decoded)
 {
     m_console.out().line(toCandumpLine(time, link, frame) + textOf(decoded));
+}
+
+std::string dialectHelp()
+{
+    std::string help = "How frames are read of families with dialects, the usual one first:";
+    for (const Family *family : mb::families()) {
+        for (const DialectChoice &row : family->dialects) {
+            if (family->decodeCan)
+                help += (&row == &family->dialects.front() ? ' ' + std::string(family->title) + ' ' : ", ")
+                    + std::string(row.key);
+        }
+    }
+    return help;
 }
 
 Result<void> checkDialect(const Console &console, const std::string &dialect)

@@ -55,6 +55,8 @@ private:
     std::map<std::string, std::vector<CanDecoder>, std::less<>> m_buses;
 };
 
+/// Help of --dialect: the families that have any, with theirs.
+[[nodiscard]] std::string dialectHelp();
 /// Of --dialect: empty, or one that some family speaks.
 [[nodiscard]] Result<void> checkDialect(const Console &console, const std::string &dialect);
 

@@ -73,8 +73,7 @@ Job declareMonitor(CLI::App &arguments)
     const auto a = std::make_shared<Arguments>();
     arguments.add_option("link", a->link, "Such as socketcan:can0")->required();
     arguments.add_option("--for", a->seconds, "Seconds; until a signal otherwise");
-    arguments.add_option(
-        "--dialect", a->dialect, "How frames of families with dialects are read; the usual one otherwise");
+    arguments.add_option("--dialect", a->dialect, dialectHelp());
     return [a](Console &console) { return monitor(console, *a); };
 }
 

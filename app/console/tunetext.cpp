@@ -3,7 +3,7 @@
 
 #include "app/console/table.h"
 #include "app/console/target.h"
-#include "model/parameterfile.h"
+#include "model/filebytes.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -30,6 +30,11 @@ Device::Device(const Family &family, Link &link, Clock &clock, Identity identity
 
 Device::~Device() = default;
 
+bool Device::hasWatchdog() const
+{
+    return m_family.capabilities.watchdog;
+}
+
 namespace {
 
 const DialectChoice *dialectOf(const Family &family, std::string_view key)

@@ -10,7 +10,7 @@
 #include "model/parameterstore.h"
 #include "model/progress.h"
 #include "model/setpoint.h"
-#include "model/stopscript.h"
+#include "model/stoppable.h"
 #include "model/telemetry.h"
 #include "transport/link.h"
 
@@ -51,24 +51,27 @@ struct Liveness {
 
 /// One controller. Engine thread only, but for `telemetry()`, whose readers may be anywhere. Tasks it returns must end or be
 /// destroyed before it; one of its tasks at a time.
-class Device {
+class Device : public Stoppable {
 public:
     Device(const Device &) = delete;
     Device &operator=(const Device &) = delete;
     virtual ~Device();
 
     [[nodiscard]] const Family &family() const { return m_family; }
-    [[nodiscard]] Link &link() const { return m_link; }
-    [[nodiscard]] Clock &clock() const { return m_clock; }
+    [[nodiscard]] Link &link() const override { return m_link; }
+    [[nodiscard]] Clock &clock() const override { return m_clock; }
     [[nodiscard]] const Identity &identity() const { return m_identity; }
     /// What a newer scan found.
     void setIdentity(Identity identity);
-    [[nodiscard]] std::string selector() const { return selectorOf(m_link.address(), m_identity).text(); }
+    [[nodiscard]] std::string selector() const override { return selectorOf(m_link.address(), m_identity).text(); }
 
     [[nodiscard]] ParameterStore &parameters() { return m_parameters; }
     [[nodiscard]] const ParameterStore &parameters() const { return m_parameters; }
     [[nodiscard]] const std::shared_ptr<Telemetry> &telemetry() const { return m_telemetry; }
     [[nodiscard]] const Liveness &liveness() const { return m_liveness; }
+    [[nodiscard]] bool isHeard() const override { return m_liveness.heard; }
+    [[nodiscard]] bool isMoving() const override { return m_liveness.moving; }
+    [[nodiscard]] bool hasWatchdog() const override;
     /// What it tells of itself by the rows of Family::states: limits that hold, a halt, levels of pins. Nothing while it is not heard.
     [[nodiscard]] const LiveStates &states() const { return m_states; }
     /// Identity, liveness, faults or states changed; of inputs it is told every 50 ms at most.
@@ -103,7 +106,7 @@ public:
 
     /// What stops this device when this process, or its engine thread, cannot: sent by the guardian and by the stop lane
     /// (docs/architecture.md).
-    [[nodiscard]] StopScript stopScript() const { return doStopScript(); }
+    [[nodiscard]] StopScript stopScript() const override { return doStopScript(); }
     /// Who stops the motor if this program dies. A device without a watchdog takes commands only while it stands.
     [[nodiscard]] DeviceGuard &guard() { return m_guard; }
 
@@ -137,19 +140,19 @@ public:
     void moveReleased();
     /// Stop, now, without waiting for anything; before everything that is queued on the link. Always allowed. stopping() follows
     /// it up.
-    void stop();
+    void stop() override;
     /// Whether STOP does it no harm even when it does not move: Unsafe with the reason for a unit in its bootloader or under
     /// update, a recording, and where what stops others of the family may start this one.
-    [[nodiscard]] Result<void> mayStop() const;
+    [[nodiscard]] Result<void> mayStop() const override;
     [[nodiscard]] DeviceStop &stopping() { return m_stop; }
     [[nodiscard]] const DeviceStop &stopping() const { return m_stop; }
     /// The same stop once more; telemetry that is younger than the first counts.
-    void repeatStop() { doRepeatStop(); }
+    void repeatStop() override { doRepeatStop(); }
     /// While it is true nothing drives the device: STOP was pressed, and this thread has not come to it yet. Outlives the device.
     void setStopGate(const std::atomic<bool> *gate) { m_stopGate = gate; }
     [[nodiscard]] bool isStopPressed() const { return m_stopGate && *m_stopGate; }
     /// Seen by telemetry that is younger than the call to stop(): output off.
-    [[nodiscard]] bool isSeenStopped() const { return doIsSeenStopped(); }
+    [[nodiscard]] bool isSeenStopped() const override { return doIsSeenStopped(); }
 
     /// Stops the motor, waits until the device has acknowledged that, and makes the present position 0 (Capabilities::
     /// zeroPosition). The motor stays off. Unsafe when the stop is not acknowledged: nothing was zeroed then.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/deviceguard.h"
 
-#include "model/device.h"
-#include "model/family.h"
+#include "model/stoppable.h"
 
 namespace mb {
 namespace {
@@ -15,7 +14,7 @@ constexpr Duration lookEvery = 10ms;
 
 } // namespace
 
-DeviceGuard::DeviceGuard(Device &device)
+DeviceGuard::DeviceGuard(Stoppable &device)
     : m_device(device)
     , m_renewal(device.clock())
     , m_look(device.clock())
@@ -26,7 +25,7 @@ DeviceGuard::~DeviceGuard() = default;
 
 bool DeviceGuard::isNeeded() const
 {
-    return !m_device.family().capabilities.watchdog && m_device.link().outlet().form != Outlet::Form::InProcess;
+    return !m_device.hasWatchdog() && m_device.link().outlet().form != Outlet::Form::InProcess;
 }
 
 Result<void> DeviceGuard::possible() const

@@ -9,13 +9,13 @@
 
 namespace mb {
 
-class Device;
+class Stoppable;
 
 /// Keeps a device without a watchdog under guard while it may be driven (docs/architecture.md, Guardian). Nothing of it is needed
 /// for devices with a watchdog, and for simulated ones, which end with this process. Engine thread.
 class DeviceGuard {
 public:
-    explicit DeviceGuard(Device &device);
+    explicit DeviceGuard(Stoppable &device);
     DeviceGuard(const DeviceGuard &) = delete;
     DeviceGuard &operator=(const DeviceGuard &) = delete;
     ~DeviceGuard();
@@ -52,7 +52,7 @@ private:
     void drop();
     [[nodiscard]] bool hasLapsed() const;
 
-    Device &m_device;
+    Stoppable &m_device;
     MotionGuard *m_source = nullptr;
     std::unique_ptr<GuardWatch> m_watch;
     Subscription m_watchChanged;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/devicestop.h"
 
-#include "model/device.h"
-#include "model/family.h"
+#include "model/stoppable.h"
 
 namespace mb {
 namespace {
@@ -19,7 +18,7 @@ constexpr Duration watchdogLimit = 250ms; ///< every family's with a margin; 104
 
 } // namespace
 
-DeviceStop::DeviceStop(Device &device)
+DeviceStop::DeviceStop(Stoppable &device)
     : m_device(device)
     , m_look(device.clock())
 {
@@ -46,10 +45,10 @@ void DeviceStop::driven()
 
 void DeviceStop::told()
 {
-    m_forMotion = m_forMotion || m_moved || m_device.liveness().moving;
+    m_forMotion = m_forMotion || m_moved || m_device.isMoving();
     m_isOurLine = true;
     m_toldAt = m_sentAt = m_device.clock().now();
-    const bool cut = m_device.link().state() != LinkState::Open && !m_device.family().capabilities.watchdog;
+    const bool cut = m_device.link().state() != LinkState::Open && !m_device.hasWatchdog();
     m_look.startIn(confirmEvery, [this] { look(); });
     enter(cut ? StopState::Owed : StopState::Stopping);
 }
@@ -98,7 +97,7 @@ void DeviceStop::lookAtCutLine()
 {
     const Duration since = m_device.clock().now() - m_toldAt;
     m_look.startIn(m_state == StopState::Stopping ? confirmEvery : confirmRarely, [this] { look(); });
-    if (!m_device.family().capabilities.watchdog)
+    if (!m_device.hasWatchdog())
         enter(since < debtLimit ? StopState::Owed : StopState::Unconfirmed);
     else if (since >= watchdogLimit)
         enter(StopState::ByWatchdog);
@@ -108,13 +107,13 @@ void DeviceStop::lookAtOpenLine()
 {
     const Instant now = m_device.clock().now();
     const Duration since = now - m_toldAt;
-    const bool heard = m_device.liveness().heard;
+    const bool heard = m_device.isHeard();
     if (m_state == StopState::Stopping && since >= (heard ? coastLimit : noSignLimit)) {
         if (!m_forMotion) {
             enter(StopState::Silent);
             return;
         }
-        enter(!heard && m_device.family().capabilities.watchdog ? StopState::ByWatchdog : StopState::Unconfirmed);
+        enter(!heard && m_device.hasWatchdog() ? StopState::ByWatchdog : StopState::Unconfirmed);
     }
     const Duration pause = m_state == StopState::Stopping ? stopAgain : stopRarely;
     if (isDue() && now - m_sentAt >= pause && m_device.mayStop()) {

@@ -6,7 +6,7 @@
 
 namespace mb {
 
-class Device;
+class Stoppable;
 
 /// Why motors are stopped; it decides which.
 enum class StopCause {
@@ -32,7 +32,7 @@ public:
     /// No stop is owed for longer.
     static constexpr Duration debtLimit = std::chrono::minutes(10);
 
-    explicit DeviceStop(Device &device);
+    explicit DeviceStop(Stoppable &device);
     DeviceStop(const DeviceStop &) = delete;
     DeviceStop &operator=(const DeviceStop &) = delete;
 
@@ -64,7 +64,7 @@ private:
     void lookAtOpenLine();
     void enter(StopState state);
 
-    Device &m_device;
+    Stoppable &m_device;
     StopState m_state = StopState::None;
     bool m_moved = false;
     bool m_forMotion = false;

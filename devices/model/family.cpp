@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/family.h"
 
+#include "model/axis.h"
 #include "model/registry.h"
 
 namespace mb {
@@ -22,6 +23,41 @@ const Family *findFamily(std::span<const Family *const> families, std::string_vi
     for (const Family *family : families) {
         if (family->key == key)
             return family;
+    }
+    return nullptr;
+}
+
+double usualRange(std::span<const ModeRange> ranges, Mode mode)
+{
+    for (const ModeRange &range : ranges) {
+        if (range.mode == mode)
+            return range.usual;
+    }
+    switch (mode) {
+    case Mode::Duty: return 1.0;
+    case Mode::Velocity:
+    case Mode::RampVelocity: return 100e3;
+    case Mode::Position:
+    case Mode::RampPosition: return 40960.0;
+    case Mode::Current: return 20.0;
+    case Mode::Voltage: return 12.0;
+    case Mode::Follow:
+    case Mode::Off: break;
+    }
+    return 0.0;
+}
+
+const UpdateWords &updateWords(const Family &family)
+{
+    return family.routes.empty() ? family.updateWords : family.routes.front().words;
+}
+
+const FaultRow *findFault(const Family &family, std::string_view key)
+{
+    const std::string_view own = axisOf(key) > 0 ? key.substr(key.find('.') + 1) : key;
+    for (const FaultRow &row : family.faults) {
+        if (row.key == own)
+            return &row;
     }
     return nullptr;
 }

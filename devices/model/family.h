@@ -1,17 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/task.h"
+#include "model/channel.h"
 #include "model/decoded.h"
-#include "model/device.h"
 #include "model/firmwareimage.h"
+#include "model/identity.h"
+#include "model/livestate.h"
+#include "model/parameterstore.h"
+#include "model/progress.h"
+#include "model/setpoint.h"
 #include "model/simulator.h"
 #include "model/trialtraits.h"
+#include "model/updateroute.h"
 
 #include <functional>
 #include <utility>
 
 namespace mb {
 
+class Device;
 class SetPointStream;
 
 /// What a device of this family can do; each has its clause in the contract test.
@@ -32,11 +40,15 @@ struct Capabilities {
     bool outputOptions = true; ///< ramp, brake, direction and limits of a SetPoint mean something
     /// Device::setRate() changes nothing that anybody else relies on: the device is asked more often, or sends to us alone.
     bool freeRates = true;
-    int lastAddress = 63; ///< renumber: 1 … this
+    int lastAddress = 63;   ///< renumber: 1 … this
+    int lastFollowed = 255; ///< Mode::Follow: the number of the device to follow is 1 … this
     bool commandsProfile
         = false; ///< SetPoint::velocity and acceleration are the profile of RampPosition and RampVelocity
     /// Greatest duty of a motor's first motion while nobody has set its power limit; 0: no such care is needed.
     double firstPower = 0.0;
+    double lowestSupply = 0.0;    ///< V; an update with less on the channel bus_voltage is warned of
+    double fastestProfile = 0.0;  ///< counts/s, SetPoint::velocity is at most this; 0: no profile is commanded
+    double steepestProfile = 0.0; ///< counts/s², the same of SetPoint::acceleration
     int axes = 1; ///< more than one: keys of channels and parameters of an axis begin as in model/axis.h
     int gainSlots = 1;
     /// A scan of a bus of up to eight units is complete by then.
@@ -84,6 +96,35 @@ struct LoopScale {
     bool divided = false;            ///< each loop has a parameter `divisor`
     bool derivativeInverted = false; ///< a positive raw D pushes the same way as the change
     bool calibrated = false; ///< what a raw gain of 1 puts out is not known but by calibration: "velocity.p.scale"
+};
+
+/// A fault that devices of the family report in their telemetry.
+struct FaultRow {
+    std::string_view key;   ///< Liveness::faults, FaultRecord; without the axis
+    std::string_view label; ///< English, marked for translation ("table"): "over-current"
+};
+
+/// What a set-point of a mode may be at first in a window: a hand cannot do much harm within it, and it can be raised.
+struct ModeRange {
+    Mode mode = Mode::Duty;
+    double usual = 0.0; ///< ±, in the mode's unit
+};
+/// Of the mode in `ranges`, or what is usual for it with motors of a few ampere.
+[[nodiscard]] double usualRange(std::span<const ModeRange> ranges, Mode mode);
+
+/// How often a channel must come while somebody watches a step of it.
+struct ChannelRate {
+    std::string_view channel;
+    double hertz = 0.0;
+};
+
+/// Units of `Family::bench` that show off the program (`--tour`): addresses.
+struct DemoUnits {
+    int tuned = 0;
+    int overshooting = 0;                            ///< with gains that are too lively …
+    std::span<const std::string_view> livelyGains{}; ///< … of its velocity loop: P and I
+    int inBootloader = 0;
+    std::string_view image{}; ///< of its firmware: the resource of that name
 };
 
 struct ExperimentOptions {
@@ -140,42 +181,6 @@ struct UpdateOptions {
     bool eraseSettings = false; ///< what the unit has stored goes too; families without such a thing refuse it
 };
 
-/// Something that hands or the program do during an update, in the order of the work. The update reports each as a part of
-/// its progress, numbered from 0.
-struct GuidedStep {
-    std::string_view title;
-    std::string_view text;
-    std::string_view drawing; ///< which one the window shows with it: jumper-closed, jumper-open; empty: none
-};
-
-/// What is not known of a way in, with what is likely; another value goes into `--via` as an option: `?key=value`.
-struct UpdateSetting {
-    std::string_view key;
-    std::string_view label;
-    std::string_view help;
-    std::string_view fallback;
-    std::span<const std::string_view> choices{}; ///< empty: any text
-};
-
-/// What the external program of a route can use, as that program calls it.
-struct Programmer {
-    enum class Port { None, Usb, Serial };
-    std::string_view name;  ///< usbasp
-    std::string_view title; ///< what people call it; a name, or English that widgets translate
-    Port port = Port::None; ///< where it is plugged in, after another colon: nowhere to be told, `usb`, a serial port
-};
-
-/// A way in for an update besides the device's own link: what `--via` is to name.
-struct UpdateRoute {
-    std::string_view scheme;                     ///< before the first colon: openocd
-    std::string_view example;                    ///< openocd:stlink
-    std::span<const std::string_view> targets{}; ///< of `--target`; empty: it needs none
-    bool erasesSettings = false;                 ///< UpdateOptions::eraseSettings
-    std::span<const GuidedStep> steps{};         ///< empty: it needs no hands
-    std::span<const UpdateSetting> settings{};
-    std::span<const Programmer> programmers{}; ///< the usual ones; others may be named, too
-};
-
 enum class UpdateOutcome { Done, UpToDate, Refused, Failed, Cancelled };
 [[nodiscard]] std::string_view toString(UpdateOutcome outcome);
 
@@ -222,7 +227,12 @@ struct Family {
     std::span<const Calibration> calibrations{}; ///< empty: everything is known
     std::span<const Experiment> experiments{};   ///< empty: nothing can be found out
     std::span<const UpdateRoute> routes{};       ///< of update(); empty: the device's own link
+    UpdateWords updateWords{};                   ///< of an update over the device's own link
     std::span<const StateRow> states{};          ///< empty: its devices tell no limits and no pins
+    std::span<const FaultRow> faults{};          ///< empty: its devices tell no faults
+    std::span<const ModeRange> ranges{};         ///< of modes where usualRange() is not what it seems
+    std::span<const ChannelRate> watched{};      ///< while a motion is tuned
+    const DemoUnits *demo = nullptr;             ///< nullptr: the tour shows another family
     const LoopScale *loop = nullptr;             ///< nullptr: what the gains mean is not known
     const TrialTraits *trials = nullptr;         ///< nullptr: no loop of it can be tried
     /// Puts changes of write-only or interlocked parameters into the order that passes through safe states only.
@@ -248,5 +258,10 @@ struct Family {
     Result<ImageSummary> (*inspect)(const FirmwareImage &) = nullptr;
     Result<std::unique_ptr<Simulator>> (*simulate)(Link &, Clock &, const SimulatedUnit &) = nullptr;
 };
+
+/// What is said around an update: of the first route, which is the one that a window offers, or of the device's own link.
+[[nodiscard]] const UpdateWords &updateWords(const Family &family);
+/// nullptr where the family reports no such fault. `key` may begin with an axis: "ch1.glitch".
+[[nodiscard]] const FaultRow *findFault(const Family &family, std::string_view key);
 
 } // namespace mb

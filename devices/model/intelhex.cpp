@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/firmwareimage.h"
+#include "model/intelhex.h"
 
 #include <algorithm>
 #include <array>
@@ -293,6 +293,50 @@ void FirmwareImage::keepLines(std::string_view text)
             continue;
         m_lines.emplace_back(line.substr(0, line.find_last_not_of(blanks) + 1));
     }
+}
+
+namespace {
+
+std::string recordOf(RecordType type, std::uint32_t address, std::span<const std::uint8_t> data)
+{
+    std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(data.size()), static_cast<std::uint8_t>(address >> 8U),
+        static_cast<std::uint8_t>(address & 0xFFU), static_cast<std::uint8_t>(type)};
+    bytes.insert(bytes.end(), data.begin(), data.end());
+    unsigned sum = 0;
+    for (const std::uint8_t byte : bytes)
+        sum += byte;
+    bytes.push_back(static_cast<std::uint8_t>(0U - sum));
+    std::string line = ":";
+    for (const std::uint8_t byte : bytes) {
+        line += "0123456789ABCDEF"[byte >> 4U];
+        line += "0123456789ABCDEF"[byte & 0xFU];
+    }
+    return line + '\n';
+}
+
+} // namespace
+
+std::string toIntelHex(const FirmwareImage &image)
+{
+    constexpr std::size_t perLine = 16;
+    std::string text;
+    std::uint32_t upper = 0;
+    for (const FirmwareImage::Segment &segment : image.segments()) {
+        std::span<const std::uint8_t> rest = image.bytes(segment);
+        std::uint32_t address = segment.first;
+        while (!rest.empty()) {
+            if (address >> 16U != upper) {
+                upper = address >> 16U;
+                const std::array base{static_cast<std::uint8_t>(upper >> 8U), static_cast<std::uint8_t>(upper & 0xFFU)};
+                text += recordOf(RecordType::ExtendedLinear, 0, base);
+            }
+            const std::size_t size = std::min<std::size_t>({rest.size(), perLine, window - (address & 0xFFFFU)});
+            text += recordOf(RecordType::Data, address & 0xFFFFU, rest.first(size));
+            rest = rest.subspan(size);
+            address += static_cast<std::uint32_t>(size);
+        }
+    }
+    return text + recordOf(RecordType::EndOfFile, 0, {});
 }
 
 } // namespace mb

@@ -60,6 +60,17 @@ enum class Nature : std::uint8_t {
     Counter, ///< reading it through a write clears it; never verified, never restored from a file
 };
 
+/// What a parameter does to a motion, for what must know it without knowing the family: the order of writing, a leap that is
+/// asked about, units of gains.
+enum class Role : std::uint8_t {
+    None,
+    Proportional, ///< P, I, D, F: gains of a loop (TrialTraits::loops)
+    Integral,
+    Derivative,
+    FeedForward,
+    Limit, ///< bounds what a motor may do, whichever loop drives it; a boolean switches such a bound
+};
+
 struct Choice {
     std::int64_t raw = 0;
     std::string_view label;
@@ -96,7 +107,20 @@ struct Parameter {
     bool belongsToUnit
         = false; ///< tells one unit from another, or was calibrated for it: not copied to another unit unasked
     bool afterRestart = false; ///< what is written is in force after the next power cycle only, and so not compared
+    Role role = Role::None;
 };
+
+[[nodiscard]] constexpr bool isGain(const Parameter &parameter)
+{
+    return parameter.role >= Role::Proportional && parameter.role <= Role::FeedForward;
+}
+
+/// For tables: the row with this role.
+[[nodiscard]] constexpr Parameter as(Role role, Parameter row)
+{
+    row.role = role;
+    return row;
+}
 
 /// Every row has a key and an id of its own, a default inside its range, and a range that its wire type can carry.
 template <std::size_t N> consteval bool checkParameters(const std::array<Parameter, N> &table)

@@ -57,9 +57,4 @@ struct ParameterDifference {
 [[nodiscard]] std::vector<ParameterDifference> differences(const ParameterSource &source, const ParameterFile &file);
 [[nodiscard]] std::vector<ParameterDifference> differences(const Device &device, const ParameterFile &file);
 
-/// writeFile() for Qt's bytes.
-[[nodiscard]] Result<void> saveFile(const std::string &path, const QByteArray &bytes);
-/// readTextFile() for Qt's bytes.
-[[nodiscard]] Result<QByteArray> loadFile(const std::string &path, std::int64_t limit);
-
 } // namespace mb

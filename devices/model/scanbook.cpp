@@ -2,7 +2,7 @@
 #include "model/scanbook.h"
 
 #include "model/deviceprofile.h"
-#include "model/parameterfile.h"
+#include "model/filebytes.h"
 #include "model/qttext.h"
 
 #include <QDir>

@@ -11,24 +11,24 @@ namespace {
 
 enum class Needs { Nothing, Number, TwoNumbers };
 
-struct FaultRow {
+struct FaultForm {
     std::string_view kind;
     Needs needs;
 };
 constexpr std::array faultRows{
-    FaultRow{"drop", Needs::Number},
-    FaultRow{"corrupt", Needs::Number},
-    FaultRow{"delay", Needs::TwoNumbers},
-    FaultRow{"silent", Needs::Number},
-    FaultRow{"power", Needs::Number},
-    FaultRow{"power-page", Needs::Number},
-    FaultRow{"reset", Needs::Number},
-    FaultRow{"busoff", Needs::Number},
-    FaultRow{"encoder-dead", Needs::Number},
-    FaultRow{"encoder-reversed", Needs::Nothing},
-    FaultRow{"brownout", Needs::Number},
-    FaultRow{"stall", Needs::Number},
-    FaultRow{"duplicate", Needs::Nothing},
+    FaultForm{"drop", Needs::Number},
+    FaultForm{"corrupt", Needs::Number},
+    FaultForm{"delay", Needs::TwoNumbers},
+    FaultForm{"silent", Needs::Number},
+    FaultForm{"power", Needs::Number},
+    FaultForm{"power-page", Needs::Number},
+    FaultForm{"reset", Needs::Number},
+    FaultForm{"busoff", Needs::Number},
+    FaultForm{"encoder-dead", Needs::Number},
+    FaultForm{"encoder-reversed", Needs::Nothing},
+    FaultForm{"brownout", Needs::Number},
+    FaultForm{"stall", Needs::Number},
+    FaultForm{"duplicate", Needs::Nothing},
 };
 
 bool parseNumber(std::string_view text, double &out)
@@ -44,7 +44,7 @@ Result<SimulatedFault> SimulatedFault::parse(std::string_view text)
     SimulatedFault fault;
     fault.kind = text.substr(0, at);
     const auto row
-        = std::find_if(faultRows.begin(), faultRows.end(), [&](const FaultRow &r) { return r.kind == fault.kind; });
+        = std::find_if(faultRows.begin(), faultRows.end(), [&](const FaultForm &r) { return r.kind == fault.kind; });
     if (row == faultRows.end())
         return fail(Fault::OutOfRange, "unknown fault '" + fault.kind + "'");
     const auto bad = [text] { return fail(Fault::OutOfRange, "fault '" + std::string(text) + "' does not parse"); };

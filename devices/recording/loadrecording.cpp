@@ -4,7 +4,6 @@
 #include "recording/loadtable.h"
 #include "recording/mcapreader.h"
 
-#include <array>
 #include <filesystem>
 
 namespace mb {
@@ -51,29 +50,6 @@ Result<std::shared_ptr<LoadedRecording>> loadMcap(const std::string &path)
 }
 
 } // namespace
-
-Quantity quantityOfKey(std::string_view key)
-{
-    constexpr std::array words{std::pair{std::string_view("velocity"), Quantity::Velocity},
-        std::pair{std::string_view("position"), Quantity::Position},
-        std::pair{std::string_view("current"), Quantity::Current}, std::pair{std::string_view("duty"), Quantity::Duty},
-        std::pair{std::string_view("setpoint"), Quantity::SetPoint},
-        std::pair{std::string_view("error"), Quantity::Error},
-        std::pair{std::string_view("voltage"), Quantity::Voltage},
-        std::pair{std::string_view("temperature"), Quantity::Temperature}};
-    for (const auto &[word, quantity] : words) {
-        if (endsWith(key, word))
-            return quantity;
-    }
-    return Quantity::Other;
-}
-
-void addLoadedChannel(LoadedRecording &loaded, const std::string &title, const std::string &unit)
-{
-    const std::string &name = loaded.words.emplace_back(title);
-    const std::string &shownUnit = loaded.words.emplace_back(unit);
-    loaded.table.push_back({name, shownUnit, name, quantityOfKey(name)});
-}
 
 RecordingTotals totalsOf(const LoadedRecording &recording)
 {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "recording/loadrecording.h"
+#include "async/result.h"
+#include "recording/loadedrecording.h"
 
 namespace mb {
 
-void addLoadedChannel(LoadedRecording &loaded, const std::string &title, const std::string &unit);
 /// The CSV half of loadRecording().
 [[nodiscard]] Result<std::shared_ptr<LoadedRecording>> loadTable(const std::string &path);
 

@@ -1,51 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/identity.h"
-#include "model/parameterstore.h"
-#include "tuning/kepttrial.h"
-#include "tuning/kepttuning.h"
-
-#include <QString>
-
-#include <functional>
-#include <string>
-#include <vector>
+#include "report/reportunit.h"
 
 namespace mb {
-
-struct Family;
-
-/// What is told of one unit. Values; what is empty is left out.
-struct ReportUnit {
-    const Family *family = nullptr; ///< nullptr: of a family that this program does not know
-    Identity identity;              ///< as far as it is known; from a notebook family and address only
-    std::string unit;               ///< as Trial::unit
-    std::string selector;
-    bool simulated = false;
-    std::vector<ParameterStore::Entry> parameters; ///< in table order; empty: nobody has read them
-    std::vector<KeptTuning> tunings;               ///< in full, the trials of their proof with signals
-    std::vector<KeptTrial> trials;                 ///< in full, with signals
-    std::vector<KeptTrial> history;                ///< every trial of the unit, one line each
-};
-
-/// What a report is to be about: trials by number, or all that matters of one unit (Trial::unit).
-struct ReportWish {
-    std::vector<std::int64_t> trials;
-    std::string unit;
-    bool tuningsOnly = false; ///< the trials name the tunings that are wanted, and are not shown by themselves
-};
-
-/// What a service engineer hands to a customer: who a unit is, what was measured, with which gains and how it was proven.
-struct Report {
-    double time = 0.0;   ///< Unix time when it was made, s
-    std::string program; ///< "MotorBench 0.1.0"
-    std::vector<ReportUnit> units;
-    /// Words of devices and tables in the language of the reader; English as they are without it.
-    std::function<QString(std::string_view)> phrase;
-
-    [[nodiscard]] bool isSimulated() const;
-};
 
 /// One HTML document that refers to nothing outside it, its plots as inline SVG. It keeps to what QTextDocument understands, so
 /// that the same text becomes a PDF. Its words are translated, its numbers have a dot. `<meta name="simulated">` is there where one

@@ -2,6 +2,7 @@
 #include "service/recipe.h"
 
 #include "model/family.h"
+#include "model/filebytes.h"
 #include "model/parameterfile.h"
 #include "model/qttext.h"
 #include "service/reciperead.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/trialfile.h"
 
-#include "model/parameterfile.h"
+#include "model/filebytes.h"
 #include "model/qttext.h"
 #include "storage/trialjson.h"
 

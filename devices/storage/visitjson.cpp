@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/visitjson.h"
 
-#include "model/parameterfile.h"
+#include "model/filebytes.h"
+#include "model/parameter.h"
 #include "model/qttext.h"
 
 #include <QDateTime>

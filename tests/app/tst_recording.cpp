@@ -4,11 +4,11 @@
 
 #include "support/windowtests.h"
 #include "widgets/common/iconbutton.h"
+#include "widgets/common/replaybar.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/monitor/buspage.h"
 #include "widgets/monitor/framemodel.h"
 #include "widgets/monitor/recordstrip.h"
-#include "widgets/monitor/replaybar.h"
 #include "widgets/plots/plotspage.h"
 
 #include <QTemporaryDir>

@@ -65,6 +65,9 @@ BAD = [
     ("tests/wire/long3.cpp", "namespace {\nTEST(Area, SaysWhat)\n" + body(61) + "}\n", 4, "TEST(Area, SaysWhat) has 61 lines"),
     ("devices/model/long4.h", "class A : public B {\npublic:\n    int f() const\n" + body(61) + "};\n", 5, "f has 61 lines"),
     ("devices/model/long5.cpp", "int x;\n" * 500, 1, "never more than 500"),
+    ("widgets/common/family1.cpp", "// comment\nauto x = \"dmc60c\";\n", 3, "dmc60c: what is known of a family"),
+    ("app/family2.cpp", "using mb::quadquad2drv::axes;\n", 2, "quadquad2drv: what is known of a family"),
+    ("devices/model/family3.cpp", 'auto x = "an Abstract DC Drive";\n', 2, "Abstract DC: what is known of a family"),
     ("tests/wire/path.cpp", 'auto file = "' + "/" + 'tmp/x";\n', 2, "no path of one machine"),
 ]
 
@@ -77,6 +80,9 @@ GOOD = [
     ("devices/model/e.cpp", "const char *x = R\"(co_await {)\";\nint y = 1'000'000;\nchar c = '\"'; // it's\n"),
     ("devices/transport/qtclock.cpp", "auto t = std::chrono::steady_clock::now();\n"),
     ("devices/families/one/a.cpp", '#include "families/one/protocol.h"\n#include "model/device.h"\n#include <QString>\n'),
+    ("devices/model/h.cpp", "// 104 ms of a DMC60C\nint x;\n"),
+    ("devices/families/one/b.cpp", 'auto x = "dmc60c";\n'),
+    ("tests/model/family.cpp", 'auto x = "dmc60c";\n'),
     ("devices/transport/a.cpp", "#include <QCoreApplication>\n#include <QtCore/QString>\n#include <sys/socket.h>\n"),
     ("widgets/common/a.cpp", 'auto x = tr("text");\n#include <QWidget>\nvoid f() { thread.exec(); }\n'),
     ("tests/widgets/a.cpp", "void f() { QCoreApplication::processEvents(); }\n"),
@@ -122,6 +128,20 @@ class Lint(unittest.TestCase):
                 status, output = lint([(name, text)])
                 self.assertEqual(status, 1, output)
                 self.assertIn("the licence line is missing", output)
+
+    def test_a_circle_of_units_or_of_folders_is_rejected_and_a_chain_is_not(self):
+        chain = [("devices/model/a.h", LICENCE + '#include "model/b.h"\n'), ("devices/model/b.h", LICENCE + '#include "wire/c.h"\n'),
+                 ("devices/wire/c.h", LICENCE + "int x;\n"), ("widgets/one/d.h", LICENCE + '#include "widgets/two/e.h"\n'),
+                 ("widgets/two/e.h", LICENCE), ("devices/transport/f.cpp", LICENCE + '#include "transport/backends/g.h"\n'),
+                 ("devices/transport/backends/g.h", LICENCE + '#include "transport/h.h"\n'), ("devices/transport/h.h", LICENCE)]
+        status, output = lint(chain)
+        self.assertEqual(status, 0, output)
+        status, output = lint([*chain, ("devices/model/b.cpp", LICENCE + '#include "model/a.h"\n')])
+        self.assertEqual(status, 1)
+        self.assertIn("error: circle of units: devices/model/a, devices/model/b", output)
+        status, output = lint([*chain, ("widgets/two/i.cpp", LICENCE + '#include "widgets/one/d.h"\n')])
+        self.assertEqual(status, 1)
+        self.assertIn("error: circle of folders: widgets/one, widgets/two", output)
 
     def test_half_a_budget_over_warns_and_passes(self):
         files = [("app/a.cpp", LICENCE + "void f()\n" + body(41)), ("app/b.cpp", LICENCE + "A::A()\n" + body(26)),

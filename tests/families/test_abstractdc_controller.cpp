@@ -360,6 +360,22 @@ TEST_F(AbstractDcController, CurrentIsCountsUntilTheUserKnowsBetter)
     device->stop();
 }
 
+TEST_F(AbstractDcController, TheSetPointOfACurrentIsRecordedAsItWasSent)
+{
+    add("abstractdc:3");
+    open(3, &dialectF);
+    (void)write("current.p", 0);
+    ASSERT_TRUE(device->command(setPoint(Mode::Current, 40.0))) << "counts, while nobody knows better";
+    EXPECT_EQ(latest("setpoint"), 40.0);
+    ASSERT_TRUE(device->calibrate("amperes_per_count", 0.05));
+    clock.advance(2s);
+    ASSERT_TRUE(device->command(setPoint(Mode::Current, 3.0)));
+    EXPECT_NEAR(latest("setpoint"), 3.0, 1e-9);
+    ASSERT_FALSE(sentOf("067#").empty());
+    EXPECT_TRUE(sentOf("067#").back().ends_with("3C000000")) << "60 counts of 0.05 A";
+    device->stop();
+}
+
 TEST_F(AbstractDcController, LogsThatStandStillAreNotRecorded)
 {
     add("abstractdc:3");

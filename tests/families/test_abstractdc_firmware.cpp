@@ -5,6 +5,8 @@
 #include "families/abstractdc/openocd.h"
 #include "families/abstractdc/scan.h"
 #include "families/abstractdc/simulator.h"
+#include "model/device.h"
+#include "model/intelhex.h"
 #include "support/eventloop.h"
 #include "support/hextext.h"
 #include "transport/backends/virtualcan.h"

@@ -182,6 +182,17 @@ TEST_F(Dmc60cBench, DrivesAndIsSeenStopped)
     EXPECT_TRUE(device->isSeenStopped());
 }
 
+TEST_F(Dmc60cBench, TakesTheLongestNameWholeAndNotOneCharacterMore)
+{
+    add("dmc60c:5");
+    const auto device = family.open(host, clock, scanFor(5));
+    const std::string longest = std::string(63, 'n') + '!';
+    ASSERT_TRUE(run(device->rename(longest)));
+    EXPECT_EQ(scanFor(5).name, longest);
+    EXPECT_EQ(run(device->rename(longest + '!')).error().fault, Fault::OutOfRange);
+    EXPECT_EQ(scanFor(5).name, longest);
+}
+
 TEST_F(Dmc60cBench, RenamesRenumbersAndBlinks)
 {
     add("dmc60c:5");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Section 7 of the protocol reference, from the file to the version that the device answers with.
-#include "model/parameterfile.h"
+#include "model/filebytes.h"
 #include "support/hextext.h"
 #include "support/simulatedsession.h"
 #include "support/sourcetree.h"

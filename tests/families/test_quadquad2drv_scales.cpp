@@ -340,6 +340,54 @@ TEST(QuadQuad2DrvGainFit, ALineThroughPowersGivesGainAndFriction)
     EXPECT_FALSE(fitPlant({{1000.0, 600.0, 0.1}, {1500.0, 100.0, 0.1}, {2000.0, 1600.0, 0.1}}));
 }
 
+/// A run of `plant` from rest with constant power, sampled every 10 ms: exact.
+Track trackOf(const Plant &plant, double power, double seconds)
+{
+    Track track;
+    const double fastest = plant.speedAt(power);
+    for (int i = 0; i <= static_cast<int>(seconds * 100.0); ++i) {
+        const double t = i / 100.0;
+        track.seconds.push_back(t);
+        track.counts.push_back(fastest * (t - plant.lag * (1.0 - std::exp(-t / plant.lag))));
+    }
+    return track;
+}
+
+TEST(QuadQuad2DrvGainFit, TheScaleOfAKnownMotorIsFoundToAFewThousandths)
+{
+    const Plant plant{2.0, 300.0, 0.08};
+    const double power = 2000.0;
+    const Track track = trackOf(plant, power, 1.5);
+    for (const double scale : {0.25, 1.0, 8.0}) {
+        const Drive drive{std::vector<double>(track.size(), power / scale), {}, 8191.0};
+        const auto fit = fitScale(plant, track, drive);
+        ASSERT_TRUE(fit) << fit.error().text();
+        EXPECT_NEAR(fit->scale, scale, 0.004 * scale);
+        EXPECT_GT(fit->samples, 100);
+    }
+    // a part of the power is of a gain that is known already
+    const Drive shared{std::vector<double>(track.size(), 100.0), std::vector<double>(track.size(), 1500.0), 8191.0};
+    const auto fit = fitScale(plant, track, shared);
+    ASSERT_TRUE(fit) << fit.error().text();
+    EXPECT_NEAR(fit->scale, 5.0, 0.08);
+}
+
+TEST(QuadQuad2DrvGainFit, ASpeedNeedsThreeSamplesAndCountsThoseAtBothEnds)
+{
+    Track track;
+    for (int i = 0; i < 5; ++i) {
+        track.seconds.push_back(i);
+        track.counts.push_back(i < 4 ? 10.0 * i : 1000.0);
+    }
+    EXPECT_EQ(track.speed(0.5, 2.5), 0.0) << "two samples";
+    EXPECT_NEAR(track.speed(1.0, 3.0), 10.0, 1e-9) << "three, with those at the ends";
+    EXPECT_GT(track.speed(1.0, 4.0), 100.0);
+    EXPECT_EQ(track.way(), 1000.0);
+    EXPECT_EQ(track.end(), 4.0);
+    EXPECT_EQ(Track().way(), 0.0);
+    EXPECT_EQ(Track().end(), 0.0);
+}
+
 TEST(QuadQuad2DrvGainFit, ScalesThatDoNotAgreeAreRefused)
 {
     EXPECT_TRUE(agreed({1.0, 1.02, 0.98}, 0.05));

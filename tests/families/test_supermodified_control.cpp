@@ -283,6 +283,50 @@ TEST_F(SupermodifiedNode, AnotherMasterIsHeardAndLocksControl)
     EXPECT_TRUE(device->mayMove());
 }
 
+TEST_F(SupermodifiedNode, WhatAnotherMasterTellsAnotherNodeIsNoReasonToDoubtThisOne)
+{
+    VirtualSerialLink other(*LinkAddress::parse("sim:serial"), bench.line);
+    ASSERT_TRUE(other.open());
+    ASSERT_TRUE(other.setBaudrate(57600));
+    bench.clock.advance(99ms);
+    const auto toldAnywhere = [&](std::string_view frame) {
+        bool doubted = false;
+        for (int i = 0; i < 40 && !doubted; ++i) {
+            EXPECT_TRUE(other.send(test::bytesOf(frame)));
+            bench.clock.advance(7300us);
+            doubted = device->liveness().foreignMaster;
+        }
+        return doubted;
+    };
+    EXPECT_FALSE(toldAnywhere("55 AA 05 02 1A 00 1A")) << "for node 5";
+    EXPECT_TRUE(toldAnywhere("55 AA 00 02 1A 00 1A")) << "for everybody";
+}
+
+TEST(SupermodifiedControl, ASampleThatIsLostIsCountedOnItsOwnChannelsOnly)
+{
+    // What one poll asks for, by the place of its channels in the table.
+    const std::vector<std::vector<std::uint16_t>> polls{{0, 1}, {2}, {4}, {5}, {6, 7, 8, 9}, {10}};
+    int seen = 0;
+    for (int frame = 40; frame < 70; ++frame) {
+        Bench bench;
+        bench.add("supermodified:4,dialect=D1,fault=drop@" + std::to_string(frame));
+        const std::unique_ptr<Device> device = bench.connect(4);
+        bench.clock.advance(4s);
+        device->telemetry()->commit();
+        std::vector<std::uint16_t> losing;
+        for (std::uint16_t i = 0; i < device->family().channels.size(); ++i) {
+            const std::uint64_t lost = device->telemetry()->lost({i});
+            EXPECT_LE(lost, 1U) << "channel " << i << ", frame " << frame;
+            if (lost > 0)
+                losing.push_back(i);
+        }
+        EXPECT_TRUE(losing.empty() || std::find(polls.begin(), polls.end(), losing) != polls.end())
+            << "frame " << frame << ", first channel " << losing.front() << " of " << losing.size();
+        seen += losing.empty() ? 0 : 1;
+    }
+    EXPECT_GT(seen, 15) << "a lost answer to a poll is a lost sample";
+}
+
 TEST(SupermodifiedControl, CurrentIsACountUntilTheUserSaysWhatItIsWorth)
 {
     Bench bench;

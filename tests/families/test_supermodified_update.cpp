@@ -5,6 +5,8 @@
 #include "families/supermodified/firmware.h"
 #include "families/supermodified/scan.h"
 #include "families/supermodified/simulator.h"
+#include "model/device.h"
+#include "model/intelhex.h"
 #include "model/operation.h"
 #include "model/registry.h"
 #include "support/eventloop.h"

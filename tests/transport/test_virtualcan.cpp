@@ -71,6 +71,20 @@ TEST_F(VirtualCan, AFrameArrivesAtEveryOtherNodeWhenItsBitsHavePassed)
     EXPECT_EQ(b.link->counters().rx, 1U);
 }
 
+TEST_F(VirtualCan, WhoeverHeardAFrameIsToldThatNoMoreAreAtHand)
+{
+    int batches = 0;
+    int ownBatches = 0;
+    const Subscription heard = b.link->batchEnded().add([&batches] { ++batches; });
+    const Subscription own = a.link->batchEnded().add([&ownBatches] { ++ownBatches; });
+    for (std::uint32_t id = 1; id <= 3; ++id)
+        ASSERT_TRUE(a.link->send(standardFrame(id, {})));
+    clock.advance(5ms);
+    EXPECT_EQ(b.frames.size(), 3U);
+    EXPECT_EQ(batches, 3) << "what was decoded of them is committed then";
+    EXPECT_EQ(ownBatches, 0);
+}
+
 TEST_F(VirtualCan, An8ByteExtendedFrameTakes131To160Bits)
 {
     std::mt19937_64 random(7);

@@ -4,10 +4,10 @@
 #include "support/windowtests.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/replaybar.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/monitor/buspage.h"
 #include "widgets/monitor/recordstrip.h"
-#include "widgets/monitor/replaybar.h"
 
 #include <QComboBox>
 #include <QFileDialog>

@@ -40,25 +40,12 @@ QString errorText(const Error &error)
     return detail;
 }
 
-QString faultText(std::string_view key)
+QString faultText(const Family &family, std::string_view key)
 {
-    if (const int axis = axisOf(key); axis > 0)
-        return DeviceText::tr("axis %1: %2").arg(axis).arg(faultText(key.substr(key.find('.') + 1)));
-    if (key == "glitch")
-        return DeviceText::tr("encoder glitch");
-    if (key == "overspeed")
-        return DeviceText::tr("overspeed");
-    if (key == "over_current")
-        return DeviceText::tr("over-current");
-    if (key == "over_temperature")
-        return DeviceText::tr("over-temperature");
-    if (key == "under_voltage")
-        return DeviceText::tr("under-voltage");
-    if (key == "gate_driver")
-        return DeviceText::tr("gate driver");
-    if (key == "communication")
-        return DeviceText::tr("communication");
-    return qt(key);
+    const FaultRow *const row = findFault(family, key);
+    const int axis = row ? axisOf(key) : 0;
+    const QString label = row ? tableText(row->label) : qt(key);
+    return axis > 0 ? DeviceText::tr("axis %1: %2").arg(axis).arg(label) : label;
 }
 
 QString modeText(Mode mode)
@@ -108,7 +95,7 @@ QString lineOf(const DeviceView &device)
     case GlyphState::Unassigned: word = DeviceText::tr("no number yet"); break;
     case GlyphState::Bootloader: word = DeviceText::tr("bootloader, needs firmware"); break;
     case GlyphState::Gone: word = DeviceText::tr("no answer"); break;
-    case GlyphState::Fault: word = faultText(device.liveness.faults.front()); break;
+    case GlyphState::Fault: word = faultText(*device.family, device.liveness.faults.front()); break;
     default: {
         if (hasAxes(*device.family)) {
             word = axesLine(device);
@@ -149,14 +136,13 @@ QStringList alertsOf(const DeviceView &device)
 
 bool isOfAxis(const StateRow &row, int axis)
 {
-    const bool ofOne = row.key.size() > 3 && row.key.substr(0, 2) == "ch" && row.key[3] == '.';
-    return axis == 0 || !ofOne || row.key[2] - '0' == axis;
+    return axis == 0 || axisOf(row.key) == 0 || axisOf(row.key) == axis;
 }
 
 QString stateLabel(const StateRow &row)
 {
-    const bool ofOne = row.key.size() > 3 && row.key.substr(0, 2) == "ch" && row.key[3] == '.';
-    return ofOne ? DeviceText::tr("axis %1: %2").arg(row.key[2] - '0').arg(tableText(row.label)) : tableText(row.label);
+    const int axis = axisOf(row.key);
+    return axis > 0 ? DeviceText::tr("axis %1: %2").arg(axis).arg(tableText(row.label)) : tableText(row.label);
 }
 
 QString statesText(const DeviceView &device)

@@ -23,7 +23,7 @@ namespace mb {
 [[nodiscard]] QString tableText(std::string_view english);
 [[nodiscard]] QString errorText(const Error &error);
 /// "over-current" for the key over_current.
-[[nodiscard]] QString faultText(std::string_view key);
+[[nodiscard]] QString faultText(const Family &family, std::string_view key);
 [[nodiscard]] QString modeText(Mode mode);
 
 [[nodiscard]] GlyphState glyphOf(const DeviceView &device);

@@ -194,7 +194,9 @@ void DeviceCard::showFoot(const DeviceView &device)
     const QStringList alerts = alertsOf(device);
     const bool alert = faults.empty() && !alerts.isEmpty();
     m_faultGlyph->setState(alert ? GlyphState::Warning : faults.empty() ? GlyphState::Done : GlyphState::Fault);
-    m_faults->setText(alert ? alerts.first() : faults.empty() ? tr("no faults") : faultText(faults.front()));
+    m_faults->setText(alert  ? alerts.first()
+            : faults.empty() ? tr("no faults")
+                             : faultText(*device.family, faults.front()));
 }
 
 } // namespace mb

@@ -162,7 +162,10 @@ void DeviceLine::follow()
     const QStringList alerts = alertsOf(*device);
     const bool alert = faults.empty() && !alerts.isEmpty();
     m_faultGlyph->setState(alert ? GlyphState::Warning : faults.empty() ? GlyphState::Done : GlyphState::Fault);
-    showWhole(*m_faults, alert ? alerts.first() : faults.empty() ? tr("no faults") : faultText(faults.front()));
+    showWhole(*m_faults,
+        alert                ? alerts.first()
+            : faults.empty() ? tr("no faults")
+                             : faultText(*device->family, faults.front()));
     setTone(*m_faults, alert ? Tone::Caution : faults.empty() ? Tone::Text : Tone::Danger);
     m_faults->setToolTip(statesText(*device));
     fitValues();

@@ -183,7 +183,7 @@ void Inspector::showLive(const DeviceView &device)
 void Inspector::showParameters(const DeviceView &device)
 {
     const auto &faults = device.liveness.faults;
-    m_faults->setValue(faults.empty() ? tr("none") : faultText(faults.front()));
+    m_faults->setValue(faults.empty() ? tr("none") : faultText(*device.family, faults.front()));
     m_faults->setTone(faults.empty() ? Tone::Ok : Tone::Danger);
     const QStringList alerts = alertsOf(device);
     m_limits->setVisible(!device.family->states.empty());

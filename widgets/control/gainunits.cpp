@@ -3,12 +3,10 @@
 
 #include "model/axis.h"
 #include "widgets/common/devicetext.h"
-#include "widgets/parameters/leap.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <string>
 
@@ -18,11 +16,6 @@ namespace {
 struct GainText {
     Q_DECLARE_TR_FUNCTIONS(GainText)
 };
-
-constexpr std::array<std::string_view, 4> gainNames{"p", "i", "d", "f"};
-constexpr std::array<std::string_view, 9> boundNames{"i_zone", "allowable_error", "ramp", "max_forward", "max_reverse",
-    "nominal_forward", "nominal_reverse", "divisor", "windup"};
-constexpr std::array<std::string_view, 3> limitNames{"power", "velocity", "acceleration"};
 
 /// Device units per SI unit of the error.
 std::optional<double> errorScale(const LoopScale &scale, Mode mode, double countsPerRevolution)
@@ -36,27 +29,40 @@ std::optional<double> errorScale(const LoopScale &scale, Mode mode, double count
     }
 }
 
-QString siUnit(std::string_view gain, Mode mode)
+QString siUnit(Role gain, Mode mode)
 {
     const bool velocity = mode == Mode::Velocity;
     if (mode == Mode::Current)
-        return gain == "i" ? GainText::tr("duty/(A·s)")
-            : gain == "d"  ? GainText::tr("duty·s/A")
-                           : GainText::tr("duty/A");
-    if (gain == "i")
+        return gain == Role::Integral  ? GainText::tr("duty/(A·s)")
+            : gain == Role::Derivative ? GainText::tr("duty·s/A")
+                                       : GainText::tr("duty/A");
+    if (gain == Role::Integral)
         return velocity ? GainText::tr("duty/rad") : GainText::tr("duty/(rad·s)");
-    if (gain == "d")
+    if (gain == Role::Derivative)
         return velocity ? GainText::tr("duty/(rad/s²)") : GainText::tr("duty/(rad/s)");
     return velocity ? GainText::tr("duty/(rad/s)") : GainText::tr("duty/rad");
 }
 
-void collect(const Family &family, const std::string &prefix, std::span<const std::string_view> names,
-    std::vector<ParameterIndex> &out)
+/// The family's loop of a mode. Where all its loops have the same gains, those of the first: they act in every mode.
+const LoopGains *loopOf(const Family &family, Mode mode)
 {
-    for (const std::string_view name : names) {
-        if (const auto index = findParameter(family.parameters, prefix + std::string(name)))
-            out.push_back(*index);
+    const std::span<const LoopGains> loops = family.trials ? family.trials->loops : std::span<const LoopGains>();
+    for (const LoopGains &loop : loops) {
+        if (loop.mode == mode)
+            return &loop;
     }
+    const bool shared = !loops.empty() && std::all_of(loops.begin(), loops.end(), [&](const LoopGains &loop) {
+        return loop.prefix == loops.front().prefix;
+    });
+    return shared ? &loops.front() : nullptr;
+}
+
+std::string prefixOf(const LoopGains &loop, int slot)
+{
+    std::string prefix(loop.prefix);
+    if (const auto place = prefix.find('#'); place != std::string::npos)
+        prefix.replace(place, 1, std::to_string(slot));
+    return prefix;
 }
 
 } // namespace
@@ -69,27 +75,27 @@ bool isClosedLoop(Mode mode)
 
 GainSet gainSet(const Family &family, Mode mode, int slot, int axis)
 {
-    const Mode loop = mode == Mode::RampPosition ? Mode::Position : mode == Mode::RampVelocity ? Mode::Velocity : mode;
-    const std::array prefixes{
-        "slot" + std::to_string(slot) + ".", std::string(toString(loop)) + ".", std::string("gain.")};
+    const Mode closed = mode == Mode::RampPosition ? Mode::Position
+        : mode == Mode::RampVelocity               ? Mode::Velocity
+                                                   : mode;
     GainSet set;
-    for (const std::string &prefix : prefixes) {
-        const std::string whole = axisKey(axis, prefix);
-        collect(family, whole, gainNames, set.gains);
-        if (set.gains.empty())
-            continue;
-        collect(family, whole, boundNames, set.bounds);
-        break;
+    if (const LoopGains *const loop = loopOf(family, closed)) {
+        const std::string prefix = axisKey(axis, prefixOf(*loop, slot));
+        for (const std::string_view name : loop->names) {
+            if (const auto index = findParameter(family.parameters, prefix + std::string(name)))
+                (isGain(family.parameters[index->value]) ? set.gains : set.bounds).push_back(*index);
+        }
     }
-    if (axis > 0) // they act whatever the loop does
-        collect(family, axisKey(axis, "limit."), limitNames, set.bounds);
+    for (std::uint16_t i = 0; axis > 0 && i < family.parameters.size(); ++i) { // they act whatever the loop does
+        if (family.parameters[i].role == Role::Limit && axisOf(family.parameters[i].key) == axis)
+            set.bounds.push_back({i});
+    }
     return set;
 }
 
 QString shortName(const Parameter &parameter)
 {
-    const std::string_view name = gainName(parameter);
-    return isGain(parameter) ? qt(name).toUpper() : tableText(parameter.label);
+    return isGain(parameter) ? qt(gainName(parameter)).toUpper() : tableText(parameter.label);
 }
 
 std::string_view gainName(const Parameter &parameter)
@@ -101,16 +107,15 @@ std::string_view gainName(const Parameter &parameter)
 QString gainUnit(const Family &family, const Parameter &parameter, Mode mode)
 {
     const LoopScale *scale = family.loop && !family.loop->calibrated ? family.loop : nullptr;
-    const std::string_view name = gainName(parameter);
     if (!scale || !isClosedLoop(mode) || !isGain(parameter))
         return tableText(parameter.unit);
     const QString error = mode == Mode::Velocity ? tableText(scale->velocityError)
         : mode == Mode::Position                 ? GainText::tr("count")
                                                  : tableText(scale->currentError);
     const QString per = scale->divided ? GainText::tr("throttle × divisor per %1") : GainText::tr("throttle per %1");
-    if (name == "i")
+    if (parameter.role == Role::Integral)
         return per.arg(GainText::tr("%1 · %2").arg(error, tableText(scale->time)));
-    if (name == "d")
+    if (parameter.role == Role::Derivative)
         return per.arg(GainText::tr("%1 / %2").arg(error, tableText(scale->time)));
     return per.arg(error);
 }
@@ -120,15 +125,14 @@ std::optional<SiGain> siGain(const Family &family, const Parameter &parameter, M
 {
     const LoopScale *scale = family.loop && !family.loop->calibrated ? family.loop : nullptr;
     const auto perSi = scale ? errorScale(*scale, mode, countsPerRevolution) : std::nullopt;
-    const std::string_view name = gainName(parameter);
     if (!perSi || !isGain(parameter) || divisor == 0.0)
         return std::nullopt;
     double value = number * *perSi / (scale->fullDuty * divisor);
-    if (name == "i")
+    if (parameter.role == Role::Integral)
         value /= scale->period;
-    else if (name == "d")
+    else if (parameter.role == Role::Derivative)
         value *= scale->derivativeInverted ? -scale->period : scale->period;
-    return SiGain{value, siUnit(name, mode)};
+    return SiGain{value, siUnit(parameter.role, mode)};
 }
 
 } // namespace mb

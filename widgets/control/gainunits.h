@@ -17,8 +17,8 @@ struct GainSet {
     std::vector<ParameterIndex> bounds;
 };
 
-/// The rows that act in `mode` with gain slot `slot`: keys "slot0.p", "velocity.p" or "gain.p", whichever the family has;
-/// with the prefix of the axis, and its limits, where it has several (0: it has not).
+/// The rows that act in `mode` with gain slot `slot`: those of the family's loop (TrialTraits::loops); with the limits of the
+/// axis where it has several (0: it has not).
 [[nodiscard]] GainSet gainSet(const Family &family, Mode mode, int slot, int axis = 0);
 /// P, I, D, F: as short as it stands at a row of its own. Of what bounds a gain, the label of the table.
 [[nodiscard]] QString shortName(const Parameter &parameter);

@@ -41,13 +41,13 @@ public:
     [[nodiscard]] Entered entered() const;
     void restore(const Entered &entered);
     /// Where a mode starts: a hand cannot do much harm within it, and it can be raised.
-    [[nodiscard]] static double usualLimit(Mode mode);
+    [[nodiscard]] double usualLimit(Mode mode) const;
     [[nodiscard]] static bool startsAtPresent(Mode mode);
     /// How fast a set-point of `mode` moves with these entries; 0 jumps.
-    [[nodiscard]] static double slewRate(const Entered &entered, Mode mode);
+    [[nodiscard]] double slewRate(const Entered &entered, Mode mode) const;
 
-    /// What the family's set-points have besides a target.
-    void setCapabilities(const Capabilities &capabilities);
+    /// What the family's set-points have besides a target, and how far they usually go.
+    void setFamily(const Family &family);
     void setMode(Mode mode);
     [[nodiscard]] Mode mode() const { return m_mode; }
     void setUnits(const DisplayUnits &units);
@@ -121,8 +121,8 @@ private:
     QLineEdit *m_velocity = nullptr;
     QLineEdit *m_acceleration = nullptr;
     QLabel *m_moves = nullptr;
-    bool m_withOptions = true;
-    bool m_withProfile = false;
+    Capabilities m_can;
+    std::span<const ModeRange> m_modeRanges;
 };
 
 } // namespace mb

@@ -15,27 +15,6 @@
 #include <cmath>
 
 namespace mb {
-namespace {
-
-constexpr double greatestFollowed = 255.0;
-constexpr double fastestProfile = 1e5;  ///< counts/s
-constexpr double steepestProfile = 1e6; ///< counts/s²
-
-} // namespace
-
-double SetPointPanel::usualLimit(Mode mode)
-{
-    switch (mode) {
-    case Mode::Duty: return 1.0;
-    case Mode::Velocity:
-    case Mode::RampVelocity: return 100000.0;
-    case Mode::Position:
-    case Mode::RampPosition: return 40960.0;
-    case Mode::Current: return 20.0;
-    case Mode::Voltage: return 12.0;
-    default: return greatestFollowed;
-    }
-}
 
 bool SetPointPanel::startsAtPresent(Mode mode)
 {
@@ -62,7 +41,7 @@ void SetPointPanel::restore(const Entered &entered)
     setUnits(m_units);
 }
 
-double SetPointPanel::slewRate(const Entered &entered, Mode mode)
+double SetPointPanel::slewRate(const Entered &entered, Mode mode) const
 {
     const auto found = entered.ranges.find(mode);
     const double limit
@@ -72,22 +51,27 @@ double SetPointPanel::slewRate(const Entered &entered, Mode mode)
     return time > 0.0 && mode != Mode::Follow ? 2.0 * limit / time : 0.0;
 }
 
-void SetPointPanel::setCapabilities(const Capabilities &capabilities)
+double SetPointPanel::usualLimit(Mode mode) const
 {
-    m_withOptions = capabilities.outputOptions;
-    m_withProfile = capabilities.commandsProfile;
+    return mode == Mode::Follow ? m_can.lastFollowed : usualRange(m_modeRanges, mode);
+}
+
+void SetPointPanel::setFamily(const Family &family)
+{
+    m_can = family.capabilities;
+    m_modeRanges = family.ranges;
     showExtras();
 }
 
 bool SetPointPanel::isProfiled() const
 {
-    return m_withProfile && (m_mode == Mode::RampPosition || m_mode == Mode::RampVelocity);
+    return m_can.commandsProfile && (m_mode == Mode::RampPosition || m_mode == Mode::RampVelocity);
 }
 
 void SetPointPanel::showExtras()
 {
-    m_more->setVisible(m_withOptions);
-    if (!m_withOptions)
+    m_more->setVisible(m_can.outputOptions);
+    if (!m_can.outputOptions)
         m_options->hide();
     m_profileBox->setVisible(isProfiled());
     m_velocity->setEnabled(m_mode == Mode::RampPosition); // the other goes to its target velocity
@@ -101,11 +85,11 @@ QString SetPointPanel::profileFault() const
         return {};
     const auto velocity = parseNumber(m_velocity->text());
     const auto acceleration = parseNumber(m_acceleration->text());
-    if (!velocity || *velocity <= 0.0 || *velocity > fastestProfile)
-        return tr("The profile needs a velocity up to %1 counts/s.").arg(formatNumber(fastestProfile));
-    if (!acceleration || *acceleration < 0.0 || *acceleration > steepestProfile)
+    if (!velocity || *velocity <= 0.0 || *velocity > m_can.fastestProfile)
+        return tr("The profile needs a velocity up to %1 counts/s.").arg(formatNumber(m_can.fastestProfile));
+    if (!acceleration || *acceleration < 0.0 || *acceleration > m_can.steepestProfile)
         return tr("The profile needs an acceleration up to %1 counts/s²; 0 is none.")
-            .arg(formatNumber(steepestProfile));
+            .arg(formatNumber(m_can.steepestProfile));
     return {};
 }
 
@@ -185,7 +169,7 @@ QString SetPointPanel::fault() const
         return text.isEmpty() ? tr("No set-point. Enter a number up to ± %1.").arg(most)
                               : tr("\"%1\" is no number. Enter one up to ± %2.").arg(text, most);
     if (m_mode == Mode::Follow) {
-        const bool legal = *number == std::floor(*number) && *number >= 1.0 && *number <= greatestFollowed;
+        const bool legal = *number == std::floor(*number) && *number >= 1.0 && *number <= m_can.lastFollowed;
         return legal ? QString() : tr("%1 is no device number. Enter the number of the device to follow.").arg(text);
     }
     constexpr double rounding = 0.0005; // the limit is shown with three decimals
@@ -295,7 +279,7 @@ void SetPointPanel::apply(SetPoint &setPoint) const
 {
     setPoint.mode = m_mode;
     setPoint.target = target().value_or(0.0);
-    if (m_withOptions)
+    if (m_can.outputOptions)
         m_options->apply(setPoint);
     if (isProfiled()) {
         setPoint.velocity = parseNumber(m_velocity->text()).value_or(0.0);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/control/tunepage.h"
 
+#include "widgets/common/calmwheel.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/segmented.h"
 #include "widgets/control/axespanel.h"
-#include "widgets/control/calmwheel.h"
 #include "widgets/control/driveoptions.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"

@@ -78,7 +78,7 @@ void TunePage::showMotor(const DeviceView &view, int axis)
     m_modes->show(chosen.mode, chosen.editedSlot, chosen.runningSlot);
     chosen.mode = m_modes->mode();
     m_setPoint->reset(view.family->capabilities);
-    m_setPoint->setCapabilities(view.family->capabilities);
+    m_setPoint->setFamily(*view.family);
     m_setPoint->setMode(chosen.mode);
     if (axis > 0)
         m_setPoint->restore(chosen.entered);

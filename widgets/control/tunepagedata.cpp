@@ -23,16 +23,11 @@
 #include <QStackedWidget>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 namespace mb {
 namespace {
-
-/// Samples per second that a step needs.
-constexpr std::array<std::pair<std::string_view, double>, 4> fast{
-    {{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}, {"ch1.position", 500.0}}};
 
 bool isRunning(const OperationView *operation)
 {
@@ -80,9 +75,9 @@ void TunePage::wishRates(const DeviceView *view)
 {
     std::vector<RateKeeper::Wish> wishes;
     if (view && isVisible() && isLive() && (m_arming.isArmed(view->id) || RateKeeper::isFree(*view))) {
-        for (const auto &[key, hertz] : fast) {
-            if (const auto channel = findChannel(view->family->channels, key))
-                wishes.push_back({view->id, *channel, hertz});
+        for (const ChannelRate &rate : view->family->watched) {
+            if (const auto channel = findChannel(view->family->channels, rate.channel))
+                wishes.push_back({view->id, *channel, rate.hertz});
         }
     }
     RateKeeper::of(m_workbench).wish(this, wishes);

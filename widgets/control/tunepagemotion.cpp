@@ -280,7 +280,7 @@ void TunePage::startAxis(const DeviceView &view, int axis, bool several)
 {
     Choice &chosen = choiceOf(view, axis);
     const SetPoint wished = axis == m_axis ? wanted() : wantedOf(view, axis);
-    const double rate = axis == m_axis ? m_setPoint->slewRate() : SetPointPanel::slewRate(chosen.entered, wished.mode);
+    const double rate = axis == m_axis ? m_setPoint->slewRate() : m_setPoint->slewRate(chosen.entered, wished.mode);
     const bool moving = isAxisMoving(view, axis);
     chosen.slew.setRate(rate);
     if (!moving || !chosen.slewing)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/firmware/firmwarepage.h"
 
-#include "model/parameterfile.h"
+#include "model/filebytes.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
@@ -24,7 +24,6 @@ namespace mb {
 namespace {
 
 constexpr std::int64_t largestFile = 16 * 1024 * 1024;
-constexpr double lowSupply = 11.0; ///< V; tuning.md 5.7
 
 } // namespace
 
@@ -86,23 +85,26 @@ QString FirmwarePage::imageText() const
     return tr("version %1 · pages: %2").arg(QString::fromStdString(m_summary->version)).arg(m_summary->parts.size());
 }
 
-/// Written by an external program and its programmer, not by its own bootloader.
-bool FirmwarePage::isProgrammed(const DeviceView *device)
+/// nullptr where it is updated over its own link.
+const UpdateRoute *FirmwarePage::routeOf(const DeviceView *device)
 {
-    return device && !device->family->routes.empty() && !device->family->routes.front().programmers.empty();
+    return device && !device->family->routes.empty() ? &device->family->routes.front() : nullptr;
 }
 
-bool FirmwarePage::isGuided(const DeviceView *device)
+/// Of the device that is being written, or would be.
+UpdateWords FirmwarePage::wordsFor(const OperationView *operation) const
 {
-    return device && !device->family->routes.empty() && !device->family->routes.front().steps.empty();
+    const DeviceView *device = m_workbench.snapshot().device(operation ? operation->device : m_selection.device());
+    return device ? updateWords(*device->family) : UpdateWords();
 }
 
 void FirmwarePage::followRoute(const DeviceView *device, const OperationView *operation)
 {
     m_route->show(device ? device->family : nullptr, m_workbench.listings(), device ? device->link : std::string());
-    const bool guided = isGuided(device);
+    const UpdateRoute *const route = routeOf(device);
+    const bool guided = route && !route->steps.empty();
     m_pagesOfFlash->setVisible(!guided);
-    m_steps->setSteps(guided ? device->family->routes.front().steps : std::span<const GuidedStep>());
+    m_steps->setSteps(guided ? route->steps : std::span<const GuidedStep>());
     if (guided)
         m_steps->follow(operation ? &operation->status : nullptr);
 }
@@ -211,7 +213,7 @@ void FirmwarePage::followChecks(const DeviceView *device, const OperationView *o
             : device ? tr("another master, or a number taken twice")
                      : tr("no device"));
     const auto supply = device ? liveValue(*device, "bus_voltage", m_workbench.now()) : std::nullopt;
-    const bool strong = !supply || *supply >= lowSupply;
+    const bool strong = !supply || *supply >= device->family->capabilities.lowestSupply;
     m_checks[3].glyph->setState(!supply ? GlyphState::Assumed : strong ? GlyphState::Done : GlyphState::Warning);
     m_checks[3].text->setText(supply ? tr("bus %1 V").arg(formatNumber(*supply, 1)) : tr("bus voltage not known"));
     const bool running = operation && operation->status.state == OperationStatus::State::Running;
@@ -221,11 +223,8 @@ void FirmwarePage::followChecks(const DeviceView *device, const OperationView *o
     const bool boot = device && device->identity.state == DeviceState::Bootloader;
     m_start->setText(boot ? tr("Run the update again") : tr("Update"));
     m_cancel->setEnabled(running && operation->status.mayInterrupt);
-    m_cancel->setToolTip(running && !operation->status.mayInterrupt ? isProgrammed(device)
-                ? tr("The flash is being written: it must not be cut")
-                : tr("Page 0 is being written: it must not be cut")
-            : isProgrammed(device) ? tr("Nothing is written yet; the update can be run again")
-                                   : tr("The unit then waits in its bootloader; the update can be run again"));
+    const UpdateWords words = wordsFor(operation);
+    m_cancel->setToolTip(tableText(running && !operation->status.mayInterrupt ? words.critical : words.cancel));
 }
 
 QString FirmwarePage::remaining(const OperationStatus &status) const
@@ -238,14 +237,14 @@ QString FirmwarePage::remaining(const OperationStatus &status) const
         .arg(formatNumber(perPage, 2), formatNumber(perPage * (status.total - status.done), 0));
 }
 
-QString FirmwarePage::result(const UpdateReport &report)
+QString FirmwarePage::result(const UpdateReport &report, const UpdateWords &words)
 {
     switch (report.outcome) {
     case UpdateOutcome::Done: return tr("Verified: %1").arg(tableText(report.evidence));
     case UpdateOutcome::UpToDate: return tr("Not needed: %1").arg(tableText(report.evidence));
     case UpdateOutcome::Refused: return tr("Refused: %1").arg(tableText(report.evidence));
     case UpdateOutcome::Failed: return tr("Failed: %1").arg(tableText(report.evidence));
-    case UpdateOutcome::Cancelled: return tr("Cancelled. The unit waits in its bootloader; run the update again.");
+    case UpdateOutcome::Cancelled: return tr("Cancelled. %1.").arg(tableText(words.cancel));
     }
     return {};
 }
@@ -278,7 +277,7 @@ void FirmwarePage::followProgress(const OperationView *operation)
     }
     const double seconds = std::chrono::duration<double>(status.endedAt - status.startedAt).count();
     const UpdateReport report = operation->update.value_or(UpdateReport{});
-    m_step->setText(result(report));
+    m_step->setText(result(report, wordsFor(operation)));
     m_rate->setText(tr("%1 s, pages sent again: %2").arg(formatNumber(seconds, 1)).arg(report.retries));
     const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
     setTone(*m_step, good ? Tone::Ok : Tone::Danger);
@@ -331,24 +330,11 @@ void FirmwarePage::followSafety(const OperationView *operation)
             : running               ? tr("Safe to unplug")
                                     : tr("Nothing is written now"));
     setTone(*m_safetyTitle, critical ? Tone::Danger : Tone::Ok);
-    const DeviceView *device = m_workbench.snapshot().device(operation ? operation->device : m_selection.device());
     if (running)
         m_safetyTitle->setText(
             m_safetyTitle->text() + QStringLiteral(": ") + placeOf(m_workbench.snapshot(), *operation));
-    if (isProgrammed(device)) {
-        m_safetyText->setText(
-            tr("A unit that is cut while it is written holds half a program. It runs again once an update "
-               "has succeeded."));
-        return;
-    }
-    if (isGuided(device)) {
-        m_safetyText->setText(tr("A board that is cut stays in its bootloader. Leave the jumper in and run the update "
-                                 "again."));
-        return;
-    }
-    m_safetyText->setText(critical ? tr("Page 0 holds the reset vector. A cut now cannot be repaired over the bus.")
-                                   : tr("A unit that is cut stays in its bootloader and can be updated again. Only "
-                                        "page 0, the last, must not be interrupted."));
+    const UpdateWords words = wordsFor(operation);
+    m_safetyText->setText(tableText(critical && !words.fatalCut.empty() ? words.fatalCut : words.cut));
 }
 
 void FirmwarePage::askImage()

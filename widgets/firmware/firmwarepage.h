@@ -62,15 +62,15 @@ private:
     void followSafety(const OperationView *operation);
     void setCheck(const Check &check, bool holds, const QString &text);
     void followRoute(const DeviceView *device, const OperationView *operation);
-    [[nodiscard]] static bool isProgrammed(const DeviceView *device);
-    [[nodiscard]] static bool isGuided(const DeviceView *device);
+    [[nodiscard]] static const UpdateRoute *routeOf(const DeviceView *device);
     [[nodiscard]] QString imageText() const;
     [[nodiscard]] const OperationView *updateOf(const DeviceView *device) const;
     [[nodiscard]] const OperationView *shownOperation(const DeviceView *device) const;
     [[nodiscard]] QString hindrance() const;
     [[nodiscard]] QString timeOf(Instant time) const;
     [[nodiscard]] QString remaining(const OperationStatus &status) const;
-    [[nodiscard]] static QString result(const UpdateReport &report);
+    [[nodiscard]] UpdateWords wordsFor(const OperationView *operation) const;
+    [[nodiscard]] static QString result(const UpdateReport &report, const UpdateWords &words);
 
     Workbench &m_workbench;
     Selection &m_selection;

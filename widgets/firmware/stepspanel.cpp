@@ -4,7 +4,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/stateglyph.h"
-#include "widgets/firmware/jumperdrawing.h"
+#include "widgets/firmware/drawingview.h"
 
 #include <QGridLayout>
 #include <QVBoxLayout>
@@ -21,7 +21,7 @@ StepsPanel::StepsPanel(const ThemeSource &theme, QWidget *parent)
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(theme.theme().u(10));
     m_column->addWidget(new SectionLabel(tr("Steps"), this));
-    m_drawing = new JumperDrawing(theme, this);
+    m_drawing = new DrawingView(theme, this);
     setVisible(false);
 }
 
@@ -78,7 +78,7 @@ void StepsPanel::showStep(std::size_t step, PartState state, bool broken)
 /// The drawing is of the first step under way, and of the first at all before it has begun.
 void StepsPanel::follow(const OperationStatus *status)
 {
-    std::string_view drawing = m_steps.empty() ? std::string_view() : m_steps.front().drawing;
+    const Drawing *drawing = m_steps.empty() ? nullptr : m_steps.front().drawing;
     bool any = false;
     const bool broken = status && status->state != OperationStatus::State::Running;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
@@ -93,8 +93,7 @@ void StepsPanel::follow(const OperationStatus *status)
             any = true;
         }
     }
-    m_drawing->setVisible(!drawing.empty());
-    m_drawing->setClosed(drawing != "jumper-open");
+    m_drawing->setDrawing(drawing);
 }
 
 } // namespace mb

@@ -14,7 +14,7 @@ class QVBoxLayout;
 
 namespace mb {
 
-class JumperDrawing;
+class DrawingView;
 class StateGlyph;
 
 /// An update that needs hands, step by step (UpdateRoute::steps), with the drawing of the step that it is at.
@@ -41,7 +41,7 @@ private:
     std::span<const GuidedStep> m_steps;
     QVBoxLayout *m_column = nullptr;
     QWidget *m_list = nullptr;
-    JumperDrawing *m_drawing = nullptr;
+    DrawingView *m_drawing = nullptr;
     std::vector<Row> m_rows;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/common/replaybar.h"
 #include "widgets/monitor/busbar.h"
 #include "widgets/monitor/busloadview.h"
 #include "widgets/monitor/buspage.h"
@@ -10,7 +11,6 @@
 #include "widgets/monitor/frametext.h"
 #include "widgets/monitor/idmodel.h"
 #include "widgets/monitor/recordstrip.h"
-#include "widgets/monitor/replaybar.h"
 #include "widgets/monitor/sendpanel.h"
 #include "widgets/monitor/trafficview.h"
 

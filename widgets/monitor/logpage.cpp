@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/logpage.h"
 
-#include "model/parameterfile.h"
+#include "model/family.h"
+#include "model/filebytes.h"
+#include "model/registry.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
@@ -16,6 +18,8 @@
 #include <QStackedWidget>
 #include <QTableView>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace mb {
 namespace {
@@ -45,6 +49,15 @@ private:
     QString m_text;
     Severity m_least = Severity::Info;
 };
+
+/// Of a device of any family, with the largest number.
+int widestName(const QFontMetrics &metrics)
+{
+    int widest = 0;
+    for (const Family *family : families())
+        widest = std::max(widest, metrics.horizontalAdvance(qt(family->title) + QStringLiteral(" #888")));
+    return widest;
+}
 
 } // namespace
 
@@ -100,7 +113,7 @@ void LogPage::buildTable()
     m_table->setColumnWidth(NoticeModel::Time, theme.u(124));
     m_table->setColumnWidth(NoticeModel::Glyph, theme.u(32));
     m_table->setColumnWidth(NoticeModel::Device, // a name is whole
-        fontMetrics().horizontalAdvance(QStringLiteral("Supermodified #888")) + theme.u(24));
+        widestName(fontMetrics()) + theme.u(24));
     m_table->horizontalHeader()->setStretchLastSection(true);
     m_states->addWidget(m_table);
     static_cast<QVBoxLayout *>(layout())->addWidget(m_states, 1);

@@ -6,8 +6,6 @@
 
 #include <QCoreApplication>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace mb {
@@ -21,14 +19,6 @@ struct LeapText {
 constexpr double usual = 10.05;
 
 } // namespace
-
-bool isGain(const Parameter &parameter)
-{
-    constexpr std::array<std::string_view, 4> names{"p", "i", "d", "f"};
-    const auto dot = parameter.key.rfind('.');
-    return dot != std::string_view::npos
-        && std::find(names.begin(), names.end(), parameter.key.substr(dot + 1)) != names.end();
-}
 
 std::optional<double> leap(const Parameter &parameter, std::optional<std::int64_t> from, std::int64_t to)
 {

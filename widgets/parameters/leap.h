@@ -9,8 +9,6 @@
 
 namespace mb {
 
-/// P, I, D or F of a loop, by the last part of the key.
-[[nodiscard]] bool isGain(const Parameter &parameter);
 /// How many times as large (or as small, below 1) a gain becomes, where that is beyond ten and so asks for one more look;
 /// nothing where it is not, where nothing is known to compare with, and where a gain goes to or comes from 0.
 [[nodiscard]] std::optional<double> leap(const Parameter &parameter, std::optional<std::int64_t> from, std::int64_t to);

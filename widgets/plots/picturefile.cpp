@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/picturefile.h"
 
-#include "model/parameterfile.h"
+#include "model/filebytes.h"
 #include "widgets/plots/qcustomplotkeywords.h"
 
 #include <QApplication>
@@ -12,7 +12,7 @@
 namespace mb {
 namespace {
 
-bool paintOn(QPaintDevice &device, const Drawing &drawing)
+bool paintOn(QPaintDevice &device, const PaintedPicture &drawing)
 {
     QCPPainter painter(&device);
     if (!painter.isActive())
@@ -22,7 +22,7 @@ bool paintOn(QPaintDevice &device, const Drawing &drawing)
     return painter.end();
 }
 
-bool paintSvg(QIODevice &content, const Drawing &drawing)
+bool paintSvg(QIODevice &content, const PaintedPicture &drawing)
 {
     QSvgGenerator svg;
     svg.setOutputDevice(&content);
@@ -33,7 +33,7 @@ bool paintSvg(QIODevice &content, const Drawing &drawing)
     return paintOn(svg, drawing);
 }
 
-bool paintPdf(QIODevice &content, const Drawing &drawing)
+bool paintPdf(QIODevice &content, const PaintedPicture &drawing)
 {
     QPdfWriter pdf(&content);
     pdf.setCreator(QApplication::applicationName());
@@ -61,7 +61,7 @@ Result<void> savePlot(const QString &path, const QByteArray &content)
     return saveFile(path.toStdString(), content);
 }
 
-QByteArray drawingAs(const QString &kind, const Drawing &drawing)
+QByteArray drawingAs(const QString &kind, const PaintedPicture &drawing)
 {
     QBuffer content;
     content.open(QIODevice::WriteOnly);

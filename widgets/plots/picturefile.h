@@ -14,7 +14,7 @@ class QCPPainter;
 namespace mb {
 
 /// What a vector drawing is made of.
-struct Drawing {
+struct PaintedPicture {
     QSize size; ///< pixels of the screen, points of a page
     QString title;
     QString description;
@@ -25,7 +25,7 @@ struct Drawing {
 
 [[nodiscard]] QByteArray pngOf(const QImage &picture);
 /// `kind`: svg or pdf.
-[[nodiscard]] QByteArray drawingAs(const QString &kind, const Drawing &drawing);
+[[nodiscard]] QByteArray drawingAs(const QString &kind, const PaintedPicture &drawing);
 
 /// Writes what was drawn or listed; nothing drawn is a name that ends in no kind of file that is known here.
 [[nodiscard]] Result<void> savePlot(const QString &path, const QByteArray &content);

@@ -6,7 +6,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/ratekeeper.h"
-#include "widgets/monitor/replaybar.h"
+#include "widgets/common/replaybar.h"
 #include "widgets/plots/curveplot.h"
 #include "widgets/plots/exportjob.h"
 #include "widgets/plots/plotscrubber.h"

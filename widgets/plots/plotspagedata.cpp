@@ -2,7 +2,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/ratekeeper.h"
-#include "widgets/monitor/replaybar.h"
+#include "widgets/common/replaybar.h"
 #include "widgets/plots/plotscrubber.h"
 #include "widgets/plots/plotspage.h"
 #include "widgets/plots/tracelist.h"

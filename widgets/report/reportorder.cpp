@@ -2,7 +2,7 @@
 #include "widgets/report/reportorder.h"
 
 #include "model/family.h"
-#include "model/parameterfile.h"
+#include "model/filebytes.h"
 #include "tuning/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/trialnotebook.h"

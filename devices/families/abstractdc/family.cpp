@@ -61,11 +61,25 @@ constexpr std::array programmers{
     Programmer{"cmsis-dap", "CMSIS-DAP"},
     Programmer{"jlink", "J-Link"},
 };
+constexpr UpdateWords programmed{
+    .cancel = QT_TRANSLATE_NOOP("table", "Nothing is written yet; the update can be run again"),
+    .critical = QT_TRANSLATE_NOOP("table", "The flash is being written: it must not be cut"),
+    .cut = QT_TRANSLATE_NOOP("table",
+        "A unit that is cut while it is written holds half a program. It runs again once an update has succeeded."),
+};
 constexpr std::array routes{UpdateRoute{.scheme = "openocd",
     .example = "openocd:stlink",
     .targets = targets,
     .erasesSettings = true,
-    .programmers = programmers}};
+    .programmers = programmers,
+    .words = programmed}};
+
+constexpr std::array<FaultRow, 2> faults{{
+    {"output_saturated", QT_TRANSLATE_NOOP("table", "output saturated")},
+    {"output_wrapped", QT_TRANSLATE_NOOP("table", "output wrapped around")},
+}};
+
+constexpr std::array<ChannelRate, 3> watched{{{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}}};
 
 /// Section 4: time in milliseconds, the change taken the wrong way round.
 constexpr LoopScale controlLoop{
@@ -123,6 +137,8 @@ const Family family{
     .dialects = dialectChoices,
     .calibrations = calibrations,
     .routes = routes,
+    .faults = faults,
+    .watched = watched,
     .loop = &controlLoop,
     .trials = &trials,
     .arrange = arrange,

@@ -1,67 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/firmware.h"
 
-#include "async/sleep.h"
 #include "families/abstractdc/controller.h"
 #include "families/abstractdc/openocd.h"
 #include "families/abstractdc/protocol.h"
+#include "model/programmer.h"
 #include "wire/bytes.h"
 
 #include <QtGlobal>
 
-#include <QDir>
 #include <QTemporaryFile>
 
 #include <array>
-#include <cstdio>
 #include <memory>
 
 namespace mb::abstractdc {
 namespace {
 
-using namespace std::chrono_literals;
 using openocd::Stage;
 
 constexpr std::uint32_t flashBegin = 0x08000000;
 constexpr std::uint32_t flashEnd = 0x08200000;
 constexpr std::uint32_t pageSize = 1024;
-constexpr Duration patience = 60s; ///< between two lines; a whole flash is erased and written in less
-constexpr Duration answerEvery = 500ms;
-constexpr int answerTries = 10;
 
 bool touchesSettings(const FirmwareImage &image)
 {
     return image.hasAny(settingsAddress, settingsAddress + settingsSize - 1);
-}
-
-std::string hexLine(std::uint32_t address, int type, std::span<const std::uint8_t> data)
-{
-    std::vector<std::uint8_t> bytes{static_cast<std::uint8_t>(data.size()), static_cast<std::uint8_t>(address >> 8U),
-        static_cast<std::uint8_t>(address & 0xFFU), static_cast<std::uint8_t>(type)};
-    bytes.insert(bytes.end(), data.begin(), data.end());
-    unsigned sum = 0;
-    for (const std::uint8_t byte : bytes)
-        sum += byte;
-    bytes.push_back(static_cast<std::uint8_t>(0U - sum));
-    std::string line = ":";
-    for (const std::uint8_t byte : bytes) {
-        std::array<char, 4> text{};
-        std::snprintf(text.data(), text.size(), "%02X", unsigned{byte});
-        line += text.data();
-    }
-    return line + '\n';
-}
-
-Result<std::unique_ptr<QTemporaryFile>> written(const FirmwareImage &image)
-{
-    auto file = std::make_unique<QTemporaryFile>(QDir::tempPath() + QStringLiteral("/motorbench-XXXXXX.hex"));
-    const std::string text = toIntelHex(image);
-    if (!file->open() || file->write(text.data(), static_cast<qint64>(text.size())) != static_cast<qint64>(text.size())
-        || !file->flush())
-        return fail(Fault::LinkLost,
-            "a temporary file for OpenOCD cannot be written: " + file->errorString().toStdString(),
-            "make room in " + QDir::tempPath().toStdString());
-    return file;
 }
 
 /// Runs OpenOCD to its end; fails with one line that names the remedy.
@@ -71,51 +35,31 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
         for (const int page : pages)
             progress.part(page, state);
     };
-    mark(PartState::Waiting);
-    ExternalProgram openocd(clock);
     if (!ExternalProgram::locate("openocd"))
         co_return fail(Error::fromPhrase(Fault::LinkLost,
             QT_TRANSLATE_NOOP("table", "openocd is not installed; install it with: sudo apt install openocd")));
-    if (auto started = openocd.start(openocd::commandOf(job)); !started)
-        co_return fail(started.error());
     openocd::Reading reading;
-    const int total = static_cast<int>(Stage::Over);
-    for (;;) {
-        progress.step(std::string(titleOf(reading.stage())), static_cast<int>(reading.stage()), total);
-        const auto piece = co_await openocd.next(patience);
-        if (!piece)
-            co_return fail(piece.error().fault, "OpenOCD said nothing for a minute and was ended",
-                "check the probe and try again");
-        if (!*piece)
-            break;
-        if (!(*piece)->complete)
-            continue;
+    const auto show = [&reading, &progress] {
+        progress.step(
+            std::string(titleOf(reading.stage())), static_cast<int>(reading.stage()), static_cast<int>(Stage::Over));
+    };
+    const auto take = [&](const ExternalProgram::Piece &piece) {
         const Stage before = reading.stage();
-        reading.take((*piece)->text);
+        if (piece.complete)
+            reading.take(piece.text);
         if (reading.stage() != before && reading.stage() == Stage::Writing)
             mark(PartState::Active);
         if (reading.stage() != before && reading.stage() == Stage::Verifying)
             mark(PartState::Done);
-        progress.log(Severity::Info, (*piece)->text);
-    }
-    if (!openocd.exit().isSuccess() || !reading.isVerified())
+        show();
+    };
+    mark(PartState::Waiting);
+    show();
+    auto running = runProgrammer(clock, openocd::commandOf(job), "check the probe and try again", take, progress);
+    const ExternalProgram::Exit exit = co_await std::move(running);
+    if (!exit.isSuccess() || !reading.isVerified())
         co_return fail(reading.failure(job));
     co_return reading;
-}
-
-/// The drive starts again with the power stage off; its answer is the second half of the proof.
-Task<bool> answers(Device &device)
-{
-    for (int attempt = 0; attempt < answerTries; ++attempt) {
-        co_await Sleep(device.clock(), answerEvery);
-        auto asking = device.refresh();
-        const Result<void> answer = co_await std::move(asking).attempt();
-        if (answer)
-            co_return true;
-        if (answer.error().fault == Fault::LinkLost)
-            co_return fail(answer.error());
-    }
-    co_return false;
 }
 
 Result<void> preflight(const Device &device, const FirmwareImage &image, const UpdateOptions &options)
@@ -131,26 +75,6 @@ Result<void> preflight(const Device &device, const FirmwareImage &image, const U
 }
 
 } // namespace
-
-std::string toIntelHex(const FirmwareImage &image)
-{
-    std::string text;
-    for (const FirmwareImage::Segment &segment : image.segments()) {
-        std::span<const std::uint8_t> rest = image.bytes(segment);
-        std::uint32_t address = segment.first;
-        while (!rest.empty()) {
-            const std::size_t size = std::min<std::size_t>({rest.size(), 16, 0x10000U - (address & 0xFFFFU)});
-            const std::array upper{
-                static_cast<std::uint8_t>(address >> 24U), static_cast<std::uint8_t>((address >> 16U) & 0xFFU)};
-            if (address == segment.first || (address & 0xFFFFU) == 0)
-                text += hexLine(0, 4, upper);
-            text += hexLine(address & 0xFFFFU, 0, rest.first(size));
-            rest = rest.subspan(size);
-            address += static_cast<std::uint32_t>(size);
-        }
-    }
-    return text + ":00000001FF\n";
-}
 
 Result<ImageSummary> inspect(const FirmwareImage &image)
 {
@@ -198,7 +122,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         report.evidence = "nothing was written; the image fits, " + std::to_string(summary->parts.size()) + " pages";
         co_return report;
     }
-    const auto file = written(image);
+    const auto file = hexFileFor(image, "OpenOCD");
     if (!file)
         co_return fail(file.error());
     job->file = (*file)->fileName().toStdString();
@@ -212,7 +136,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     progress.step(std::string(titleOf(Stage::Over)), static_cast<int>(Stage::Over), static_cast<int>(Stage::Over));
     if (reading.isErased())
         static_cast<Controller &>(device).settingsErased();
-    auto asking = answers(device);
+    auto asking = answersAgain(device);
     const bool answered = co_await std::move(asking);
     report.pages = static_cast<int>(summary->parts.size());
     report.outcome = answered ? UpdateOutcome::Done : UpdateOutcome::Failed;

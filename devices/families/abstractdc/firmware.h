@@ -12,7 +12,4 @@ namespace mb::abstractdc {
 [[nodiscard]] Task<UpdateReport> update(
     Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress);
 
-/// The image as Intel HEX, 16 bytes a line.
-[[nodiscard]] std::string toIntelHex(const FirmwareImage &image);
-
 } // namespace mb::abstractdc

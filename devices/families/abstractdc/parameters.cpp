@@ -47,20 +47,20 @@ constexpr Parameter row(std::string_view key, Loop loop, Field field, std::strin
 }
 
 constexpr std::array<Parameter, 13> table{{
-    row("velocity.p", Loop::Velocity, Field::P, velocityLoop, pLabel, pHelp),
-    row("velocity.i", Loop::Velocity, Field::I, velocityLoop, iLabel, iHelp),
-    row("velocity.d", Loop::Velocity, Field::D, velocityLoop, dLabel, dHelp),
+    as(Role::Proportional, row("velocity.p", Loop::Velocity, Field::P, velocityLoop, pLabel, pHelp)),
+    as(Role::Integral, row("velocity.i", Loop::Velocity, Field::I, velocityLoop, iLabel, iHelp)),
+    as(Role::Derivative, row("velocity.d", Loop::Velocity, Field::D, velocityLoop, dLabel, dHelp)),
     row("velocity.divisor", Loop::Velocity, Field::Divisor, velocityLoop, divisorLabel, divisorHelp, 1.0),
-    row("current.p", Loop::Current, Field::P, currentLoop, pLabel, pHelp),
-    row("current.i", Loop::Current, Field::I, currentLoop, iLabel, iHelp),
-    row("current.d", Loop::Current, Field::D, currentLoop, dLabel, dHelp),
+    as(Role::Proportional, row("current.p", Loop::Current, Field::P, currentLoop, pLabel, pHelp)),
+    as(Role::Integral, row("current.i", Loop::Current, Field::I, currentLoop, iLabel, iHelp)),
+    as(Role::Derivative, row("current.d", Loop::Current, Field::D, currentLoop, dLabel, dHelp)),
     row("current.divisor", Loop::Current, Field::Divisor, currentLoop, divisorLabel, divisorHelp, 1.0),
     {"current.averaging", parameterId(Loop::Current, Field::Averaging), WireType::Uint16, 1.0, "", 1.0, averagingMost,
         1.0, Access::WriteOnly, true, Nature::Setting, currentLoop, QT_TRANSLATE_NOOP("table", "Averaging"),
         averagingHelp},
-    row("position.p", Loop::Position, Field::P, positionLoop, pLabel, pHelp),
-    row("position.i", Loop::Position, Field::I, positionLoop, iLabel, iHelp),
-    row("position.d", Loop::Position, Field::D, positionLoop, dLabel, dHelp),
+    as(Role::Proportional, row("position.p", Loop::Position, Field::P, positionLoop, pLabel, pHelp)),
+    as(Role::Integral, row("position.i", Loop::Position, Field::I, positionLoop, iLabel, iHelp)),
+    as(Role::Derivative, row("position.d", Loop::Position, Field::D, positionLoop, dLabel, dHelp)),
     row("position.divisor", Loop::Position, Field::Divisor, positionLoop, divisorLabel, divisorHelp, 1.0),
 }};
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/simulatoroptions.h"
 
-#include "wire/number.h"
+#include "model/simulatoroptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,37 +9,28 @@
 namespace mb::abstractdc::simulation {
 namespace {
 
-template <class T> bool parseNumber(std::string_view text, T low, T high, T &out)
-{
-    T value{};
-    if (!takeNumber(text, value) || !(value >= low && value <= high))
-        return false;
-    out = value;
-    return true;
-}
+using Option = SimulatorOption<UnitOptions>;
 
-bool setOption(UnitOptions &options, std::string_view key, std::string_view value)
-{
-    if (key == "dialect") {
-        options.dialect = dialectByKey(value);
-        return options.dialect != nullptr;
-    }
-    if (key == "motor") {
-        options.motor = motorByName(value);
-        return options.motor != nullptr;
-    }
-    if (key == "load")
-        return parseNumber(value, 1.0, 1000.0, options.load);
-    if (key == "glitches")
-        return parseNumber(value, 1, 1'000'000, options.glitches);
-    if (key == "gains") {
-        options.gains = value == "default" ? StoredGains::Default
-            : value == "overshoot"         ? StoredGains::Overshoot
-                                           : StoredGains::Tuned;
-        return value == "default" || value == "overshoot" || value == "tuned";
-    }
-    return true; // serial
-}
+constexpr std::array<std::pair<std::string_view, StoredGains>, 3> gains{
+    {{"default", StoredGains::Default}, {"tuned", StoredGains::Tuned}, {"overshoot", StoredGains::Overshoot}}};
+
+constexpr std::array optionTable{
+    Option{"dialect",
+        [](UnitOptions &o, std::string_view text) {
+            o.dialect = dialectByKey(text);
+            return o.dialect != nullptr;
+        }},
+    Option{"motor",
+        [](UnitOptions &o, std::string_view text) {
+            o.motor = motorByName(text);
+            return o.motor != nullptr;
+        }},
+    Option{"load", [](UnitOptions &o, std::string_view text) { return takeLoad(text, o.load); }},
+    Option{
+        "glitches", [](UnitOptions &o, std::string_view text) { return takeWithin(text, 1, 1'000'000, o.glitches); }},
+    Option{"gains", [](UnitOptions &o, std::string_view text) { return takeWord(text, gains, o.gains); }},
+    Option{"serial", [](UnitOptions &, std::string_view) { return true; }},
+};
 
 std::int32_t raw(double gain)
 {
@@ -58,22 +49,14 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     options.motor = motorByName("25d");
     options.seed = unit.seed;
     options.faults = unit.faults;
-    constexpr std::array<std::string_view, 6> known{"dialect", "motor", "load", "glitches", "gains", "serial"};
-    for (const auto &[key, value] : unit.options) {
-        if (std::find(known.begin(), known.end(), key) == known.end())
-            return fail(Fault::OutOfRange, "a simulated Abstract DC Drive has no option '" + key + "'");
-        if (!setOption(options, key, value))
-            return fail(Fault::OutOfRange,
-                "'" + value + "' is no value for the option '" + key + "' of a simulated Abstract DC Drive");
-    }
+    if (auto taken = takeOptions(unit, "a simulated Abstract DC Drive", optionTable, options); !taken)
+        return fail(taken.error());
     return options;
 }
 
 const SimulatedFault *UnitOptions::find(std::string_view fault) const
 {
-    const auto found
-        = std::find_if(faults.begin(), faults.end(), [&](const SimulatedFault &f) { return f.kind == fault; });
-    return found == faults.end() ? nullptr : &*found;
+    return findFault(faults, fault);
 }
 
 std::array<Record, 3> storedGains(const UnitOptions &options)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/controller.h"
 
+#include "async/sleep.h"
 #include "families/dmc60c/channels.h"
 #include "families/dmc60c/setpoints.h"
-#include "families/dmc60c/states.h"
 #include "families/dmc60c/unitidentity.h"
 #include "model/family.h"
 
@@ -15,26 +15,170 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration askPeriodAtMost = 1s;
-constexpr int idleFramesNeeded = 2; ///< one may be a zero crossing of a closed loop
-constexpr int wakesNeeded = 3;      ///< frames may be lost
+constexpr int wakesNeeded = 3; ///< frames may be lost
 
 } // namespace
 
 Controller::Controller(const Family &family, CanLink &link, Clock &clock, Identity identity)
     : Device(family, link, clock, std::move(identity))
     , m_can(link)
-    , m_exchange(link, clock)
-    , m_knownSession(this->identity().session)
-    , m_general(telemetry(), {channel::duty, channel::error}, defaultGeneralPeriod)
-    , m_encoder(telemetry(), {channel::position, channel::velocity}, defaultEncoderPeriod)
-    , m_analog(telemetry(), {channel::analog1, channel::current, channel::temperature, channel::busVoltage},
-          defaultAnalogPeriod)
-    , m_enumerateAt(clock.now() + enumeratePeriod)
-    , m_timer(clock)
+    , m_contact{link, clock,
+          [this] {
+              return ParameterExchange::Target{this->identity().address, session()};
+          },
+          [this] { m_presence.enumerate(); }}
+    , m_orders(m_contact)
+    , m_desk(m_contact, m_orders, parameters())
+    , m_rates(m_desk, parameters())
+    , m_sense(telemetry())
+    , m_presence(clock, this->identity().session, owner())
     , m_received(link.received().add([this](const CanFrame &frame) { onFrame(frame); }))
     , m_identityChanged(changed().add([this] { sessionChanged(); }))
 {
-    armTick();
+}
+
+Presence::Owner Controller::owner()
+{
+    return {
+        .isBusy = [this] { return !busy().empty(); },
+        .period = [this] { return m_sense.generalPeriod(); },
+        .askWho =
+            [this] {
+                if (m_can.state() == LinkState::Open)
+                    (void)m_can.send(encodeEnumerate());
+            },
+        .silent =
+            [this] {
+                m_faultWatch.forget();
+                m_sense.interrupt();
+            },
+        .doubled =
+            [this] {
+                Identity known = identity();
+                markDuplicate(known, 2);
+                setIdentity(std::move(known));
+            },
+        .renewed =
+            [this](std::uint16_t session) {
+                Identity known = identity();
+                known.session = session;
+                setIdentity(std::move(known)); // sessionChanged() follows
+            },
+        .looked = [this] { updateLiveness(); },
+    };
+}
+
+// What asks and waits
+
+Task<void> Controller::doRefresh()
+{
+    const std::optional<int> before = m_presence.session();
+    auto first = m_orders.versions();
+    Result<FirmwareVersions> versions = co_await std::move(first).attempt();
+    if (!versions && versions.error().fault == Fault::Timeout) {
+        co_await Sleep(clock(), 2 * enumWindow); // the question has enumerated; time to judge what answered
+        if (m_presence.session() == before)
+            co_return fail(versions.error());
+        auto again = m_orders.versions();
+        versions = co_await std::move(again).attempt();
+    }
+    if (!versions)
+        co_return fail(versions.error());
+    auto descriptors = m_orders.descriptors();
+    const DescriptorList list = co_await std::move(descriptors);
+    Identity known = identity();
+    setVersions(known, *versions);
+    setDescriptors(known, list);
+    m_restarted = false;
+    setIdentity(std::move(known));
+    updateLiveness();
+    co_return {};
+}
+
+Task<void> Controller::doIdentify()
+{
+    auto task = m_orders.ask({Command::FlashLEDs});
+    co_await std::move(task);
+    co_return {};
+}
+
+/// A restart takes what is not in flash yet, so that is waited for.
+Task<void> Controller::doRestart()
+{
+    NoProgress unheard;
+    auto storing = m_desk.store(unheard);
+    const Result<bool> stored = co_await std::move(storing).attempt();
+    if (!stored && stored.error().fault == Fault::LinkLost)
+        co_return fail(stored.error());
+    auto resetting = m_orders.ask({Command::SoftReset});
+    const Result<VendorReply> reply = co_await std::move(resetting).attempt();
+    if (!reply && reply.error().fault == Fault::Timeout)
+        co_return fail(
+            Fault::Timeout, "it did not come back; without an application its bootloader is silent (scan shows it)");
+    if (!reply)
+        co_return fail(reply.error());
+    auto refreshing = doRefresh();
+    co_await std::move(refreshing);
+    co_return {};
+}
+
+Task<void> Controller::doRename(std::string name)
+{
+    auto bytes = toLatin1(name);
+    if (!bytes)
+        co_return fail(Fault::OutOfRange, "a name may hold Latin-1 characters only");
+    if (bytes->empty() || bytes->size() > static_cast<std::size_t>(maxNameLength))
+        co_return fail(Fault::OutOfRange, "a name has 1 to 64 characters");
+    bytes->push_back(0); // the count of the command includes it, that of the descriptor does not (trap 12)
+    const auto count = static_cast<std::uint16_t>(bytes->size());
+    auto set = m_orders.ask({Command::SetDevName, count}, std::move(*bytes));
+    co_await std::move(set);
+    auto get = m_orders.descriptors();
+    const DescriptorList list = co_await std::move(get);
+    Identity known = identity();
+    setDescriptors(known, list);
+    setIdentity(known);
+    if (known.name != name)
+        co_return fail(Fault::BadCheck, "the name was written, but the device answers '" + known.name + "'");
+    co_return {};
+}
+
+Task<void> Controller::doRenumber(int address)
+{
+    if (address < 1 || address > maxDeviceNumber)
+        co_return fail(Fault::OutOfRange, "a device number is 1 … 63");
+    if (address == identity().address)
+        co_return {};
+    auto looking = m_orders.expectFree(address);
+    co_await std::move(looking);
+    auto moving = m_orders.moveTo(address);
+    const FirmwareVersions versions = co_await std::move(moving);
+    Identity known = identity();
+    known.address = address;
+    known.state = DeviceState::Online; // free a moment ago, so no duplicate
+    setVersions(known, versions);
+    setIdentity(std::move(known));
+    co_return {};
+}
+
+Task<std::int64_t> Controller::doRead(ParameterIndex index)
+{
+    return m_desk.read(static_cast<std::uint8_t>(parameters().parameter(index).id));
+}
+
+Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
+{
+    const Parameter &row = parameters().parameter(index);
+    if (row.id == param::encoderPosition && (liveness().moving || m_sense.general().duty != 0))
+        co_return fail(Fault::Unsafe, "the position is written only while the output is off", "stop the motor first");
+    if (row.nature == Nature::Counter && raw != 0) {
+        auto clearing = m_desk.clearCounter(row, raw);
+        const std::int64_t before = co_await std::move(clearing);
+        co_return before;
+    }
+    auto writing = m_desk.write(row, raw);
+    const std::int64_t inForce = co_await std::move(writing);
+    co_return inForce;
 }
 
 // Control
@@ -71,7 +215,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
 
 void Controller::doStop()
 {
-    m_idleFrames = 0;
+    m_sense.stopped();
     m_commandedAt = {}; // what comes next finds it halted
     const CanFrame noDrive = encodeControl(identity().address, Control{});
     // Twice (6.1): the first overtakes what waits, the second comes behind a set-point that the kernel may still hold.
@@ -92,9 +236,7 @@ StopScript Controller::doStopScript() const
 
 bool Controller::doIsSeenStopped() const
 {
-    if (!m_generalAt || *m_generalAt <= stoppedAt() || m_lastGeneral.duty != 0)
-        return false;
-    return m_lastGeneral.mode == ControlMode::NoDrive || m_idleFrames >= idleFramesNeeded;
+    return m_presence.heardAt() > stoppedAt() && m_sense.isIdle();
 }
 
 // What the bus tells
@@ -109,12 +251,17 @@ void Controller::onFrame(const CanFrame &frame)
             onGeneral(*status, frame.time);
         break;
     case id::statusEncoder:
-        if (const auto status = decodeStatusEncoder(frame))
-            onEncoder(*status, frame.time);
+        if (const auto status = decodeStatusEncoder(frame)) {
+            m_sense.take(*status, frame.time, m_presence.isHeard());
+            askPeriod(param::encoderPeriod);
+            updateLiveness();
+        }
         break;
     case id::statusAnalog:
-        if (const auto status = decodeStatusAnalog(frame))
-            onAnalog(*status, frame.time);
+        if (const auto status = decodeStatusAnalog(frame)) {
+            m_sense.take(*status, frame.time);
+            askPeriod(param::analogPeriod);
+        }
         break;
     case id::paramResponse:
         if (const auto response = decodeParamResponse(frame))
@@ -126,14 +273,12 @@ void Controller::onFrame(const CanFrame &frame)
         break;
     case id::enumResponse:
         if (const auto first = decodeEnumResponse0(frame))
-            onSession(first->session, frame.time);
+            m_presence.sessionTold(first->session, frame.time, identity().state == DeviceState::Duplicate);
         else if (const auto second = decodeEnumResponse1(frame))
             onVersions(*second);
         break;
     case id::control: // our own frames do not come back
-        m_foreignAt = frame.time;
-        updateLiveness();
-        armTick();
+        m_presence.commandedByOther(frame.time);
         break;
     default: break;
     }
@@ -141,48 +286,18 @@ void Controller::onFrame(const CanFrame &frame)
 
 void Controller::onGeneral(const StatusGeneral &status, Instant time)
 {
-    m_general.add(time,
-        {std::clamp(status.duty / static_cast<double>(fullDuty), -1.0, 1.0),
-            status.mode == ControlMode::Voltage        ? errorOf(status) / fullDuty
-                : status.mode == ControlMode::Velocity ? errorOf(status) * velocityPerSecond
-                                                       : errorOf(status)});
-    askPeriod(m_general, param::generalPeriod);
-    m_idleFrames = status.duty == 0 && time > stoppedAt() ? m_idleFrames + 1 : 0;
-    m_lastGeneral = status;
-    m_generalAt = time;
-    const bool first = !m_heard;
-    m_heard = true;
-    takeStates(m_told, status);
-    m_toldAt = time;
+    m_sense.take(status, time, stoppedAt());
+    askPeriod(param::generalPeriod);
+    const bool first = m_presence.heard(time);
     updateLiveness();
     askFaults();
     if (first)
-        armTick();
-}
-
-void Controller::onEncoder(const StatusEncoder &status, Instant time)
-{
-    m_encoder.add(
-        time, {static_cast<double>(status.position), static_cast<double>(status.velocity) * velocityPerSecond});
-    askPeriod(m_encoder, param::encoderPeriod);
-    if (m_heard) {
-        takeStates(m_told, status);
-        m_toldAt = time;
-    }
-    m_turning = status.velocity != 0;
-    m_turningAt = time;
-    updateLiveness();
-}
-
-void Controller::onAnalog(const StatusAnalog &status, Instant time)
-{
-    m_analog.add(time, {status.analogIn, status.current, status.temperature, status.busVoltage});
-    askPeriod(m_analog, param::analogPeriod);
+        m_presence.follow();
 }
 
 void Controller::onParameter(const ParamResponse &response)
 {
-    StatusStream *const stream = streamOf(response.parameter);
+    StatusStream *const stream = m_sense.streamOf(response.parameter);
     if (stream && response.status == ParameterStatus::NoError && response.field > 0)
         stream->setPeriod(std::chrono::milliseconds(response.field));
     m_faultWatch.take(response, clock().now());
@@ -202,41 +317,19 @@ void Controller::onVendorStatus(const VendorStatus &status)
     }
 }
 
-void Controller::onSession(std::uint16_t session, Instant time)
-{
-    if (m_knownSession == session) {
-        m_ownSeenAt = time;
-        return;
-    }
-    if (identity().state == DeviceState::Duplicate || !busy().empty() || m_candidate)
-        return;
-    m_candidate = Candidate{session, 0, clock().now() + candidateStep};
-    m_candidateSince = time;
-    armTick();
-}
-
 void Controller::onVersions(const EnumResponse1 &response)
 {
-    if (m_knownSession != response.session)
+    if (m_presence.session() != response.session)
         return;
     Identity known = identity();
     setVersions(known, {response.image, response.application, response.bootloader});
     setIdentity(std::move(known));
 }
 
-StatusStream *Controller::streamOf(std::uint8_t periodParameter)
+void Controller::askPeriod(std::uint8_t parameter)
 {
-    switch (periodParameter) {
-    case param::generalPeriod: return &m_general;
-    case param::encoderPeriod: return &m_encoder;
-    case param::analogPeriod: return &m_analog;
-    default: return nullptr;
-    }
-}
-
-void Controller::askPeriod(const StatusStream &stream, std::uint8_t parameter)
-{
-    if (!stream.isHolding() || !busy().empty() || clock().now() - m_periodAskedAt < askPeriodAtMost)
+    if (!m_sense.streamOf(parameter)->isHolding() || !busy().empty()
+        || clock().now() - m_periodAskedAt < askPeriodAtMost)
         return;
     m_periodAskedAt = clock().now();
     (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
@@ -250,6 +343,69 @@ void Controller::askFaults()
         return;
     for (const std::uint8_t parameter : FaultWatch::questions)
         (void)m_can.send(encodeParamRequest(identity().address, session(), parameter));
+}
+
+void Controller::sessionChanged()
+{
+    if (m_presence.takeSession(identity().session))
+        restarted();
+}
+
+void Controller::restarted()
+{
+    m_restarted = true;
+    m_desk.restarted();
+    m_sense.restart();
+    parameters().forgetAll();
+    if (busy().empty()) {
+        for (const auto &[parameter, period] : m_rates.wanted())
+            (void)m_can.send(encodeParamSet(identity().address, session(), parameter, period));
+    }
+    updateLiveness();
+}
+
+void Controller::setState(DeviceState state, std::string detail)
+{
+    Identity known = identity();
+    known.state = state;
+    known.detail = std::move(detail);
+    setIdentity(std::move(known));
+}
+
+void Controller::updateLiveness()
+{
+    const StatusGeneral &last = m_sense.general();
+    const bool heard = m_presence.isHeard();
+    const bool moving = heard && (last.duty != 0 || m_sense.isTurning(clock().now()));
+    const std::uint32_t frameless = m_faultWatch.present(clock().now());
+    // One frame in ten thousand changes any of this: compare a word before building texts.
+    const std::uint32_t key = (heard ? 1U : 0U) | (moving ? 2U : 0U) | (m_presence.hasForeignMaster() ? 4U : 0U)
+        | (m_restarted ? 8U : 0U) | (last.overTemperature ? 16U : 0U) | (last.underVoltage ? 32U : 0U)
+        | (last.gateDriver ? 64U : 0U) | (static_cast<std::uint32_t>(last.mode) << 8U) | (frameless << 16U);
+    if (key == m_livenessKey) {
+        setStates(m_sense.states(), m_sense.statesAt());
+        return;
+    }
+    m_livenessKey = key;
+    Liveness now;
+    now.heard = heard;
+    now.moving = moving;
+    now.foreignMaster = m_presence.hasForeignMaster();
+    now.restarted = m_restarted;
+    if (heard) {
+        now.mode = modeOf(last.mode);
+        if ((frameless & faultbit::overCurrent) != 0U)
+            now.faults.emplace_back("over_current");
+        if (last.overTemperature)
+            now.faults.emplace_back("over_temperature");
+        if (last.underVoltage)
+            now.faults.emplace_back("under_voltage");
+        if (last.gateDriver)
+            now.faults.emplace_back("gate_driver");
+        if ((frameless & faultbit::communication) != 0U)
+            now.faults.emplace_back("communication");
+    }
+    setLiveness(now, m_sense.states(), m_sense.statesAt());
 }
 
 std::unique_ptr<Device> open(Link &link, Clock &clock, const Identity &identity)

@@ -50,11 +50,41 @@ constexpr Capabilities capabilities{
     .renumber = true,
     .restart = true,
     .freeRates = false, // how often it sends its status is for everybody on the bus
+    .lowestSupply = 11.0,
     .axes = 1,
     .gainSlots = 2,
     .commandPeriod = controlPeriod,
     .commandLimit = controlLimit,
     .storesAfter = std::chrono::seconds(15),
+};
+
+constexpr std::array<FaultRow, 5> faults{{
+    {"over_current", QT_TRANSLATE_NOOP("table", "over-current")},
+    {"over_temperature", QT_TRANSLATE_NOOP("table", "over-temperature")},
+    {"under_voltage", QT_TRANSLATE_NOOP("table", "under-voltage")},
+    {"gate_driver", QT_TRANSLATE_NOOP("table", "gate driver")},
+    {"communication", QT_TRANSLATE_NOOP("table", "communication")},
+}};
+
+constexpr UpdateWords updateWords{
+    .cancel = QT_TRANSLATE_NOOP("table", "The unit then waits in its bootloader; the update can be run again"),
+    .critical = QT_TRANSLATE_NOOP("table", "Page 0 is being written: it must not be cut"),
+    .cut = QT_TRANSLATE_NOOP("table",
+        "A unit that is cut stays in its bootloader and can be updated again. Only page 0, the last, must not be "
+        "interrupted."),
+    .fatalCut = QT_TRANSLATE_NOOP("table", "Page 0 holds the reset vector. A cut now cannot be repaired over the bus."),
+};
+
+/// What a step needs of its status frames.
+constexpr std::array<ChannelRate, 3> watched{{{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}}};
+
+constexpr std::array<std::string_view, 2> livelyGains{"slot0.p", "slot0.i"};
+constexpr DemoUnits demo{
+    .tuned = 5,
+    .overshooting = 7,
+    .livelyGains = livelyGains,
+    .inBootloader = 9,
+    .image = "dmc60c-demo.hex",
 };
 
 constexpr std::array<std::string_view, 11> slotNames{"p", "i", "d", "i_zone", "f", "allowable_error", "ramp",
@@ -93,7 +123,11 @@ const Family family{
     .modes = modes,
     .capabilities = capabilities,
     .bench = bench,
+    .updateWords = updateWords,
     .states = stateTable(),
+    .faults = faults,
+    .watched = watched,
+    .demo = &demo,
     .loop = &loop,
     .trials = &trials,
     .scan = scan,

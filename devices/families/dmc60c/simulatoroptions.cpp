@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/simulatoroptions.h"
 
-#include "wire/number.h"
+#include "model/simulatoroptions.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace mb::dmc60c::simulation {
 namespace {
@@ -30,33 +28,13 @@ bool setFirmware(UnitOptions &options, std::string_view text)
     return options.firmware != noApplication;
 }
 
-bool setLoad(UnitOptions &options, std::string_view text)
-{
-    return takeNumber(text, options.load) && options.load >= 1.0 && options.load <= 1000.0;
-}
-
 bool setText(std::string &out, std::string_view text, std::size_t longest)
 {
     out = text;
     return !text.empty() && text.size() <= longest;
 }
 
-template <class T, std::size_t N>
-bool choose(T &out, std::string_view text, const std::array<std::pair<std::string_view, T>, N> &choices)
-{
-    const auto found
-        = std::find_if(choices.begin(), choices.end(), [&](const auto &choice) { return choice.first == text; });
-    if (found == choices.end())
-        return false;
-    out = found->second;
-    return true;
-}
-
-using Setter = bool (*)(UnitOptions &, std::string_view);
-struct Option {
-    std::string_view key;
-    Setter set;
-};
+using Option = SimulatorOption<UnitOptions>;
 
 constexpr std::array<std::pair<std::string_view, CrcVariant>, 3> crcs{
     {{"A", CrcVariant::A}, {"B", CrcVariant::B}, {"C", CrcVariant::C}}};
@@ -67,20 +45,16 @@ constexpr std::array<std::pair<std::string_view, StoredGains>, 3> gains{
     {{"default", StoredGains::Default}, {"tuned", StoredGains::Tuned}, {"overshoot", StoredGains::Overshoot}}};
 
 constexpr std::array optionTable{
-    Option{"motor",
-        [](UnitOptions &o, std::string_view text) {
-            o.motor = text;
-            return motorByName(text) != nullptr;
-        }},
-    Option{"load", setLoad},
+    Option{"motor", [](UnitOptions &o, std::string_view text) { return takeMotor(text, o.motor); }},
+    Option{"load", [](UnitOptions &o, std::string_view text) { return takeLoad(text, o.load); }},
     Option{"serial", [](UnitOptions &o, std::string_view text) { return setText(o.serial, text, 12); }},
     Option{"session", setSession},
     Option{"name", [](UnitOptions &o, std::string_view text) { return setText(o.name, text, maxNameLength); }},
     Option{"firmware", setFirmware},
-    Option{"state", [](UnitOptions &o, std::string_view text) { return choose(o.inBootloader, text, states); }},
-    Option{"crc", [](UnitOptions &o, std::string_view text) { return choose(o.crc, text, crcs); }},
-    Option{"velocity", [](UnitOptions &o, std::string_view text) { return choose(o.velocity, text, windows); }},
-    Option{"gains", [](UnitOptions &o, std::string_view text) { return choose(o.gains, text, gains); }},
+    Option{"state", [](UnitOptions &o, std::string_view text) { return takeWord(text, states, o.inBootloader); }},
+    Option{"crc", [](UnitOptions &o, std::string_view text) { return takeWord(text, crcs, o.crc); }},
+    Option{"velocity", [](UnitOptions &o, std::string_view text) { return takeWord(text, windows, o.velocity); }},
+    Option{"gains", [](UnitOptions &o, std::string_view text) { return takeWord(text, gains, o.gains); }},
 };
 
 std::string defaultSerial(std::uint64_t seed, int number)
@@ -112,21 +86,14 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     options.faults = unit.faults;
     options.serial = defaultSerial(unit.seed, unit.address);
     options.load = usualLoad(unit.option("motor").value_or("cim"));
-    for (const auto &[key, value] : unit.options) {
-        const auto option = std::find_if(
-            optionTable.begin(), optionTable.end(), [&wanted = key](const Option &o) { return o.key == wanted; });
-        if (option == optionTable.end())
-            return fail(Fault::OutOfRange, "a simulated DMC60C has no option '" + key + "'");
-        if (!option->set(options, value))
-            return fail(
-                Fault::OutOfRange, "'" + value + "' is no value for the option '" + key + "' of a simulated DMC60C");
-    }
+    if (auto taken = takeOptions(unit, "a simulated DMC60C", optionTable, options); !taken)
+        return fail(taken.error());
     return options;
 }
 
 bool UnitOptions::has(std::string_view fault) const
 {
-    return std::any_of(faults.begin(), faults.end(), [&](const SimulatedFault &f) { return f.kind == fault; });
+    return findFault(faults, fault) != nullptr;
 }
 
 UnitOptions UnitOptions::twin() const

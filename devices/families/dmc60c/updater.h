@@ -3,6 +3,7 @@
 
 #include "families/dmc60c/pages.h"
 #include "families/dmc60c/vendor.h"
+#include "model/device.h"
 #include "model/family.h"
 
 #include <vector>

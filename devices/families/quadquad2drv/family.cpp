@@ -12,6 +12,8 @@
 #include "families/quadquad2drv/simulator.h"
 #include "families/quadquad2drv/states.h"
 
+#include <QtGlobal>
+
 #include <array>
 
 namespace mb::quadquad2drv {
@@ -33,11 +35,21 @@ constexpr Capabilities capabilities{
     .outputOptions = false,
     .commandsProfile = true,
     .firstPower = 0.25, // Controller::firstPowerLimit
+    .fastestProfile = fastest,
+    .steepestProfile = steepest,
     .axes = axes,
     .gainSlots = 1,
     .commandPeriod = std::chrono::milliseconds(50),
     .storesAfter = std::chrono::seconds(0),
 };
+
+constexpr std::array<FaultRow, 2> faults{{
+    {"glitch", QT_TRANSLATE_NOOP("table", "encoder glitch")},
+    {"overspeed", QT_TRANSLATE_NOOP("table", "overspeed")},
+}};
+
+/// One stream for all axes: the rate of any channel is that of all.
+constexpr std::array<ChannelRate, 1> watched{{{"ch1.position", 500.0}}};
 
 constexpr LoopScale controlLoop{
     .fullDuty = fullPower,
@@ -84,6 +96,8 @@ const Family family{
     .experiments = experiments(),
     .routes = routes(),
     .states = stateTable(),
+    .faults = faults,
+    .watched = watched,
     .loop = &controlLoop,
     .trials = &trials,
     .scan = scan,

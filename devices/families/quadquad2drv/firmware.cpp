@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/quadquad2drv/firmware.h"
 
+#include "families/quadquad2drv/bootsettings.h"
+#include "families/quadquad2drv/drawings.h"
 #include "families/quadquad2drv/updater.h"
 #include "transport/linkcatalog.h"
-#include "wire/number.h"
 
 #include <QtGlobal>
 
@@ -23,79 +24,35 @@ constexpr std::array<GuidedStep, 6> steps{{
             "Put a jumper on AUX1 and AUX2. The serial adapter has 3.3 V levels, its TX goes to RX and its RX to TX; "
             "the board "
             "gets 3.3 V only."),
-        "jumper-closed"},
+        &jumperClosed},
     {QT_TRANSLATE_NOOP("table", "Reset the board"),
         QT_TRANSLATE_NOOP("table",
             "Press its reset, or switch it off and on. Where the reset line is wired, this program pulses it."),
-        "jumper-closed"},
+        &jumperClosed},
     {QT_TRANSLATE_NOOP("table", "The bootloader greets"),
-        QT_TRANSLATE_NOOP("table", "Its greeting on the serial port holds the word \"bootloader\"."), "jumper-closed"},
+        QT_TRANSLATE_NOOP("table", "Its greeting on the serial port holds the word \"bootloader\"."), &jumperClosed},
     {QT_TRANSLATE_NOOP("table", "The file is sent"),
         QT_TRANSLATE_NOOP(
             "table", "Line by line, each after the confirmation of the one before. Leave the jumper where it is."),
-        "jumper-closed"},
+        &jumperClosed},
     {QT_TRANSLATE_NOOP("table", "Take the jumper out"),
         QT_TRANSLATE_NOOP("table", "Then the board starts its new firmware. If it does not, reset it once more."),
-        "jumper-open"},
+        &jumperOpen},
     {QT_TRANSLATE_NOOP("table", "The version is compared"),
-        QT_TRANSLATE_NOOP("table", "The board is asked for it over SPI."), "jumper-open"},
+        QT_TRANSLATE_NOOP("table", "The board is asked for it over SPI."), &jumperOpen},
 }};
 
-constexpr std::array<std::string_view, 3> endings{"cr", "lf", "crlf"};
-constexpr std::array<std::string_view, 4> formats{"8N1", "8E1", "8O1", "8N2"};
-constexpr std::array<UpdateSetting, 7> unknowns{{
-    {"baud", QT_TRANSLATE_NOOP("table", "baud rate"), QT_TRANSLATE_NOOP("table", "From the data sheet."), "115200"},
-    {"format", QT_TRANSLATE_NOOP("table", "format"),
-        QT_TRANSLATE_NOOP("table", "Data bits, parity, stop bits. Not told."), "8N1", formats},
-    {"ending", QT_TRANSLATE_NOOP("table", "line ending"),
-        QT_TRANSLATE_NOOP("table", "Not told; the terminal program that the data sheet names sends cr."), "cr",
-        endings},
-    {"banner", QT_TRANSLATE_NOOP("table", "greeting holds"),
-        QT_TRANSLATE_NOOP("table", "The data sheet tells this word, and not the whole greeting."), "bootloader"},
-    {"failure", QT_TRANSLATE_NOOP("table", "refusal holds"),
-        QT_TRANSLATE_NOOP("table", "Not told. Words with | between them, in whatever case."), "err|fail|bad|invalid"},
-    {"pause", QT_TRANSLATE_NOOP("table", "pause"),
-        QT_TRANSLATE_NOOP("table", "Least time from one line to the next in milliseconds, from the data sheet."), "50"},
-    {"farewell", QT_TRANSLATE_NOOP("table", "leaves with"),
-        QT_TRANSLATE_NOOP("table", "Typed at the end. \"none\" leaves it to jumper and reset."), "reset"},
-}};
-constexpr std::array routeTable{UpdateRoute{"serial", "serial:/dev/ttyUSB0", {}, false, steps, unknowns}};
-
-constexpr int slowestPause = 1000;
-
-std::vector<std::string> words(const std::string &text)
-{
-    std::vector<std::string> found;
-    std::string word;
-    for (const char c : text + '|') {
-        if (c != '|')
-            word += static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-        else if (!word.empty())
-            found.push_back(std::exchange(word, {}));
-    }
-    return found;
-}
-
-Result<void> apply(BootSettings &settings, const std::string &key, const std::string &value)
-{
-    if (key == "banner") {
-        settings.banner = value;
-    } else if (key == "farewell") {
-        settings.farewell = value == "none" ? std::string() : value;
-    } else if (key == "failure") {
-        settings.failures = words(value);
-    } else if (key == "ending") {
-        if (std::find(endings.begin(), endings.end(), value) == endings.end())
-            return fail(Fault::OutOfRange, "ending=" + value + ": legal are cr, lf and crlf");
-        settings.ending = value == "cr" ? "\r" : value == "lf" ? "\n" : "\r\n";
-    } else { // pause
-        int milliseconds = 0;
-        if (!takeNumber(value, milliseconds) || milliseconds < 0 || milliseconds > slowestPause)
-            return fail(Fault::OutOfRange, "pause=" + value + ": legal are 0 to 1000 milliseconds");
-        settings.lineTime = std::chrono::milliseconds(milliseconds);
-    }
-    return {};
-}
+constexpr UpdateWords updateWords{
+    .cancel = QT_TRANSLATE_NOOP("table", "The unit then waits in its bootloader; the update can be run again"),
+    .critical = QT_TRANSLATE_NOOP("table", "The flash is being written: it must not be cut"),
+    .cut = QT_TRANSLATE_NOOP(
+        "table", "A board that is cut stays in its bootloader. Leave the jumper in and run the update again."),
+};
+const std::array routeTable{UpdateRoute{.scheme = "serial",
+    .example = "serial:/dev/ttyUSB0",
+    .steps = steps,
+    .settings = bootUnknowns(),
+    .words = updateWords}};
 
 UpdateReport refused(const Error &error)
 {
@@ -107,23 +64,6 @@ UpdateReport refused(const Error &error)
 }
 
 } // namespace
-
-Result<BootSettings> BootSettings::take(LinkAddress &via)
-{
-    constexpr std::array<std::string_view, 5> ours{"ending", "banner", "failure", "pause", "farewell"};
-    BootSettings taken;
-    std::vector<std::pair<std::string, std::string>> rest;
-    for (const auto &[key, value] : via.options) {
-        if (std::find(ours.begin(), ours.end(), key) == ours.end()) {
-            rest.emplace_back(key, value);
-            continue;
-        }
-        if (auto done = apply(taken, key, value); !done)
-            return fail(done.error());
-    }
-    via.options = std::move(rest);
-    return taken;
-}
 
 std::span<const UpdateRoute> routes()
 {

@@ -107,19 +107,24 @@ constexpr Parameter hidden(std::string_view name, std::uint16_t id, WireType typ
 
 template <int Axis> constexpr void fillLoops(std::span<Parameter> out, std::uint16_t id, std::string_view group)
 {
-    const auto gain = [&](std::string_view name, double fallback, std::string_view label, std::string_view help) {
-        const std::size_t at = id % parametersPerAxis;
-        out[at] = hidden(name, id, WireType::Uint16, 1.0, "", 65535.0, fallback, group, label, help);
-        ++id;
-    };
-    gain(key<Axis, "position.p">(), 100.0, QT_TRANSLATE_NOOP("table", "Position P"), positionGainHelp);
-    gain(key<Axis, "position.i">(), 500.0, QT_TRANSLATE_NOOP("table", "Position I"), positionGainHelp);
-    gain(key<Axis, "position.d">(), 500.0, QT_TRANSLATE_NOOP("table", "Position D"), positionGainHelp);
+    const auto gain
+        = [&](Role role, std::string_view name, double fallback, std::string_view label, std::string_view help) {
+              const std::size_t at = id % parametersPerAxis;
+              out[at] = as(role, hidden(name, id, WireType::Uint16, 1.0, "", 65535.0, fallback, group, label, help));
+              ++id;
+          };
+    gain(Role::Proportional, key<Axis, "position.p">(), 100.0, QT_TRANSLATE_NOOP("table", "Position P"),
+        positionGainHelp);
+    gain(Role::Integral, key<Axis, "position.i">(), 500.0, QT_TRANSLATE_NOOP("table", "Position I"), positionGainHelp);
+    gain(
+        Role::Derivative, key<Axis, "position.d">(), 500.0, QT_TRANSLATE_NOOP("table", "Position D"), positionGainHelp);
     out[3] = hidden(key<Axis, "position.windup">(), id++, WireType::Uint16, 1.0, "", fullPower, 600.0, group,
         QT_TRANSLATE_NOOP("table", "Position windup"), windupHelp);
-    gain(key<Axis, "velocity.p">(), 100.0, QT_TRANSLATE_NOOP("table", "Velocity P"), velocityGainHelp);
-    gain(key<Axis, "velocity.i">(), 200.0, QT_TRANSLATE_NOOP("table", "Velocity I"), velocityGainHelp);
-    gain(key<Axis, "velocity.d">(), 500.0, QT_TRANSLATE_NOOP("table", "Velocity D"), velocityGainHelp);
+    gain(Role::Proportional, key<Axis, "velocity.p">(), 100.0, QT_TRANSLATE_NOOP("table", "Velocity P"),
+        velocityGainHelp);
+    gain(Role::Integral, key<Axis, "velocity.i">(), 200.0, QT_TRANSLATE_NOOP("table", "Velocity I"), velocityGainHelp);
+    gain(
+        Role::Derivative, key<Axis, "velocity.d">(), 500.0, QT_TRANSLATE_NOOP("table", "Velocity D"), velocityGainHelp);
 }
 
 template <int Axis> constexpr void fillLimits(std::span<Parameter> out, std::uint16_t id, std::string_view group)
@@ -130,6 +135,8 @@ template <int Axis> constexpr void fillLimits(std::span<Parameter> out, std::uin
         group, QT_TRANSLATE_NOOP("table", "Velocity limit"), velocityHelp);
     out[9] = hidden(key<Axis, "limit.acceleration">(), id++, WireType::Uint32, limitOne, "counts/s²", steepest, 0.0,
         group, QT_TRANSLATE_NOOP("table", "Acceleration limit"), accelerationHelp);
+    for (std::size_t limit = 7; limit < 10; ++limit)
+        out[limit].role = Role::Limit;
     out[10] = hidden(key<Axis, "input.mode">(), id++, WireType::Uint8, 1.0, "", 3.0, 0.0, group,
         QT_TRANSLATE_NOOP("table", "Input mode"), inputHelp);
     out[10].choices = inputModes;

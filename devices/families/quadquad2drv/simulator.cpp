@@ -2,7 +2,7 @@
 #include "families/quadquad2drv/simulator.h"
 
 #include "families/quadquad2drv/simulatorboot.h"
-#include "wire/number.h"
+#include "model/simulatoroptions.h"
 
 #include <algorithm>
 
@@ -17,44 +17,44 @@ bool setVersion(BoardOptions &options, std::string_view text)
         && takeNumber(text.substr(dot + 1), options.version[1]);
 }
 
-bool setOption(BoardOptions &options, std::string_view key, std::string_view value)
+using Option = SimulatorOption<BoardOptions>;
+
+constexpr std::array<std::pair<std::string_view, bool>, 2> states{{{"application", false}, {"bootloader", true}}};
+constexpr std::array<std::pair<std::string_view, bool>, 2> jumpers{{{"open", false}, {"closed", true}}};
+constexpr std::array<std::pair<std::string_view, bool>, 2> polarities{{{"datasheet", false}, {"library", true}}};
+constexpr std::array<std::pair<std::string_view, bool>, 2> targets{{{"plain", false}, {"shifted", true}}};
+
+bool setBoot(BoardOptions &options, std::string_view text)
 {
-    if (key == "motor") {
-        options.motors.fill(std::string(value));
-        return motorByName(value) != nullptr;
-    }
-    if (key == "load") {
-        double load = 0.0;
-        const bool good = takeNumber(value, load) && load >= 1.0 && load <= 1000.0;
-        options.loads.fill(load);
-        return good;
-    }
-    if (key == "boot") {
-        auto address = LinkAddress::parse(value);
-        if (address)
-            options.boot = *address;
-        return address.has_value();
-    }
-    if (key == "state") {
-        options.inBootloader = value == "bootloader";
-        return options.inBootloader || value == "application";
-    }
-    if (key == "jumper") {
-        options.jumper = value == "closed";
-        return options.jumper || value == "open";
-    }
-    if (key == "scale")
-        return takeNumber(value, options.gainScale) && options.gainScale >= 1e-3 && options.gainScale <= 1e3;
-    if (key == "inputs") {
-        options.libraryPolarity = value == "library";
-        return options.libraryPolarity || value == "datasheet";
-    }
-    if (key == "target") {
-        options.shiftedTarget = value == "shifted";
-        return options.shiftedTarget || value == "plain";
-    }
-    return key == "serial" || (key == "firmware" && setVersion(options, value));
+    auto address = LinkAddress::parse(text);
+    if (address)
+        options.boot = *address;
+    return address.has_value();
 }
+
+constexpr std::array optionTable{
+    Option{"motor",
+        [](BoardOptions &o, std::string_view text) {
+            o.motors.fill(std::string(text));
+            return motorByName(text) != nullptr;
+        }},
+    Option{"load",
+        [](BoardOptions &o, std::string_view text) {
+            double load = 0.0;
+            const bool good = takeLoad(text, load);
+            o.loads.fill(load);
+            return good;
+        }},
+    Option{"firmware", setVersion},
+    Option{"serial", [](BoardOptions &, std::string_view) { return true; }},
+    Option{"boot", setBoot},
+    Option{"state", [](BoardOptions &o, std::string_view text) { return takeWord(text, states, o.inBootloader); }},
+    Option{"jumper", [](BoardOptions &o, std::string_view text) { return takeWord(text, jumpers, o.jumper); }},
+    Option{"scale", [](BoardOptions &o, std::string_view text) { return takeWithin(text, 1e-3, 1e3, o.gainScale); }},
+    Option{
+        "inputs", [](BoardOptions &o, std::string_view text) { return takeWord(text, polarities, o.libraryPolarity); }},
+    Option{"target", [](BoardOptions &o, std::string_view text) { return takeWord(text, targets, o.shiftedTarget); }},
+};
 
 } // namespace
 
@@ -69,15 +69,8 @@ Result<BoardOptions> BoardOptions::parse(const SimulatedUnit &unit)
     // the timed ones in order, so that one index serves
     std::stable_sort(options.faults.begin(), options.faults.end(),
         [](const SimulatedFault &a, const SimulatedFault &b) { return a.at < b.at; });
-    for (const auto &[key, value] : unit.options) {
-        constexpr std::array<std::string_view, 10> known{
-            "motor", "load", "firmware", "serial", "boot", "state", "jumper", "scale", "inputs", "target"};
-        if (std::find(known.begin(), known.end(), key) == known.end())
-            return fail(Fault::OutOfRange, "a simulated QuadQuad2Drv has no option '" + key + "'");
-        if (!setOption(options, key, value))
-            return fail(Fault::OutOfRange,
-                "'" + value + "' is no value for the option '" + key + "' of a simulated QuadQuad2Drv");
-    }
+    if (auto taken = takeOptions(unit, "a simulated QuadQuad2Drv", optionTable, options); !taken)
+        return fail(taken.error());
     if ((options.jumper || options.inBootloader) && !options.boot)
         return fail(Fault::OutOfRange, "a bootloader needs the board's serial line, such as boot=pty:./boot");
     return options;

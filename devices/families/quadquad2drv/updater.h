@@ -2,7 +2,9 @@
 #pragma once
 
 #include "families/quadquad2drv/bootconsole.h"
-#include "families/quadquad2drv/firmware.h"
+#include "families/quadquad2drv/bootsettings.h"
+#include "model/device.h"
+#include "model/family.h"
 
 namespace mb::quadquad2drv {
 

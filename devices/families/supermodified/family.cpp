@@ -44,9 +44,20 @@ constexpr std::array programmers{
     Programmer{"stk500v2", "STK500", Programmer::Port::Serial},
     Programmer{"avrisp", "AVR ISP", Programmer::Port::Serial},
 };
-constexpr std::array routes{
-    UpdateRoute{.scheme = avrdude::scheme, .example = "avrdude:arduino:/dev/ttyUSB0", .programmers = programmers},
+constexpr UpdateWords programmed{
+    .cancel = QT_TRANSLATE_NOOP("table", "Nothing is written yet; the update can be run again"),
+    .critical = QT_TRANSLATE_NOOP("table", "The flash is being written: it must not be cut"),
+    .cut = QT_TRANSLATE_NOOP("table",
+        "A unit that is cut while it is written holds half a program. It runs again once an update has succeeded."),
 };
+constexpr std::array routes{
+    UpdateRoute{.scheme = avrdude::scheme,
+        .example = "avrdude:arduino:/dev/ttyUSB0",
+        .programmers = programmers,
+        .words = programmed},
+};
+
+constexpr std::array<ChannelRate, 3> watched{{{"velocity", 100.0}, {"position", 100.0}, {"current", 50.0}}};
 
 constexpr Capabilities capabilities{
     .readback = true,
@@ -96,6 +107,8 @@ const Family family{
     .calibrations = calibrations,
     .routes = routes,
     .states = stateTable(),
+    .faults = faultTable(),
+    .watched = watched,
     .trials = &trials,
     .scan = scan,
     .probe = probe,

@@ -1,28 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/firmware.h"
 
-#include "async/sleep.h"
 #include "families/supermodified/avrdude.h"
 #include "families/supermodified/controller.h"
+#include "model/programmer.h"
 
-#include <QDir>
 #include <QFileInfo>
 #include <QTemporaryFile>
 
-#include <array>
-#include <cstdio>
 #include <memory>
 
 namespace mb::supermodified {
 namespace {
 
-using namespace std::chrono_literals;
 using avrdude::Stage;
 
 constexpr std::uint32_t pageSize = 128;
-constexpr Duration patience = 60s; ///< without a word
-constexpr Duration answerEvery = 500ms;
-constexpr int answerTries = 10;
 
 /// The first instruction is a jump of an AVR.
 bool hasVectors(const FirmwareImage &image)
@@ -34,35 +27,6 @@ bool hasVectors(const FirmwareImage &image)
     const bool jmp = (*low & 0xFEU) == 0x0CU && *high == 0x94U;
     const bool rjmp = (*high & 0xF0U) == 0xC0U;
     return jmp || rjmp;
-}
-
-std::string hexRecord(std::uint32_t address, std::span<const std::uint8_t> data)
-{
-    std::vector<unsigned> bytes{static_cast<unsigned>(data.size()), address >> 8U, address & 0xFFU, 0U};
-    bytes.insert(bytes.end(), data.begin(), data.end());
-    unsigned sum = 0;
-    for (const unsigned byte : bytes)
-        sum += byte;
-    bytes.push_back((0U - sum) & 0xFFU);
-    std::string line = ":";
-    for (const unsigned byte : bytes) {
-        std::array<char, 12> text{};
-        std::snprintf(text.data(), text.size(), "%02X", byte);
-        line += text.data();
-    }
-    return line + '\n';
-}
-
-Result<std::unique_ptr<QTemporaryFile>> written(const FirmwareImage &image)
-{
-    auto file = std::make_unique<QTemporaryFile>(QDir::tempPath() + QStringLiteral("/motorbench-XXXXXX.hex"));
-    const std::string text = toIntelHex(image);
-    const auto size = static_cast<qint64>(text.size());
-    if (!file->open() || file->write(text.data(), size) != size || !file->flush())
-        return fail(Fault::LinkLost,
-            "a temporary file for avrdude cannot be written: " + file->errorString().toStdString(),
-            "make room in " + QDir::tempPath().toStdString());
-    return file;
 }
 
 /// Lets the port go while avrdude has it. What opens lost links opens it again where the update is given up.
@@ -121,23 +85,15 @@ void show(const avrdude::Reading &reading, Progress &progress)
 /// Runs avrdude to its end.
 Task<avrdude::Reading> runOnce(Clock &clock, avrdude::Job job, Progress &progress)
 {
-    ExternalProgram program(clock);
     avrdude::Reading reading;
-    if (auto started = program.start(avrdude::commandOf(job)); !started)
-        co_return fail(started.error());
-    for (;;) {
+    const auto take = [&reading, &progress](const ExternalProgram::Piece &piece) {
+        reading.take(piece.text, piece.complete);
         show(reading, progress);
-        const auto piece = co_await program.next(patience);
-        if (!piece)
-            co_return fail(piece.error().fault, "avrdude said nothing for a minute and was ended",
-                "check the cables and try again");
-        if (!*piece)
-            break;
-        reading.take((*piece)->text, (*piece)->complete);
-        if ((*piece)->complete && !(*piece)->text.empty())
-            progress.log(Severity::Info, (*piece)->text);
-    }
-    if (program.exit().isSuccess() && reading.isVerified())
+    };
+    show(reading, progress);
+    auto running = runProgrammer(clock, avrdude::commandOf(job), "check the cables and try again", take, progress);
+    const ExternalProgram::Exit exit = co_await std::move(running);
+    if (exit.isSuccess() && reading.isVerified())
         co_return reading;
     Error error = reading.failure(job);
     if (reading.hasBegun())
@@ -168,20 +124,6 @@ Task<avrdude::Reading> program(Clock &clock, avrdude::Job job, Progress &progres
         progress.log(Severity::Caution, "no bootloader answers at " + std::to_string(rate) + " bit/s");
     }
     co_return fail(last);
-}
-
-Task<bool> answers(Device &device)
-{
-    for (int attempt = 0; attempt < answerTries; ++attempt) {
-        co_await Sleep(device.clock(), answerEvery);
-        auto asking = device.refresh();
-        const Result<void> answer = co_await std::move(asking).attempt();
-        if (answer)
-            co_return true;
-        if (answer.error().fault == Fault::LinkLost)
-            co_return fail(answer.error());
-    }
-    co_return false;
 }
 
 Result<void> preflight(const Controller &device, const FirmwareImage &image, const avrdude::Job &job)
@@ -216,21 +158,6 @@ UpdateReport reportOf(const Device &device, const FirmwareImage &image, bool ans
 }
 
 } // namespace
-
-std::string toIntelHex(const FirmwareImage &image)
-{
-    constexpr std::size_t perLine = 16;
-    std::string text;
-    for (const FirmwareImage::Segment &segment : image.segments()) {
-        std::span<const std::uint8_t> rest = image.bytes(segment);
-        for (std::uint32_t address = segment.first; !rest.empty(); address += perLine) {
-            const auto size = std::min(rest.size(), perLine);
-            text += hexRecord(address, rest.first(size));
-            rest = rest.subspan(size);
-        }
-    }
-    return text + ":00000001FF\n";
-}
 
 Result<ImageSummary> inspect(const FirmwareImage &image)
 {
@@ -272,7 +199,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         report.evidence = "dry run: " + std::to_string(inspect(image)->parts.size()) + " pages would be written";
         co_return report;
     }
-    const auto file = written(image);
+    const auto file = hexFileFor(image, "avrdude");
     if (!file)
         co_return fail(file.error());
     job->file = (*file)->fileName().toStdString();
@@ -287,7 +214,7 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
         co_return fail(opened.error());
     progress.step("Looking for the controller", 1, 1);
     progress.mayInterrupt(true);
-    auto asking = answers(device);
+    auto asking = answersAgain(device);
     const bool answered = co_await std::move(asking);
     co_return reportOf(device, image, answered);
 }

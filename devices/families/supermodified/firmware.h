@@ -14,7 +14,4 @@ namespace mb::supermodified {
 [[nodiscard]] Task<UpdateReport> update(
     Device &device, const FirmwareImage &image, UpdateOptions options, Progress &progress);
 
-/// As avrdude reads it.
-[[nodiscard]] std::string toIntelHex(const FirmwareImage &image);
-
 } // namespace mb::supermodified

@@ -1,76 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/simulatoroptions.h"
 
-#include "model/motormodel.h"
-#include "wire/number.h"
+#include "model/simulatoroptions.h"
 
-#include <algorithm>
 #include <array>
 
 namespace mb::supermodified::simulation {
 namespace {
 
-template <class T> bool setNumber(T &out, std::string_view text, T low, T high)
-{
-    return takeNumber(text, out) && out >= low && out <= high;
-}
+using Option = SimulatorOption<UnitOptions>;
 
-bool setDialect(UnitOptions &options, std::string_view text)
-{
-    constexpr std::array<std::string_view, 3> names{"D1", "D2", "D3"};
-    const auto *const found = std::find(names.begin(), names.end(), text);
-    if (found == names.end())
-        return false;
-    options.dialect = static_cast<Dialect>(found - names.begin());
-    return true;
-}
+constexpr std::array<std::pair<std::string_view, Dialect>, 3> dialects{
+    {{"D1", Dialect::D1}, {"D2", Dialect::D2}, {"D3", Dialect::D3}}};
+constexpr std::array<std::pair<std::string_view, bool>, 2> gains{{{"default", false}, {"tuned", true}}};
+constexpr std::array<std::pair<std::string_view, bool>, 2> flags{{{"0", false}, {"1", true}}};
 
 bool setBaudrate(UnitOptions &options, std::string_view text)
 {
     int rate = 0;
-    const bool good = setNumber(rate, text, slowestRate, fastestRate);
+    const bool good = takeWithin<int>(text, slowestRate, fastestRate, rate);
     options.baudrate = rate;
     return good;
 }
 
-bool setMotor(UnitOptions &options, std::string_view text)
-{
-    options.motor = text;
-    return motorByName(text) != nullptr;
-}
-
-bool setGains(UnitOptions &options, std::string_view text)
-{
-    options.tuned = text == "tuned";
-    return options.tuned || text == "default";
-}
-
-bool setHalfPacket(UnitOptions &options, std::string_view text)
-{
-    options.halfPacket = text == "1";
-    return text == "0" || text == "1";
-}
-
-bool setHangs(UnitOptions &options, std::string_view text)
-{
-    options.hangs = text == "1";
-    return text == "0" || text == "1";
-}
-
-struct Option {
-    std::string_view key;
-    bool (*set)(UnitOptions &, std::string_view);
-};
 constexpr std::array optionTable{
-    Option{"dialect", setDialect},
-    Option{"motor", setMotor},
-    Option{"load", [](UnitOptions &o, std::string_view text) { return setNumber(o.load, text, 1.0, 1000.0); }},
-    Option{"gains", setGains},
+    Option{"dialect", [](UnitOptions &o, std::string_view text) { return takeWord(text, dialects, o.dialect); }},
+    Option{"motor", [](UnitOptions &o, std::string_view text) { return takeMotor(text, o.motor); }},
+    Option{"load", [](UnitOptions &o, std::string_view text) { return takeLoad(text, o.load); }},
+    Option{"gains", [](UnitOptions &o, std::string_view text) { return takeWord(text, gains, o.tuned); }},
     Option{"baud", setBaudrate},
-    Option{"mask", [](UnitOptions &o, std::string_view text) { return setNumber(o.mask, text, 1, 255); }},
-    Option{"level", [](UnitOptions &o, std::string_view text) { return setNumber(o.level, text, 0, 1); }},
-    Option{"halfpacket", setHalfPacket},
-    Option{"hang", setHangs},
+    Option{"mask", [](UnitOptions &o, std::string_view text) { return takeWithin(text, 1, 255, o.mask); }},
+    Option{"level", [](UnitOptions &o, std::string_view text) { return takeWithin(text, 0, 1, o.level); }},
+    Option{"halfpacket", [](UnitOptions &o, std::string_view text) { return takeWord(text, flags, o.halfPacket); }},
+    Option{"hang", [](UnitOptions &o, std::string_view text) { return takeWord(text, flags, o.hangs); }},
     Option{"serial", [](UnitOptions &, std::string_view text) { return !text.empty(); }},
 };
 
@@ -84,21 +46,14 @@ Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
     options.node = unit.address;
     options.seed = unit.seed;
     options.faults = unit.faults;
-    for (const auto &[key, value] : unit.options) {
-        const auto *const option = std::find_if(
-            optionTable.begin(), optionTable.end(), [&wanted = key](const Option &o) { return o.key == wanted; });
-        if (option == optionTable.end())
-            return fail(Fault::OutOfRange, "a simulated Supermodified has no option '" + key + "'");
-        if (!option->set(options, value))
-            return fail(Fault::OutOfRange,
-                "'" + value + "' is no value for the option '" + key + "' of a simulated Supermodified");
-    }
+    if (auto taken = takeOptions(unit, "a simulated Supermodified", optionTable, options); !taken)
+        return fail(taken.error());
     return options;
 }
 
 bool UnitOptions::has(std::string_view fault) const
 {
-    return std::any_of(faults.begin(), faults.end(), [&](const SimulatedFault &f) { return f.kind == fault; });
+    return findFault(faults, fault) != nullptr;
 }
 
 } // namespace mb::supermodified::simulation

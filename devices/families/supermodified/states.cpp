@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/supermodified/states.h"
 
+#include "families/supermodified/codec.h"
+
 #include <QtGlobal>
+
+#include <vector>
 
 namespace mb::supermodified {
 namespace {
@@ -19,6 +23,17 @@ static_assert(checkStates(stateRows));
 std::span<const StateRow> stateTable()
 {
     return stateRows;
+}
+
+std::span<const FaultRow> faultTable()
+{
+    static const std::vector<FaultRow> rows = [] {
+        std::vector<FaultRow> made;
+        for (const CodeName &name : codeNames())
+            made.push_back({name.key, name.text});
+        return made;
+    }();
+    return rows;
 }
 
 LiveStates statesOf(std::uint8_t inputs)

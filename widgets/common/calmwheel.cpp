@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/control/calmwheel.h"
+#include "widgets/common/calmwheel.h"
 
 #include <QAbstractSlider>
 #include <QComboBox>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/monitor/replaybar.h"
+#include "widgets/common/replaybar.h"
 
+#include "widgets/common/calmwheel.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
-#include "widgets/control/calmwheel.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Controller: parameters, faults, rates, and the proof that flash has them.
-#include "families/dmc60c/controller.h"
+#include "families/dmc60c/parameterdesk.h"
 
 #include "async/sleep.h"
 #include "families/dmc60c/channels.h"
@@ -21,33 +21,34 @@ constexpr int counterTries = 4;
 constexpr std::array<std::string_view, 5> faultKeys{
     "over_current", "over_temperature", "under_voltage", "gate_driver", "communication"};
 
-std::optional<std::uint8_t> periodOf(ChannelIndex index)
-{
-    if (index == channel::position || index == channel::velocity)
-        return param::encoderPeriod;
-    if (index == channel::duty || index == channel::error)
-        return param::generalPeriod;
-    if (index == channel::setPoint)
-        return std::nullopt;
-    return param::analogPeriod;
-}
-
 } // namespace
 
-// Parameters
+ParameterDesk::ParameterDesk(const UnitContact &contact, VendorOrders &orders, ParameterStore &known)
+    : m_contact(contact)
+    , m_orders(orders)
+    , m_known(known)
+    , m_exchange(contact.link, contact.clock)
+{
+}
 
-Task<std::int64_t> Controller::readId(std::uint8_t parameter)
+void ParameterDesk::restarted()
+{
+    m_flashLost = m_flashLost || m_flash.isPending();
+    m_flash.restarted();
+}
+
+Task<std::int64_t> ParameterDesk::read(std::uint8_t parameter)
 {
     const Parameter &row = parameterTable()[parameterWithId(parameter)->value];
-    auto asking = m_exchange.get(target(), parameter);
+    auto asking = m_exchange.get(m_contact.target(), parameter);
     Result<ParamResponse> response = co_await std::move(asking).attempt();
     if (response && response->status == ParameterStatus::BadParameter && row.nature == Nature::Counter) {
-        auto setting = m_exchange.set(target(), parameter, 0); // "keep": reads as well (section 4)
+        auto setting = m_exchange.set(m_contact.target(), parameter, 0); // "keep": reads as well (section 4)
         response = co_await std::move(setting).attempt();
     }
     if (!response) {
         if (response.error().fault == Fault::Timeout)
-            enumerate();
+            m_contact.unanswered();
         co_return fail(response.error().about(row.key));
     }
     if (auto checked = dmc60c::check(*response, row.key); !checked)
@@ -55,42 +56,22 @@ Task<std::int64_t> Controller::readId(std::uint8_t parameter)
     co_return rawOf(row.type, response->field);
 }
 
-Task<std::int64_t> Controller::doRead(ParameterIndex index)
-{
-    return readId(static_cast<std::uint8_t>(parameters().parameter(index).id));
-}
-
-Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
-{
-    const Parameter &row = parameters().parameter(index);
-    if (row.id == param::encoderPosition && (liveness().moving || m_lastGeneral.duty != 0))
-        co_return fail(Fault::Unsafe, "the position is written only while the output is off", "stop the motor first");
-    if (row.nature == Nature::Counter && raw != 0) {
-        auto clearing = clearCounter(row, raw);
-        const std::int64_t before = co_await std::move(clearing);
-        co_return before;
-    }
-    auto writing = writeSetting(row, raw);
-    const std::int64_t inForce = co_await std::move(writing);
-    co_return inForce;
-}
-
-Task<std::int64_t> Controller::writeSetting(const Parameter &parameter, std::int64_t raw)
+Task<std::int64_t> ParameterDesk::write(const Parameter &parameter, std::int64_t raw)
 {
     const auto number = static_cast<std::uint8_t>(parameter.id);
     if (parameter.persistent && parameter.nature == Nature::Setting) {
-        auto reading = readId(number);
+        auto reading = read(number);
         const std::int64_t present = co_await std::move(reading);
         if (present == raw)
             co_return raw; // nothing changes, so flash must not be expected to
         if (m_flash.wantsBaseline()) {
-            auto asking = flashSequence();
+            auto asking = m_orders.flashSequence();
             const Result<std::uint32_t> sequence = co_await std::move(asking).attempt();
             m_flash.setBaseline(sequence ? std::optional(*sequence) : std::nullopt);
         }
-        m_flash.changed(clock().now()); // also when the answer is lost
+        m_flash.changed(m_contact.clock.now()); // also when the answer is lost
     }
-    auto setting = m_exchange.set(target(), number, fieldOf(parameter.type, raw));
+    auto setting = m_exchange.set(m_contact.target(), number, fieldOf(parameter.type, raw));
     const Result<ParamResponse> response = co_await std::move(setting).attempt();
     if (!response)
         co_return fail(response.error().about(parameter.key));
@@ -101,13 +82,13 @@ Task<std::int64_t> Controller::writeSetting(const Parameter &parameter, std::int
 
 /// The answer to a clear carries the count before it, so a clear is repeated only when a reading shows that it did not
 /// arrive (trap 19); when it did, the reading before it is the count.
-Task<std::int64_t> Controller::clearCounter(const Parameter &parameter, std::int64_t raw)
+Task<std::int64_t> ParameterDesk::clearCounter(const Parameter &parameter, std::int64_t raw)
 {
     const auto number = static_cast<std::uint8_t>(parameter.id);
-    auto reading = readId(number);
+    auto reading = read(number);
     const std::int64_t before = co_await std::move(reading);
     for (int attempt = 0; attempt < counterTries; ++attempt) {
-        auto setting = m_exchange.setOnce(target(), number, fieldOf(parameter.type, raw));
+        auto setting = m_exchange.setOnce(m_contact.target(), number, fieldOf(parameter.type, raw));
         const Result<ParamResponse> response = co_await std::move(setting).attempt();
         if (response) {
             if (auto checked = dmc60c::check(*response, parameter.key); !checked)
@@ -116,7 +97,7 @@ Task<std::int64_t> Controller::clearCounter(const Parameter &parameter, std::int
         }
         if (response.error().fault != Fault::Timeout)
             co_return fail(response.error());
-        auto again = readId(number);
+        auto again = read(number);
         const std::int64_t now = co_await std::move(again);
         if (now < before || now == 0)
             co_return before;
@@ -125,18 +106,18 @@ Task<std::int64_t> Controller::clearCounter(const Parameter &parameter, std::int
         std::string(parameter.key) + " was " + std::to_string(before) + " and is not known to be cleared");
 }
 
-Task<bool> Controller::doStore(Progress &progress)
+Task<bool> ParameterDesk::store(Progress &progress)
 {
     if (std::exchange(m_flashLost, false))
         co_return fail(
             Fault::BadCheck, "the device restarted before its flash was proved to be written", "read it again");
-    const Instant begun = clock().now();
+    const Instant begun = m_contact.clock.now();
     const Instant end = std::max(m_flash.deadline(), begun + 1s);
     bool advanced = false;
     while (m_flash.isPending()) {
-        auto asking = flashSequence();
+        auto asking = m_orders.flashSequence();
         const Result<std::uint32_t> sequence = co_await std::move(asking).attempt();
-        const Instant now = clock().now();
+        const Instant now = m_contact.clock.now();
         if (m_flashLost)
             continue; // restarted meanwhile, and so no longer pending
         if (!sequence && sequence.error().fault == Fault::LinkLost)
@@ -152,31 +133,29 @@ Task<bool> Controller::doStore(Progress &progress)
         }
         progress.step("Waiting until the device has written its flash", static_cast<int>((now - begun) / 1s),
             static_cast<int>((end - begun) / 1s));
-        co_await Sleep(clock(), sequencePollPeriod);
+        co_await Sleep(m_contact.clock, sequencePollPeriod);
     }
     if (std::exchange(m_flashLost, false))
         co_return fail(
             Fault::BadCheck, "the device restarted before its flash was proved to be written", "read it again");
     m_flash.settle();
-    parameters().setAllStored();
+    m_known.setAllStored();
     co_return true;
 }
 
-// Faults and rates
-
-Task<std::vector<FaultRecord>> Controller::gatherFaults(bool clear)
+Task<std::vector<FaultRecord>> ParameterDesk::faults(bool clear)
 {
-    auto readingActive = readId(param::activeFaults);
+    auto readingActive = read(param::activeFaults);
     const std::int64_t active = co_await std::move(readingActive);
     std::array<std::int64_t, 1 + faultKeys.size()> values{}; // sticky bits, then counts in the order of the bits
     for (std::size_t i = 0; i < values.size(); ++i) {
         const auto number = static_cast<std::uint8_t>(param::stickyFaults + i);
         const Parameter &row = parameterTable()[parameterWithId(number)->value];
-        auto task = clear ? clearCounter(row, 1) : readId(number);
+        auto task = clear ? clearCounter(row, 1) : read(number);
         values.at(i) = co_await std::move(task);
-        parameters().setRead(*parameterWithId(number), clear ? 0 : values.at(i));
+        m_known.setRead(*parameterWithId(number), clear ? 0 : values.at(i));
     }
-    parameters().setRead(*parameterWithId(param::activeFaults), active);
+    m_known.setRead(*parameterWithId(param::activeFaults), active);
     std::vector<FaultRecord> records;
     for (std::size_t i = 0; i < faultKeys.size(); ++i) {
         const std::int64_t bit = std::int64_t{1} << i;
@@ -184,49 +163,6 @@ Task<std::vector<FaultRecord>> Controller::gatherFaults(bool clear)
             {std::string(faultKeys.at(i)), (active & bit) != 0, (values[0] & bit) != 0, values.at(i + 1)});
     }
     co_return records;
-}
-
-Task<std::vector<FaultRecord>> Controller::doReadFaults()
-{
-    return gatherFaults(false);
-}
-
-Task<std::vector<FaultRecord>> Controller::doClearFaults()
-{
-    return gatherFaults(true);
-}
-
-Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
-{
-    const auto number = periodOf(channel);
-    if (!number)
-        co_return fail(Fault::Unsupported, "the set-point comes from here, not from the device");
-    if (!std::isfinite(hertz) || hertz < 0.0)
-        co_return fail(Fault::OutOfRange, "a rate is a positive number, or 0 for the usual one");
-    const Parameter &row = parameterTable()[parameterWithId(*number)->value];
-    RateWishes &wishes = m_rateWishes[*number];
-    wishes.set(channel, hertz);
-    hertz = wishes.highest(); // of what comes in one frame
-    const auto usual = m_usualPeriods.find(*number);
-    if (hertz == 0.0 && usual == m_usualPeriods.end())
-        co_return {};
-    if (usual == m_usualPeriods.end()) {
-        auto reading = readId(*number);
-        const std::int64_t present = co_await std::move(reading);
-        m_usualPeriods[*number] = static_cast<std::uint32_t>(present);
-    }
-    const double milliseconds
-        = hertz > 0.0 ? std::clamp(std::round(1000.0 / hertz), row.minimum, row.maximum) : m_usualPeriods[*number];
-    auto writing = writeSetting(row, static_cast<std::int64_t>(milliseconds));
-    const std::int64_t inForce = co_await std::move(writing);
-    parameters().setRead(*parameterWithId(*number), inForce);
-    if (hertz > 0.0) {
-        m_wantedPeriods[*number] = static_cast<std::uint32_t>(inForce);
-    } else {
-        m_wantedPeriods.erase(*number);
-        m_usualPeriods.erase(*number);
-    }
-    co_return {};
 }
 
 } // namespace mb::dmc60c

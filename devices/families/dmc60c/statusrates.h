@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "families/dmc60c/parameterdesk.h"
+#include "model/ratewishes.h"
+
+#include <map>
+
+namespace mb::dmc60c {
+
+/// How often one unit sends its status frames: who wishes for what, and what to go back to. Engine thread; outlives its tasks.
+class StatusRates {
+public:
+    StatusRates(ParameterDesk &desk, ParameterStore &known)
+        : m_desk(desk)
+        , m_known(known)
+    {
+    }
+    /// Device::setRate().
+    [[nodiscard]] Task<void> set(ChannelIndex channel, double hertz);
+    /// Milliseconds by the number of the parameter; the unit forgets them in a restart.
+    [[nodiscard]] const std::map<std::uint8_t, std::uint32_t> &wanted() const { return m_wanted; }
+
+private:
+    ParameterDesk &m_desk;
+    ParameterStore &m_known;
+    std::map<std::uint8_t, RateWishes> m_wishes;   ///< by status frame
+    std::map<std::uint8_t, std::uint32_t> m_usual; ///< what set() goes back to, ms
+    std::map<std::uint8_t, std::uint32_t> m_wanted;
+};
+
+} // namespace mb::dmc60c

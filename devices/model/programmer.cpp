@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/programmer.h"
+
+#include "async/sleep.h"
+#include "model/intelhex.h"
+
+#include <QDir>
+#include <QTemporaryFile>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration programPatience = 60s; ///< between two words; a whole flash is erased and written in less
+constexpr Duration answerEvery = 500ms;
+constexpr int answerTries = 10;
+
+} // namespace
+
+Result<std::unique_ptr<QTemporaryFile>> hexFileFor(const FirmwareImage &image, std::string_view program)
+{
+    auto file = std::make_unique<QTemporaryFile>(QDir::tempPath() + QStringLiteral("/motorbench-XXXXXX.hex"));
+    const std::string text = toIntelHex(image);
+    const auto size = static_cast<qint64>(text.size());
+    if (!file->open() || file->write(text.data(), size) != size || !file->flush())
+        return fail(Fault::LinkLost,
+            "a temporary file for " + std::string(program) + " cannot be written: " + file->errorString().toStdString(),
+            "make room in " + QDir::tempPath().toStdString());
+    return file;
+}
+
+Task<ExternalProgram::Exit> runProgrammer(Clock &clock, ExternalProgram::Command command, std::string remedy,
+    std::function<void(const ExternalProgram::Piece &)> take, Progress &progress)
+{
+    ExternalProgram program(clock);
+    if (auto started = program.start(command); !started)
+        co_return fail(started.error());
+    for (;;) {
+        const auto piece = co_await program.next(programPatience);
+        if (!piece)
+            co_return fail(piece.error().fault, command.program + " said nothing for a minute and was ended", remedy);
+        if (!*piece)
+            break;
+        take(**piece);
+        if ((*piece)->complete && !(*piece)->text.empty())
+            progress.log(Severity::Info, (*piece)->text);
+    }
+    co_return program.exit();
+}
+
+Task<bool> answersAgain(Device &device)
+{
+    for (int attempt = 0; attempt < answerTries; ++attempt) {
+        co_await Sleep(device.clock(), answerEvery);
+        auto asking = device.refresh();
+        const Result<void> answer = co_await std::move(asking).attempt();
+        if (answer)
+            co_return true;
+        if (answer.error().fault == Fault::LinkLost)
+            co_return fail(answer.error());
+    }
+    co_return false;
+}
+
+} // namespace mb

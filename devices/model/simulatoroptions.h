@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/motormodel.h"
+#include "model/simulator.h"
+#include "wire/number.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+
+namespace mb {
+
+/// Options of simulated units (`FAMILY:ADDRESS,key=value…`): a family lists its own as a table of these, each with what takes
+/// its value into the family's struct.
+template <class Options> struct SimulatorOption {
+    std::string_view key;
+    bool (*set)(Options &, std::string_view value); ///< false: the value is none
+};
+
+/// OutOfRange for a key that is in no row of `table` and for a value that its row refuses; `what` is "a simulated …".
+template <class Options, std::size_t N>
+[[nodiscard]] Result<void> takeOptions(const SimulatedUnit &unit, std::string_view what,
+    const std::array<SimulatorOption<Options>, N> &table, Options &options)
+{
+    for (const auto &[key, value] : unit.options) {
+        const auto row = std::find_if(table.begin(), table.end(),
+            [&wanted = key](const SimulatorOption<Options> &option) { return option.key == wanted; });
+        if (row == table.end())
+            return fail(Fault::OutOfRange, std::string(what) + " has no option '" + key + "'");
+        if (!row->set(options, value))
+            return fail(
+                Fault::OutOfRange, "'" + value + "' is no value for the option '" + key + "' of " + std::string(what));
+    }
+    return {};
+}
+
+/// A number from `low` to `high`; `out` stays as it is otherwise.
+template <class Number> [[nodiscard]] bool takeWithin(std::string_view text, Number low, Number high, Number &out)
+{
+    Number number{};
+    if (!takeNumber(text, number) || number < low || number > high)
+        return false;
+    out = number;
+    return true;
+}
+
+/// How much heavier than its rotor a motor's load is (`load=`).
+[[nodiscard]] inline bool takeLoad(std::string_view text, double &out)
+{
+    return takeWithin(text, 1.0, 1000.0, out);
+}
+
+/// The name of a motor (`motor=`).
+[[nodiscard]] inline bool takeMotor(std::string_view text, std::string &out)
+{
+    out = text;
+    return motorByName(text) != nullptr;
+}
+
+/// One of several words; `out` stays as it is otherwise.
+template <class T, std::size_t N>
+[[nodiscard]] bool takeWord(std::string_view text, const std::array<std::pair<std::string_view, T>, N> &words, T &out)
+{
+    const auto found
+        = std::find_if(words.begin(), words.end(), [text](const auto &word) { return word.first == text; });
+    if (found == words.end())
+        return false;
+    out = found->second;
+    return true;
+}
+
+/// nullptr: the unit has no such fault.
+[[nodiscard]] inline const SimulatedFault *findFault(std::span<const SimulatedFault> faults, std::string_view kind)
+{
+    const auto found = std::find_if(
+        faults.begin(), faults.end(), [kind](const SimulatedFault &fault) { return fault.kind == kind; });
+    return found == faults.end() ? nullptr : &*found;
+}
+
+} // namespace mb

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A made-up family is taken through the whole program, and nothing outside its folder knows it: scan, parameters, drive, telemetry,
+// update, rows of the window, translation. The contract of every family (test_contract.cpp) runs over it in this same program.
+// docs/adding-a-family.md tells this file.
+#include "model/parametertransfer.h"
+#include "model/snapshot.h"
+#include "model/unknownframes.h"
+#include "support/fakeworkbench.h"
+#include "support/simulatedsession.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/connection/devicemodel.h"
+#include "widgets/control/gainunits.h"
+#include "widgets/firmware/drawingview.h"
+#include "widgets/firmware/firmwarepage.h"
+#include "widgets/parameters/parametermodel.h"
+
+#include <QApplication>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
+#include <QTranslator>
+
+#include <gtest/gtest.h>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using test::run;
+using test::SimulatedSession;
+
+class NewFamily : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        bench.scan();
+        unit = bench.device(3, "tinker");
+        ASSERT_NE(unit, nullptr);
+        bench.clock.advance(200ms);
+    }
+    [[nodiscard]] Simulator &simulated() { return *bench.simulator("tinker:3"); }
+    /// The window's side, as the engine publishes it.
+    void publish()
+    {
+        workbench.shot.links = {viewOf(*bench.link, bench.clock.now())};
+        workbench.shot.devices = {viewOf(bench.session, *unit)};
+        workbench.time = bench.clock.now();
+        workbench.publish();
+    }
+    void moveTo(double counts)
+    {
+        SetPoint setPoint;
+        setPoint.mode = Mode::Position;
+        setPoint.target = counts;
+        ASSERT_TRUE(bench.session.stream(*unit).start(setPoint, 10s));
+    }
+    SimulatedSession bench;
+    Device *unit = nullptr;
+    test::FakeWorkbench workbench;
+};
+
+TEST_F(NewFamily, IsTheOnlyOneOfThisRegistry)
+{
+    ASSERT_EQ(families().size(), 1U);
+    EXPECT_EQ(families().front()->title, "Tinker One");
+}
+
+TEST_F(NewFamily, IsFoundWithItsVersion)
+{
+    EXPECT_EQ(bench.session.devices().size(), 2U);
+    EXPECT_EQ(unit->identity().firmware, "1.0");
+    EXPECT_EQ(unit->identity().state, DeviceState::Online);
+}
+
+TEST_F(NewFamily, KeepsWhatIsStoredAndLosesWhatIsNot)
+{
+    NoProgress progress;
+    const auto gain = bench.index(*unit, "loop.p");
+    ASSERT_TRUE(run(bench.clock, writeParameters(*unit, {{gain, 7000}}, progress)));
+    EXPECT_TRUE(run(bench.clock, unit->store(progress)).value_or(false));
+    ASSERT_TRUE(run(bench.clock, writeParameters(*unit, {{gain, 9000}}, progress)));
+    simulated().setPowered(false);
+    simulated().setPowered(true);
+    const auto kept = run(bench.clock, unit->read(gain));
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(*kept, 7000);
+}
+
+TEST_F(NewFamily, DrivesToAPositionAndRecordsTheWay)
+{
+    moveTo(2000.0);
+    bench.clock.advance(3s);
+    EXPECT_NEAR(simulated().position(), 2000.0, 100.0);
+    const auto position = unit->telemetry()->latest(*unit->telemetry()->find("position"));
+    ASSERT_TRUE(position);
+    EXPECT_NEAR(position->value, simulated().position(), 1.5);
+    EXPECT_NEAR(unit->telemetry()->rate(*unit->telemetry()->find("position")), 100.0, 2.0);
+    bench.session.stopAll(StopCause::User);
+    bench.clock.advance(50ms);
+    EXPECT_FALSE(simulated().isOutputOn());
+}
+
+TEST_F(NewFamily, ItsFramesAreKnownByNameAndOthersAreNot)
+{
+    const auto decoded = families().front()->decodeCan(*canFrameFromText("0F5E0203#0110270000"), {});
+    ASSERT_TRUE(decoded);
+    EXPECT_EQ(decoded->message, "drive");
+    EXPECT_EQ(decoded->address, 3);
+    EXPECT_TRUE(decoded->control);
+    EXPECT_EQ(decoded->fields.back().value, 10000.0);
+    EXPECT_FALSE(families().front()->decodeCan(*canFrameFromText("0F5E0203#01102700"), {})) << "one byte short";
+    EXPECT_FALSE(families().front()->decodeCan(*canFrameFromText("0F5F0203#0110270000"), {}));
+}
+
+TEST_F(NewFamily, IsUpdatedByHandAndAnswersWithTheNewVersion)
+{
+    const auto image = FirmwareImage::fromIntelHex(":0800000002050A0B0C0D0E0FA6\n:00000001FF\n");
+    ASSERT_TRUE(image) << image.error().text();
+    NoProgress progress;
+    const Family &family = unit->family();
+    const auto refused = run(bench.clock, family.update(*unit, *image, {}, progress));
+    ASSERT_FALSE(refused);
+    UpdateOptions options;
+    options.via = family.routes.front().example;
+    const auto report = run(bench.clock, family.update(*unit, *image, options, progress));
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->outcome, UpdateOutcome::Done);
+    EXPECT_EQ(report->to, "2.5");
+    EXPECT_EQ(simulated().flash()[7], 0x0F);
+}
+
+TEST_F(NewFamily, HasItsRowsInTheWindow)
+{
+    simulated().disturb("stall", 1.0);
+    simulated().disturb("end-switch", 1.0);
+    moveTo(2000.0);
+    bench.clock.advance(1s);
+    publish();
+    DeviceModel tree(workbench);
+    publish();
+    const QModelIndex row = tree.indexOf(workbench.shot.devices.front().id);
+    ASSERT_TRUE(row.isValid());
+    EXPECT_EQ(row.data().toString(), QStringLiteral("Tinker One #3"));
+    EXPECT_TRUE(row.data(DeviceModel::LineRole).toString().contains(QStringLiteral("tinkered to a standstill")))
+        << row.data(DeviceModel::LineRole).toString().toStdString();
+    EXPECT_EQ(tree.rowCount(row), static_cast<int>(unit->family().channels.size()));
+    EXPECT_EQ(alertsOf(workbench.shot.devices.front()), QStringList(QStringLiteral("tinkered end switch holds")));
+
+    StagedEdits edits(unit->family());
+    ParameterModel parameters;
+    parameters.show(&unit->family(), &edits, true);
+    EXPECT_EQ(parameters.index(0, 0).data().toString(), QStringLiteral("Tinkered loop"));
+    EXPECT_EQ(parameters.rowCount(parameters.index(0, 0)), 3);
+}
+
+TEST_F(NewFamily, ItsGainsAreKnownByTheirRoles)
+{
+    const GainSet set = gainSet(unit->family(), Mode::Position, 0);
+    ASSERT_EQ(set.gains.size(), 2U);
+    EXPECT_EQ(shortName(unit->family().parameters[set.gains[1].value]), QStringLiteral("D"));
+    EXPECT_EQ(usualRange(unit->family().ranges, Mode::Position), 5000.0);
+}
+
+TEST_F(NewFamily, ShowsItsOwnStepsAndDrawingOnTheFirmwarePage)
+{
+    publish();
+    Selection selection;
+    ThemeSource theme(lightTheme());
+    selection.select(workbench.shot.devices.front().id);
+    FirmwarePage page(workbench, selection, theme);
+    page.show();
+    publish();
+    auto *const view = page.findChild<DrawingView *>();
+    ASSERT_NE(view, nullptr);
+    ASSERT_EQ(view->drawing(), unit->family().routes.front().steps.front().drawing);
+    EXPECT_EQ(view->accessibleName(), QStringLiteral("Drawing: a tinkered handle"));
+    const QByteArray svg = DrawingView::svgOf(*view->drawing(), theme.theme());
+    EXPECT_FALSE(svg.contains('{')) << svg.constData();
+    EXPECT_TRUE(svg.contains(theme.theme().accent.name().toUtf8()));
+    EXPECT_TRUE(QSvgRenderer(svg).isValid());
+}
+
+TEST_F(NewFamily, SpeaksGermanFromItsOwnFolder)
+{
+    QTranslator german;
+    ASSERT_TRUE(german.load(QStringLiteral(TINKER_GERMAN)));
+    QCoreApplication::installTranslator(&german);
+    const Family &family = unit->family();
+    EXPECT_EQ(faultText(family, "stalled"), QStringLiteral("stillgebastelt"));
+    EXPECT_EQ(tableText(family.states.front().clause), QStringLiteral("gebastelter Endschalter hält"));
+    EXPECT_EQ(tableText(updateWords(family).cut),
+        QStringLiteral("Ein gebasteltes Gerät, das unterbrochen wird, wartet in seinem Lader."));
+    const QByteArray svg = DrawingView::svgOf(*family.routes.front().steps.front().drawing, lightTheme());
+    EXPECT_TRUE(svg.contains("gebastelte Kurbel"));
+    QCoreApplication::removeTranslator(&german);
+    EXPECT_EQ(faultText(family, "stalled"), QStringLiteral("tinkered to a standstill"));
+}
+
+} // namespace
+} // namespace mb
+
+int main(int argc, char **argv)
+{
+    const QTemporaryDir data; // what the program keeps of devices goes with the test
+    qputenv("XDG_DATA_HOME", data.path().toUtf8());
+    QApplication application(argc, argv);
+    testing::InitGoogleTest(&argc, argv);
+    return RUN_ALL_TESTS();
+}
