@@ -659,6 +659,111 @@
     </message>
 </context>
 <context>
+    <name>PlotFeed</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>live, %1</source>
+        <translation>live, %1</translation>
+    </message>
+    <message>
+        <source>paused, %1</source>
+        <translation>angehalten, %1</translation>
+    </message>
+</context>
+<context>
+    <name>PlotReadings</name>
+    <message>
+        <source>t</source>
+        <comment>time of both cursors</comment>
+        <translation>t</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>Δt</source>
+        <translation>Δt</translation>
+    </message>
+    <message>
+        <source>1/Δt</source>
+        <translation>1/Δt</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>Δ %1</source>
+        <translation>Δ %1</translation>
+    </message>
+    <message>
+        <source>mean A…B</source>
+        <translation>Mittel A…B</translation>
+    </message>
+    <message>
+        <source>min … max</source>
+        <translation>min … max</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>σ, %1 samples</source>
+        <translation>σ, %1 Werte</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>/s</source>
+        <translation>/s</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3</source>
+        <translation>%1 %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 no data</source>
+        <translation>%1 ohne Daten</translation>
+    </message>
+    <message>
+        <source>, now %1</source>
+        <translation>, jetzt %1</translation>
+    </message>
+    <message>
+        <source>, 1 gap</source>
+        <translation>, 1 Lücke</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n gaps</source>
+        <translation>
+            <numerusform>, %n Lücke</numerusform>
+            <numerusform>, %n Lücken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No traces</source>
+        <translation>Keine Kurven</translation>
+    </message>
+    <message>
+        <source>Last %1: %2</source>
+        <translation>Letzte %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>PlotStrip</name>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+</context>
+<context>
     <name>QLineEdit</name>
     <message>
         <source>&amp;Undo</source>
@@ -972,6 +1077,73 @@
     <message>
         <source>Stage %1</source>
         <translation>%1 vormerken</translation>
+    </message>
+</context>
+<context>
+    <name>mb::AgainstView</name>
+    <message>
+        <source>Export plot</source>
+        <translation>Kurve exportieren</translation>
+    </message>
+    <message>
+        <source>plot written to %1</source>
+        <translation>Kurve geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Export PNG…</source>
+        <translation>PNG exportieren…</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Export SVG…</source>
+        <translation>SVG exportieren…</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>Export PDF…</source>
+        <translation>PDF exportieren…</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF-Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>One signal against another</source>
+        <translation>Ein Signal über einem anderen</translation>
+    </message>
+    <message>
+        <source>Signal across</source>
+        <translation>Signal waagerecht</translation>
+    </message>
+    <message>
+        <source>Signal upwards</source>
+        <translation>Signal senkrecht</translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>A … B: </source>
+        <translation>A … B: </translation>
+    </message>
+    <message>
+        <source>what is seen: </source>
+        <translation>Sichtbares: </translation>
     </message>
 </context>
 <context>
@@ -2413,6 +2585,37 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>It is there already; enter another place to go to.</source>
         <translation>Dort ist er schon; ein anderes Ziel eingeben.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ExportBar</name>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Writing samples</source>
+        <translation>Schreibt Werte</translation>
+    </message>
+    <message>
+        <source>One export at a time: %1 is being written.</source>
+        <translation>Nur ein Export zur selben Zeit: %1 wird gerade geschrieben.</translation>
+    </message>
+    <message>
+        <source>writing %1</source>
+        <translation>schreibt %1</translation>
+    </message>
+    <message>
+        <source>%1 written: %2 samples, %3 lost</source>
+        <translation>%1 geschrieben: %2 Werte, %3 verloren</translation>
+    </message>
+    <message>
+        <source>export cancelled, nothing was written</source>
+        <translation>Export abgebrochen, nichts wurde geschrieben</translation>
     </message>
 </context>
 <context>
@@ -4615,43 +4818,18 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
-    <name>mb::PlotScrubber</name>
-    <message>
-        <source>Whole session</source>
-        <translation>Ganze Sitzung</translation>
-    </message>
-    <message>
-        <source>The whole session: drag the box or click to scroll back, End returns to the present.
-The recording goes on meanwhile.</source>
-        <translation>Die ganze Sitzung: Rahmen ziehen oder klicken, um zurückzublättern, Ende führt zurück zur Gegenwart.
-Die Aufnahme läuft dabei weiter.</translation>
-    </message>
-</context>
-<context>
-    <name>mb::PlotStack</name>
+    <name>mb::PlotExport</name>
     <message>
         <source>Export plot</source>
         <translation>Kurve exportieren</translation>
     </message>
     <message>
-        <source>Pause view	P</source>
-        <translation>Anzeige anhalten	P</translation>
-    </message>
-    <message>
-        <source>Back to live	P</source>
-        <translation>Zurück zu live	P</translation>
-    </message>
-    <message>
-        <source>Fit time and value	0</source>
-        <translation>Zeit und Wert einpassen	0</translation>
-    </message>
-    <message>
-        <source>Cursors A and B	L</source>
-        <translation>Cursor A und B	L</translation>
-    </message>
-    <message>
         <source>Copy picture</source>
         <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy numbers</source>
+        <translation>Zahlen kopieren</translation>
     </message>
     <message>
         <source>Copy summary</source>
@@ -4689,109 +4867,147 @@ Die Aufnahme läuft dabei weiter.</translation>
         <source>Table (*.csv)</source>
         <translation>Tabelle (*.csv)</translation>
     </message>
+</context>
+<context>
+    <name>mb::PlotLayoutBook</name>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
+        <source>Save layout</source>
+        <translation>Anordnung speichern</translation>
     </message>
     <message>
-        <source>live, %1</source>
-        <translation>live, %1</translation>
+        <source>Save layout as…</source>
+        <translation>Anordnung speichern unter…</translation>
     </message>
     <message>
-        <source>paused, %1</source>
-        <translation>angehalten, %1</translation>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>Δt</source>
-        <translation>Δt</translation>
+        <source>Begin like this with every %1</source>
+        <translation>Bei jedem %1 so beginnen</translation>
     </message>
     <message>
-        <source>1/Δt</source>
-        <translation>1/Δt</translation>
+        <source>Begin with the usual for every %1</source>
+        <translation>Bei jedem %1 wie üblich beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::PlotScrubber</name>
+    <message>
+        <source>Whole session</source>
+        <translation>Ganze Sitzung</translation>
     </message>
     <message>
-        <source>Hz</source>
-        <translation>Hz</translation>
+        <source>The whole session: drag the box or click to scroll back, End returns to the present.
+The recording goes on meanwhile.</source>
+        <translation>Die ganze Sitzung: Rahmen ziehen oder klicken, um zurückzublättern, Ende führt zurück zur Gegenwart.
+Die Aufnahme läuft dabei weiter.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::PlotStack</name>
+    <message>
+        <source>Pause view	P</source>
+        <translation>Anzeige anhalten	P</translation>
     </message>
     <message>
-        <source>Δ %1</source>
-        <translation>Δ %1</translation>
+        <source>Back to live	P</source>
+        <translation>Zurück zu live	P</translation>
     </message>
     <message>
-        <source>%1 %2 to %3</source>
-        <translation>%1 %2 bis %3</translation>
+        <source>Fit time and value	0</source>
+        <translation>Zeit und Wert einpassen	0</translation>
     </message>
     <message>
-        <source>%1 no data</source>
-        <translation>%1 ohne Daten</translation>
-    </message>
-    <message>
-        <source>, now %1</source>
-        <translation>, jetzt %1</translation>
-    </message>
-    <message>
-        <source>, 1 gap</source>
-        <translation>, 1 Lücke</translation>
-    </message>
-    <message numerus="yes">
-        <source>, %n gaps</source>
-        <translation>
-            <numerusform>, %n Lücke</numerusform>
-            <numerusform>, %n Lücken</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No traces</source>
-        <translation>Keine Kurven</translation>
-    </message>
-    <message>
-        <source>Last %1: %2</source>
-        <translation>Letzte %1: %2</translation>
+        <source>Cursors A and B	L</source>
+        <translation>Cursor A und B	L</translation>
     </message>
     <message>
         <source>Plot</source>
         <translation>Diagramm</translation>
     </message>
+</context>
+<context>
+    <name>mb::PlotsBar</name>
     <message>
-        <source>s</source>
-        <translation>s</translation>
+        <source>window %1 ms</source>
+        <translation>Fenster %1 ms</translation>
     </message>
     <message>
-        <source>Copy numbers</source>
-        <translation>Zahlen kopieren</translation>
+        <source>window %1 s</source>
+        <translation>Fenster %1 s</translation>
     </message>
     <message>
-        <source>mean A…B</source>
-        <translation>Mittel A…B</translation>
+        <source>window %1 min</source>
+        <translation>Fenster %1 min</translation>
     </message>
     <message>
-        <source>min … max</source>
-        <translation>min … max</translation>
+        <source>window %1 h</source>
+        <translation>Fenster %1 h</translation>
     </message>
     <message>
-        <source>%1 … %2</source>
-        <translation>%1 … %2</translation>
+        <source>Pause view</source>
+        <translation>Anzeige anhalten</translation>
     </message>
     <message>
-        <source>σ, %1 samples</source>
-        <translation>σ, %1 Werte</translation>
+        <source>Follow live</source>
+        <translation>Live folgen</translation>
     </message>
     <message>
-        <source>slope</source>
-        <translation>Steigung</translation>
+        <source>The recording goes on.</source>
+        <translation>Die Aufnahme läuft weiter.</translation>
     </message>
     <message>
-        <source>/s</source>
-        <translation>/s</translation>
+        <source>View</source>
+        <translation>Ansicht</translation>
     </message>
     <message>
-        <source>t</source>
-        <comment>time of both cursors</comment>
-        <translation>t</translation>
+        <source>Time</source>
+        <translation>Zeit</translation>
     </message>
     <message>
-        <source>%1 → %2</source>
-        <translation>%1 → %2</translation>
+        <source>X-Y</source>
+        <translation>X-Y</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Against time, one signal against another, or amplitude against frequency of what is seen or of A … B</source>
+        <translation>Über der Zeit, ein Signal über einem anderen oder Amplitude über Frequenz für das Sichtbare oder A … B</translation>
+    </message>
+    <message>
+        <source>Length of the time axis</source>
+        <translation>Länge der Zeitachse</translation>
+    </message>
+    <message>
+        <source>Trigger: stands still at an edge or a level</source>
+        <translation>Trigger: steht an einer Flanke oder einem Pegel still</translation>
+    </message>
+    <message>
+        <source>Cursors A and B</source>
+        <translation>Cursor A und B</translation>
+    </message>
+    <message>
+        <source>Fit time and value</source>
+        <translation>Zeit und Wert einpassen</translation>
+    </message>
+    <message>
+        <source>Keep what is seen as a reference</source>
+        <translation>Das Sichtbare als Referenz behalten</translation>
+    </message>
+    <message>
+        <source>Layouts: save, restore, reset</source>
+        <translation>Anordnungen: speichern, wiederherstellen, zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>The picture as PNG, SVG or PDF; samples as CSV or MCAP</source>
+        <translation>Das Bild als PNG, SVG oder PDF; Werte als CSV oder MCAP</translation>
     </message>
 </context>
 <context>
@@ -4813,126 +5029,14 @@ Die Aufnahme läuft dabei weiter.</translation>
         <translation>Kurve geschrieben nach %1</translation>
     </message>
     <message>
-        <source>Pause view</source>
-        <translation>Anzeige anhalten</translation>
-    </message>
-    <message>
-        <source>Follow live</source>
-        <translation>Live folgen</translation>
-    </message>
-    <message>
-        <source>The recording goes on.</source>
-        <translation>Die Aufnahme läuft weiter.</translation>
-    </message>
-    <message>
-        <source>window %1 s</source>
-        <translation>Fenster %1 s</translation>
-    </message>
-    <message>
-        <source>window %1 min</source>
-        <translation>Fenster %1 min</translation>
-    </message>
-    <message>
-        <source>Length of the time axis</source>
-        <translation>Länge der Zeitachse</translation>
-    </message>
-    <message>
-        <source>Cursors A and B</source>
-        <translation>Cursor A und B</translation>
-    </message>
-    <message>
-        <source>Fit time and value</source>
-        <translation>Zeit und Wert einpassen</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Export</translation>
-    </message>
-    <message>
-        <source>Traces</source>
-        <translation>Kurven</translation>
-    </message>
-    <message>
-        <source>rate      lost</source>
-        <translation>Rate   verl.</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
-    </message>
-    <message>
-        <source>%1 lost</source>
-        <translation>%1 verloren</translation>
-    </message>
-    <message>
-        <source>A %1   B %2</source>
-        <translation>A %1   B %2</translation>
-    </message>
-    <message>
         <source>Wheel zooms time, Ctrl+wheel values, Shift+wheel moves · drag moves · Shift+drag zooms into a box
 double click or End returns to the present · right click for more</source>
         <translation>Rad zoomt die Zeit, Strg+Rad die Werte, Umschalt+Rad verschiebt · Ziehen verschiebt · Umschalt+Ziehen zoomt in einen Rahmen
 Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</translation>
     </message>
     <message>
-        <source>Spectrum</source>
-        <translation>Spektrum</translation>
-    </message>
-    <message>
-        <source>frequency, Hz</source>
-        <translation>Frequenz, Hz</translation>
-    </message>
-    <message>
-        <source>amplitude</source>
-        <translation>Amplitude</translation>
-    </message>
-    <message>
-        <source>Progress of the export</source>
-        <translation>Fortschritt des Exports</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Writing samples</source>
-        <translation>Schreibt Werte</translation>
-    </message>
-    <message>
-        <source>L cursors · 0 fits · + − zooms · P pauses · N note</source>
-        <translation>L Cursor · 0 passt ein · + − zoomt · P hält an · N Notiz</translation>
-    </message>
-    <message>
-        <source>window %1 ms</source>
-        <translation>Fenster %1 ms</translation>
-    </message>
-    <message>
-        <source>window %1 h</source>
-        <translation>Fenster %1 h</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Aufnehmen</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
         <source>X-Y</source>
         <translation>X-Y</translation>
-    </message>
-    <message>
-        <source>Against time, one signal against another, or amplitude against frequency of what is seen or of A … B</source>
-        <translation>Über der Zeit, ein Signal über einem anderen oder Amplitude über Frequenz für das Sichtbare oder A … B</translation>
     </message>
     <message>
         <source>Trigger: stands still at an edge or a level</source>
@@ -4943,190 +5047,8 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>Das Sichtbare als Referenz behalten</translation>
     </message>
     <message>
-        <source>Layouts: save, restore, reset</source>
-        <translation>Anordnungen: speichern, wiederherstellen, zurücksetzen</translation>
-    </message>
-    <message>
-        <source>The picture as PNG, SVG or PDF; samples as CSV or MCAP</source>
-        <translation>Das Bild als PNG, SVG oder PDF; Werte als CSV oder MCAP</translation>
-    </message>
-    <message>
-        <source>mean %1 · σ %2 · %3 … %4 · %5 samples</source>
-        <translation>Mittel %1 · σ %2 · %3 … %4 · %5 Werte</translation>
-    </message>
-    <message>
-        <source> · %1 lost</source>
-        <translation> · %1 verloren</translation>
-    </message>
-    <message>
-        <source>derived</source>
-        <translation>abgeleitet</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Bild kopieren</translation>
-    </message>
-    <message>
-        <source>Export PNG…</source>
-        <translation>PNG exportieren…</translation>
-    </message>
-    <message>
-        <source>PNG picture (*.png)</source>
-        <translation>PNG-Bild (*.png)</translation>
-    </message>
-    <message>
-        <source>Export SVG…</source>
-        <translation>SVG exportieren…</translation>
-    </message>
-    <message>
-        <source>SVG drawing (*.svg)</source>
-        <translation>SVG-Zeichnung (*.svg)</translation>
-    </message>
-    <message>
-        <source>Export PDF…</source>
-        <translation>PDF exportieren…</translation>
-    </message>
-    <message>
-        <source>PDF document (*.pdf)</source>
-        <translation>PDF-Dokument (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Export plot</source>
-        <translation>Kurve exportieren</translation>
-    </message>
-    <message>
-        <source>One export at a time: %1 is being written.</source>
-        <translation>Nur ein Export zur selben Zeit: %1 wird gerade geschrieben.</translation>
-    </message>
-    <message>
-        <source>writing %1</source>
-        <translation>schreibt %1</translation>
-    </message>
-    <message>
-        <source>%1 written: %2 samples, %3 lost</source>
-        <translation>%1 geschrieben: %2 Werte, %3 verloren</translation>
-    </message>
-    <message>
-        <source>export cancelled, nothing was written</source>
-        <translation>Export abgebrochen, nichts wurde geschrieben</translation>
-    </message>
-    <message>
-        <source>Save layout as…</source>
-        <translation>Anordnung speichern unter…</translation>
-    </message>
-    <message>
-        <source>Save layout</source>
-        <translation>Anordnung speichern</translation>
-    </message>
-    <message>
-        <source>Begin like this with every %1</source>
-        <translation>Bei jedem %1 so beginnen</translation>
-    </message>
-    <message>
-        <source>Begin with the usual for every %1</source>
-        <translation>Bei jedem %1 wie üblich beginnen</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Keeps everything that devices send, beginning with the last %1.
-What was recorded lately is on disk all the time and outlives a crash.</source>
-        <translation>Behält alles, was Geräte senden, beginnend mit den letzten %1.
-Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Absturz.</translation>
-    </message>
-    <message>
-        <source>recording written to %1</source>
-        <translation>Aufnahme geschrieben nach %1</translation>
-    </message>
-    <message>
-        <source>not recorded: %1</source>
-        <translation>nicht aufgenommen: %1</translation>
-    </message>
-    <message>
-        <source>%1 · %2 · %3 samples</source>
-        <translation>%1 · %2 · %3 Werte</translation>
-    </message>
-    <message>
-        <source>last %1 on disk · %2</source>
-        <translation>letzte %1 auf Festplatte · %2</translation>
-    </message>
-    <message>
-        <source>One signal against another</source>
-        <translation>Ein Signal über einem anderen</translation>
-    </message>
-    <message>
-        <source>Signal across</source>
-        <translation>Signal waagerecht</translation>
-    </message>
-    <message>
-        <source>Signal upwards</source>
-        <translation>Signal senkrecht</translation>
-    </message>
-    <message>
-        <source>against</source>
-        <translation>über</translation>
-    </message>
-    <message>
-        <source>amplitude, %1</source>
-        <translation>Amplitude, %1</translation>
-    </message>
-    <message>
-        <source>A … B</source>
-        <translation>A … B</translation>
-    </message>
-    <message>
-        <source>what is seen</source>
-        <translation>was zu sehen ist</translation>
-    </message>
-    <message>
-        <source>, Hann window, peak values. </source>
-        <translation>, Hann-Fenster, Scheitelwerte. </translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>A … B: </source>
-        <translation>A … B: </translation>
-    </message>
-    <message>
-        <source>what is seen: </source>
-        <translation>Sichtbares: </translation>
-    </message>
-    <message>
-        <source>In a pane of its own</source>
-        <translation>In ein eigenes Diagramm</translation>
-    </message>
-    <message>
-        <source>Into the pane above</source>
-        <translation>In das Diagramm darüber</translation>
-    </message>
-    <message>
-        <source>With its unit</source>
-        <translation>Zur gleichen Einheit</translation>
-    </message>
-    <message>
-        <source>Scale at the right</source>
-        <translation>Skala rechts</translation>
-    </message>
-    <message>
-        <source>Trigger on it	T</source>
-        <translation>Darauf triggern	T</translation>
-    </message>
-    <message>
-        <source>Keep all as references</source>
-        <translation>Alle als Referenz behalten</translation>
-    </message>
-    <message>
         <source>Remove references</source>
         <translation>Referenzen entfernen</translation>
-    </message>
-    <message>
-        <source>Remove the trace</source>
-        <translation>Kurve entfernen</translation>
     </message>
     <message>
         <source>Note at this time…	N</source>
@@ -5523,6 +5445,39 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>Samples are not recorded on disk: %1</source>
         <translation>Messwerte werden nicht auf die Platte geschrieben: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecordingControl</name>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Keeps everything that devices send, beginning with the last %1.
+What was recorded lately is on disk all the time and outlives a crash.</source>
+        <translation>Behält alles, was Geräte senden, beginnend mit den letzten %1.
+Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Absturz.</translation>
+    </message>
+    <message>
+        <source>recording written to %1</source>
+        <translation>Aufnahme geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>not recorded: %1</source>
+        <translation>nicht aufgenommen: %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 samples</source>
+        <translation>%1 · %2 · %3 Werte</translation>
+    </message>
+    <message>
+        <source>last %1 on disk · %2</source>
+        <translation>letzte %1 auf Festplatte · %2</translation>
     </message>
 </context>
 <context>
@@ -6633,6 +6588,37 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
+    <name>mb::SpectrumView</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>amplitude, %1</source>
+        <translation>Amplitude, %1</translation>
+    </message>
+    <message>
+        <source>A … B</source>
+        <translation>A … B</translation>
+    </message>
+    <message>
+        <source>what is seen</source>
+        <translation>was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>, Hann window, peak values. </source>
+        <translation>, Hann-Fenster, Scheitelwerte. </translation>
+    </message>
+</context>
+<context>
     <name>mb::StagedEdits</name>
     <message>
         <source>Discard</source>
@@ -6979,6 +6965,81 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Pane, axis, trigger, reference …</source>
         <translation>Diagramm, Achse, Trigger, Referenz …</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TracePanel</name>
+    <message>
+        <source>Traces</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>rate      lost</source>
+        <translation>Rate   verl.</translation>
+    </message>
+    <message>
+        <source>L cursors · 0 fits · + − zooms · P pauses · N note</source>
+        <translation>L Cursor · 0 passt ein · + − zoomt · P hält an · N Notiz</translation>
+    </message>
+    <message>
+        <source>mean %1 · σ %2 · %3 … %4 · %5 samples</source>
+        <translation>Mittel %1 · σ %2 · %3 … %4 · %5 Werte</translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation> · %1 verloren</translation>
+    </message>
+    <message>
+        <source>derived</source>
+        <translation>abgeleitet</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 verloren</translation>
+    </message>
+    <message>
+        <source>A %1   B %2</source>
+        <translation>A %1   B %2</translation>
+    </message>
+    <message>
+        <source>In a pane of its own</source>
+        <translation>In ein eigenes Diagramm</translation>
+    </message>
+    <message>
+        <source>Into the pane above</source>
+        <translation>In das Diagramm darüber</translation>
+    </message>
+    <message>
+        <source>With its unit</source>
+        <translation>Zur gleichen Einheit</translation>
+    </message>
+    <message>
+        <source>Scale at the right</source>
+        <translation>Skala rechts</translation>
+    </message>
+    <message>
+        <source>Trigger on it	T</source>
+        <translation>Darauf triggern	T</translation>
+    </message>
+    <message>
+        <source>Keep all as references</source>
+        <translation>Alle als Referenz behalten</translation>
+    </message>
+    <message>
+        <source>Remove references</source>
+        <translation>Referenzen entfernen</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Remove the trace</source>
+        <translation>Kurve entfernen</translation>
     </message>
 </context>
 <context>

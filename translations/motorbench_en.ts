@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>PlotReadings</name>
+    <message numerus="yes">
+        <source>, %n gaps</source>
+        <translation>
+            <numerusform>, %n gap</numerusform>
+            <numerusform>, %n gaps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::BannerStack</name>
     <message numerus="yes">
         <source>%n more notices</source>
@@ -25,16 +35,6 @@
         <translation>
             <numerusform>%n notice</numerusform>
             <numerusform>%n notices</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>mb::PlotStack</name>
-    <message numerus="yes">
-        <source>, %n gaps</source>
-        <translation>
-            <numerusform>, %n gap</numerusform>
-            <numerusform>, %n gaps</numerusform>
         </translation>
     </message>
 </context>

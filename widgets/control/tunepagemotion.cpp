@@ -84,7 +84,7 @@ void TunePage::identify()
 void TunePage::pauseLive()
 {
     if (isLive())
-        m_plot->stack().setLive(!m_plot->stack().isLive());
+        m_plot->stack().view().setLive(!m_plot->stack().view().isLive());
 }
 
 PlotStack &TunePage::shownStack()
