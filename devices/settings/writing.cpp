@@ -184,7 +184,6 @@ Task<SettingsChange> undo(Device &device, Origin origin, SettingsLog &log, Progr
         co_return fail(Fault::Refused, "the history of " + device.selector() + " has nothing to undo");
     std::vector<ParameterChange> writes = writesOf(device.family(), undoable(device.family(), *history.undo),
         [](const ValueChange &value) { return value.before; });
-    std::reverse(writes.begin(), writes.end());
     auto writing = writeAll(device, std::move(writes), {origin, Purpose::Undo, history.undo->number}, log, progress);
     co_await std::move(writing);
     co_return *history.undo;
