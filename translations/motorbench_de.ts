@@ -3528,6 +3528,48 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::KeepBar</name>
+    <message>
+        <source>left over from before: nothing goes back by itself</source>
+        <translation>von früher übrig: nichts geht von selbst zurück</translation>
+    </message>
+    <message>
+        <source>30 s from when the unit has restarted with them</source>
+        <translation>30 s, sobald das Gerät damit neu gestartet ist</translation>
+    </message>
+    <message>
+        <source>they go back in %1 s</source>
+        <translation>zurück in %1 s</translation>
+    </message>
+    <message>
+        <source>they go back as soon as the motor stands</source>
+        <translation>zurück, sobald der Motor steht</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurückschreiben</translation>
+    </message>
+    <message>
+        <source>Time until the values go back</source>
+        <translation>Zeit, bis die Werte zurückgehen</translation>
+    </message>
+    <message>
+        <source>Keep these values of %1? %2</source>
+        <translation>Diese Werte von %1 behalten? %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n more change(s) after this one</source>
+        <translation>
+            <numerusform>%1 · danach noch %n Änderung</numerusform>
+            <numerusform>%1 · danach noch %n Änderungen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::Lamp</name>
     <message>
         <source>SAFE</source>
@@ -3828,6 +3870,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>held for 1 s: arms; let go early it does nothing</source>
         <translation>1 s gehalten: schaltet scharf; zu früh losgelassen geschieht nichts</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>Berichte</translation>
     </message>
 </context>
 <context>
@@ -6034,6 +6080,69 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
 </context>
 <context>
+    <name>mb::ReportsPage</name>
+    <message>
+        <source>Reports</source>
+        <translation>Berichte</translation>
+    </message>
+    <message>
+        <source>Nothing to report yet</source>
+        <translation>Noch nichts zu berichten</translation>
+    </message>
+    <message>
+        <source>The cards of units, their tunings and their trials appear here.</source>
+        <translation>Hier erscheinen Karten der Geräte, ihre Abstimmungen und Versuche.</translation>
+    </message>
+    <message>
+        <source>Search the reports</source>
+        <translation>Berichte durchsuchen</translation>
+    </message>
+    <message>
+        <source>Reports, newest first</source>
+        <translation>Berichte, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Write report…</source>
+        <translation>Bericht schreiben …</translation>
+    </message>
+    <message>
+        <source>Preview of the report</source>
+        <translation>Vorschau des Berichts</translation>
+    </message>
+    <message>
+        <source>writes the report that is looked at</source>
+        <translation>schreibt den angezeigten Bericht</translation>
+    </message>
+    <message>
+        <source>goes to the search</source>
+        <translation>geht zur Suche</translation>
+    </message>
+    <message>
+        <source>Card of %1</source>
+        <translation>Karte von %1</translation>
+    </message>
+    <message>
+        <source>Tuning of %1</source>
+        <translation>Abstimmung von %1</translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation>%1 Versuche</translation>
+    </message>
+    <message>
+        <source>Trial #%1 of %2</source>
+        <translation>Versuch #%1 von %2</translation>
+    </message>
+    <message>
+        <source>as it is now</source>
+        <translation>wie es jetzt ist</translation>
+    </message>
+</context>
+<context>
     <name>mb::ResolutionMeter</name>
     <message>
         <source>Resolution: off</source>
@@ -6928,6 +7037,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>done again: %1</source>
         <translation>wiederholt: %1</translation>
     </message>
+    <message>
+        <source>put back: %1</source>
+        <translation>zurückgeschrieben: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::Tour</name>
@@ -7629,10 +7742,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>zeigt das Gerät: es blinkt</translation>
     </message>
     <message>
-        <source>undoes the last edit of gains</source>
-        <translation>nimmt die letzte Änderung der Faktoren zurück</translation>
-    </message>
-    <message>
         <source>does it again</source>
         <translation>macht sie wieder</translation>
     </message>
@@ -7651,6 +7760,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>a battery of steps: several sizes, both ways, and the worst of them</source>
         <translation>eine Reihe von Sprüngen: mehrere Größen, beide Richtungen und das Schlechteste davon</translation>
+    </message>
+    <message>
+        <source>undoes the last edit of gains, or else the last write to the unit</source>
+        <translation>nimmt die letzte Änderung der Verstärkungen zurück, sonst das letzte Schreiben in das Gerät</translation>
     </message>
 </context>
 <context>
@@ -8064,6 +8177,29 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>1  Identify: pushes with a part of the duty, both ways. No gain is changed.</source>
         <translation>1  Vermessen: Stöße mit einem Teil des Tastgrads in beide Richtungen. Kein Faktor wird geändert.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::VerdictView</name>
+    <message>
+        <source>READY</source>
+        <translation>BEREIT</translation>
+    </message>
+    <message>
+        <source>WORKING</source>
+        <translation>LÄUFT</translation>
+    </message>
+    <message>
+        <source>PASS</source>
+        <translation>GUT</translation>
+    </message>
+    <message>
+        <source>FAIL</source>
+        <translation>FEHLER</translation>
+    </message>
+    <message>
+        <source>REFUSED</source>
+        <translation>ABGELEHNT</translation>
     </message>
 </context>
 <context>

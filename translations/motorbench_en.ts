@@ -39,6 +39,16 @@
     </message>
 </context>
 <context>
+    <name>mb::KeepBar</name>
+    <message numerus="yes">
+        <source>%1 · %n more change(s) after this one</source>
+        <translation>
+            <numerusform>%1 · %n more change after this one</numerusform>
+            <numerusform>%1 · %n more changes after this one</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::TimelineList</name>
     <message numerus="yes">
         <source>%n differ from A</source>

@@ -32,8 +32,8 @@ bool isSwitch(const Parameter &parameter)
 
 bool isLimit(const Parameter &parameter)
 {
-    const bool named
-        = parameter.key.find("limit.") != std::string_view::npos || parameter.key.find("max_") != std::string_view::npos;
+    const bool named = parameter.key.find("limit.") != std::string_view::npos
+        || parameter.key.find("max_") != std::string_view::npos;
     return named && gainOf(parameter.key) == '\0' && !parameter.key.ends_with("normally_closed");
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/setpointslew.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/logslider.h"
 #include "widgets/control/resolutionmeter.h"
-#include "widgets/control/setpointslew.h"
 #include "widgets/control/tuneplot.h"
 
 #include <QAbstractButton>
