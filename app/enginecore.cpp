@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/enginework.h"
+#include "settings/writing.h"
 
 #include <algorithm>
 
@@ -30,6 +31,7 @@ EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bo
     , m_ratesAgain(clock)
     , m_look(clock)
     , m_returned(clock)
+    , m_provisional(m_session, provisionalSurroundings())
 {
     if (guard)
         m_guardianActed = guard->acted().add(
@@ -70,6 +72,7 @@ Snapshot EngineCore::snapshot()
                 shot.devices.push_back(viewOf(m_session, *device));
         }
     }
+    shot.unconfirmed = m_provisional.views();
     for (const auto &[address, diagnosis] : m_failed)
         shot.failed.push_back({address, diagnosis});
     std::stable_sort(shot.devices.begin(), shot.devices.end(), [](const DeviceView &a, const DeviceView &b) {
@@ -233,7 +236,10 @@ void EngineCore::rename(DeviceId id, const std::string &name, Finished finished)
 void EngineCore::renumber(DeviceId id, int address, Finished finished)
 {
     beginSimple(
-        id, "Assign number", [address](Device &device, Progress &) { return device.renumber(address); },
+        id, "Assign number",
+        [this, address](Device &device, Progress &progress) {
+            return settings::renumberKept(device, address, settings::Origin::Window, m_settingsLog, progress);
+        },
         std::move(finished));
 }
 
@@ -284,7 +290,8 @@ void EngineCore::setRate(DeviceId id, ChannelIndex channel, double hertz)
         {});
 }
 
-void EngineCore::startMotion(DeviceId id, const SetPoint &setPoint, Duration lease, const Finished &finished)
+void EngineCore::startMotion(
+    DeviceId id, const SetPoint &setPoint, Duration lease, const Finished &finished, const Glide &glide)
 {
     Device *device = m_session.find(id);
     if (!device) {
@@ -295,7 +302,7 @@ void EngineCore::startMotion(DeviceId id, const SetPoint &setPoint, Duration lea
     m_streams[id] = stream.changed().add([this, id] { streamChanged(id); });
     if (const std::string caution = device->caution(setPoint); !caution.empty())
         notice(Severity::Caution, labelOf(*device), caution);
-    answer(finished, stream.start(setPoint, lease));
+    answer(finished, stream.start(setPoint, lease, glide));
     touch();
 }
 
@@ -313,10 +320,10 @@ void EngineCore::streamChanged(DeviceId id)
                                                                      : stream.reason()));
 }
 
-void EngineCore::updateMotion(DeviceId id, const SetPoint &setPoint, const Finished &finished)
+void EngineCore::updateMotion(DeviceId id, const SetPoint &setPoint, const Finished &finished, const Glide &glide)
 {
     if (Device *device = m_session.find(id))
-        answer(finished, m_session.stream(*device).update(setPoint));
+        answer(finished, m_session.stream(*device).update(setPoint, glide));
     else
         answer(finished, fail(Fault::Timeout, "the device is gone"));
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/awaitedports.h"
+#include "app/provisionalchanges.h"
 #include "async/scope.h"
 #include "model/parametertransfer.h"
 #include "model/snapshot.h"
@@ -69,6 +70,8 @@ public:
     void setSettingsLog(settings::SettingsLog *log) { m_settingsLog = log; }
     /// Writes what was there before the last write that can be undone; or `again` what was undone last.
     void undoWrite(DeviceId id, bool again, Finished finished);
+    /// What goes back unless somebody keeps it.
+    [[nodiscard]] ProvisionalChanges &provisional() { return m_provisional; }
     void takeSnapshot(DeviceId id, const std::string &name, Finished finished);
     void storeParameters(DeviceId id, Finished finished);
     void rewriteSettings(DeviceId id, const Finished &finished);
@@ -101,8 +104,9 @@ public:
     void setDialect(DeviceId id, const std::string &key, const Finished &finished);
     void setRate(DeviceId id, ChannelIndex channel, double hertz);
 
-    void startMotion(DeviceId id, const SetPoint &setPoint, Duration lease, const Finished &finished);
-    void updateMotion(DeviceId id, const SetPoint &setPoint, const Finished &finished);
+    void startMotion(
+        DeviceId id, const SetPoint &setPoint, Duration lease, const Finished &finished, const Glide &glide = {});
+    void updateMotion(DeviceId id, const SetPoint &setPoint, const Finished &finished, const Glide &glide = {});
     void renewMotion(DeviceId id);
     void stopMotion(DeviceId id);
     void releaseMoves(DeviceId id, const Finished &finished);
@@ -233,6 +237,7 @@ private:
     [[nodiscard]] static std::string proofOf(const std::vector<TransferOutcome> &outcomes);
     void streamChanged(DeviceId id);
     void prune();
+    [[nodiscard]] ProvisionalChanges::Surroundings provisionalSurroundings();
     void touch() { m_changed.notify(); }
     void notice(Severity severity, const std::string &device, const std::string &text)
     {
@@ -284,6 +289,7 @@ private:
     std::map<DeviceId, std::string> m_lookedFor; ///< units whose owed gains were asked for, and who they were
     std::map<DeviceId, Instant> m_lookAgain;     ///< when what was put back must be stored
     std::map<DeviceId, std::vector<tuning::OwedGains>> m_owed;
+    ProvisionalChanges m_provisional;
     Scope m_asking{m_clock}; ///< last: what it asks uses everything above
 };
 

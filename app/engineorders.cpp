@@ -28,6 +28,11 @@ struct Clerk {
         core.restoreParameters(o.device, o.changes, finished());
     }
     void operator()(const orders::UndoWrite &o) const { core.undoWrite(o.device, o.again, finished()); }
+    void operator()(const orders::KeepChange &o) const { core.provisional().keep(o.device, o.change, finished()); }
+    void operator()(const orders::PutBackChange &o) const
+    {
+        core.provisional().putBack(o.device, o.change, finished());
+    }
     void operator()(const orders::TakeSnapshot &o) const { core.takeSnapshot(o.device, o.name, finished()); }
     void operator()(const orders::Identify &o) const { core.identify(o.device, finished()); }
     void operator()(const orders::Rename &o) const { core.rename(o.device, o.name, finished()); }
@@ -36,8 +41,14 @@ struct Clerk {
     void operator()(const orders::Calibrate &o) const { core.calibrate(o.device, o.key, o.value, finished()); }
     void operator()(const orders::SetDialect &o) const { core.setDialect(o.device, o.key, finished()); }
     void operator()(const orders::SetRate &o) const { core.setRate(o.device, o.channel, o.hertz), done(); }
-    void operator()(const orders::StartMotion &o) const { core.startMotion(o.device, o.setPoint, o.lease, finished()); }
-    void operator()(const orders::UpdateMotion &o) const { core.updateMotion(o.device, o.setPoint, finished()); }
+    void operator()(const orders::StartMotion &o) const
+    {
+        core.startMotion(o.device, o.setPoint, o.lease, finished(), o.glide);
+    }
+    void operator()(const orders::UpdateMotion &o) const
+    {
+        core.updateMotion(o.device, o.setPoint, finished(), o.glide);
+    }
     void operator()(const orders::RenewMotion &o) const { core.renewMotion(o.device), done(); }
     void operator()(const orders::StopMotion &o) const { core.stopMotion(o.device), done(); }
     void operator()(const orders::ReleaseMoves &o) const { core.releaseMoves(o.device, finished()); }

@@ -38,6 +38,8 @@ Task<std::vector<TransferOutcome>> writeWhole(Device &device, std::vector<Parame
         auto keeping = keepBefore(device, restores ? Occasion::Restore : Occasion::Import, log, progress);
         co_await std::move(keeping);
     }
+    if (log && settings::mustBeConfirmed(device, changes))
+        purpose = Purpose::Provisional;
     auto writing = settings::writeKept(device, std::move(changes), {Origin::Window, purpose}, log, progress);
     co_return co_await std::move(writing).attempt();
 }
@@ -84,6 +86,7 @@ void EngineCore::write(DeviceId id, std::vector<ParameterChange> changes, Purpos
             return writeWhole(device, changes, purpose, m_settingsLog, progress);
         },
         [this, id, finished, before](Running &, const Result<std::vector<TransferOutcome>> &outcomes) {
+            m_provisional.look(id, true);
             const Device *device = m_session.find(id);
             if (device && outcomes)
                 noteWrites(*device, before, *outcomes);
@@ -139,6 +142,7 @@ void EngineCore::undoWrite(DeviceId id, bool again, Finished finished)
                          : settings::undo(device, Origin::Window, *m_settingsLog, progress);
         },
         [this, id, again, finished](Running &, const Result<settings::SettingsChange> &change) {
+            m_provisional.look(id, false);
             if (const Device *device = m_session.find(id); device && change)
                 notice(Severity::Good, labelOf(*device),
                     (again ? "written again: " : "undone: ") + settings::textOf(device->family(), *change));
@@ -203,6 +207,20 @@ void EngineCore::met(DeviceId id, const Running &running, const Result<Parameter
         notice(Severity::Caution, labelOf(*device), "no snapshot of what was found: " + taken.error().text());
     for (const LogLine &line : running.operation->status().log)
         notice(line.severity, labelOf(*device), line.text);
+    if (taken)
+        m_provisional.look(id, false);
+}
+
+ProvisionalChanges::Surroundings EngineCore::provisionalSurroundings()
+{
+    return {[this] { return m_settingsLog; },
+        [this](DeviceId id, const char *title, const auto &make, Finished finished) {
+            beginSimple(id, title, make, std::move(finished));
+        },
+        [this](Severity severity, const Device &device, const std::string &text) {
+            notice(severity, labelOf(device), text);
+        },
+        [this] { touch(); }};
 }
 
 /// What began by itself makes way for what somebody asked for.

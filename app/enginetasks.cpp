@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Jobs that families bring with them.
 #include "app/enginecore.h"
+#include "settings/writing.h"
 
 #include <algorithm>
 #include <iterator>
@@ -9,9 +10,9 @@
 namespace mb {
 namespace {
 
-Task<void> rewrite(Device &device, Progress &progress)
+Task<void> rewrite(Device &device, settings::SettingsLog *log, Progress &progress)
 {
-    auto writing = mb::rewriteSettings(device, progress);
+    auto writing = settings::rewriteKept(device, settings::Origin::Window, log, progress);
     co_await std::move(writing);
     co_return {};
 }
@@ -79,7 +80,8 @@ void EngineCore::probeSilent(Link &link)
 
 void EngineCore::rewriteSettings(DeviceId id, const Finished &finished)
 {
-    beginSimple(id, "Write settings again", rewrite, [this, id, finished](const Result<void> &result) {
+    const auto again = [this](Device &device, Progress &progress) { return rewrite(device, m_settingsLog, progress); };
+    beginSimple(id, "Write settings again", again, [this, id, finished](const Result<void> &result) {
         if (const Device *device = m_session.find(id); device && result)
             notice(Severity::Good, labelOf(*device), "the settings that the reset took are written again");
         if (finished)

@@ -27,8 +27,10 @@
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/monitor/buspage.h"
 #include "widgets/monitor/logpage.h"
+#include "widgets/parameters/keepbar.h"
 #include "widgets/parameters/parameterspage.h"
 #include "widgets/plots/plotspage.h"
+#include "widgets/report/reportspage.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -180,6 +182,7 @@ void MainWindow::buildPages()
     m_states = new LiveStateBar(m_workbench, m_selection, m_theme, central);
     column->addWidget(m_states);
     column->addWidget(m_pages, 1);
+    column->addWidget(new KeepBar(m_workbench, m_theme, central));
     setCentralWidget(central);
     central->setMinimumSize(1, 1); // as the docks
     addPage(tr("Overview"), [this](QWidget *parent) { return makeOverview(parent); });
@@ -194,6 +197,7 @@ void MainWindow::buildPages()
         [this](QWidget *parent) { return new FirmwarePage(m_workbench, m_selection, m_theme, parent); });
     addPage(tr("Bus"), [this](QWidget *parent) { return new BusPage(m_workbench, *m_arming, m_theme, parent); });
     addPage(tr("Log"), [this](QWidget *parent) { return new LogPage(m_workbench, m_theme, parent); });
+    addPage(tr("Reports"), [this](QWidget *parent) { return new ReportsPage(m_workbench, m_theme, parent); });
     connect(m_tabs, &QTabBar::currentChanged, this, &MainWindow::followPages);
     connect(m_banners, &BannerStack::allRequested, this, [this] { showPage(PageId::Log); });
 }

@@ -30,7 +30,7 @@ class PageTabs;
 class WindowMenu;
 
 /// The pages, in the order of their tabs.
-enum class PageId { Overview, Parameters, Tune, Design, Plots, Firmware, Bus, Log };
+enum class PageId { Overview, Parameters, Tune, Design, Plots, Firmware, Bus, Log, Reports };
 
 /// The one window: header with links, lamp and STOP; devices at the left; pages; inspector at the right; status bar.
 /// Composes, decides nothing about devices.

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>PlotReadings</name>
+    <message numerus="yes">
+        <source>, %n gaps</source>
+        <translation>
+            <numerusform>, %n gap</numerusform>
+            <numerusform>, %n gaps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::BannerStack</name>
     <message numerus="yes">
         <source>%n more notices</source>
@@ -29,12 +39,12 @@
     </message>
 </context>
 <context>
-    <name>mb::PlotStack</name>
+    <name>mb::KeepBar</name>
     <message numerus="yes">
-        <source>, %n gaps</source>
+        <source>%1 · %n more change(s) after this one</source>
         <translation>
-            <numerusform>, %n gap</numerusform>
-            <numerusform>, %n gaps</numerusform>
+            <numerusform>%1 · %n more change after this one</numerusform>
+            <numerusform>%1 · %n more changes after this one</numerusform>
         </translation>
     </message>
 </context>

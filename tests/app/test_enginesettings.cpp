@@ -137,6 +137,69 @@ TEST_F(SettingsCore, ARestoreAndAWriteOfManyValuesKeepFirstWhatIsThere)
     EXPECT_EQ(snapshots().size(), 3U);
 }
 
+TEST_F(SettingsCore, AWiderLimitGoesBackAfterThirtySecondsUnlessSomebodyKeepsIt)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    ASSERT_TRUE(write({change("current_limit.peak", old * 2), change("slot0.p", 65536)}));
+    clock.advance(500ms);
+    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+    const UnconfirmedView waiting = core.snapshot().unconfirmed.front();
+    EXPECT_EQ(waiting.state, UnconfirmedView::State::Counting);
+    EXPECT_NEAR(waiting.left, 29.5, 0.3);
+    EXPECT_TRUE(waiting.text.starts_with("current_limit.peak: ")) << waiting.text;
+    clock.advance(28s);
+    EXPECT_EQ(known("current_limit.peak"), old * 2);
+    clock.advance(3s);
+    EXPECT_EQ(known("current_limit.peak"), old);
+    EXPECT_EQ(known("slot0.p"), 65536);
+    EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+    EXPECT_EQ(changes().back().purpose, Purpose::Revert);
+
+    ASSERT_TRUE(write({change("current_limit.peak", old * 2)}));
+    clock.advance(1s);
+    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+    core.provisional().keep(id(), core.snapshot().unconfirmed.front().change, heard());
+    ASSERT_TRUE(ends());
+    clock.advance(60s);
+    EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+    EXPECT_EQ(known("current_limit.peak"), old * 2);
+}
+
+TEST_F(SettingsCore, ATighterLimitIsNobodysQuestion)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    ASSERT_TRUE(write({change("current_limit.peak", old / 2)}));
+    clock.advance(1s);
+    EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+    EXPECT_EQ(changes().back().purpose, Purpose::Write);
+}
+
+TEST_F(SettingsCore, WhatAProgramThatIsGoneHasLeftIsOfferedAndNothingGoesByItself)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    settings::SettingsChange left;
+    left.unit = settings::unitOf(*device(7)).key;
+    left.device = device(7)->selector();
+    left.purpose = Purpose::Provisional;
+    left.values = {{"current_limit.peak", old / 2, old, settings::Proof::Equal}};
+    auto beginning = book->begin(left);
+    beginning.start();
+    ASSERT_TRUE(clock.runUntil([&beginning] { return beginning.isFinished(); }, 1s));
+    core.provisional().look(id(), false);
+    clock.advance(60s);
+    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+    EXPECT_EQ(core.snapshot().unconfirmed.front().state, UnconfirmedView::State::Offered);
+    EXPECT_EQ(known("current_limit.peak"), old);
+    core.provisional().putBack(id(), core.snapshot().unconfirmed.front().change, heard());
+    ASSERT_TRUE(ends());
+    clock.advance(1s);
+    EXPECT_EQ(known("current_limit.peak"), old / 2);
+    EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+}
+
 TEST_F(SettingsCore, ASnapshotIsTakenUnderItsName)
 {
     clock.advance(3s);

@@ -116,7 +116,8 @@ void WindowTest::thePlotShowsSamplesOfTheDevice()
     const QString path = folder.filePath(QStringLiteral("seen.csv"));
     const auto drawn = [&page, &path] {
         QFile file(path);
-        return page.stack().exportTo(path) && file.open(QIODevice::ReadOnly) ? file.readAll().count('\n') : 0;
+        return page.stack().exporter().exportTo(path) && file.open(QIODevice::ReadOnly) ? file.readAll().count('\n')
+                                                                                        : 0;
     };
     QTRY_VERIFY_WITH_TIMEOUT(drawn() > 50, patience);
     QFile file(path);

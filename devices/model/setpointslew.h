@@ -5,7 +5,7 @@
 
 namespace mb {
 
-/// The host's limit on how fast a set-point of the hand may change (tuning.md 5.6). A value; the caller brings the time.
+/// The limit of this program on how fast a set-point may change, whatever is typed. A value; the caller brings the time.
 class SetPointSlew {
 public:
     /// Largest change per second; 0 jumps.
@@ -13,6 +13,8 @@ public:
     /// From where the motor is, so that the first command never makes it jump.
     void start(double present, Instant now);
     void setTarget(double target) { m_target = target; }
+    /// Goes on from here: the time until now does not count.
+    void resume(Instant now) { m_at = now; }
     /// The set-point for `now`; times do not run backwards.
     double advance(Instant now);
 

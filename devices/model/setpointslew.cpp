@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/control/setpointslew.h"
+#include "model/setpointslew.h"
 
 #include <algorithm>
 
