@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/provisionalchanges.h"
+#include "app/engine/provisionalchanges.h"
 
 #include "model/family.h"
 #include "settings/history.h"
@@ -38,11 +38,10 @@ bool actsLater(const Family &family, const SettingsChange &change)
 
 } // namespace
 
-ProvisionalChanges::ProvisionalChanges(Session &session, Surroundings surroundings)
-    : m_session(session)
-    , m_surroundings(std::move(surroundings))
-    , m_timer(session.clock())
-    , m_asking(session.clock())
+ProvisionalChanges::ProvisionalChanges(const EngineContext &context)
+    : m_context(context)
+    , m_timer(context.clock)
+    , m_asking(context.clock)
 {
 }
 
@@ -55,11 +54,10 @@ ProvisionalChanges::Entry *ProvisionalChanges::find(DeviceId id, std::int64_t ch
 
 void ProvisionalChanges::look(DeviceId id, bool counting)
 {
-    const Device *device = m_session.find(id);
-    settings::SettingsLog *log = m_surroundings.log();
-    if (!device || !log)
+    const Device *device = m_context.session.find(id);
+    if (!device || !m_log)
         return;
-    m_asking.spawn<std::vector<SettingsChange>>(settings::findUnconfirmed(*device, *log),
+    m_asking.spawn<std::vector<SettingsChange>>(settings::findUnconfirmed(*device, *m_log),
         [this, id, counting](const Result<std::vector<SettingsChange>> &open) {
             if (open)
                 take(id, *open, counting);
@@ -68,9 +66,9 @@ void ProvisionalChanges::look(DeviceId id, bool counting)
 
 void ProvisionalChanges::take(DeviceId id, const std::vector<SettingsChange> &open, bool counting)
 {
-    Device *device = m_session.find(id);
+    Device *device = m_context.session.find(id);
     std::erase_if(m_entries, [&](const Entry &entry) {
-        return !m_session.find(entry.device)
+        return !m_context.session.find(entry.device)
             || (entry.device == id && std::none_of(open.begin(), open.end(), [&entry](const SettingsChange &change) {
                    return change.number == entry.change.number;
                }));
@@ -84,17 +82,16 @@ void ProvisionalChanges::take(DeviceId id, const std::vector<SettingsChange> &op
             m_entries.back().confirmation.emplace(change.values);
     }
     tick();
-    m_surroundings.changed();
 }
 
 /// What is due is offered until it went back: a busy device, or a lost link, is no reason to forget it.
 void ProvisionalChanges::tick()
 {
-    const Instant now = m_session.clock().now();
+    const Instant now = m_context.clock.now();
     std::vector<std::pair<DeviceId, std::int64_t>> due;
     bool counts = false;
     for (Entry &entry : m_entries) {
-        const Device *device = m_session.find(entry.device);
+        const Device *device = m_context.session.find(entry.device);
         if (!device || !entry.confirmation)
             continue;
         counts = true;
@@ -106,54 +103,40 @@ void ProvisionalChanges::tick()
     if (counts)
         m_timer.startIn(lookEvery, [this] { tick(); });
     for (const auto &[id, change] : due)
-        putBack(id, change, {});
-    if (counts)
-        m_surroundings.changed();
+        carryOut(orders::PutBackChange{id, change}, [](const Result<void> &) {});
 }
 
-void ProvisionalChanges::keep(DeviceId id, std::int64_t change, Finished finished)
+void ProvisionalChanges::carryOut(const orders::KeepChange &order, const Finished &finished)
 {
-    Entry *entry = find(id, change);
-    const Device *device = m_session.find(id);
-    settings::SettingsLog *log = m_surroundings.log();
-    if (!entry || !device || !log) {
-        if (finished)
-            finished(fail(Fault::OutOfRange, "this change waits for nobody"));
-        return;
-    }
+    Entry *entry = find(order.device, order.change);
+    const Device *device = m_context.session.find(order.device);
+    if (!entry || !device || !m_log)
+        return finished(fail(Fault::OutOfRange, "this change waits for nobody"));
     entry->confirmation.reset(); // somebody has decided, whatever the disk does
-    m_asking.spawn<void>(settings::keepChange(*device, change, *log),
-        [this, id, change, finished = std::move(finished)](const Result<void> &kept) {
-            if (const Device *still = m_session.find(id); still && !kept)
-                m_surroundings.notice(Severity::Caution, *still, kept.error().text());
-            if (Entry *decided = find(id, change); decided && kept)
+    m_asking.spawn<void>(
+        settings::keepChange(*device, order.change, *m_log), [this, order, finished](const Result<void> &kept) {
+            if (!kept)
+                m_context.log.tell(Severity::Caution, order.device, kept.error().text());
+            if (Entry *decided = find(order.device, order.change); decided && kept)
                 m_entries.remove_if([decided](const Entry &other) { return &other == decided; });
-            m_surroundings.changed();
-            if (finished)
-                finished(kept);
+            finished(kept);
         });
 }
 
-void ProvisionalChanges::putBack(DeviceId id, std::int64_t change, Finished finished)
+void ProvisionalChanges::carryOut(const orders::PutBackChange &order, const Finished &finished)
 {
-    const Entry *entry = find(id, change);
-    settings::SettingsLog *log = m_surroundings.log();
-    if (!entry || !log) {
-        if (finished)
-            finished(fail(Fault::OutOfRange, "this change waits for nobody"));
-        return;
-    }
-    m_surroundings.operate(
-        id, "Put values back",
-        [log, wanted = entry->change](
+    const Entry *entry = find(order.device, order.change);
+    if (!entry || !m_log)
+        return finished(fail(Fault::OutOfRange, "this change waits for nobody"));
+    m_context.operations.begin(
+        order.device, "Put values back",
+        [log = m_log, wanted = entry->change](
             Device &device, Progress &progress) { return settings::putBack(device, wanted, *log, progress); },
-        [this, id, finished = std::move(finished)](const Result<void> &result) {
-            if (const Device *device = m_session.find(id))
-                m_surroundings.notice(result ? Severity::Good : Severity::Danger, *device,
-                    result ? "the values are put back" : "the values are not put back: " + result.error().text());
+        [this, id = order.device, finished](const Result<void> &result) {
+            m_context.log.tell(result ? Severity::Good : Severity::Danger, id,
+                result ? "the values are put back" : "the values are not put back: " + result.error().text());
             look(id, false);
-            if (finished)
-                finished(result);
+            finished(result);
         });
 }
 
@@ -161,13 +144,13 @@ std::vector<UnconfirmedView> ProvisionalChanges::views() const
 {
     std::vector<UnconfirmedView> views;
     for (const Entry &entry : m_entries) {
-        const Device *device = m_session.find(entry.device);
+        const Device *device = m_context.session.find(entry.device);
         if (!device)
             continue;
         UnconfirmedView view{entry.device, entry.change.number, settings::textOf(device->family(), entry.change),
             stateOf(entry.confirmation), 0.0};
         if (entry.confirmation)
-            view.left = std::chrono::duration<double>(entry.confirmation->left(m_session.clock().now())).count();
+            view.left = std::chrono::duration<double>(entry.confirmation->left(m_context.clock.now())).count();
         views.push_back(std::move(view));
     }
     return views;
