@@ -96,7 +96,7 @@ void WindowTest::aTypedGainReachesTheDevice()
     const std::uint64_t revision = bench.device(WindowBench::tuned)->parameterRevision;
     bench.engine().post([id](EngineCore &core) {
         core.session().find(id)->parameters().forgetAll();
-        core.readParameters(id);
+        core.send(orders::ReadParameters{id});
     });
     QTRY_VERIFY_WITH_TIMEOUT(bench.device(WindowBench::tuned)->parameterRevision > revision, patience);
     QTRY_VERIFY_WITH_TIMEOUT(bench.isRead(WindowBench::tuned), patience);
