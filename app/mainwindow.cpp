@@ -132,7 +132,7 @@ void MainWindow::buildMenu()
     });
     connect(m_menu, &WindowMenu::commandsRequested, this, &MainWindow::listCommands);
     connect(m_menu, &WindowMenu::projectWanted, this, &MainWindow::projectWanted);
-    connect(m_menu, &WindowMenu::helpWanted, m_help, &HelpDesk::open);
+    connect(m_menu, &WindowMenu::helpWanted, this, [this](const QString &topic) { (void)m_help->open(topic); });
     connect(m_menu, &WindowMenu::keysRequested, this, &MainWindow::listKeys);
     // the window itself may be another one then
     connect(m_menu, &WindowMenu::lookChosen, this, &MainWindow::lookChosen, Qt::QueuedConnection);

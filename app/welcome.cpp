@@ -27,6 +27,7 @@ PageId pageOf(Place place)
     case Place::Overview: return PageId::Overview;
     case Place::Parameters: return PageId::Parameters;
     case Place::Tune: return PageId::Tune;
+    case Place::Design: return PageId::Design;
     case Place::Firmware: return PageId::Firmware;
     }
     return PageId::Overview;

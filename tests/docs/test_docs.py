@@ -3,7 +3,8 @@
 
 What stands in a block ```console is promised to work as it stands, without hardware: its status is 0, or the one that `echo $?`
 prints below it. Other commands of our programs (blocks ```sh, indented lines, words in backquotes) may need hardware that is not
-here, so they may fail with no device (3), stop (4) or link (5), or go on; wrong usage (2) they are never. What the administrator
+here, so they may fail with no device (3), stop (4) or link (5), or go on; wrong usage (2) they are never. A verb alone is asked
+for its help. What the administrator
 has to do is not done: the shell has to understand it."""
 import os
 import pathlib
@@ -21,6 +22,7 @@ PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b|…|\bUNIT\b|\bN\b")  # DEVICE, FILE: n
 STRICT_SECONDS = 120
 LOOSE_SECONDS = 3
 WRONG_USAGE = 2
+RECORDING = "".join(f"(1700000000.{20000 * i:06d}) can0 02061405#0040110000000000\n" for i in range(20))  # status frames of a DMC60C
 
 
 def pages():
@@ -61,7 +63,8 @@ def commands(text):
             yield begun + at, command, language == "console", status
     for number, line in enumerate(text.splitlines(), 1):
         for quoted in re.findall(r"`((?:motorbenchctl|motorbench) [^`]+)`", line):
-            yield number, quoted, False, 0
+            words = quoted.split()
+            yield number, f"{quoted} --help" if len(words) == 2 and not words[1].startswith("-") else quoted, False, 0
 
 
 class Docs(unittest.TestCase):
@@ -73,6 +76,7 @@ class Docs(unittest.TestCase):
         cls.environment = {**os.environ, "PATH": f"{PROGRAMS}:{os.environ['PATH']}", "QT_QPA_PLATFORM": "offscreen", "LC_ALL": "C.UTF-8"}
         for name in ("DATA", "CONFIG", "CACHE"):
             cls.environment[f"XDG_{name}_HOME"] = str(folder / name.lower())
+        (folder / "bus.log").write_text(RECORDING, encoding="ascii")  # for what is done with a recording
 
     @classmethod
     def tearDownClass(cls):
@@ -80,7 +84,7 @@ class Docs(unittest.TestCase):
 
     def run_command(self, command, seconds):
         """(status, words); status None: it was still running."""
-        process = subprocess.Popen(["bash", "-o", "pipefail", "-c", command], cwd=self.home.name, env=self.environment, stdin=subprocess.DEVNULL,
+        process = subprocess.Popen(["bash", "-o", "pipefail", "-o", "noclobber", "-c", command], cwd=self.home.name, env=self.environment, stdin=subprocess.DEVNULL,
                                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, start_new_session=True)
         try:
             words, _ = process.communicate(timeout=seconds)

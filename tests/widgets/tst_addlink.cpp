@@ -205,7 +205,7 @@ void AddLinkTest::everythingHasAName()
             continue;
         if (qobject_cast<const QComboBox *>(widget->parentWidget()) || widget->objectName().startsWith(s("qt_")))
             continue;
-        QVERIFY2(!widget->accessibleName().isEmpty() || widget->metaObject()->className() == s("QHeaderView"),
+        QVERIFY2(!widget->accessibleName().isEmpty() || qstrcmp(widget->metaObject()->className(), "QHeaderView") == 0,
             widget->metaObject()->className());
     }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The help: every page is there, its links and drawings lead somewhere, and it wears the theme.
+#include "model/family.h"
 #include "model/registry.h"
 #include "support/windowtests.h"
 #include "widgets/help/helpbrowser.h"

@@ -75,7 +75,7 @@ void GuideStrip::showOffer()
     m_glyph->setState(GlyphState::Waiting);
     m_title->setText(storyText(m_offer->title));
     m_steps->clear();
-    m_words->setText(storyText(m_offer->words) + QLatin1Char(' ')
+    setWords(storyText(m_offer->words) + QLatin1Char(' ')
         + tr("Simulated: nothing real moves. A guide says each step and waits until it has happened."));
     m_act->setText(tr("Begin"));
     m_act->show();
@@ -108,11 +108,24 @@ void GuideStrip::showSteps()
         words = storyText(story.steps[m_guide.step()].words);
     if (const QString result = m_guide.result(); !result.isEmpty())
         words += QLatin1Char(' ') + tr("Measured: %1.").arg(result);
-    m_words->setText(words);
-    setAccessibleDescription(words);
+    setWords(words);
     m_act->setText(tr("Show me where"));
     m_act->setVisible(!done);
     m_leave->setText(done ? tr("Close") : tr("Dismiss"));
+}
+
+/// Whole, in as many lines as they need: the page below gives the room.
+void GuideStrip::setWords(const QString &words)
+{
+    m_words->setText(words);
+    m_words->setMinimumHeight(m_words->heightForWidth(m_words->width()));
+    setAccessibleDescription(words);
+}
+
+void GuideStrip::resizeEvent(QResizeEvent *event)
+{
+    QFrame::resizeEvent(event);
+    m_words->setMinimumHeight(m_words->heightForWidth(m_words->width()));
 }
 
 void GuideStrip::act()

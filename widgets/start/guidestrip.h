@@ -6,10 +6,11 @@
 
 #include <QFrame>
 
-class QHBoxLayout;
 class QLabel;
 
 namespace mb {
+
+class StateGlyph;
 
 /// A story above the pages: offered, with its steps while it is played, and what came of it at its end. Hidden otherwise.
 class GuideStrip : public QFrame {
@@ -28,8 +29,12 @@ Q_SIGNALS:
     /// Show where the present step is done.
     void placeWanted(mb::Place place);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void build();
+    void setWords(const QString &words);
     void follow();
     void showOffer();
     void showSteps();

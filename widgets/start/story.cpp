@@ -15,10 +15,10 @@ constexpr StoryStep taming[] = {
             "always.")},
     {Proof::Stepped, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
         QT_TRANSLATE_NOOP("Stories", "Press F5: the motor steps to a speed and back, and the overshoot is measured.")},
-    {Proof::Tamed, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Tune"),
+    {Proof::Tamed, Place::Design, QT_TRANSLATE_NOOP("Stories", "Tune"),
         QT_TRANSLATE_NOOP("Stories",
-            "Press F6 and the program finds gains by itself; or lower I by hand and press F5 again. "
-            "It is tamed when a step overshoots by 5 % at most.")},
+            "Press F6 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at "
+            "most.")},
     {Proof::Stored, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
         QT_TRANSLATE_NOOP("Stories",
             "Press Ctrl+S on the page Parameters, or wait 15 s: done when the unit proves that its flash has the "

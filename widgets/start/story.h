@@ -9,7 +9,7 @@
 namespace mb {
 
 /// Where in the window a step is done.
-enum class Place { Overview, Parameters, Tune, Firmware };
+enum class Place { Overview, Parameters, Tune, Design, Firmware };
 
 /// What the drawing of a story shows.
 enum class StoryPicture { Overshoot, Limit, Pages };
