@@ -49,6 +49,36 @@
     </message>
 </context>
 <context>
+    <name>mb::ProjectDesk</name>
+    <message numerus="yes">
+        <source>%n unit(s) saved into %1</source>
+        <translation>
+            <numerusform>%n unit saved into %1</numerusform>
+            <numerusform>%n units saved into %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mb::SessionDesk</name>
+    <message numerus="yes">
+        <source>%n unit(s)</source>
+        <translation>
+            <numerusform>%n unit</numerusform>
+            <numerusform>%n units</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mb::StoryCard</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <translation>
+            <numerusform>about %n min</numerusform>
+            <numerusform>about %n min</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::TimelineList</name>
     <message numerus="yes">
         <source>%n differ from A</source>
