@@ -69,7 +69,7 @@ KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent
     connect(m_keep, &QPushButton::clicked, this, &KeepBar::keep);
     connect(m_back, &QPushButton::clicked, this, &KeepBar::putBack);
     connect(&workbench, &Workbench::changed, this, &KeepBar::follow);
-    auto *key = new QShortcut(QKeySequence(Qt::CTRL | Qt::Key_Return), this);
+    auto *key = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Return")), this);
     key->setContext(Qt::WindowShortcut);
     connect(key, &QShortcut::activated, this, &KeepBar::keep);
     hide();
