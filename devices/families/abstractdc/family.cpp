@@ -74,7 +74,7 @@ constexpr std::array routes{UpdateRoute{.scheme = "openocd",
     .programmers = programmers,
     .words = programmed}};
 
-constexpr std::array<FaultRow, 2> faults{{
+constexpr std::array<FaultRow, 2> faultRows{{
     {"output_saturated", QT_TRANSLATE_NOOP("table", "output saturated")},
     {"output_wrapped", QT_TRANSLATE_NOOP("table", "output wrapped around")},
 }};
@@ -137,7 +137,7 @@ const Family family{
     .dialects = dialectChoices,
     .calibrations = calibrations,
     .routes = routes,
-    .faults = faults,
+    .faults = faultRows,
     .watched = watched,
     .loop = &controlLoop,
     .trials = &trials,

@@ -58,7 +58,7 @@ constexpr Capabilities capabilities{
     .storesAfter = std::chrono::seconds(15),
 };
 
-constexpr std::array<FaultRow, 5> faults{{
+constexpr std::array<FaultRow, 5> faultRows{{
     {"over_current", QT_TRANSLATE_NOOP("table", "over-current")},
     {"over_temperature", QT_TRANSLATE_NOOP("table", "over-temperature")},
     {"under_voltage", QT_TRANSLATE_NOOP("table", "under-voltage")},
@@ -125,7 +125,7 @@ const Family family{
     .bench = bench,
     .updateWords = updateWords,
     .states = stateTable(),
-    .faults = faults,
+    .faults = faultRows,
     .watched = watched,
     .demo = &demo,
     .loop = &loop,

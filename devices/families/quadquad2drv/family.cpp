@@ -43,7 +43,7 @@ constexpr Capabilities capabilities{
     .storesAfter = std::chrono::seconds(0),
 };
 
-constexpr std::array<FaultRow, 2> faults{{
+constexpr std::array<FaultRow, 2> faultRows{{
     {"glitch", QT_TRANSLATE_NOOP("table", "encoder glitch")},
     {"overspeed", QT_TRANSLATE_NOOP("table", "overspeed")},
 }};
@@ -96,7 +96,7 @@ const Family family{
     .experiments = experiments(),
     .routes = routes(),
     .states = stateTable(),
-    .faults = faults,
+    .faults = faultRows,
     .watched = watched,
     .loop = &controlLoop,
     .trials = &trials,
