@@ -2,7 +2,7 @@
 #include "app/firmwareshelf.h"
 
 #include "model/firmwareimage.h"
-#include "model/parameterfile.h"
+#include "model/filebytes.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 

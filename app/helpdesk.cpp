@@ -57,6 +57,7 @@ QString HelpDesk::topicOf(PageId page) const
     case PageId::Plots: return QStringLiteral("plots");
     case PageId::Bus: return QStringLiteral("connecting");
     case PageId::Log: return QStringLiteral("troubleshooting");
+    case PageId::Reports: return QStringLiteral("service");
     }
     return QString::fromLatin1(start);
 }
