@@ -88,9 +88,16 @@ GOOD = [
     ("tests/widgets/a.cpp", "void f() { QCoreApplication::processEvents(); }\n"),
     ("tests/wire/a.cpp", 'auto file = "a/home/tmp/x";\n'),
     ("devices/model/f.cpp", "constexpr Row rows[] = {\n" + "    {1, 2},\n" * 100 + "};\n"),
-    ("devices/model/g.cpp", "namespace {\nclass A {\n" + "    int x;\n" * 100 + "};\n}\nvoid f()\n" + body(40)),
+    ("devices/model/g.cpp", "namespace {\nstruct A {\n" + "    int x;\n" * 100 + "};\n}\nvoid f()\n" + body(40)),
     ("widgets/common/b.cpp", "Page::Page(int a)\n    : m_x{a}\n" + body(25) + "void g()\n" + body(40)),
 ]
+
+
+def complete(files):
+    """With the headers that their .cpp files must have."""
+    names = {name for name, _ in files}
+    headers = {name[:-4] + ".h" for name in names if name.endswith(".cpp") and not name.startswith("tests/")}
+    return [*files, *((name, LICENCE) for name in sorted(headers - names))]
 
 
 def lint(files):
@@ -106,7 +113,7 @@ def lint(files):
 
 class Lint(unittest.TestCase):
     def test_every_bad_snippet_is_rejected_where_it_stands(self):
-        _, output = lint([(name, LICENCE + text) for name, text, _, _ in BAD])
+        _, output = lint(complete([(name, LICENCE + text) for name, text, _, _ in BAD]))
         findings = output.splitlines()
         for name, _, line, words in BAD:
             with self.subTest(name):
@@ -119,8 +126,9 @@ class Lint(unittest.TestCase):
         self.assertEqual(status, 1, output)
 
     def test_the_harmless_twins_pass_without_a_word(self):
-        status, output = lint([(name, LICENCE + text) for name, text in GOOD])
-        self.assertEqual((status, output), (0, f"lint: {len(GOOD)} files, 0 errors, 0 warnings\n"))
+        files = complete([(name, LICENCE + text) for name, text in GOOD])
+        status, output = lint(files)
+        self.assertEqual((status, output), (0, f"lint: {len(files)} files, 0 errors, 0 warnings\n"))
 
     def test_a_missing_licence_line_is_rejected(self):
         for name, text in (("app/a.cpp", "int x;\n"), ("scripts/a", "#!/bin/sh\necho\n"), ("app/CMakeLists.txt", "x()\n")):
@@ -134,7 +142,7 @@ class Lint(unittest.TestCase):
                  ("devices/wire/c.h", LICENCE + "int x;\n"), ("widgets/one/d.h", LICENCE + '#include "widgets/two/e.h"\n'),
                  ("widgets/two/e.h", LICENCE), ("devices/transport/f.cpp", LICENCE + '#include "transport/backends/g.h"\n'),
                  ("devices/transport/backends/g.h", LICENCE + '#include "transport/h.h"\n'), ("devices/transport/h.h", LICENCE)]
-        status, output = lint(chain)
+        status, output = lint(complete(chain))
         self.assertEqual(status, 0, output)
         status, output = lint([*chain, ("devices/model/b.cpp", LICENCE + '#include "model/a.h"\n')])
         self.assertEqual(status, 1)
@@ -146,11 +154,50 @@ class Lint(unittest.TestCase):
     def test_half_a_budget_over_warns_and_passes(self):
         files = [("app/a.cpp", LICENCE + "void f()\n" + body(41)), ("app/b.cpp", LICENCE + "A::A()\n" + body(26)),
                  ("app/c.cpp", LICENCE + "int x;\n" * 300)]
-        status, output = lint(files)
+        status, output = lint(complete(files))
         self.assertEqual(status, 0, output)
         for name in ("app/a.cpp:3", "app/b.cpp:3", "app/c.cpp:1"):
             self.assertIn(f"{name}: warning: ", output)
-        self.assertIn("3 files, 0 errors, 3 warnings", output)
+        self.assertIn("6 files, 0 errors, 3 warnings", output)
+
+    def test_a_source_file_has_a_header_of_its_own_name(self):
+        source = "int x;\n"
+        for name, is_rejected in (("widgets/plots/plotstackextras.cpp", True), ("app/console/scan.cpp", False), ("app/main.cpp", False),
+                                  ("devices/families/one/family.cpp", False), ("devices/families/one/controllertasks.cpp", True),
+                                  ("devices/transport/backends/socketcanlinux.cpp", False), ("tests/wire/test_a.cpp", False)):
+            with self.subTest(name):
+                status, output = lint([(name, LICENCE + source)])
+                self.assertEqual(status, int(is_rejected), output)
+                self.assertEqual(f"{name}:1: error: no header has this name" in output, is_rejected, output)
+
+    def test_a_class_has_at_most_thirty_functions_and_twenty_members(self):
+        functions = "".join(f"    [[nodiscard]] std::function<void(int)> f{i}(int a = g()) const {{ return m_x; }}\n" for i in range(15)) + \
+            "".join(f"    void g{i}(std::map<int, int> &map);\n" for i in range(15))
+        members = "".join(f"    std::function<void(int)> m_{i}{{}}; ///< f(x)\n" for i in range(20))
+        free = ("    A();\n    explicit A(int x);\n    ~A() override;\n    A(const A &) = delete;\n    A &operator=(const A &) = delete;\n"
+                "    using F = void (*)(int);\n    friend class B;\n    static constexpr int most = f(3);\n    struct S {\n        int a, b;\n"
+                "        void h();\n    };\n    enum class E { One, Two };\n")
+        for more, words in (("", None), ("    void h();\n", "A has 31 functions and 20 members"), ("    int m_x;\n", "A has 30 functions and 21 members"),
+                            ("    int a = 1, b;\n", "A has 30 functions and 22 members")):
+            with self.subTest(more):
+                text = f"class A final : public QObject {{\n    Q_OBJECT\npublic:\n{free}{functions}Q_SIGNALS:\nprivate:\n{members}{more}}};\n"
+                status, output = lint([("widgets/common/a.h", LICENCE + text)])
+                self.assertEqual(status, int(words is not None), output)
+                if words:
+                    self.assertIn(f"widgets/common/a.h:2: error: {words}", output)
+
+    def test_what_is_listed_with_its_reason_warns_and_the_list_shrinks(self):
+        bad = ("widgets/plots/more.cpp", LICENCE)
+        status, output = lint([bad, ("scripts/lint-exceptions", "# the list\n" + bad[0] + ": why\n")])
+        self.assertEqual(status, 1, "a list without a licence line")
+        listed = "# SPDX-License-Identifier: GPL-3.0-or-later\n"
+        status, output = lint([bad, ("scripts/lint-exceptions", listed + bad[0] + ": why\nwidgets/gone.h Gone: why\n")])
+        self.assertEqual(status, 0, output)
+        self.assertIn("widgets/plots/more.cpp:1: warning: no header has this name", output)
+        self.assertIn("scripts/lint-exceptions:3: warning: widgets/gone.h Gone is no exception any more", output)
+        status, output = lint([bad, ("scripts/lint-exceptions", listed + bad[0] + ":\n")])
+        self.assertEqual(status, 1, output)
+        self.assertIn("scripts/lint-exceptions:2: error: an exception has a reason", output)
 
 
 if __name__ == "__main__":

@@ -73,6 +73,52 @@ TEST_F(Stopping, ThatNobodySeesSaysThatTheMotorMayStillTurnUntilItIsSeen)
     EXPECT_FALSE(motor.stopping().mayTurn());
 }
 
+/// A device of which only a stop and its guard know anything.
+struct Known final : Stoppable {
+    Known(Link &where, Clock &when, bool dog, bool talks)
+        : line(where)
+        , time(when)
+        , watchdog(dog)
+        , heard(talks)
+    {
+    }
+    [[nodiscard]] Link &link() const override { return line; }
+    [[nodiscard]] Clock &clock() const override { return time; }
+    [[nodiscard]] std::string selector() const override { return "known"; }
+    [[nodiscard]] bool hasWatchdog() const override { return watchdog; }
+    [[nodiscard]] bool isHeard() const override { return heard; }
+    [[nodiscard]] bool isMoving() const override { return false; }
+    [[nodiscard]] bool isSeenStopped() const override { return false; }
+    [[nodiscard]] Result<void> mayStop() const override { return {}; }
+    [[nodiscard]] StopScript stopScript() const override { return {}; }
+    void stop() override { }
+    void repeatStop() override { ++repeats; }
+
+    Link &line;
+    Clock &time;
+    bool watchdog;
+    bool heard;
+    int repeats = 0;
+};
+
+TEST_F(Stopping, IsBelievedOfAWatchdogOnlyWhileItsDeviceIsNotHeard)
+{
+    for (const bool watchdog : {false, true}) {
+        for (const bool heard : {false, true}) {
+            Known device(link, clock, watchdog, heard);
+            DeviceStop stop(device);
+            stop.driven();
+            stop.told();
+            clock.advance(11s);
+            const bool believed = watchdog && !heard;
+            EXPECT_EQ(stop.state(), believed ? StopState::ByWatchdog : StopState::Unconfirmed)
+                << "watchdog " << watchdog << ", heard " << heard;
+            EXPECT_EQ(stop.mayTurn(), !believed);
+            EXPECT_GT(device.repeats, 2);
+        }
+    }
+}
+
 TEST_F(Stopping, IsForgottenByANewMotion)
 {
     drive();
