@@ -22,7 +22,7 @@ public:
     /// Lets recordings play.
     [[nodiscard]] Event::Wait wait();
     [[nodiscard]] Cause cause() const { return m_cause; }
-    /// Of a lost link.
+    /// What a lost link ends the verb with.
     [[nodiscard]] const std::string &reason() const { return m_reason; }
 
 private:

@@ -26,7 +26,7 @@ std::string_view remedyOf(Fault fault)
     return "";
 }
 
-/// As product.md spells them.
+/// As JSON spells them (docs/names.md#exit-statuses).
 std::string nameOf(Fault fault)
 {
     std::string name(fault == Fault::BadCheck ? "bad check" : toString(fault));

@@ -7,7 +7,7 @@
 
 namespace mb::console {
 
-/// The exit statuses of product.md, "Console verbs".
+/// The exit statuses of docs/names.md#exit-statuses.
 enum Exit {
     exitDone = 0,
     exitDevice = 1, ///< the device answered with an error, or a read-back or verification differs

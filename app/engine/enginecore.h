@@ -14,7 +14,7 @@ namespace mb {
 /// by itself. Knows no Qt and no thread, so that tests drive it on a virtual clock.
 class EngineCore {
 public:
-    /// `opensByItself`: also opens CAN interfaces that are up, as they come (product.md, "Link addresses").
+    /// `opensByItself`: also opens CAN interfaces that are up, as they come (docs/names.md#links).
     /// `guard` watches over motors without a watchdog, and outlives this.
     EngineCore(Clock &clock, std::span<const Family *const> families, bool opensByItself, MotionGuard *guard = nullptr);
     EngineCore(const EngineCore &) = delete;

@@ -16,7 +16,7 @@ namespace mb {
 /// Links: opened and closed, and those that come and go by themselves. Engine thread.
 class Links {
 public:
-    /// `opensByItself`: also opens CAN interfaces that are up, as they come (product.md, "Link addresses").
+    /// `opensByItself`: also opens CAN interfaces that are up, as they come (docs/names.md#links).
     Links(const EngineContext &context, Motion &motion, Recordings &recordings, Scans &scans, bool opensByItself);
     /// Whoever waits for a link is answered.
     ~Links();

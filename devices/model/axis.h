@@ -6,7 +6,7 @@
 
 namespace mb {
 
-/// Axes of a device with several count from 1, and what belongs to one has a key that begins with "ch1." … (product.md,
+/// Axes of a device with several count from 1, and what belongs to one has a key that begins with "ch1." … (docs/names.md#units,
 /// "Modes and units"). 0 stands for the device as a whole.
 [[nodiscard]] inline std::string axisKey(int axis, std::string_view key)
 {

@@ -11,7 +11,7 @@
 namespace mb {
 
 /// The simulated bench behind a `sim:` link: a bus in memory with the units that the families list, factory-fresh.
-/// Options of the address: seed, loss, bitrate, fault (product.md, "Link addresses"). It lives on a time of its own, in which
+/// Options of the address: seed, loss, bitrate, fault (docs/names.md#links). It lives on a time of its own, in which
 /// everything happens when it is due: on a computer that is held up it catches up, and nothing is lost but by `loss` and `fault`.
 class Bench {
 public:

@@ -20,7 +20,7 @@ struct ChannelIndex {
 /// What a channel measures: picks its colour, its pane and its display units.
 enum class Quantity : std::uint8_t { Position, Velocity, Current, Duty, SetPoint, Error, Voltage, Temperature, Other };
 
-/// One row of a family's table. Keys and units are those of product.md, "Modes and units".
+/// One row of a family's table. Keys and units are those of docs/names.md#units.
 struct Channel {
     std::string_view key;   ///< stable: position, velocity, ch1.position, …
     std::string_view unit;  ///< counts, counts/s, A, V, °C, fraction; empty for a bare number

@@ -81,7 +81,7 @@ struct Calibration {
 /// The one calibration that widgets know by name: encoder counts of one turn, four edges a line.
 constexpr std::string_view countsPerRevolutionKey = "counts_per_revolution";
 
-/// What the gains of a loop that computes in integers mean (tuning.md 3.8): output = (P·e + I·Σe + D·Δe)/divisor.
+/// What the gains of a loop that computes in integers mean (docs/names.md#integer-gains): output = (P·e + I·Σe + D·Δe)/divisor.
 struct LoopScale {
     double fullDuty = 0.0;            ///< output at 100 %
     double period = 0.0;              ///< seconds that I and D count in: the period of the loop, or a unit of time

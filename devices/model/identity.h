@@ -34,7 +34,7 @@ struct Identity {
     friend bool operator==(const Identity &, const Identity &) = default;
 };
 
-/// `LINK/FAMILY:ADDRESS[@SESSION]` of product.md, "Device selectors". The device part follows the last `/`.
+/// `LINK/FAMILY:ADDRESS[@SESSION]` of docs/names.md#selectors. The device part follows the last `/`.
 struct DeviceSelector {
     LinkAddress link;
     std::string family;

@@ -17,7 +17,7 @@ constexpr double copperCoefficient = 0.00393;    // 1/K
 constexpr double magnetCoefficient = -0.002;     // 1/K
 constexpr double kilogramCentimetre = 0.0980665; // N·m
 
-/// The rows of tuning.md 4.2 hold what vendors print; the rest follows from it as derived there.
+/// The rows of docs/names.md#motor-model hold what vendors print; the rest follows from it as derived there.
 constexpr MotorParameters derive(MotorParameters p)
 {
     const double speed = p.rotorFreeSpeed();
@@ -201,7 +201,7 @@ void MotorModel::drive(double duty, double seconds)
     slip(circuit, directionOf(torque) * friction + m_load, seconds);
 }
 
-/// The exact step of current and speed (tuning.md 4.3): x⁺ = x∞ + e^{Ah}(x − x∞), by the closed form of the 2×2
+/// The exact step of current and speed (docs/names.md#motor-model): x⁺ = x∞ + e^{Ah}(x − x∞), by the closed form of the 2×2
 /// exponential.
 void MotorModel::slip(const Circuit &circuit, double friction, double seconds)
 {

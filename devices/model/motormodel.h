@@ -9,7 +9,7 @@
 
 namespace mb {
 
-/// Two heat stores, winding and housing: J/K and K/W (tuning.md 4.1).
+/// Two heat stores, winding and housing: J/K and K/W (docs/names.md#motor-model).
 struct MotorThermal {
     double winding = 0.0;
     double windingToHousing = 0.0;
@@ -17,7 +17,7 @@ struct MotorThermal {
     double housingToAir = 0.0;
 };
 
-/// A motor with its gear, SI units on the rotor side unless it says otherwise (tuning.md 4.2).
+/// A motor with its gear, SI units on the rotor side unless it says otherwise (docs/names.md#motor-model).
 struct MotorParameters {
     std::string_view name; ///< of `motor=`
     std::string_view title;
@@ -68,11 +68,11 @@ struct MotorSupply {
 enum class Bridge : std::uint8_t { Drive, Brake, Coast };
 
 /// The simulator's brushed motor with an averaged bridge, battery sag, stick and slip, load-dependent loss, heat and
-/// encoder. Steps are exact for constant duty and friction (tuning.md 4.3), at most 100 µs each; for device loops every
+/// encoder. Steps are exact for constant duty and friction (docs/names.md#motor-model), at most 100 µs each; for device loops every
 /// multiple of that does. Deterministic, without time and noise of its own.
 class MotorModel {
 public:
-    /// `loadFactor`: inertia of rotor and load together over the rotor's own, ≥ 1 (product.md: CIM, J×9).
+    /// `loadFactor`: inertia of rotor and load together over the rotor's own, ≥ 1.
     explicit MotorModel(const MotorParameters &parameters, double loadFactor = 1.0, MotorSupply supply = {});
 
     /// `duty` −1…1 (clamped); it counts with Drive only. `seconds` ≥ 0.

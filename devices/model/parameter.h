@@ -89,7 +89,7 @@ struct ParameterChange {
 
 /// One row of a family's table. Numbers are in `unit`; the raw value on the wire is `number * one`.
 struct Parameter {
-    std::string_view key; ///< stable, released keys never change (product.md)
+    std::string_view key; ///< stable, released keys never change
     std::uint16_t id = 0; ///< number on the wire
     WireType type = WireType::Int32;
     double one = 1.0;      ///< raw value of 1.0: 65536 for 16.16

@@ -15,7 +15,7 @@ enum class PartState : std::uint8_t { Waiting, Active, Done, Repeated, Absent };
 class Progress {
 public:
     virtual ~Progress() = default;
-    /// What it does now, in English, and how far: `total` 0 means unknown length.
+    /// What it does now, and how far: `total` 0 means unknown length.
     virtual void step(const std::string &what, int done, int total) = 0;
     virtual void part(int number, PartState state) = 0;
     virtual void log(Severity severity, const std::string &text) = 0;

@@ -7,7 +7,7 @@
 
 namespace mb {
 
-/// The modes of product.md, "Modes and units". A family offers what its device has.
+/// What a target means: docs/names.md#units. A family offers what its device has.
 enum class Mode : std::uint8_t { Off, Duty, Velocity, Position, Current, Voltage, Follow, RampPosition, RampVelocity };
 
 /// duty, velocity, …, as on the command line.
@@ -16,7 +16,7 @@ enum class Mode : std::uint8_t { Off, Duty, Velocity, Position, Current, Voltage
 /// Unit of the target: fraction, counts/s, counts, A, V; empty for follow and off.
 [[nodiscard]] std::string_view unitOf(Mode mode);
 
-/// One command to a motor. Targets are in the units of product.md whatever the wire uses.
+/// One command to a motor. Targets are in the units of docs/names.md#units whatever the wire uses.
 struct SetPoint {
     Mode mode = Mode::Off;
     double target = 0.0;

@@ -5,7 +5,7 @@
 
 namespace mb {
 
-/// The limit of this program on how fast a set-point may change, whatever is typed. A value; the caller brings the time.
+/// The limit of this program on how fast a set-point may change (docs/names.md#set-points-by-hand), whatever is typed. A value; the caller brings the time.
 class SetPointSlew {
 public:
     /// Largest change per second; 0 jumps.

@@ -14,7 +14,7 @@
 
 namespace mb {
 
-/// A fault on demand, product.md "Simulated devices": `drop@3`, `delay@7:50`, `encoder-reversed`.
+/// A fault on demand, docs/names.md#simulated-faults: `drop@3`, `delay@7:50`, `encoder-reversed`.
 struct SimulatedFault {
     std::string
         kind; ///< drop corrupt delay silent power power-page reset busoff encoder-dead encoder-reversed brownout stall duplicate

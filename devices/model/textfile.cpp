@@ -18,7 +18,7 @@ tl::unexpected<Error> refused(const std::string &path, const std::string &cause)
     return fail(Fault::OutOfRange, path + ": " + cause);
 }
 
-/// In English whatever the locale.
+/// Not by strerror(), whose words depend on the locale.
 std::string causeOf(int number)
 {
     switch (number) {

@@ -48,7 +48,7 @@ struct Outlet {
         CanSocket, ///< struct can_frame, one a write
         Stream,    ///< plain bytes: a terminal
         SpiDevice, ///< SPI_IOC_MESSAGE
-        SpiSocket, ///< 16-bit length, then the bytes (product.md, `unix:`)
+        SpiSocket, ///< 16-bit length, then the bytes (docs/names.md#links)
     };
     Form form = Form::None;
     int descriptor = -1; ///< the link's own; whoever keeps it duplicates it

@@ -16,7 +16,7 @@ enum class LinkKind { Can, Serial, Spi };
 
 [[nodiscard]] std::string_view toString(LinkKind kind);
 
-/// `SCHEME:PATH?KEY=VALUE&…` of product.md, "Link addresses": `sim:can?loss=0.1`, `socketcan:can0`, `serial:/dev/ttyUSB0?baud=57600`.
+/// `SCHEME:PATH?KEY=VALUE&…` of docs/names.md#links: `sim:can?loss=0.1`, `socketcan:can0`, `serial:/dev/ttyUSB0?baud=57600`.
 struct LinkAddress {
     std::string scheme;
     std::string path;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t pieceSize = 256 * 1024;
 
-/// In English whatever the locale.
+/// Not by strerror(), whose words depend on the locale.
 std::string causeOf(int number)
 {
     switch (number) {

@@ -81,7 +81,7 @@ void Guards::rested(Instant time)
     m_overload.pause();
 }
 
-/// What drives the motor, at the end of a sentence about what it does.
+/// What happens, and what drives the motor meanwhile.
 std::string Guards::push() const
 {
     return m_plan.dutyKnown ? " at " + rounded(m_motion.pushed() * 100.0) + " % duty"

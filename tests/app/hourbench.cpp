@@ -44,7 +44,7 @@ HourBench::HourBench(std::uint64_t seed)
     for (const DeviceView &device : m_core.snapshot().devices)
         expect(device, "found on " + m_core.snapshot().link(device.link)->name);
     m_rows = rows();
-    EXPECT_EQ(m_rows.size(), 9U) << "of product.md";
+    EXPECT_EQ(m_rows.size(), 9U) << "as many kinds of order";
 }
 
 void HourBench::open(const std::string &link)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// product.md "Numbers": at most 16 bytes a stored sample, pyramid included; the part of a replot that is not painting.
+// docs/names.md#numbers: at most 16 bytes a stored sample, pyramid included; the part of a replot that is not painting.
 #include "model/history.h"
 #include "model/telemetry.h"
 

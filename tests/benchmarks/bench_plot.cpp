@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// product.md "Numbers to reach", what concerns plots, in one run: replot of 16 traces beside plain QCustomPlot with the
+// docs/names.md#numbers, what concerns plots, in one run: replot of 16 traces beside plain QCustomPlot with the
 // same data, memory a sample, cost of storing one, and how late the window is while 16 channels come at 1 kHz.
 #include "widgets/plots/plotstack.h"
 #include "widgets/plots/telemetrysource.h"

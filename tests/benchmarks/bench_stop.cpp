@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// product.md "Numbers to reach": stop key pressed to stop frame handed to the link, p99 at most 20 ms, also while another order blocks the
+// docs/names.md#numbers: stop key pressed to stop frame handed to the link, p99 at most 20 ms, also while another order blocks the
 // engine. The real stop keys and the real engine, on a terminal whose other end takes the time.
 #include "app/engine.h"
 #include "app/stopkeys.h"

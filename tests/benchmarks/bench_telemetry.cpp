@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// product.md "Numbers to reach": decode and store, at least 2 000 000 frames/s on one core.
+// docs/names.md#numbers: decode and store, at least 2 000 000 frames/s on one core.
 #include "async/virtualclock.h"
 #include "model/device.h"
 #include "model/family.h"

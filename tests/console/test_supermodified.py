@@ -11,7 +11,7 @@ import time
 import contract
 from contract import ContractTest
 
-# Of positions, samples per second: protocol reference, section 5.
+# Of positions, samples per second, as the wire allows.
 WIRE_LIMIT = {("D1", 9600): 53, ("D1", 57600): 320, ("D1", 115200): 640, ("D3", 9600): 43.6, ("D3", 57600): 262, ("D3", 115200): 524}
 
 

@@ -10,7 +10,7 @@
 
 #include <limits>
 
-/// A controller on number 5, session 0x1234, and a unit that answers with literal frames, mostly those of section 9.
+/// A controller on number 5, session 0x1234, and a unit that answers with literal frames, mostly those of dmc60c/README.md#vectors.
 namespace mb::dmc60c {
 extern const Family family;
 

@@ -16,7 +16,7 @@
 namespace mb::test::dmc60csim {
 
 /// A host, a bus and one simulated DMC60C in virtual time; everything the host hears and every event is kept. Frames
-/// are written as in the protocol reference: `0206FC05#3412610000000000`.
+/// are written as candump does: `0206FC05#3412610000000000`.
 class Dmc60cBench {
 public:
     explicit Dmc60cBench(const std::string &unit = "dmc60c:5,session=0x1234", std::uint64_t seed = 1)

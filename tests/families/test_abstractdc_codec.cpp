@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vectors of section 8 of the protocol reference: fed to the compiled firmware (SRC, SRC-L) or bytes of the published master's
+// Vectors of abstractdc/README.md#vectors: fed to the compiled firmware (SRC, SRC-L) or bytes of the published master's
 // compiled structures (MASTER); none comes from our own encoder.
 #include "families/abstractdc/codec.h"
 #include "families/abstractdc/decode.h"

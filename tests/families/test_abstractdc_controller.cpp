@@ -174,7 +174,7 @@ TEST_F(AbstractDcController, APositionTargetNeverLeadsFurtherThanTheOutputCarrie
     open(3, &dialectF);
     ASSERT_TRUE(write("position.p", 800'000));
     ASSERT_TRUE(write("position.divisor", 1'000'000));
-    ASSERT_TRUE(device->command(setPoint(Mode::Position, 60'000.0))); // the wrap of section 8
+    ASSERT_TRUE(device->command(setPoint(Mode::Position, 60'000.0))); // the wrap of abstractdc/README.md#vectors
     const auto frame = canFrameFromText(sentOf("067#03").back());
     const int target = frame->data[1] + 256 * frame->data[2] + 65536 * frame->data[3];
     EXPECT_EQ(target, 40'000) << "32000 / 0.8";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drives in somebody else's traffic. Identifiers and codes are those of the protocol reference, sections 1.2 and 6, written out.
+// Drives in somebody else's traffic. Identifiers and codes are written out.
 #include "families/abstractdc/recognition.h"
 
 #include <gtest/gtest.h>

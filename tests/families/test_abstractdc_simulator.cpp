@@ -49,7 +49,7 @@ TEST_F(AbstractDcSimulator, RunsDirectlyAndReportsWhatItWasTold)
     EXPECT_EQ(voltage(), "680#9CFFFFFF"); // R8
     send("064#0000000000");               // S16
     EXPECT_FALSE(drive.isOutputOn());
-    EXPECT_EQ(voltage(), "680#9CFFFFFF") << "trap 7: it stays";
+    EXPECT_EQ(voltage(), "680#9CFFFFFF") << "it stays: abstractdc/README.md#stale-logs";
 }
 
 TEST_F(AbstractDcSimulator, AnOutputIsCastToSixteenBitsBeforeItIsClamped)
@@ -206,7 +206,7 @@ TEST(AbstractDcFlash, The51stSaveMakesTheNextStartLoadSomethingElse)
         flash.save(0, {1000 + i, 7, 0, 1000000, 1});
     EXPECT_EQ(flash.load(0).p, 1049);
     flash.save(0, {1050, 7, 0, 1000000, 1});
-    EXPECT_EQ(flash.load(0), (simulation::Record{1, -1, -1, -1, 0xFFFF})) << "trap 6, as seen in the firmware";
+    EXPECT_EQ(flash.load(0), (simulation::Record{1, -1, -1, -1, 0xFFFF})) << "abstractdc/README.md#saves";
     EXPECT_EQ(flash.load(1), current);
     flash.save(0, {1051, 7, 0, 1000000, 1});
     EXPECT_EQ(flash.load(1).averaging, 65535) << "the 52nd has overwritten the current page";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Golden vectors of the protocol reference, section 9, with where they come from: H! the vendor's compiled structs, H
+// Golden vectors (dmc60c/README.md#vectors), with where they come from: H! the vendor's compiled structs, H
 // its source, F device firmware, R an independent host, D data sheet, W forum.
 #include "families/dmc60c/codec.h"
 #include "wire/fixedpoint.h"
@@ -78,7 +78,7 @@ const std::vector<Encoded> encodedTable{
     {"P11 17 = 32767", "H! R", set(17, WireType::Int32, 32767), "02061885#341211FF7F0000"},
     {"P12 5 = -1000 counts", "H! R", set(5, WireType::Int32, -1000), "02061885#34120518FCFFFF"},
     {"P17 52 = 1", "H! R", set(52, WireType::Flags32, 1), "02061885#34123401000000"},
-    {"trap 15: 18 = -32768", "D", set(18, WireType::Int32, -32768), "02061885#3412120080FFFF"},
+    {"dmc60c/README.md#byte-orders: 18 = -32768", "D", set(18, WireType::Int32, -32768), "02061885#3412120080FFFF"},
     {"C1 NoDrive", "H! F", encodeControl(5, Control{}), "02060005#0F00000000000000"},
     {"C3 duty -16384", "H! F", encodeControl(5, control(ControlMode::Voltage, -16384)), "02060005#000000FF00C00000"},
     {"C4 duty 32767", "H! F", encodeControl(5, control(ControlMode::Voltage, 32767)), "02060005#00000000FF7F0000"},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Golden vectors of the protocol reference, section 9, as the monitor names them, and their corrupted twins. The marks of
+// Golden vectors (dmc60c/README.md#vectors), as the monitor names them, and their corrupted twins. The marks of
 // the sources are explained in test_dmc60c_codec.cpp.
 #include "families/dmc60c/codec.h"
 #include "families/dmc60c/decode.h"

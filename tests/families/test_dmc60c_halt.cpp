@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Out of the halt (trap 21), and the restart on order. On virtual time, against the simulated controller.
+// Out of the halt (dmc60c/README.md#stopping), and the restart on order. On virtual time, against the simulated controller.
 #include "support/simulatedsession.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An update whose link goes and comes back: 7.6 and 7.7 of the protocol reference.
+// An update whose link goes and comes back (dmc60c/README.md#updates).
 #include "support/hextext.h"
 #include "support/simulatedsession.h"
 #include "transport/backends/virtualcan.h"

@@ -15,7 +15,7 @@ namespace {
 using test::HexText;
 using test::smallApplication;
 
-/// Section 9.6 of the protocol reference.
+/// dmc60c/README.md#vectors.
 constexpr const char *referenceFile = ":020000040000FA\n"
                                       ":080000000002040000000000F2\n"
                                       ":020000040001F9\n"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Discovery, descriptors, parameters and options of the simulated DMC60C, in the bytes of the protocol reference.
+// Discovery, descriptors, parameters and options of the simulated DMC60C, in literal bytes.
 #include "families/dmc60c/simulatorparameters.h"
 #include "families/dmc60c/simulatorstatus.h"
 #include "families/dmc60csimulatorbench.h"
@@ -118,7 +118,7 @@ TEST(Dmc60cSimulator, AnswersParametersAsInTheReference)
         {parameterRequest(32), "02061845#200000640000"}, // P21
         {parameterSet(20, -1), "02061845#14FFFFFFFF00"}, // P23
         {parameterRequest(18), "02061845#120080FFFF00"},
-        {parameterSet(18, 0x8000), "02061845#120000000002"}, // trap 15
+        {parameterSet(18, 0x8000), "02061845#120000000002"}, // dmc60c/README.md#byte-orders
         {parameterSet(51, 0), "02061845#330000000001"},
     };
     for (const auto &[request, answer] : rows) {

@@ -161,7 +161,7 @@ TEST(Dmc60cSimulatorControl, BlockWindowOvershootsWithGainsForTheRollingOne)
         drive(bench, control(1, 10900), 20ms);
         peak = std::max(peak, bench.device().speed() / 109000.0);
     }
-    EXPECT_GT(peak, 1.2); // tuning.md: 24–40 %
+    EXPECT_GT(peak, 1.2); // its stored gains overshoot 24–40 %
 }
 
 TEST(Dmc60cSimulatorControl, VelocityOfARollingWindowLags50Milliseconds)
@@ -206,7 +206,7 @@ TEST(Dmc60cSimulatorControl, CurrentLoopHoldsItsCurrent)
     Dmc60cBench bench("dmc60c:5,session=0x1234,motor=cim");
     bench.wake();
     ASSERT_TRUE(bench.device().disturb("stall", 1.0));
-    set(bench, 10, 73 * 65536); // tuning.md finding 10
+    set(bench, 10, 73 * 65536); // docs/names.md#integer-gains
     set(bench, 11, 55 * 65536);
     set(bench, 13, 0);
     set(bench, 91, 10);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Golden vectors of the protocol reference, section 8: DS from the data sheet, LIB what the vendor's library sent or decoded
+// Golden vectors (quadquad2drv/README.md#vectors): DS from the data sheet, LIB what the vendor's library sent or decoded
 // when it was run against a stand-in.
 #include "families/quadquad2drv/codec.h"
 #include "families/quadquad2drvbytes.h"
@@ -173,7 +173,7 @@ TEST(QuadQuad2DrvCodec, AllPacketsOfAnySizeComeThroughInSingleBytes)
 TEST(QuadQuad2DrvCodec, ReplySizesAreThoseOfTheReference)
 {
     const DataMasks masks{datamask::startUp, datamask::startUp, datamask::startUp, datamask::startUp};
-    EXPECT_EQ(replySize(getRequest(PacketId::GetVersion), masks), 8U); // section 5
+    EXPECT_EQ(replySize(getRequest(PacketId::GetVersion), masks), 8U); // quadquad2drv/README.md#ready-line
     EXPECT_EQ(replySize(getRequest(PacketId::GetMotion), masks), 37U);
     EXPECT_EQ(replySize(getRequest(PacketId::GetMotion), {0x2B, 0x2B, 0x2B, 0x2B}), 41U);
     EXPECT_EQ(replySize(getRequest(PacketId::GetMotion), {0x03, 0, 0, 0}), 9U);

@@ -297,7 +297,7 @@ TEST_F(QuadQuad2Drv, MotionIsPolledAtNineTenthsOfTheWireLimit)
     for (int i = 0; i < polls; ++i)
         ASSERT_TRUE(run(bench.clock, port.request(getRequest(PacketId::GetMotion))));
     const double hertz = polls / std::chrono::duration<double>(bench.clock.now() - begin).count();
-    constexpr double wireLimit = 1e6 / 656.0; // section 5: 4 + 37 bytes at 500 kHz
+    constexpr double wireLimit = 1e6 / 656.0; // quadquad2drv/README.md#ready-line: 4 + 37 bytes at 500 kHz
     std::cout << "motion polled " << hertz << " times a second, wire limit " << wireLimit << '\n';
     EXPECT_GE(hertz, 0.9 * wireLimit);
 }

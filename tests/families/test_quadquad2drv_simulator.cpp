@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulated board against the literal bytes of the protocol reference, section 8, from the other side.
+// The simulated board against literal bytes (quadquad2drv/README.md#vectors) from the other side.
 #include "async/virtualclock.h"
 #include "families/quadquad2drv/simulatorboard.h"
 #include "families/quadquad2drvbytes.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a node must not be asked, or not be told: questions that hang it (trap 18), profiles that pass their target (trap 19),
+// What a node must not be asked, or not be told: questions that hang it (supermodified/README.md#hang), profiles that pass their target (supermodified/README.md#passed-target),
 // steps that overflow its loop, and settings that it stores.
 #include "families/supermodifiedbench.h"
 
@@ -37,7 +37,7 @@ SetPoint ramp(double target, double velocity, double acceleration)
     return made;
 }
 
-// Trap 18
+// supermodified/README.md#hang
 
 TEST(SupermodifiedEncoder, AStartedNodeHangsOnceItsEncoderIsAskedInTheWrongMoment)
 {
@@ -166,7 +166,7 @@ TEST(SupermodifiedEncoder, AStartWhoseAnswerIsLostIsNotRepeatedWithoutAStop)
     EXPECT_GE(bench.count(Command::Start), 2);
 }
 
-// Trap 19
+// supermodified/README.md#passed-target
 
 TEST(SupermodifiedProfile, AFastOnePassesItsTargetInD1AndD2AndIsStopped)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Golden vectors of the protocol reference, section 8, with where they come from: DS the datasheet's examples, LIB the
+// Golden vectors (supermodified/README.md#vectors), with where they come from: DS the datasheet's examples, LIB the
 // vendor's library executed, FW the vendor's D1 image executed, FW32 its D2 image.
 #include "families/supermodified/codec.h"
 #include "families/supermodified/decode.h"
@@ -267,7 +267,7 @@ TEST(SupermodifiedStream, AFlippedBitUnderTheChecksumIsNeverAFrame)
 {
     for (const test::Example &example : examples) {
         const auto good = test::correctedBytes(example);
-        for (std::size_t bit = 4 * 8; bit < good.size() * 8; ++bit) { // header and ids are not covered (1.1)
+        for (std::size_t bit = 4 * 8; bit < good.size() * 8; ++bit) { // header and ids are not covered
             auto bad = good;
             bad[bit / 8] = static_cast<std::uint8_t>(bad[bit / 8] ^ (1U << (bit % 8)));
             const auto frames = framesIn(bad);

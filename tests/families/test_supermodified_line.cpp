@@ -166,7 +166,7 @@ TEST(SupermodifiedLine, TheHostLeavesTheGroupOfAMaskAndSaysWhoFollows)
     bench.heard.clear();
     bench.clock.advance(500ms);
     for (const Frame &frame : test::framesIn(bench.heard))
-        EXPECT_NE(frame.to & 0xF0, 0) << "answers would be acted upon by node 4 (trap 6)";
+        EXPECT_NE(frame.to & 0xF0, 0) << "answers would be acted upon by node 4 (supermodified/README.md#masks)";
     EXPECT_FALSE(follower.isOutputOn());
 }
 
@@ -200,7 +200,7 @@ TEST(SupermodifiedLine, PollsPositionsAtNinetyPercentOfTheWire)
     struct Row {
         int baud;
         std::string_view dialect;
-        double limit; ///< protocol reference, section 5
+        double limit; ///< of the wire
     };
     for (const Row &row :
         {Row{9600, "D1", 53.0}, Row{57600, "D1", 320.0}, Row{115200, "D1", 640.0}, Row{115200, "D3", 524.0}}) {

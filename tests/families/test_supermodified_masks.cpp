@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Acceptance masks (trap 6): who follows whom, which id the host has, and what is locked.
+// Acceptance masks (supermodified/README.md#masks): who follows whom, which id the host has, and what is locked.
 #include "families/supermodifiedbench.h"
 
 namespace mb::supermodified {

@@ -98,7 +98,7 @@ TEST(SupermodifiedMemory, TheHostKeepsOutOfARememberedGroupFromTheFirstFrameOn)
     ProgramRun second{"supermodified:4,mask=240"};
     (void)second.scan(known);
     for (const Frame &frame : second.bench.framesSent())
-        EXPECT_NE(frame.from & 0xF0, 0x00) << "trap 6";
+        EXPECT_NE(frame.from & 0xF0, 0x00) << "supermodified/README.md#masks";
 }
 
 TEST(SupermodifiedMemory, NonsenseCostsTimeOnly)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The simulated node from outside, with literal frames: sections and traps of the protocol reference, SIM = as the vendor's
+// The simulated node from outside, with literal frames; SIM = as the vendor's
 // images behaved when they were executed.
 #include "families/supermodifiedbench.h"
 
@@ -91,7 +91,8 @@ TEST(SupermodifiedSimulator, AnErrorInTheQueueReplacesTheAnswerAndKeepsTheComman
     talk.say("55 AA 04 01 19 00 19");
     ASSERT_TRUE(talk.simulator.isOutputOn());
     talk.simulator.disturb("error", 0x43);
-    EXPECT_EQ(talk.answer("55 AA 04 01 1B 00 1B"), bytesOf("55 AA 01 04 FA 01 43 B8")) << "a stop is refused (trap 2)";
+    EXPECT_EQ(talk.answer("55 AA 04 01 1B 00 1B"), bytesOf("55 AA 01 04 FA 01 43 B8"))
+        << "a stop is refused (supermodified/README.md#refused-stop)";
     EXPECT_TRUE(talk.simulator.isOutputOn());
     talk.simulator.disturb("error", 0x43);
     talk.say("55 AA 00 01 CB 00 CB");
@@ -110,13 +111,13 @@ TEST(SupermodifiedSimulator, ResetOfThePositionMakesARunningMotorJumpAndStartDoe
     const double before = talk.simulator.position();
     talk.say("55 AA 04 01 18 00 18");
     talk.clock.advance(1s);
-    EXPECT_GT(talk.simulator.position(), before + 500.0) << "trap 1";
+    EXPECT_GT(talk.simulator.position(), before + 500.0) << "supermodified/README.md#start";
     const double rest = talk.simulator.position();
     talk.say("55 AA 04 01 1B 00 1B");
     talk.say("55 AA 04 01 19 00 19");
     talk.clock.advance(1s);
     EXPECT_NEAR(talk.simulator.position(), rest, 20.0);
-    EXPECT_EQ(talk.answer("55 AA 04 01 6F 00 6F")[6], 0) << "Start zeroes the position (trap 3)";
+    EXPECT_EQ(talk.answer("55 AA 04 01 6F 00 6F")[6], 0) << "Start zeroes the position (supermodified/README.md#start)";
 }
 
 TEST(SupermodifiedSimulator, AHalfFrameSwallowsTheNextOne)
@@ -138,14 +139,16 @@ TEST(SupermodifiedSimulator, LevelOneMakesEveryReadingFail)
     EXPECT_EQ(talk.answer("55 AA 04 01 1C 01 00 1D"), bytesOf("55 AA 01 04 1C 00 1C"));
     EXPECT_EQ(talk.answer("55 AA 04 01 6F 00 6F").size(), 11U);
     talk.say("55 AA 04 01 73 00 73");
-    EXPECT_EQ(talk.answer("55 AA 04 01 73 00 73"), bytesOf("55 AA 01 04 73 01 15 67")) << "noise of the ring (trap 5)";
+    EXPECT_EQ(talk.answer("55 AA 04 01 73 00 73"), bytesOf("55 AA 01 04 73 01 15 67"))
+        << "noise of the ring (supermodified/README.md#errors)";
 }
 
 TEST(SupermodifiedSimulator, TheDurationOverwritesTheReportedLimitUntilARestart)
 {
     Talk talk("supermodified:4,baud=115200");
     talk.say("55 AA 04 01 06 02 10 27 33");
-    EXPECT_EQ(talk.answer("55 AA 04 01 69 00 69"), bytesOf("55 AA 01 04 69 02 10 27 5C")) << "trap 9";
+    EXPECT_EQ(talk.answer("55 AA 04 01 69 00 69"), bytesOf("55 AA 01 04 69 02 10 27 5C"))
+        << "supermodified/README.md#settings";
     EXPECT_EQ(talk.answer("55 AA 04 01 6A 00 6A"), bytesOf("55 AA 01 04 6A 02 88 13 F3"));
     talk.simulator.setPowered(false);
     talk.simulator.setPowered(true);
@@ -157,7 +160,7 @@ TEST(SupermodifiedSimulator, AMaskMakesItActOnTheAnswersOfOthers)
 {
     Talk talk("supermodified:4,baud=115200,mask=240");
     talk.say("55 AA 01 05 19 00 19"); // the acknowledgement of node 5 to host 1
-    EXPECT_TRUE(talk.simulator.isOutputOn()) << "trap 6";
+    EXPECT_TRUE(talk.simulator.isOutputOn()) << "supermodified/README.md#masks";
     EXPECT_TRUE(talk.heard.empty()) << "silently";
 }
 
@@ -192,7 +195,7 @@ TEST(SupermodifiedSimulator, TooLongFramesSpoilTheChecksumOrCrashIt)
     Talk talk("supermodified:4,baud=115200");
     EXPECT_EQ(talk.answer("55 AA 04 01 1C 14 00 00 00 00 00 00 00 00 00 00 00 00 00 00 00 01 01 02 02 01 09"),
         bytesOf("55 AA 01 04 FA 01 52 A9"))
-        << "trap 12";
+        << "supermodified/README.md#error-reactions";
     std::string crash = "55 AA 04 01 1C 28";
     for (int i = 0; i < 40; ++i)
         crash += " 00";
@@ -239,7 +242,7 @@ TEST(SupermodifiedSimulator, ProfiledMovesKeepTheirPaceAndVelocityReadsElevenPer
     talk.say("55 AA 04 01 07 02 D0 07 D2"); // 2000 ticks/s
     talk.clock.advance(2s);
     const double real = talk.simulator.speed();
-    EXPECT_NEAR(real, 2000.0 * 0.897, 100.0) << "trap 8";
+    EXPECT_NEAR(real, 2000.0 * 0.897, 100.0) << "supermodified/README.md#speeds";
     const auto reply = framesIn(talk.answer("55 AA 04 01 71 00 71"));
     ASSERT_EQ(reply.size(), 1U);
     const auto reported = valueOf(reply[0].payload(), Format::I16);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Trap 1: resetting the position of a motor that runs makes it jump.
+// supermodified/README.md#start: resetting the position of a motor that runs makes it jump.
 #include "families/supermodifiedbench.h"
 
 #include <algorithm>

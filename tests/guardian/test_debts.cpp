@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stops that could not be sent: where they are kept, whose business they are, and the real guardian on a line that was cut and is
-// back. Prints how long that took; product.md allows 100 ms.
+// back. Prints how long that took; docs/names.md#numbers allows 100 ms.
 #include "app/guardian/client/guardianprocess.h"
 #include "app/guardian/debts.h"
 #include "place/place.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of tuning.md 4.2 and 4.3; golden values from an independent RK4 integration with 2 µs steps.
+// Numbers of docs/names.md#motor-model; golden values from an independent RK4 integration with 2 µs steps.
 #include "model/motormodel.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""test_dbc.py MOTORBENCHCTL SOURCE: the DBC files are up to date, whole, and give the numbers of the protocol references and of
+"""test_dbc.py MOTORBENCHCTL SOURCE: the DBC files are up to date, whole, and give the numbers of literal frames and of
 'motorbenchctl decode'."""
 import json
 import pathlib
@@ -12,7 +12,7 @@ import dbcreader
 PROGRAM, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 FOLDER = SOURCE / "resources/dbc"
 
-# Test vectors of the protocol reference of the DMC60C, section 9, and what it says they mean.
+# Golden vectors of the DMC60C (dmc60c/README.md#vectors), and what they mean.
 DMC60C = [
     ("00000240#", "ENUM", {}),
     ("0206FC05#3412600000000000", "VENDORCMD_05", {"sessid": 0x1234, "cmd": 0x60, "PARAM1": 0, "PARAM2": 0}),
@@ -60,7 +60,7 @@ DMC60C = [
     ("02060005#000E000000000000", "CANCTRL0_05", {"fRevMotor": 0, "fDisableFwdLimit": 1, "fDisableRevLimit": 1, "fEnableLimitOverride": 1}),
     ("02060005#0300007FFFFF0000", "CANCTRL0_05", {"target": 8388607}),
 ]
-# Test vectors of the protocol reference of the Abstract DC Drive, section 8, dialect F.
+# Golden vectors of the Abstract DC Drive (abstractdc/README.md#vectors), dialect F.
 ABSTRACTDC = [
     ("0C8#010040420F00", "SETTINGS_00", {"TYPE": 1, "FIELD": 0, "value": 1_000_000}),
     ("0C8#0203C0BDF0FF", "SETTINGS_00", {"TYPE": 2, "FIELD": 3, "value": -1_000_000}),

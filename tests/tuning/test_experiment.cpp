@@ -236,7 +236,7 @@ TEST(Experiment, GainsThatNobodyCanReadAreRefusedWithTheRemedyUntilTheyWereWritt
     EXPECT_FALSE(bench.run(plan));
 }
 
-/// Its 16 bits wrap (trap 4), so a target never leads by more than the gains allow; unknown ones are taken for strong.
+/// Its 16 bits wrap (abstractdc/README.md#wraps), so a target never leads by more than the gains allow; unknown ones are taken for strong.
 TEST(Experiment, AWeakLoopOfUnknownGainsStandsAndSaysWhyUntilTheyWereWrittenHere)
 {
     ExperimentBench bench("sim:can", "abstractdc", 5);

@@ -184,7 +184,7 @@ void TestTunePage::theDeviceKeepsItsChoices()
     QVERIFY(bench.find<QAbstractButton>("Revert P")->isEnabled());
 }
 
-/// tuning.md 3.8, "Golden, cpr 4096".
+/// docs/names.md#integer-gains, "Golden, cpr 4096".
 void TestTunePage::physicalGainsMatchTheGoldenValues()
 {
     QVERIFY(close(physical("slot0.p", Mode::Velocity, 1.00527897), 0.002));

@@ -58,7 +58,7 @@ Bytes page(std::uint8_t fill, const Bytes &at = {}, std::size_t offset = 0)
     return bytes;
 }
 
-/// Section 9.6 of the DMC60C protocol reference.
+/// A page of the DMC60C (dmc60c/README.md#vectors).
 std::vector<PageVector> pageVectors()
 {
     Bytes counting(4096);

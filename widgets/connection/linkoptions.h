@@ -22,7 +22,7 @@ public:
     void setKind(LinkChoice::Kind kind);
     /// GPIO lines that can be named: "gpiochip0:25" and what the system calls them.
     void setLines(const std::vector<std::pair<QString, QString>> &lines);
-    /// Those that were chosen, in the order of product.md; a choice that is the usual one adds none.
+    /// Those that were chosen, in the order of docs/names.md#links; a choice that is the usual one adds none.
     [[nodiscard]] std::vector<std::pair<std::string, std::string>> options() const;
 
 Q_SIGNALS:

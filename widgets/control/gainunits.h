@@ -30,7 +30,7 @@ struct GainSet {
 /// "throttle per count/100 ms": the unit of a gain in this mode, for people; the table's where nothing better is known.
 [[nodiscard]] QString gainUnit(const Family &family, const Parameter &parameter, Mode mode);
 /// `divisor` of the loop; 1 where there is none or it is not known.
-/// A gain in units of the physical loop, such as 2.49e-3 duty/(rad/s) (tuning.md 3.8). Nothing where the family's scale
+/// A gain in units of the physical loop, such as 2.49e-3 duty/(rad/s) (docs/names.md#integer-gains). Nothing where the family's scale
 /// or the divisor is not known.
 struct SiGain {
     double value = 0.0;

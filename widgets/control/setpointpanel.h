@@ -54,14 +54,14 @@ public:
     /// Forgets everything that was entered: another device, which can do this.
     void reset(const Capabilities &can);
 
-    /// The target in units of product.md; nothing while the field is not legal, and then fault() says why.
+    /// The target in units of docs/names.md#units; nothing while the field is not legal, and then fault() says why.
     [[nodiscard]] std::optional<double> target() const;
     [[nodiscard]] QString fault() const;
     /// Shows a target that was set elsewhere.
     void showTarget(double target);
     /// The measured value, for the head, and as the target of a mode that must start where the motor is.
     void showPresent(std::optional<double> present);
-    /// ± this far, in units of product.md.
+    /// ± this far, in units of docs/names.md#units.
     [[nodiscard]] double limit() const;
     /// Largest change of the set-point per second; 0 jumps.
     [[nodiscard]] double slewRate() const;

@@ -20,7 +20,7 @@ namespace mb {
 class ElidedLabel;
 class StateGlyph;
 
-/// What an experiment asks of a loop, in units of product.md.
+/// What an experiment asks of a loop, in units of docs/names.md#units.
 struct StimulusChoice {
     tuning::Profile profile = tuning::Profile::Step;
     std::optional<double> from; ///< nothing: where the motor is in position mode, else 0

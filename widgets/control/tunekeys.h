@@ -7,7 +7,7 @@ namespace mb {
 
 class TunePage;
 
-/// The keys of the Tune page (product.md, Keys), each with what it does: what F1 lists. Belongs to the page.
+/// The keys of the Tune page, each with what it does: what F1 lists. Belongs to the page.
 PageKeys *makeTuneKeys(TunePage &page);
 
 } // namespace mb

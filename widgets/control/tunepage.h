@@ -42,7 +42,7 @@ class TunePlot;
 
 /// Tunes the loop of one motor by experiments: stimulus above, gains at the left, what the trials did at the right. Its live
 /// view drives the motor by hand: mode, set-point, what happens now. Of a board with several axes it is about the selected
-/// one; Run starts several at the same moment by hand, and tries them one after the other. Every motion goes through Arming; a change of device, mode, running slot or direction disarms (tuning.md 5.1). Gains are staged and
+/// one; Run starts several at the same moment by hand, and tries them one after the other. Every motion goes through Arming; a change of device, mode, running slot or direction disarms. Gains are staged and
 /// written as a set, in an order that is never livelier than before and after.
 class TunePage : public QWidget {
     Q_OBJECT
@@ -52,7 +52,7 @@ public:
 
     [[nodiscard]] PageStatus status() const;
 
-    /// As if the mode was chosen and the target typed, in units of product.md.
+    /// As if the mode was chosen and the target typed, in units of docs/names.md#units.
     void choose(Mode mode, double target);
     /// The live view instead of the experiments.
     void showLive(bool live);

@@ -9,14 +9,14 @@
 
 namespace mb {
 
-/// A unit as it is shown: value in the units of product.md × `scale` = what stands on the screen.
+/// A unit as it is shown: value in the units of docs/names.md#units × `scale` = what stands on the screen.
 struct ShownUnit {
     double scale = 1.0;
     QString text;
     int decimals = 0; ///< that mean something to a person
 };
 
-/// How a person wants to see counts. Everything behind the screen stays in the units of product.md.
+/// How a person wants to see counts. Everything behind the screen stays in the units of docs/names.md#units.
 struct DisplayUnits {
     double countsPerRevolution = 4096.0;
     bool revolutions = false; ///< rpm and degrees instead of counts/s and counts

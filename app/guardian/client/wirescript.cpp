@@ -49,7 +49,7 @@ guardian::Step stepOf(const StopStep &step, Outlet::Form form)
         made.mask.assign(made.reply.size(), 0);
         std::fill_n(made.mask.begin(), offsetof(can_frame, __pad), std::uint8_t{0xFF}); // identifier and length
     }
-    if (form == Outlet::Form::SpiSocket) { // product.md, `unix:`: as many bytes and the ready line come back
+    if (form == Outlet::Form::SpiSocket) { // docs/names.md#links: as many bytes and the ready line come back
         const std::size_t size = step.bytes.size();
         made.bytes.insert(
             made.bytes.begin(), {static_cast<std::uint8_t>(size & 0xFFU), static_cast<std::uint8_t>(size >> 8U)});

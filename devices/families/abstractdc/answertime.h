@@ -7,7 +7,7 @@ namespace mb::abstractdc {
 
 /// Longest time of a request and its answer on the wire.
 [[nodiscard]] Duration roundTrip(const CanLink &link);
-/// How long to wait for an answer (1.3).
+/// How long to wait for an answer (README.md#byte-order).
 [[nodiscard]] Duration answerTime(const CanLink &link);
 
 } // namespace mb::abstractdc

@@ -8,7 +8,7 @@
 #include <optional>
 
 /// The host's half of the wire: requests are encoded, replies are decoded. Pure functions. Offsets are 0…99; values are
-/// two's complement, low byte first, whatever the document's drawing says (trap 2).
+/// two's complement, low byte first, whatever the document's drawing says (README.md#byte-order).
 namespace mb::abstractdc {
 
 /// The dialect must be able to say the loop (`Dialect::codeOf`).
@@ -39,7 +39,7 @@ struct SettingsFrame {
 };
 [[nodiscard]] std::optional<SettingsFrame> decodeSettings(const Dialect &dialect, int offset, const CanFrame &frame);
 
-/// Bit times of a request and its answer, worst case of stuffing (section 5).
+/// Bit times of a request and its answer, worst case of stuffing (README.md#rates).
 constexpr int roundTripBits = 65 + 95;
 
 } // namespace mb::abstractdc

@@ -164,7 +164,7 @@ void Controller::doStop()
 {
     const auto frames = stopFrames(identity().address);
     const std::size_t own = m_dialect && m_dialect->wide && m_dialect->canStop() ? 1 : 0;
-    // Its own length first. The drive ignores the other one, which is for a dialect that was mistaken. Twice (trap 11): the
+    // Its own length first. The drive ignores the other one, which is for a dialect that was mistaken. Twice (README.md#no-watchdog): the
     // first overtakes what waits, the last comes behind a set-point that the kernel may still hold.
     // A drive of dialect LL takes the long one for a set-point; the short one it ignores.
     (void)m_can.send(frames.at(own), Priority::Urgent);

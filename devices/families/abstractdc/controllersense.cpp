@@ -26,7 +26,7 @@ constexpr double drivenRate = 50.0;        ///< the loop of the drive is no fast
 
 // Polling
 
-/// Logs that stand still in this mode are not asked for (trap 7).
+/// Logs that stand still in this mode are not asked for (README.md#stale-logs).
 bool Controller::isFresh(Log log) const
 {
     if (log == Log::Velocity)

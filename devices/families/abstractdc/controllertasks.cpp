@@ -129,8 +129,8 @@ Task<std::int64_t> Controller::doWrite(ParameterIndex index, std::int64_t raw)
     const auto value = static_cast<std::int32_t>(raw);
     const bool lowered = fieldOf(parameter) == Field::Averaging && mayLowerAveraging(raw);
     if (lowered)
-        setCounter(
-            std::string(counter::powerCycle), 1); // trap 5: from now on its sample index may run out of the buffer
+        setCounter(std::string(counter::powerCycle),
+            1); // README.md#averaging: from now on its sample index may run out of the buffer
     if (auto sent = m_can.send(encodeSettings(*m_dialect, identity().address, loop, fieldOf(parameter), value)); !sent)
         co_return fail(sent.error());
     auto asking = expectAnswer();

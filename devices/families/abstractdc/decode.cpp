@@ -121,7 +121,7 @@ std::optional<DecodedFrame> logReply(const Dialect &dialect, const CanFrame &fra
     return std::nullopt;
 }
 
-/// A question for the voltage log, whose answer does not tell from whom it comes (6.5).
+/// A question for the voltage log, whose answer does not tell from whom it comes (README.md#dialects).
 struct VoltageQuestion {
     int offset = 0;
     Instant time{};

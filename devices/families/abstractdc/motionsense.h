@@ -11,7 +11,7 @@
 
 namespace mb::abstractdc {
 
-/// What position logs tell: whether one is a glitch (trap 8: off by 65 535), how fast the shaft turns, and whether it stands.
+/// What position logs tell: whether one is a glitch (README.md#position: off by 65 535), how fast the shaft turns, and whether it stands.
 class MotionSense {
 public:
     struct Verdict {

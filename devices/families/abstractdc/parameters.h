@@ -10,7 +10,8 @@ namespace mb::abstractdc {
 
 /// DeviceProfile::counters besides those of savings.
 namespace counter {
-constexpr std::string_view powerCycle = "averaging.power_cycle"; ///< 1: owed, before it may be driven (trap 5)
+constexpr std::string_view powerCycle
+    = "averaging.power_cycle"; ///< 1: owed, before it may be driven (README.md#averaging)
 } // namespace counter
 
 [[nodiscard]] std::span<const Parameter> parameterTable();
@@ -30,7 +31,7 @@ constexpr std::string_view powerCycle = "averaging.power_cycle"; ///< 1: owed, b
 }
 [[nodiscard]] std::optional<ParameterIndex> parameterOf(Loop loop, Field field);
 
-/// Family::arrange: within a loop no intermediate set of gains is stronger than both its neighbours (section 4: the divisor
+/// Family::arrange: within a loop no intermediate set of gains is stronger than both its neighbours (README.md#control-law: the divisor
 /// before the gains, or after them where it makes them weaker; damping before P where P rises).
 void arrange(const ParameterStore &known, std::vector<ParameterChange> &changes);
 

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-/// Names and numbers of the Abstract DC Drive on CAN, shared by the codec and the simulator, and nothing else. Section numbers
-/// are those of the protocol reference that README.md names.
+/// Names and numbers of the Abstract DC Drive on CAN, shared by the codec and the simulator, and nothing else.
 namespace mb::abstractdc {
 
 /// 1.2: up to here every identifier has one meaning. From 100 on the set-points of one drive are the settings of another.
@@ -90,8 +89,8 @@ constexpr int fullPwm = 255;          ///< 2.1
 constexpr int adcMost = 1023;         ///< 2.3
 constexpr int averagingMost = 500;    ///< 2.2; the device does not check it
 constexpr int outputWraps = 32768;    ///< 3: an output is cast to 16 bits before it is clamped
-constexpr int wrapLoss = 65535;       ///< trap 8: what a wrap of the 16-bit timer is counted as
-constexpr int savesUntilWarning = 40; ///< trap 6
+constexpr int wrapLoss = 65535;       ///< README.md#position: what a wrap of the 16-bit timer is counted as
+constexpr int savesUntilWarning = 40; ///< README.md#saves
 constexpr int savesPerPage = 50;      ///< the 51st record makes the next start load something else
 constexpr auto loopPeriod = std::chrono::microseconds(20040);
 constexpr auto answerSlack = std::chrono::milliseconds(20); ///< 1.3, besides twice the frames

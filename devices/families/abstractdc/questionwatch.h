@@ -19,7 +19,7 @@ struct Question {
 };
 
 /// Hears every question on a link, this program's and others', and says which of them the log that is passing may answer: one
-/// identifier is the answer of drives with other offsets in other dialects (6.3, the table), and one of all drives (6.5). A
+/// identifier is the answer of drives with other offsets in other dialects, and one of all drives (README.md#dialects). A
 /// question is open for twice the time of an answer, and for what this program sends to other families meanwhile, by the time stamps of the frames: whoever is held up judges no differently.
 class QuestionWatch {
 public:

@@ -6,7 +6,7 @@
 
 namespace mb::abstractdc {
 
-/// Family::scan, section 6: log requests only, which never move anything. First everybody is asked for the speed, whose code is
+/// Family::scan, README.md#dialects: log requests only, which never move anything. First everybody is asked for the speed, whose code is
 /// the same in all dialects; then each answer is asked, alone, for the logs that tell dialects apart by where the answer comes.
 [[nodiscard]] Task<void> scan(Link &link, Clock &clock, ScanSink &sink);
 

@@ -14,7 +14,7 @@
 namespace mb::abstractdc {
 
 /// Identifiers of speed logs that answer a question for the speed and no other, and how often each was asked for and answered:
-/// two answers to one question are two drives with one offset (trap 12).
+/// two answers to one question are two drives with one offset (README.md#offsets).
 class Census {
 public:
     Census(CanLink &link, const QuestionWatch &questions)

@@ -28,7 +28,7 @@ Result<Scale> scaleOf(Mode mode, const DeviceProfile &profile)
     const double perCount = profile.calibrated(calibration::amperes, 1.0);
     switch (mode) {
     case Mode::Off: return Scale{};
-    case Mode::Duty: return Scale{Loop::Direct, -1.0, 1.0, fullPwm}; // trap 3: never more
+    case Mode::Duty: return Scale{Loop::Direct, -1.0, 1.0, fullPwm}; // README.md#wraps: never more
     case Mode::Velocity: return Scale{Loop::Velocity, -farthest, farthest};
     case Mode::Position: return Scale{Loop::Position, -farthest, farthest};
     case Mode::Current: return Scale{Loop::Current, 0.0, adcMost * perCount, 1.0 / perCount};

@@ -28,7 +28,7 @@ struct Command {
 
 /// P and divisor of the loop were written, by us or by somebody we heard.
 [[nodiscard]] bool knowsGains(const ParameterStore &known, Loop loop);
-/// The greatest error with which |P·e/divisor| stays where the drive's 16 bits do not wrap (trap 4), from what was last written.
+/// The greatest error with which |P·e/divisor| stays where the drive's 16 bits do not wrap (README.md#wraps), from what was last written.
 /// Gains that are not known are taken for strong ones.
 [[nodiscard]] double greatestError(const ParameterStore &known, Loop loop);
 

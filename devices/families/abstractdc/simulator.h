@@ -9,11 +9,11 @@
 namespace mb::abstractdc {
 
 /// A simulated Abstract DC Drive on a CAN link of any bit rate. It shares only protocol.h and the framing with the code that
-/// drives a real one. Section numbers are those of the protocol reference that README.md names.
+/// drives a real one.
 ///
 /// Address (offset) 0…99. Options: `dialect=F|L|LL|D` (F), `motor` and `load` (model/motormodel.h; 25d), `serial` (accepted as
 /// everywhere, but the drive has none), `gains=tuned|default|overshoot` (what flash holds; default is blank flash),
-/// `glitches=N` (every N-th position log is off by 65 535, trap 8). Anything else: OutOfRange.
+/// `glitches=N` (every N-th position log is off by 65 535, README.md#position). Anything else: OutOfRange.
 ///
 /// The converter gives 20 counts per ampere (whatever the direction) and 10 per °C. At output 0 the bridge brakes.
 ///

@@ -18,7 +18,7 @@ struct Record {
 };
 
 /// The three settings pages, 1 KiB each, for velocity, current, position, as one piece of flash: a save is written behind the
-/// last record of its page, and nothing ends that at the end of the page (trap 6).
+/// last record of its page, and nothing ends that at the end of the page (README.md#saves).
 class SettingsFlash {
 public:
     SettingsFlash() { erase(); }

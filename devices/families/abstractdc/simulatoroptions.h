@@ -28,7 +28,7 @@ struct UnitOptions {
     [[nodiscard]] const SimulatedFault *find(std::string_view fault) const;
 };
 
-/// Gains for velocity, current, position that fit the motor and the loop of 20 ms (tuning.md 3.6), or blank flash.
+/// Gains for velocity, current, position that fit the motor and the loop of 20 ms (docs/names.md#integer-gains), or blank flash.
 [[nodiscard]] std::array<Record, 3> storedGains(const UnitOptions &options);
 
 constexpr double countsPerAmpere = 20.0;

@@ -6,12 +6,12 @@
 #include <array>
 #include <cstdint>
 
-/// The integer arithmetic of the drive (section 4), with everything that is wrong with it.
+/// The integer arithmetic of the drive (README.md#control-law), with everything that is wrong with it.
 namespace mb::abstractdc::simulation {
 
 class Pid {
 public:
-    /// A change of mode. With a divisor of 0 or less the integral stays (trap 10).
+    /// A change of mode. With a divisor of 0 or less the integral stays (README.md#divisor).
     void restart(const Record &gains, std::int64_t now);
     /// `now` in whole milliseconds. PWM units, neither limited nor wrapped.
     [[nodiscard]] std::int64_t step(const Record &gains, std::int64_t error, std::int64_t now);
@@ -22,10 +22,10 @@ private:
     std::int64_t m_lastTime = 0;
 };
 
-/// What the timer gets for a controller output: cast to 16 bits first, then clamped (traps 3 and 4).
+/// What the timer gets for a controller output: cast to 16 bits first, then clamped (README.md#wraps).
 [[nodiscard]] int pwmOf(std::int64_t output);
 
-/// The mean of N samples of a converter, in a buffer of 500 whose index is compared with N for equality only (trap 5).
+/// The mean of N samples of a converter, in a buffer of 500 whose index is compared with N for equality only (README.md#averaging).
 class Averager {
 public:
     void add(int sample, int count);

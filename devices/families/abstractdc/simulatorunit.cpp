@@ -170,7 +170,7 @@ void Unit::drive(int pwm)
         m_notify(m_clock.now(), isOutputOn() ? "output-on" : "output-off", static_cast<double>(pwm));
 }
 
-/// Trap 8: a wrap of the 16-bit timer is counted as 65 535.
+/// README.md#position: a wrap of the 16-bit timer is counted as 65 535.
 std::int32_t Unit::encoder() const
 {
     const std::int64_t counts = m_motor.counts() - m_origin;

@@ -49,7 +49,7 @@ void Unit::hear(const CanFrame &frame)
     dispatch(frame);
 }
 
-/// In this order: settings, set-point, log (1.2).
+/// In this order: settings, set-point, log (README.md#voltage-log).
 void Unit::dispatch(const CanFrame &frame)
 {
     const auto own = [&](std::uint32_t base) {
@@ -134,7 +134,7 @@ void Unit::onLogRequest(const CanFrame &frame)
     }
 }
 
-/// Trap 8: the reading is not atomic with the interrupt of a wrap.
+/// README.md#position: the reading is not atomic with the interrupt of a wrap.
 std::int32_t Unit::positionLog()
 {
     ++m_positionLogs;
@@ -211,7 +211,7 @@ void Unit::cycle()
 void Unit::regulate(std::int64_t now)
 {
     std::int64_t feedback = 0;
-    if (m_mode == Loop::Velocity) { // trap 9: since it was used last, however long ago
+    if (m_mode == Loop::Velocity) { // README.md#stale-logs: since it was used last, however long ago
         const std::int32_t position = encoder();
         const std::int64_t elapsed = std::max<std::int64_t>(now - m_velocityTime, 1);
         m_velocity = static_cast<std::int32_t>((std::int64_t{position} - m_velocityFrom) * 1000 / elapsed);

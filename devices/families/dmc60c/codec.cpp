@@ -92,7 +92,8 @@ CanFrame encodeControl(int device, const Control &control)
         | flag(control.brake.value_or(false), 5) | flag(control.slot == 1, 6) | flag(control.reverseSensor, 7));
     data[1] = static_cast<std::uint8_t>(flag(control.reverseMotor, 0) | flag(control.disableForwardLimit, 1)
         | flag(control.disableReverseLimit, 2) | flag(control.overrideLimits, 3));
-    data[3] = static_cast<std::uint8_t>((target >> 16U) & 0xFFU); // high byte first, then low, then middle: trap 3
+    data[3] = static_cast<std::uint8_t>(
+        (target >> 16U) & 0xFFU); // high byte first, then low, then middle: README.md#byte-orders
     writeU16le(data, 4, static_cast<std::uint16_t>(target & 0xFFFFU));
     writeU16le(data, 6, control.ramp);
     return extendedFrame(withDevice(id::control, device), data);

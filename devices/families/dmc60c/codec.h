@@ -13,7 +13,7 @@
 
 /// The host's half of the protocol: requests are encoded, replies decoded. Pure functions without state. A decoder
 /// yields nothing for a frame that is not exactly that message (29-bit identifier, no remote frame, its one legal
-/// length). Sections are those of the protocol reference that README.md names.
+/// length).
 namespace mb::dmc60c {
 
 // Requests, host to device
@@ -46,7 +46,7 @@ struct Control {
 [[nodiscard]] CanFrame encodeParamSet(int device, std::uint16_t session, std::uint8_t parameter, std::uint32_t field);
 [[nodiscard]] CanFrame encodeControl(int device, const Control &control);
 
-/// The 32-bit value field of PARAMSET and PARAMRESP, one rule per wire type (2.7): signed types are sign-extended.
+/// The 32-bit value field of PARAMSET and PARAMRESP, one rule per wire type (README.md#parameters): signed types are sign-extended.
 [[nodiscard]] std::uint32_t fieldOf(WireType type, std::int64_t raw);
 [[nodiscard]] std::int64_t rawOf(WireType type, std::uint32_t field);
 

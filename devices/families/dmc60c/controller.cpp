@@ -129,7 +129,7 @@ Task<void> Controller::doRename(std::string name)
         co_return fail(Fault::OutOfRange, "a name may hold Latin-1 characters only");
     if (bytes->empty() || bytes->size() > static_cast<std::size_t>(maxNameLength))
         co_return fail(Fault::OutOfRange, "a name has 1 to 64 characters");
-    bytes->push_back(0); // the count of the command includes it, that of the descriptor does not (trap 12)
+    bytes->push_back(0); // the count of the command includes it, that of the descriptor does not (README.md#names)
     const auto count = static_cast<std::uint16_t>(bytes->size());
     auto set = m_orders.ask({Command::SetDevName, count}, std::move(*bytes));
     co_await std::move(set);
@@ -201,7 +201,7 @@ Result<void> Controller::doCommand(const SetPoint &setPoint)
     m_commandedAt = clock().now();
     if (m_wakes > 0) {
         --m_wakes;
-        // 6.1, trap 21: only a target that is not zero ends the halt. The least there is goes first.
+        // README.md#stopping: only a target that is not zero ends the halt. The least there is goes first.
         Control wake = *control;
         wake.target = 1;
         if (control->target == 0)
@@ -218,7 +218,7 @@ void Controller::doStop()
     m_sense.stopped();
     m_commandedAt = {}; // what comes next finds it halted
     const CanFrame noDrive = encodeControl(identity().address, Control{});
-    // Twice (6.1): the first overtakes what waits, the second comes behind a set-point that the kernel may still hold.
+    // Twice (README.md#stopping): the first overtakes what waits, the second comes behind a set-point that the kernel may still hold.
     // A link that is gone cannot be helped from here.
     (void)m_can.send(noDrive, Priority::Urgent);
     (void)m_can.send(noDrive);

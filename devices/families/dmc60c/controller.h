@@ -10,8 +10,8 @@ namespace mb::dmc60c {
 
 /// One DMC60C. Listens to its number on the bus all the time: telemetry, liveness, restarts, other masters. Talks only
 /// in tasks and control frames, with three exceptions, none while the device is busy: it enumerates the bus when the
-/// device is silent or its session looks wrong (section 8), asks for a period when frames seem to be missing, and once a
-/// second for the faults that no status frame tells (trap 24); that question clears none.
+/// device is silent or its session looks wrong (README.md#bootloader), asks for a period when frames seem to be missing, and once a
+/// second for the faults that no status frame tells (README.md#hidden-faults); that question clears none.
 ///
 /// A new session under the number, with the old one silent, is the unit after a power cycle: it is adopted, and
 /// `liveness().restarted` holds until refresh() succeeds. With both answering, the identity becomes a duplicate.

@@ -5,7 +5,7 @@
 
 namespace mb::dmc60c {
 
-/// Every message of table 1.2, in both directions, with the names of section 2; nothing for anything else. Values are
+/// Every message of README.md#identifiers, in both directions, with the names of the maker's guide; nothing for anything else. Values are
 /// in the wire's unit after scale flags, fixed-point ones as engineering values; there are no dialects.
 [[nodiscard]] std::optional<DecodedFrame> decodeCan(const CanFrame &frame, std::string_view dialect);
 

@@ -9,9 +9,9 @@
 
 namespace mb::dmc60c {
 
-/// The faults that no status frame tells (trap 24): over-current and communication. The device is asked once a second, which
+/// The faults that no status frame tells (README.md#hidden-faults): over-current and communication. The device is asked once a second, which
 /// clears none. A fault is told while the device says that it is present, and for the three seconds after its counter rose:
-/// so long the output is held off (6.1), while the cause is over with the current that it was.
+/// so long the output is held off (README.md#stopping), while the cause is over with the current that it was.
 class FaultWatch {
 public:
     static constexpr std::array questions{param::activeFaults, param::overCurrentCount, param::communicationCount};

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-/// From a firmware file to what the bootloader is sent (sections 7.1 to 7.4 of the protocol reference).
+/// From a firmware file to what the bootloader is sent (README.md#updates).
 namespace mb::dmc60c {
 
-/// A flash page as it goes over the bus, padded (7.3): what the file does not have is 0xFF, and so is every fourth
+/// A flash page as it goes over the bus, padded (README.md#updates): what the file does not have is 0xFF, and so is every fourth
 /// byte.
 struct Page {
     int number = 0; ///< firstPage…lastPage

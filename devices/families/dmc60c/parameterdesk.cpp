@@ -43,7 +43,7 @@ Task<std::int64_t> ParameterDesk::read(std::uint8_t parameter)
     auto asking = m_exchange.get(m_contact.target(), parameter);
     Result<ParamResponse> response = co_await std::move(asking).attempt();
     if (response && response->status == ParameterStatus::BadParameter && row.nature == Nature::Counter) {
-        auto setting = m_exchange.set(m_contact.target(), parameter, 0); // "keep": reads as well (section 4)
+        auto setting = m_exchange.set(m_contact.target(), parameter, 0); // "keep": reads as well (README.md#parameters)
         response = co_await std::move(setting).attempt();
     }
     if (!response) {
@@ -81,7 +81,7 @@ Task<std::int64_t> ParameterDesk::write(const Parameter &parameter, std::int64_t
 }
 
 /// The answer to a clear carries the count before it, so a clear is repeated only when a reading shows that it did not
-/// arrive (trap 19); when it did, the reading before it is the count.
+/// arrive (README.md#counters); when it did, the reading before it is the count.
 Task<std::int64_t> ParameterDesk::clearCounter(const Parameter &parameter, std::int64_t raw)
 {
     const auto number = static_cast<std::uint8_t>(parameter.id);

@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration longestWait = 250ms; ///< section 4
+constexpr Duration longestWait = 250ms; ///< README.md#parameters
 constexpr Duration shortest = 5ms;
 constexpr int mostDoublings = 5; ///< of the shortest, up to the longest
 

@@ -7,7 +7,7 @@
 
 namespace mb::dmc60c {
 
-/// Reads and writes parameters of one device, section 4: one request in flight, answers matched by device and
+/// Reads and writes parameters of one device, README.md#parameters: one request in flight, answers matched by device and
 /// parameter. A lost frame costs four measured round trips, not the 250 ms of a device that nobody has heard yet; each
 /// further try waits twice as long, because the processor of the device stands for up to 54 ms while its flash is
 /// written. Must outlive its tasks, as must the link and the clock.

@@ -7,7 +7,7 @@
 
 namespace mb::dmc60c {
 
-/// The 55 parameters of section 4, in the order of their wire numbers.
+/// The 55 parameters of README.md#parameters, in the order of their wire numbers.
 [[nodiscard]] std::span<const Parameter> parameterTable();
 /// The row with this number on the wire.
 [[nodiscard]] std::optional<ParameterIndex> parameterWithId(std::uint8_t wireNumber);

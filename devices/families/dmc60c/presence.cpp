@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration silenceAtLeast = 100ms; ///< section 5
+constexpr Duration silenceAtLeast = 100ms; ///< README.md#status-frames
 constexpr int silencePeriods = 5;
 constexpr Duration foreignMemory = 500ms;
 constexpr int candidateRounds = 3;

@@ -5,8 +5,7 @@
 #include <chrono>
 #include <cstdint>
 
-/// Names and numbers of the DMC60C protocol guide, shared by the codec and the simulator, and nothing else. Section numbers
-/// are those of the protocol reference that README.md names.
+/// Names and numbers of the DMC60C protocol guide, shared by the codec and the simulator, and nothing else.
 namespace mb::dmc60c {
 
 constexpr int bitrate = 1'000'000;

@@ -27,7 +27,7 @@ Result<Scale> scaleOf(Mode mode)
 {
     switch (mode) {
     case Mode::Off: return Scale{};
-    case Mode::Duty: return Scale{ControlMode::Voltage, -1.0, 1.0, fullDuty}; // trap 16: never 32768
+    case Mode::Duty: return Scale{ControlMode::Voltage, -1.0, 1.0, fullDuty}; // README.md#duty: never 32768
     case Mode::Velocity:
         return Scale{ControlMode::Velocity, targetLow * velocityPerSecond, targetHigh * velocityPerSecond,
             1.0 / velocityPerSecond};

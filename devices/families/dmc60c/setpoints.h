@@ -6,7 +6,7 @@
 
 namespace mb::dmc60c {
 
-/// The control frame for a set-point in the units of product.md, 6.2. OutOfRange when a target is no number or outside
+/// The control frame for a set-point in the units of docs/names.md#units. OutOfRange when a target is no number or outside
 /// of what the mode allows (current ±100 A and voltage ±28 V, the ratings; a follower cannot follow itself),
 /// Unsupported for a mode, axis or slot that the device does not have. `device` is the number the frame is for.
 [[nodiscard]] Result<Control> controlFor(const SetPoint &setPoint, int device);

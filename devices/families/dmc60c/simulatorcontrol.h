@@ -32,7 +32,7 @@ struct ControlWord {
 
 enum class VelocityWindow { Rolling, Block };
 
-/// The application's motor side: measures, decides and drives every 500 µs (6.1, 6.2). It computes nothing until
+/// The application's motor side: measures, decides and drives every 500 µs (README.md#stopping). It computes nothing until
 /// somebody asks: advance() catches up, and skips the time in which nothing could happen.
 class Drive {
 public:

@@ -82,7 +82,7 @@ bool ApplicationFlash::program(int page, std::span<const std::uint8_t> bytes)
         return false;
     }
     m_broken[static_cast<std::size_t>(page)] = false;
-    // The ends of what the bootloader itself decides about: its own way in, and the version, which comes last (7.5).
+    // The ends of what the bootloader itself decides about: its own way in, and the version, which comes last (README.md#updates).
     const std::ptrdiff_t first = page == firstPage ? std::ptrdiff_t{resetVectorSize} : 0;
     const std::ptrdiff_t end = page == lastPage ? std::ptrdiff_t{pageSize - versionSize} : pageSize;
     std::copy(bytes.begin() + first, bytes.begin() + end, m_bytes.begin() + std::ptrdiff_t{page} * pageSize + first);

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-/// What keeps its content without supply: configuration and application (7.1).
+/// What keeps its content without supply: configuration and application (README.md#updates).
 namespace mb::dmc60c::simulation {
 
 /// Pages 31 to 34. One write of all of it is one step of the sequence number.

@@ -26,7 +26,7 @@ struct Row {
     std::uint32_t fallback = 0;
 };
 
-/// The 55 rows of section 4, in the order of their numbers.
+/// The 55 rows of README.md#parameters, in the order of their numbers.
 [[nodiscard]] std::span<const Row> rows();
 [[nodiscard]] const Row *findRow(std::uint8_t id);
 

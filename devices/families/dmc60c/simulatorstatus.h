@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-/// Device values to the three status frames (2.8 to 2.10), in the device's own units.
+/// Device values to the three status frames (README.md#status-frames), in the device's own units.
 namespace mb::dmc60c::simulation {
 
 struct LimitPin {

@@ -6,7 +6,7 @@
 
 namespace mb::dmc60c {
 
-/// Limits, halt and pins that the status frames tell (2.8, 2.9).
+/// Limits, halt and pins that the status frames tell (README.md#status-frames).
 [[nodiscard]] std::span<const StateRow> stateTable();
 
 void takeStates(LiveStates &states, const StatusGeneral &status);

@@ -10,8 +10,8 @@
 
 namespace mb::dmc60c {
 
-/// One firmware update of one device: the state of section 7.5, and a method per paragraph. A link that is lost meanwhile is
-/// waited for, `linkPatience` at a time; then the unit may have restarted, so that all pages are sent again (7.6).
+/// One firmware update of one device: the state of README.md#updates, and a method per paragraph. A link that is lost meanwhile is
+/// waited for, `linkPatience` at a time; then the unit may have restarted, so that all pages are sent again (README.md#updates).
 class Updater {
 public:
     Updater(Device &device, const Application &application, Progress &progress);
@@ -55,7 +55,7 @@ private:
     [[nodiscard]] Task<void> writeAll();
     [[nodiscard]] Task<PageEnd> writePages();
     [[nodiscard]] Task<PageEnd> writePage(const Page &page);
-    /// What the status of a page means, 7.6.
+    /// What the status of a page means.
     [[nodiscard]] Result<Verdict> judge(const Page &page, CommandStatus status);
     [[nodiscard]] Verdict afterMismatch(const Page &page);
     /// A page cannot be written before its bytes were on the wire.

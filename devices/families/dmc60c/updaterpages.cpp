@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pages of an update: sections 7.3 to 7.6.
+// The pages of an update: README.md#updates.
 #include "families/dmc60c/updater.h"
 
 #include "wire/bytes.h"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int pageTries = 4; ///< 7.6: the page, and three times again
+constexpr int pageTries = 4; ///< the page, and three times again
 constexpr int failedWriteTries = 3;
 constexpr Duration slowGap = 225us; ///< 7.5: after a time-out, between the frames of a page
 constexpr Duration pageTimeout = 2s;

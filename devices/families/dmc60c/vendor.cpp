@@ -43,7 +43,7 @@ bool isRefusal(CommandStatus status)
 }
 
 /// Statuses carry neither session nor command, so that a late one would be taken for the answer to the next command. What it
-/// announces tells: a question has bytes of a known number, an order none (section 2.4: or those that it was sent).
+/// announces tells: a question has bytes of a known number, an order none (README.md#late-answers: or those that it was sent).
 bool belongs(const VendorRequest &request, const VendorStatus &status)
 {
     const bool good = status.status == CommandStatus::NoError;

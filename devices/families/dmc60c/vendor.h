@@ -10,7 +10,7 @@
 
 namespace mb::dmc60c {
 
-/// One vendor command, section 3. At most one may be under way per device number: statuses carry neither session nor
+/// One vendor command, README.md#late-answers. At most one may be under way per device number: statuses carry neither session nor
 /// command.
 struct VendorRequest {
     int device = 0;
@@ -29,7 +29,7 @@ struct VendorReply {
     int unanswered = 0;             ///< earlier tries whose answers may still come
 };
 
-/// Time-outs and tries of section 3 for this command.
+/// Time-outs and tries of README.md#late-answers for this command.
 [[nodiscard]] Attempts attemptsOf(Command command);
 
 /// Sends, collects the status and the bytes it announces, repeats the whole command on a time-out or a gap in the

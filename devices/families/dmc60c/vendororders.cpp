@@ -8,7 +8,7 @@ using namespace std::chrono_literals;
 
 constexpr int numberTries = 3;
 
-/// More tries than section 3 says: the longest answer is 24 frames, of which one in ten may get lost. Asking is harmless, so
+/// More tries than the maker says: the longest answer is 24 frames, of which one in ten may get lost. Asking is harmless, so
 /// those tries are short; 54 ms is the longest that a device stands still.
 Attempts patienceFor(Command command)
 {

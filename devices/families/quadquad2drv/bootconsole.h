@@ -11,7 +11,7 @@
 
 namespace mb::quadquad2drv {
 
-/// The bootloader's text (section 7): lines of whatever ending, blank ones left out, cut at 256 characters.
+/// The bootloader's text (README.md#firmware): lines of whatever ending, blank ones left out, cut at 256 characters.
 class BootConsole {
 public:
     BootConsole(SerialLink &link, Clock &clock, std::string ending = "\r");

@@ -10,7 +10,7 @@
 
 namespace mb::quadquad2drv {
 
-/// What the reference leaves open (section 7), with the likely reading.
+/// What the maker does not tell (README.md#firmware), with the likely reading.
 struct BootSettings {
     std::chrono::milliseconds lineTime{50};     ///< least time between lines
     std::chrono::milliseconds answerTime{2000}; ///< for the confirmation of a line

@@ -27,11 +27,11 @@ struct Packet {
     Bytes payload;
 };
 
-/// Two's complement of the sum: all bytes of a packet add up to 0 (1.1).
+/// Two's complement of the sum: all bytes of a packet add up to 0 (README.md#checksum).
 [[nodiscard]] std::uint8_t checksum(std::span<const std::uint8_t> bytes);
 [[nodiscard]] Bytes encode(std::uint8_t id, std::span<const std::uint8_t> payload);
 
-/// Finds packets in what the board clocks out; tolerates filler, and what is no packet costs one byte at a time (1.1).
+/// Finds packets in what the board clocks out; tolerates filler, and what is no packet costs one byte at a time (README.md#checksum).
 class PacketReader {
 public:
     void feed(std::span<const std::uint8_t> bytes);
@@ -67,9 +67,9 @@ struct InputSettings {
     std::int32_t position = 0;
 };
 /// The configuration byte of an input whose polarity (0 active high, 1 active low) and edge (0 record and 1 set at the positive
-/// end, 2 and 3 the same at the negative one) mean what the vendor's library says; the readings tell how to say it (2.3).
+/// end, 2 and 3 the same at the negative one) mean what the vendor's library says; the readings tell how to say it (README.md#inputs).
 [[nodiscard]] std::uint8_t inputConfiguration(int mode, int polarity, int edge, const Readings &readings);
-/// Two bytes a tuple when the mode is disabled (2.3).
+/// Two bytes a tuple when the mode is disabled (README.md#inputs).
 [[nodiscard]] Bytes setInputMode(std::uint8_t mask, const InputSettings &settings);
 [[nodiscard]] Bytes setControlMode(std::uint8_t mask, ControlMode mode);
 [[nodiscard]] Bytes setPower(std::uint8_t mask, std::int16_t power);
@@ -120,7 +120,7 @@ struct History {
 /// Positions of the channels whose size is not 0.
 [[nodiscard]] std::optional<std::array<std::optional<std::int32_t>, axes>> parsePositions(
     const Packet &reply, const std::array<std::uint8_t, axes> &sizes);
-/// A reply to packet 2, or a stream packet, whose length must fit the masks exactly (2.1).
+/// A reply to packet 2, or a stream packet, whose length must fit the masks exactly (README.md#stream).
 [[nodiscard]] std::optional<Motion> parseMotion(
     const Packet &packet, const DataMasks &masks, std::uint8_t streamConfig);
 

@@ -18,7 +18,7 @@ constexpr Duration pollPeriod = 10ms;
 constexpr Duration silence = 300ms;
 constexpr Duration lookPeriod = 100ms;
 constexpr int lookForReset = 10; ///< every so many looks
-constexpr double standing = 8.0; ///< counts/s, twice the resolution (2.5)
+constexpr double standing = 8.0; ///< counts/s, twice the resolution (README.md#times-4096)
 constexpr std::array<int, 4> positionBits{0, 8, 16, 32};
 
 constexpr std::uint8_t faultBits = status::glitch | status::overspeed;

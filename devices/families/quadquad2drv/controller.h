@@ -36,7 +36,7 @@ public:
     void putBack(std::vector<Bytes> requests);
     /// @}
 
-    /// Until somebody gives the axis another one: a quarter, since wrong polarity means full speed away (trap 15).
+    /// Until somebody gives the axis another one: a quarter, since wrong polarity means full speed away (README.md#polarity).
     static constexpr std::int64_t firstPowerLimit = 2048;
 
 private:

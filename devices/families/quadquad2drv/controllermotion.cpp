@@ -103,7 +103,7 @@ void Controller::noteSetPoint(int axis, std::optional<double> target)
         telemetry()->breakLine(channel);
 }
 
-/// Trap 14: the target is where the motor is, before and after the mode is taken.
+/// README.md#position-mode: the target is where the motor is, before and after the mode is taken.
 void Controller::enter(int axis, ControlMode mode)
 {
     limitFirstMotion(axis);
@@ -253,7 +253,7 @@ void Controller::resetAsLastResort()
         forgetBoard();
 }
 
-/// Trap 13: the board has no watchdog. A transfer may come in the middle of another one, so it is sent three times.
+/// README.md#stopping: the board has no watchdog. A transfer may come in the middle of another one, so it is sent three times.
 StopScript Controller::doStopScript() const
 {
     StopStep off;

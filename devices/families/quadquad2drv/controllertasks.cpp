@@ -13,7 +13,7 @@
 namespace mb::quadquad2drv {
 namespace {
 
-constexpr Duration startTime = std::chrono::milliseconds(100); ///< after a reset (1.4)
+constexpr Duration startTime = std::chrono::milliseconds(100); ///< after a reset (README.md#waiting-packets)
 
 bool isBoard(ParameterIndex index)
 {
@@ -262,7 +262,7 @@ Task<void> Controller::doRenumber(int)
     co_return fail(Fault::Unsupported, "the board has no number: chip select tells boards apart");
 }
 
-/// One rate for the whole board; the period is a multiple of 40.96 µs, at least one pass of the loop (section 5).
+/// One rate for the whole board; the period is a multiple of 40.96 µs, at least one pass of the loop (README.md#ready-line).
 Task<void> Controller::doSetRate(ChannelIndex channel, double hertz)
 {
     m_wishes.set(channel, hertz);

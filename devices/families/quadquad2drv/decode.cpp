@@ -232,7 +232,7 @@ private:
                 return;
         }
     }
-    /// What is asked for, or set, tells how the reply reads, and what comes after it. One request is open at a time (1.4).
+    /// What is asked for, or set, tells how the reply reads, and what comes after it. One request is open at a time (README.md#waiting-packets).
     void ask(const Layout &layout, const Packet &packet, DecodedFrame &frame)
     {
         m_asked = packet;
@@ -301,7 +301,7 @@ private:
         if (layout.id == PacketId::GetStreamConfig && frame.fields.size() > 1)
             m_reading.config = m_wanted.config = static_cast<std::uint8_t>(frame.fields.back().value);
     }
-    /// Widths are those that were asked for, or those of the data masks of the channels that were (2.1).
+    /// Widths are those that were asked for, or those of the data masks of the channels that were (README.md#stream).
     void addPositions(const Packet &asked, const Packet &reply, DecodedFrame &frame) const
     {
         DataMasks sizes = m_reading.masks;

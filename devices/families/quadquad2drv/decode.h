@@ -7,7 +7,7 @@
 
 namespace mb::quadquad2drv {
 
-/// Family::decodeBytes: packets in both directions with the names of the reference, section 2. Motion data and streams
+/// Family::decodeBytes: packets in both directions with the names of the data sheet, README.md#stream. Motion data and streams
 /// read as the masks and configurations say that passed before, or as at start-up; positions as they were asked for. What belongs to no packet (filler) has no frame.
 [[nodiscard]] std::unique_ptr<ByteDecoder> decodeBytes(std::string_view dialect);
 

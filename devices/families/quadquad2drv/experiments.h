@@ -7,7 +7,7 @@
 
 namespace mb::quadquad2drv {
 
-/// Family::experiments: which reading of the inputs is right (2.3), and the scale of the gains (tuning.md 3.8).
+/// Family::experiments: which reading of the inputs is right (README.md#inputs), and the scale of the gains (README.md#gain-scale).
 [[nodiscard]] std::span<const Experiment> experiments();
 
 /// Sets calibration::inputReading from the status bit. The user says which level the pin has. Nothing moves, the counter is

@@ -35,7 +35,7 @@ struct PowerStep {
     double speed = 0.0; ///< counts/s in the direction of the power, at the end
     double lag = 0.0;   ///< s, by which the position is behind a motor without inertia
 };
-/// The line through the steps that moved (tuning.md 3.8, step 1). Refused with fewer than two, or when they lie on no line.
+/// The line through the steps that moved (README.md#gain-scale). Refused with fewer than two, or when they lie on no line.
 [[nodiscard]] Result<Plant> fitPlant(const std::vector<PowerStep> &steps);
 
 /// What a run of a loop is compared with: `terms` of the gain in question times its raw value (counts, counts/s or their sums),

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// Without a ready line: how long the board gets before it is asked, and how far its answer is looked for (section 6).
+/// Without a ready line: how long the board gets before it is asked, and how far its answer is looked for (README.md#ready-line).
 constexpr Duration blindPause = 1ms;
 constexpr std::size_t blindBytes = 64;
 constexpr int mostWaiting = 16; ///< packets read in a row
@@ -61,7 +61,7 @@ Task<void> PacketPort::searchStart()
     co_return {};
 }
 
-/// Reads until the reply of the round is there or its time is over (1.4, steps 2 to 4).
+/// Reads until the reply of the round is there or its time is over (README.md#waiting-packets).
 Task<void> PacketPort::listenFor(Round &round, std::size_t expected)
 {
     const bool blind = !m_link.ready().has_value();

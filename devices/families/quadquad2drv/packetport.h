@@ -8,7 +8,7 @@
 
 namespace mb::quadquad2drv {
 
-/// The conversation with one board (1.4). Several ports may share a link: each hears every packet that comes, whoever
+/// The conversation with one board (README.md#waiting-packets). Several ports may share a link: each hears every packet that comes, whoever
 /// clocked it out, so a stream packet between request and reply is never lost; requests take turns.
 class PacketPort {
 public:

@@ -91,7 +91,7 @@ constexpr std::string_view historyHelp = QT_TRANSLATE_NOOP(
 constexpr std::string_view bitsHelp = QT_TRANSLATE_NOOP(
     "table", "Longest time over which velocity is measured: 2 to this power, times 0.64 µs; 20 is 671 ms.");
 
-// Every value is lost with the supply: nothing is persistent (section 4).
+// Every value is lost with the supply: nothing is persistent (README.md#nothing-kept).
 constexpr Parameter row(std::string_view name, std::uint16_t id, WireType type, double one, std::string_view unit,
     double low, double high, double fallback, Access access, std::string_view group, std::string_view label,
     std::string_view help)

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-/// Names and numbers of the QuadQuad2Drv's SPI packets. Sections are those of the protocol reference of this folder's README.
+/// Names and numbers of the QuadQuad2Drv's SPI packets.
 /// The only header that host and simulator share.
 namespace mb::quadquad2drv {
 

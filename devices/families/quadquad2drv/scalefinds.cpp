@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ScaleSearch: what it looks for, one gain after the other (tuning.md 3.8).
+// ScaleSearch: what it looks for, one gain after the other (README.md#gain-scale).
 #include "families/quadquad2drv/calibrations.h"
 #include "families/quadquad2drv/experiments.h"
 #include "families/quadquad2drv/scalesearch.h"
@@ -17,7 +17,7 @@ constexpr int phases = 6;
 constexpr std::array<double, 4> limitLevels{0.4, 0.6, 0.8, 1.0}; ///< of the power limit
 constexpr double sameBothWays = 0.2;
 constexpr double steady = 0.015;
-constexpr double proportional = 0.05; ///< spread of a P scale (tuning.md 3.8, step 2)
+constexpr double proportional = 0.05; ///< spread of a P scale (README.md#gain-scale)
 constexpr double integral = 0.1;
 constexpr double coarsest = 0.03; ///< of the set-point: with less of it left as error nothing can be measured
 

@@ -13,12 +13,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration lease = 1s; ///< of a running trial (tuning.md 5.2)
+constexpr Duration lease = 1s; ///< of a running trial (docs/architecture.md#threads)
 constexpr Duration tick = 10ms;
 constexpr double runaway = 1.6;          ///< times the speed that the power limit gives
 constexpr double wrongWay = 0.05;        ///< s of that speed
 constexpr double standingSpeed = 12.0;   ///< counts/s
-constexpr std::uint8_t shortHistory = 8; ///< edges, for a fast velocity estimate (tuning.md 3.3)
+constexpr std::uint8_t shortHistory = 8; ///< edges, for a fast velocity estimate (README.md#gain-scale)
 constexpr std::uint8_t shortTime = 16;   ///< bits, 42 ms: nor does it begin slowly
 
 double secondsOf(Duration time)
@@ -144,7 +144,7 @@ Task<void> ScaleSearch::move(Mode mode, double target)
     co_return {};
 }
 
-/// tuning.md 3.12, as far as the board tells: the stream is the user's consent and the guard's, the rest is physics.
+/// docs/safety.md#what-ends-an-experiment, as far as the board tells: the stream is the user's consent and the guard's, the rest is physics.
 Result<void> ScaleSearch::look() const
 {
     if (!m_stream.isRunning())

@@ -9,7 +9,7 @@
 
 namespace mb::quadquad2drv {
 
-/// Finds the scale of the gains of one axis by moving its motor (tuning.md 3.8). However it ends, also by being destroyed in
+/// Finds the scale of the gains of one axis by moving its motor (README.md#gain-scale). However it ends, also by being destroyed in
 /// the middle, the motor is stopped and the axis has its gains, limits and history back.
 class ScaleSearch {
 public:

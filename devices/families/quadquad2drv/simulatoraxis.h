@@ -10,7 +10,7 @@
 
 namespace mb::quadquad2drv::simulation {
 
-/// Of the board's control loop (tuning.md 3.8 says that the scale is not documented; these make the default gains step well).
+/// Of the board's control loop (README.md#gain-scale says that the scale is not documented; these make the default gains step well).
 constexpr double loopSeconds = 0.002;
 
 /// Power units per raw gain and count (or count/s), and per pass of the loop for I and D; all times AxisSettings' scale.
@@ -23,7 +23,7 @@ constexpr double velocityI = 1e-4;
 constexpr double velocityD = 1e-5;
 } // namespace gain
 
-/// Speed from the edges of a moving window: it ends with 4 · length edges, or with the time limit (2.5, tuning.md 3.2).
+/// Speed from the edges of a moving window: it ends with 4 · length edges, or with the time limit (README.md#times-4096).
 class SpeedWindow {
 public:
     void configure(int length, int timeBits);
@@ -84,9 +84,9 @@ public:
 
     [[nodiscard]] std::int32_t counter() const { return static_cast<std::int32_t>(m_motor.counts() - m_origin); }
     [[nodiscard]] std::int32_t velocity() const;
-    /// Reading clears what accumulates (2.2).
+    /// Reading clears what accumulates (README.md#inputs).
     [[nodiscard]] std::uint8_t takeStatus();
-    /// The change since the last call, for relative mode (2.1).
+    /// The change since the last call, for relative mode (README.md#stream).
     [[nodiscard]] std::int32_t takeChange();
     [[nodiscard]] double output() const { return m_output; } ///< −8191…8191
     [[nodiscard]] MotorModel &motor() { return m_motor; }

@@ -11,7 +11,7 @@
 
 namespace mb::quadquad2drv::simulation {
 
-/// The board's bootloader on its UART (section 7; what the reference calls unknown is invented here). A reset with the jumper
+/// The board's bootloader on its UART (README.md#firmware; what the maker does not tell is invented here). A reset with the jumper
 /// closed enters it, and it says so every two seconds, as if somebody pressed reset, until the first line comes. Every good line of
 /// Intel HEX is confirmed with "ok", others with "error". `reset` starts the application, whose version has risen by 0.1
 /// when the file was whole.

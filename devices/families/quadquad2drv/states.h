@@ -5,7 +5,7 @@
 
 namespace mb::quadquad2drv {
 
-/// The input of each axis (2.2): on while it is active, or was since the motion data before.
+/// The input of each axis (README.md#inputs): on while it is active, or was since the motion data before.
 [[nodiscard]] std::span<const StateRow> stateTable();
 
 /// Of an axis (0…3), by its status byte.

@@ -8,7 +8,7 @@
 
 namespace mb::quadquad2drv {
 
-/// One update over the bootloader's serial line (section 7). Everything outlives the task of run().
+/// One update over the bootloader's serial line (README.md#firmware). Everything outlives the task of run().
 class Updater {
 public:
     Updater(

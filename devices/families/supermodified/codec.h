@@ -10,8 +10,7 @@
 #include <string>
 #include <string_view>
 
-/// The host's half of the protocol: requests are encoded, replies decoded. Pure functions without state. Sections are those
-/// of the protocol reference that README.md names.
+/// The host's half of the protocol: requests are encoded, replies decoded. Pure functions without state.
 namespace mb::supermodified {
 
 /// The data of a message: of the request of a set, of the reply to a get. Little-endian, two's complement.
@@ -31,7 +30,7 @@ enum class Format : std::uint8_t {
 
 [[nodiscard]] std::size_t sizeOf(Format format);
 
-/// One row of the tables in section 2.
+/// One row of the tables in README.md#frames.
 struct Message {
     Command command = Command::Stop;
     std::string_view name;

@@ -87,7 +87,7 @@ Task<void> Controller::writeNumber(Command command, std::int64_t raw)
     co_return {};
 }
 
-/// D1 and D2 take the duration for the limit until they restart (trap 9), so the limit is put back.
+/// D1 and D2 take the duration for the limit until they restart (README.md#settings), so the limit is put back.
 Task<void> Controller::writeDuration(std::int64_t raw)
 {
     if (m_node.dialect == Dialect::D3) {
@@ -151,7 +151,7 @@ void Controller::noteWritten(const Parameter &row, std::int64_t raw)
     }
 }
 
-/// A set is answered after its EEPROM was written (1.4), so there is nothing left to prove.
+/// A set is answered after its EEPROM was written (README.md#time-outs), so there is nothing left to prove.
 Task<bool> Controller::doStore(Progress &)
 {
     parameters().setAllStored();
@@ -197,7 +197,7 @@ Task<std::vector<FaultRecord>> Controller::doClearFaults()
 
 // Position
 
-/// Trap 1: a motor that runs would jump to where its old set-point is now. One that stands does not, and Start takes 0 for its
+/// README.md#start: a motor that runs would jump to where its old set-point is now. One that stands does not, and Start takes 0 for its
 /// set-point afterwards.
 Task<void> Controller::doZeroPosition()
 {
@@ -212,7 +212,7 @@ Task<void> Controller::doZeroPosition()
     }
     if (const std::string lock = m_line->roster().lockOf(m_node.id); !lock.empty())
         co_return fail(Fault::Unsafe, "the position was not reset: " + lock);
-    if (!m_motion.isKnownOff()) // trap 18
+    if (!m_motion.isKnownOff()) // README.md#hang
         co_return fail(Fault::Unsafe, "somebody may have started it again, so the position was not reset");
     auto resetting = talk(asking(m_node, Command::ResetPosition));
     (void)co_await std::move(resetting);

@@ -8,7 +8,7 @@ namespace mb::supermodified {
 /// What a file would do. OutOfRange when it is no program for an ATmega328P.
 [[nodiscard]] Result<ImageSummary> inspect(const FirmwareImage &image);
 
-/// The update of section 7 through avrdude, over the programming pins or the serial bootloader: written, read back and compared
+/// The update of README.md#firmware through avrdude, over the programming pins or the serial bootloader: written, read back and compared
 /// by avrdude, and done only when the controller answered again. The wire carries no version. The link of the device is
 /// closed meanwhile where it is the same port. Device, image and progress outlive the task.
 [[nodiscard]] Task<UpdateReport> update(

@@ -12,7 +12,7 @@
 
 namespace mb::supermodified {
 
-/// One 01Mech frame without header and checksum (1.1).
+/// One 01Mech frame without header and checksum (README.md#frames).
 struct Frame {
     std::uint8_t to = 0;   ///< AndID
     std::uint8_t from = 0; ///< OndID
@@ -35,7 +35,7 @@ struct Frame {
 /// UART, RS-485, RS-232: 55 AA AndID OndID cID bCnt data LRC.
 [[nodiscard]] std::vector<std::uint8_t> uartBytes(const Frame &frame);
 
-/// I2C (1.5): AndID OndID cID bCnt data LRC, written to the slave address AndID. The datasheet's "without AndID" is wrong.
+/// I2C (README.md#frames): AndID OndID cID bCnt data LRC, written to the slave address AndID. The datasheet's "without AndID" is wrong.
 [[nodiscard]] std::vector<std::uint8_t> i2cBytes(const Frame &frame);
 /// Nothing unless this is exactly one frame with the right checksum.
 [[nodiscard]] std::optional<Frame> fromI2c(std::span<const std::uint8_t> bytes);

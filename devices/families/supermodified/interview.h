@@ -6,11 +6,11 @@
 
 namespace mb::supermodified {
 
-/// What the gets of section 6 say about a node that answers.
+/// What the gets of README.md#scan say about a node that answers.
 struct Interview {
     std::optional<Dialect> dialect; ///< nothing when it refuses to tell
     std::uint8_t mask = exactMask;
-    bool levelOne = false; ///< its error level makes every reading fail (trap 4)
+    bool levelOne = false; ///< its error level makes every reading fail (README.md#error-level)
     /// What bounds its moves; nothing when it did not tell.
     std::optional<std::int64_t> gainP;
     std::optional<std::int64_t> profileVelocity;

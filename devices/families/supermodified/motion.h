@@ -10,11 +10,11 @@
 namespace mb::supermodified {
 
 /// What moves one node: turns set-points into starts and moves, each acknowledged before the next, and repeats a stop until
-/// it is acknowledged, because a node with an error in its queue refuses the first one (trap 2).
+/// it is acknowledged, because a node with an error in its queue refuses the first one (README.md#refused-stop).
 ///
 /// A node has no set-point that must be kept alive, so an equal set-point sends nothing. Start zeroes the node's position
-/// (trap 3); positions stay continuous here: origin() is what to add to the node's count. Start resets the encoder, which
-/// can hang a node that is started already (trap 18): where it is not known to be off, a stop goes first.
+/// (README.md#start); positions stay continuous here: origin() is what to add to the node's count. Start resets the encoder, which
+/// can hang a node that is started already (README.md#hang): where it is not known to be off, a stop goes first.
 class Motion {
 public:
     struct Events {
@@ -67,7 +67,7 @@ public:
 
 private:
     enum class Step { Stop, Look, Start, Velocity, Acceleration, Move };
-    /// A profiled move that may pass its target (trap 19).
+    /// A profiled move that may pass its target (README.md#passed-target).
     struct Run {
         double target = 0.0; ///< as the node counts
         double direction = 1.0;

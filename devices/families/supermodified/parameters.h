@@ -9,7 +9,7 @@
 
 namespace mb::supermodified {
 
-/// The table of section 4, for all dialects; keys are those of product.md.
+/// The table of README.md#settings, for all dialects; keys are those that users type.
 [[nodiscard]] std::span<const Parameter> parameterTable();
 
 /// What sets and what reads a row; nothing where the node has no such command.

@@ -6,11 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 
-/// Names and numbers of the 01Mech protocol, shared by host and simulator. Sections are those of the protocol reference that
-/// README.md names.
+/// Names and numbers of the 01Mech protocol, shared by host and simulator.
 namespace mb::supermodified {
 
-/// Three firmware generations that differ in the width of values (section 0).
+/// Three firmware generations that differ in the width of values (README.md#dialects).
 enum class Dialect : std::uint8_t {
     D1, ///< as in the datasheet: 16-bit velocities, 4096 ticks per turn
     D2, ///< 32-bit velocities
@@ -34,7 +33,7 @@ constexpr std::uint8_t exactMask = 0xFF; ///< local acceptance mask: only the ow
 constexpr std::size_t headSize = 6;
 constexpr std::size_t frameOverhead = 7;
 /// The longest data of any message: error reactions of D3 (20); the D3 peer holds 22. D1 and D2 hold 16, and write past their
-/// buffer when they get more (trap 12).
+/// buffer when they get more (README.md#error-reactions).
 constexpr std::size_t mostData = 22;
 constexpr std::size_t mostDataD1D2 = 16;
 
@@ -64,7 +63,7 @@ enum class Command : std::uint8_t {
     NodeId = 0x15,
     NodeMask = 0x16,
     Baudrate = 0x17,
-    ResetPosition = 0x18, ///< D1, D2: keeps the set-point, so that a running motor jumps (trap 1)
+    ResetPosition = 0x18, ///< D1, D2: keeps the set-point, so that a running motor jumps (README.md#start)
     Start = 0x19,         ///< zeroes position and set-point, position mode, bridge on
     Halt = 0x1A,          ///< position mode where it is
     Stop = 0x1B,          ///< bridge off
@@ -117,7 +116,8 @@ constexpr std::uint8_t invalidCommand = 0x11;
 constexpr std::uint8_t invalidSetCount = 0x12;
 constexpr std::uint8_t invalidArgument = 0x13;
 constexpr std::uint8_t invalidForState = 0x14;
-constexpr std::uint8_t invalidGetCount = 0x15; ///< also raised by every successful get: a warning, noise (trap 5)
+constexpr std::uint8_t invalidGetCount
+    = 0x15; ///< also raised by every successful get: a warning, noise (README.md#errors)
 constexpr std::uint8_t uartFrame = 0x43;
 constexpr std::uint8_t halfPacket = 0x51;
 constexpr std::uint8_t wrongLrc = 0x52;
@@ -150,7 +150,7 @@ constexpr std::chrono::milliseconds answerTime{25};       ///< after the wire ti
 constexpr std::chrono::milliseconds storedAnswerTime{60}; ///< where an EEPROM is written first
 constexpr std::chrono::microseconds eepromByteTime{3400}; ///< of a write; the reactions of D3 are 20 bytes
 constexpr int patientTries = 4;                           ///< "at least 3" retries
-/// What a real controller divides 20 MHz into (1.2): 115200 is really 119048.
+/// What a real controller divides 20 MHz into (README.md#settings): 115200 is really 119048.
 constexpr int realRate(int nominal)
 {
     constexpr int clock = 20'000'000 / 8;
@@ -158,7 +158,7 @@ constexpr int realRate(int nominal)
     return divider > 0 ? (clock + divider / 2) / divider : nominal;
 }
 constexpr double loopsPerSecond = 976.5625;
-/// What D1 and D2 take their loop rate for: their speeds read too high and run too slow by the ratio (trap 8).
+/// What D1 and D2 take their loop rate for: their speeds read too high and run too slow by the ratio (README.md#speeds).
 constexpr double assumedLoopsPerSecond = 1089.3;
 
 } // namespace mb::supermodified

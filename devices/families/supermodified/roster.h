@@ -12,7 +12,7 @@
 namespace mb::supermodified {
 
 /// What is known of the nodes of one line, for as long as its link lives: whoever asks or writes notes what it learns, and
-/// everybody acts on it at once. Chooses the host's own id, which must be in no group of nodes (trap 6).
+/// everybody acts on it at once. Chooses the host's own id, which must be in no group of nodes (README.md#masks).
 class Roster {
 public:
     struct Entry {

@@ -75,7 +75,7 @@ bool Search::isDone(const Place &place) const
         || std::find(m_found.begin(), m_found.end(), place.second) != m_found.end();
 }
 
-/// Nodes of an earlier run: where to ask first, and which ids the host must not have (trap 6).
+/// Nodes of an earlier run: where to ask first, and which ids the host must not have (README.md#masks).
 void Search::recall()
 {
     for (const Identity &identity : m_sink.remembered()) {
@@ -295,7 +295,7 @@ Task<void> Search::runFor(int address)
     co_return {};
 }
 
-/// Others may act on what is sent to this node (trap 6), so their masks are known before it is driven.
+/// Others may act on what is sent to this node (README.md#masks), so their masks are known before it is driven.
 Task<void> Search::learnOthers(int address)
 {
     const int rate = m_line->roster().entry(address).baudrate;

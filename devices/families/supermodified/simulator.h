@@ -9,7 +9,7 @@
 namespace mb::supermodified {
 
 /// A simulated Supermodified on a serial link, which may be opened before or after. It shares only protocol.h and the framing
-/// with the code that drives a real one. Section numbers are those of the protocol reference that README.md names.
+/// with the code that drives a real one.
 ///
 /// Address 1…127, the node id. Options: `dialect=D1|D2|D3` (D1), `motor` and `load` (model/motormodel.h; a 25d whose output
 /// turns the encoder), `gains=tuned|default` (what is stored; tuned), `baud` (its rate; the link's own where the address of

@@ -204,7 +204,7 @@ void Drive::profilePosition(double step)
     approach(std::copysign(std::min<double>(m_settings.velocity, braking), left), acceleration * step);
 }
 
-/// D1, D2: braking begins only in a loop that finds the set-point at the knee. Fast ones step over it, and go on (trap 19).
+/// D1, D2: braking begins only in a loop that finds the set-point at the knee. Fast ones step over it, and go on (README.md#passed-target).
 void Drive::profileByKnee(double step)
 {
     const double acceleration = std::max<double>(m_settings.acceleration, 1.0);

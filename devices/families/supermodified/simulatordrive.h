@@ -20,7 +20,7 @@ struct LoopSettings {
     std::uint32_t velocity = 0;     ///< ticks/s
 };
 
-/// Motor, encoder on the output shaft, and the loop of section 4: integer PID every 1.024 ms, profiler, stall detection.
+/// Motor, encoder on the output shaft, and the loop of README.md#settings: integer PID every 1.024 ms, profiler, stall detection.
 /// Computed up to the present only when somebody looks.
 class Drive {
 public:
@@ -36,11 +36,11 @@ public:
     void start();
     void stop() { setOn(false); }
     void halt();
-    /// D1 and D2 keep the set-point (trap 1).
+    /// D1 and D2 keep the set-point (README.md#start).
     void resetPosition();
     void moveTo(std::int64_t position, bool profiled);
     void moveAt(std::int64_t velocity, bool profiled);
-    /// The loop's interrupt comes while the encoder is asked (trap 18).
+    /// The loop's interrupt comes while the encoder is asked (README.md#hang).
     [[nodiscard]] bool isAboutToLoop(Instant now) const;
 
     [[nodiscard]] bool isOn() const { return m_on; }

@@ -206,7 +206,7 @@ void Firmware::execute(std::uint8_t command, Data data, std::vector<std::uint8_t
     } else if (command >= 0x64) {
         get(command, reply);
         if (!isThird())
-            report(code::invalidGetCount); // a bug of the firmware (trap 5)
+            report(code::invalidGetCount); // a bug of the firmware (README.md#errors)
     } else if (data.size() != expected(command)) {
         report(code::invalidSetCount);
     } else {
@@ -256,7 +256,7 @@ void Firmware::storeNumber(std::uint8_t command, std::uint64_t value)
     case 0x05: m_ram.currentLimit = m_eeprom.currentLimit = u16; break;
     case 0x06:
         m_eeprom.duration = u16;
-        (isThird() ? m_ram.duration : m_ram.currentLimit) = u16; // trap 9
+        (isThird() ? m_ram.duration : m_ram.currentLimit) = u16; // README.md#settings
         break;
     case 0x13: m_ram.direction = m_eeprom.direction = static_cast<std::uint8_t>(value & 0x0FU); break;
     case 0x14: m_outputs = static_cast<std::uint8_t>(value & m_ram.direction); break;
@@ -314,7 +314,7 @@ void Firmware::move(std::uint8_t command, Data data, bool buffered)
     }
 }
 
-/// Do move and global halt report that the motor is not started, and are done all the same (2.3).
+/// Do move and global halt report that the motor is not started, and are done all the same (README.md#errors).
 void Firmware::act(std::uint8_t command)
 {
     switch (command) {

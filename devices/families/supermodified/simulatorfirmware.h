@@ -12,7 +12,7 @@
 
 namespace mb::supermodified::simulation {
 
-/// What survives a power cycle; factory values of section 4.
+/// What survives a power cycle; factory values of README.md#settings.
 struct Eeprom {
     std::uint16_t p = 4000;
     std::uint16_t i = 100;
@@ -31,7 +31,7 @@ struct Eeprom {
 };
 
 /// The firmware without time and wire: bytes in, the bytes of one answer out. Receives as the device does: no resynchronisation,
-/// errors in a queue that replaces the next answer and keeps the command from being executed (1.3).
+/// errors in a queue that replaces the next answer and keeps the command from being executed (README.md#one-request).
 class Firmware {
 public:
     struct Answer {
@@ -56,7 +56,7 @@ public:
     /// The motor goes on as it was, and nobody is heard any more.
     [[nodiscard]] bool isDead() const { return m_dead; }
     std::function<void(std::string_view what, double value)> died; ///< crashed (byte count), hung (command)
-    /// Whether asking the encoder while the motor is started can hang it (trap 18).
+    /// Whether asking the encoder while the motor is started can hang it (README.md#hang).
     void setHangs(bool hangs) { m_hangs = hangs; }
     [[nodiscard]] const Eeprom &eeprom() const { return m_eeprom; }
     [[nodiscard]] Drive &drive() { return m_drive; }

@@ -29,7 +29,7 @@ public:
     /// Samples per second wished for; 0: as by itself. False for a channel that does not come from the node.
     bool setRate(ChannelIndex channel, double hertz);
     void setDriven(bool driven);
-    /// The position in the turn is asked for only while the node cannot be started: the question may hang it (trap 18).
+    /// The position in the turn is asked for only while the node cannot be started: the question may hang it (README.md#hang).
     void setKnownOff(bool off);
     /// A silent node leaves the line to the others.
     void setHeard(bool heard);

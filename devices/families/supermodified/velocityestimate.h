@@ -10,7 +10,7 @@
 namespace mb::supermodified {
 
 /// Speed from positions: the node's own reading comes 10 times a second, is 11 % off in D1 and D2, and is always 0 in some builds
-/// (trap 8). The slope over the last 50 ms, or over one pair where positions come more slowly.
+/// (README.md#speeds). The slope over the last 50 ms, or over one pair where positions come more slowly.
 class VelocityEstimate {
 public:
     /// Counts per second; nothing for the first position.

@@ -14,7 +14,7 @@ namespace mb {
 
 /// A line in memory that ends at a pseudo terminal: simulated devices for another program, on the event loop of the thread
 /// that opens it. Nothing collides on it: a terminal does not carry when bytes were sent, so what waited in it because one of
-/// the two programs was late would meet answers that it never met. `pty:PATH?baud=N` of product.md: PATH becomes a symbolic link to the terminal; without `baud` the line
+/// the two programs was late would meet answers that it never met. `pty:PATH?baud=N` (docs/names.md#links): PATH becomes a symbolic link to the terminal; without `baud` the line
 /// has the speed that the program sets on it.
 class PtyLine {
 public:

@@ -12,7 +12,7 @@ class QSocketNotifier;
 
 namespace mb {
 
-/// SPI over a stream socket (product.md, `unix:PATH`): a 16-bit little-endian length and the bytes of one transfer go out, as
+/// SPI over a stream socket (docs/names.md#links): a 16-bit little-endian length and the bytes of one transfer go out, as
 /// many bytes and the level of the ready line come back; length 0 asks for the line, 65535 pulses reset. For simulated boards
 /// in other processes.
 class UnixSpiLink final : public SpiLink {

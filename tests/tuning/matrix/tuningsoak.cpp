@@ -20,7 +20,7 @@ struct LoopOfFamily {
     bool isCompared = true;    ///< its true model is known (groundtruth.h)
 };
 
-/// What product.md names and autotune() can do.
+/// What the bench has and autotune() can do.
 const std::vector<LoopOfFamily> &loops()
 {
     static const std::vector<LoopOfFamily> all{
