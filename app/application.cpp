@@ -2,7 +2,10 @@
 #include "app/application.h"
 
 #include "app/folders/userfolders.h"
+#include "app/projectdesk.h"
+#include "app/sessiondesk.h"
 #include "app/tour.h"
+#include "app/welcome.h"
 #include "model/registry.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/control/envelopepanel.h"
@@ -58,6 +61,11 @@ void declare(QCommandLineParser &parser)
         {{QStringLiteral("h"), QStringLiteral("help")}, tr(QT_TRANSLATE_NOOP("Options", "Show this help."))},
         {{QStringLiteral("v"), QStringLiteral("version")}, tr(QT_TRANSLATE_NOOP("Options", "Show the version."))},
     });
+}
+
+QString layoutFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/plots");
 }
 
 Result<void> checkOptions(const Options &options)
@@ -164,6 +172,7 @@ void Application::makeWindow()
     m_window = std::make_unique<MainWindow>(*m_engine, *m_theme, m_settings);
     setUpPlots();
     setUpLimits();
+    setUpStart();
     QObject::connect(m_window.get(), &MainWindow::lookChosen, &m_qt, [this] { followLook(); });
 }
 
@@ -192,6 +201,19 @@ void Application::followLook()
     QApplication::setQuitOnLastWindowClosed(true);
 }
 
+/// What comes before the work: start page, sessions, the folder of a machine.
+void Application::setUpStart()
+{
+    auto *welcome = new Welcome(*m_window, *m_engine, *m_theme, m_settings);
+    if (!m_options.demo && !m_sessions)
+        m_sessions = std::make_unique<SessionDesk>(*m_engine, *m_theme, QString::fromStdString(programFolder()));
+    if (m_sessions)
+        m_sessions->attach(*m_window, *welcome);
+    auto *project = new ProjectDesk(*m_engine, m_limits, m_options.demo ? QString() : layoutFolder(), *m_window);
+    QObject::connect(m_window.get(), &MainWindow::projectWanted, project,
+        [project](bool open) { open ? project->askOpen() : project->askSave(); });
+}
+
 /// The recording begins with the program, not with a wish.
 void Application::setUpPlots()
 {
@@ -208,8 +230,7 @@ void Application::setUpPlots()
         if (id != PageId::Plots || !plots)
             return;
         if (!m_options.demo)
-            plots->setLayoutFolder(
-                QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + QStringLiteral("/plots"));
+            plots->setLayoutFolder(layoutFolder());
         plots->setRecorder(m_recorder.get(),
             QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + QStringLiteral("/MotorBench"));
     });

@@ -15,6 +15,7 @@
 namespace mb {
 
 class Recorder;
+class SessionDesk;
 class Tour;
 
 /// What the command line asked for.
@@ -56,6 +57,7 @@ private:
     void makeWindow();
     void setUpPlots();
     void setUpLimits();
+    void setUpStart();
     void followLook();
 
     QApplication &m_qt;
@@ -66,7 +68,8 @@ private:
     Settings m_settings;
     std::unique_ptr<ThemeSource> m_theme;
     std::unique_ptr<Engine> m_engine;
-    EnvelopeBook m_limits; ///< of experiments
+    EnvelopeBook m_limits;                   ///< of experiments
+    std::unique_ptr<SessionDesk> m_sessions; ///< none in a demo
     std::unique_ptr<MainWindow> m_window;
     std::unique_ptr<QTemporaryDir> m_demoFolder; ///< a demo leaves nothing behind
     std::unique_ptr<Recorder> m_recorder;

@@ -80,7 +80,7 @@ struct Engine::Room {
             "links", [found] { *found = listLinks(); },
             [this, found] {
                 isListing = false;
-                core.takeListings(std::move(*found));
+                core.links().takeListings(std::move(*found));
             });
     }
     void publish()
@@ -88,7 +88,7 @@ struct Engine::Room {
         tick.startIn(snapshotPeriod, [this] { publish(); });
         if (engine.m_snapshotUnderWay.exchange(true))
             return;
-        auto picture = std::make_shared<Picture>(Picture{core.snapshot(), core.listings(), core.owedGains()});
+        auto picture = std::make_shared<Picture>(Picture{core.snapshot(), core.links().listings(), core.owedGains()});
         engine.m_toWindow.post([to = &engine, picture] { to->takePicture(std::move(*picture)); });
     }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/about.h"
 #include "app/application.h"
+#include "app/crashreport.h"
+#include "app/folders/userfolders.h"
 #include "app/plotfile.h"
 #include "app/reportfile.h"
 
@@ -41,6 +44,8 @@ int main(int argc, char **argv)
         return mb::plotFile(*options);
     if (!options->report.isEmpty())
         return mb::printReport(*options);
+    if (!options->demo)
+        mb::installCrashReport(QString::fromStdString(mb::programFolder() + "/crashes"), mb::versions());
     mb::Application application(qt, *options);
     application.start();
     return QApplication::exec();

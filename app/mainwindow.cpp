@@ -5,6 +5,7 @@
 #include "app/closing.h"
 #include "app/conditions.h"
 #include "app/footprint.h"
+#include "app/helpdesk.h"
 #include "app/linkchips.h"
 #include "app/windowmenu.h"
 #include "widgets/common/banner.h"
@@ -27,8 +28,10 @@
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/monitor/buspage.h"
 #include "widgets/monitor/logpage.h"
+#include "widgets/parameters/keepbar.h"
 #include "widgets/parameters/parameterspage.h"
 #include "widgets/plots/plotspage.h"
+#include "widgets/report/reportspage.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -76,6 +79,7 @@ MainWindow::MainWindow(Workbench &workbench, ThemeSource &theme, Settings &setti
     , m_settings(settings)
     , m_arming(new Arming(workbench, this))
     , m_closing(new Closing(workbench, *m_arming, *this))
+    , m_help(new HelpDesk(workbench, m_selection, theme, *this))
 {
     setWindowTitle(tr("MotorBench"));
     setWindowIcon(applicationIcon());
@@ -129,6 +133,8 @@ void MainWindow::buildMenu()
         qobject_cast<BusPage *>(page(PageId::Bus))->showLink(address.toStdString());
     });
     connect(m_menu, &WindowMenu::commandsRequested, this, &MainWindow::listCommands);
+    connect(m_menu, &WindowMenu::projectWanted, this, &MainWindow::projectWanted);
+    connect(m_menu, &WindowMenu::helpWanted, this, [this](const QString &topic) { (void)m_help->open(topic); });
     connect(m_menu, &WindowMenu::keysRequested, this, &MainWindow::listKeys);
     // the window itself may be another one then
     connect(m_menu, &WindowMenu::lookChosen, this, &MainWindow::lookChosen, Qt::QueuedConnection);
@@ -144,6 +150,10 @@ void MainWindow::buildDevices()
     connect(tree, &DeviceTree::plotRequested, this, [this](const std::vector<Signal> &wanted) {
         showPage(PageId::Plots);
         qobject_cast<PlotsPage *>(page(PageId::Plots))->addSignals(wanted);
+    });
+    tree->setKept([this](const QString &address) { return m_settings.links().contains(address); });
+    connect(tree, &DeviceTree::keepLinkRequested, this, [this](const QString &address, bool keep) {
+        keep ? m_settings.addLink(address) : m_settings.removeLink(address);
     });
     connect(tree, &DeviceTree::closeLinkRequested, this, [this](const QString &address) {
         m_settings.removeLink(address);
@@ -174,12 +184,16 @@ void MainWindow::buildPages()
     m_tabs->setAccessibleName(tr("Pages"));
     m_line = new DeviceLine(m_workbench, m_selection, m_theme, central);
     m_pages = new QStackedWidget(central);
-    column->addWidget(m_tabs);
+    auto *row = new QHBoxLayout;
+    row->addWidget(m_tabs, 1);
+    row->addWidget(m_help->makeButton([this] { return shownPage(); }, central));
+    column->addLayout(row);
     column->addWidget(separatorLine(Qt::Horizontal, central));
     column->addWidget(m_line);
     m_states = new LiveStateBar(m_workbench, m_selection, m_theme, central);
     column->addWidget(m_states);
     column->addWidget(m_pages, 1);
+    column->addWidget(new KeepBar(m_workbench, m_theme, central));
     setCentralWidget(central);
     central->setMinimumSize(1, 1); // as the docks
     addPage(tr("Overview"), [this](QWidget *parent) { return makeOverview(parent); });
@@ -194,6 +208,7 @@ void MainWindow::buildPages()
         [this](QWidget *parent) { return new FirmwarePage(m_workbench, m_selection, m_theme, parent); });
     addPage(tr("Bus"), [this](QWidget *parent) { return new BusPage(m_workbench, *m_arming, m_theme, parent); });
     addPage(tr("Log"), [this](QWidget *parent) { return new LogPage(m_workbench, m_theme, parent); });
+    addPage(tr("Reports"), [this](QWidget *parent) { return new ReportsPage(m_workbench, m_theme, parent); });
     connect(m_tabs, &QTabBar::currentChanged, this, &MainWindow::followPages);
     connect(m_banners, &BannerStack::allRequested, this, [this] { showPage(PageId::Log); });
 }
@@ -255,7 +270,7 @@ void MainWindow::buildActions()
     m_keys->note(
         {QKeySequence(QStringLiteral("Ctrl+Shift+F12"))}, tr("held for 1 s: arms; let go early it does nothing"));
     qApp->installEventFilter(new ArmKey(m_header->lamp(), *this));
-    m_keys->add({Qt::Key_F1}, tr("shows these keys"), [this] { listKeys(); });
+    m_keys->add({Qt::Key_F1}, tr("shows these keys; once more, the help for this page"), [this] { listKeys(); });
     for (int i = 0; i < m_tabs->count(); ++i) {
         const QKeySequence key(QStringLiteral("Ctrl+%1").arg(i + 1));
         m_keys->add({key}, tr("shows page %1").arg(m_tabs->tabText(i)), [this, i] { m_tabs->setCurrentIndex(i); });
@@ -281,7 +296,8 @@ void MainWindow::listKeys()
 {
     QWidget *const shown = page(static_cast<PageId>(m_tabs->currentIndex()));
     const auto *ofPage = shown->findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly);
-    showKeys(*this, m_tabs->tabText(m_tabs->currentIndex()), {ofPage, m_keys});
+    showKeys(*this, m_tabs->tabText(m_tabs->currentIndex()), {ofPage, m_keys},
+        [this] { (void)m_help->open(m_help->topicOf(shownPage())); });
 }
 
 /// Keys of the window and of every page, the menu, and the buttons of the page that is shown.

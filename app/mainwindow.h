@@ -24,13 +24,14 @@ class Conditions;
 class DemoStripe;
 class DeviceLine;
 class HeaderBar;
+class HelpDesk;
 class LiveStateBar;
 class PageKeys;
 class PageTabs;
 class WindowMenu;
 
 /// The pages, in the order of their tabs.
-enum class PageId { Overview, Parameters, Tune, Design, Plots, Firmware, Bus, Log };
+enum class PageId { Overview, Parameters, Tune, Design, Plots, Firmware, Bus, Log, Reports };
 
 /// The one window: header with links, lamp and STOP; devices at the left; pages; inspector at the right; status bar.
 /// Composes, decides nothing about devices.
@@ -42,17 +43,23 @@ public:
 
     [[nodiscard]] Arming &arming() { return *m_arming; }
     [[nodiscard]] Selection &selection() { return m_selection; }
+    [[nodiscard]] HelpDesk &help() { return *m_help; }
+    [[nodiscard]] BannerStack &banners() { return *m_banners; }
     /// Pages are made when they are asked for first, the others once the window has been painted.
     [[nodiscard]] QWidget *page(PageId id);
     void showPage(PageId id);
     [[nodiscard]] PageId shownPage() const;
     /// A recording, as the menu opens it.
     void openFile(const QString &path);
+    /// Every key, in a window of its own.
+    void listKeys();
 
 Q_SIGNALS:
     void pageMade(mb::PageId id, QWidget *page);
     /// Somebody wants another language, theme or size: they are in the settings.
     void lookChosen();
+    /// The machine is to be saved into a folder, or opened from one.
+    void projectWanted(bool open);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -75,7 +82,6 @@ private:
     void followLinks(const Snapshot &shot);
     void followPages();
     void followLine();
-    void listKeys();
     void listCommands();
     void followInspector();
     void showNotice(const Notice &notice);
@@ -88,6 +94,7 @@ private:
     Selection m_selection;
     Arming *m_arming = nullptr;
     Closing *m_closing = nullptr;
+    HelpDesk *m_help = nullptr;
     HeaderBar *m_header = nullptr;
     WindowMenu *m_menu = nullptr;
     DemoStripe *m_stripe = nullptr;

@@ -2,6 +2,7 @@
 #include "app/settings.h"
 
 #include <QSettings>
+#include <QStandardPaths>
 #include <QVariant>
 
 #include <algorithm>
@@ -91,6 +92,27 @@ void Settings::removeLink(const QString &address)
     QStringList all = links();
     if (all.removeAll(address) > 0)
         setValue(QStringLiteral("links"), all);
+}
+
+QString Settings::firmwareFolder() const
+{
+    const QString chosen = value(QStringLiteral("firmware-folder")).toString();
+    return chosen.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::DownloadLocation) : chosen;
+}
+
+void Settings::setFirmwareFolder(const QString &folder)
+{
+    setValue(QStringLiteral("firmware-folder"), folder);
+}
+
+bool Settings::isDismissed(const QString &key) const
+{
+    return value(QStringLiteral("dismissed/") + key).toBool();
+}
+
+void Settings::dismiss(const QString &key)
+{
+    setValue(QStringLiteral("dismissed/") + key, true);
 }
 
 } // namespace mb

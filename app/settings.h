@@ -44,6 +44,12 @@ public:
     [[nodiscard]] QStringList links() const;
     void addLink(const QString &address);
     void removeLink(const QString &address);
+    /// Where the start page looks for images; the user's downloads until one was chosen.
+    [[nodiscard]] QString firmwareFolder() const;
+    void setFirmwareFolder(const QString &folder);
+    /// Something that was offered once and is not offered again, by a key of its own.
+    [[nodiscard]] bool isDismissed(const QString &key) const;
+    void dismiss(const QString &key);
 
 private:
     [[nodiscard]] QVariant value(const QString &key) const;

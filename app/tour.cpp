@@ -9,6 +9,7 @@
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/parameters/parameterspage.h"
 #include "widgets/plots/picturefile.h"
+#include "widgets/report/reportspage.h"
 
 #include <QApplication>
 
@@ -242,6 +243,11 @@ void Tour::planEnd()
         QStringLiteral("log"), [this] { m_window.showPage(PageId::Log); }, [] { return true; });
     pause(std::chrono::milliseconds(200));
     picture(QStringLiteral("log"));
+    add(
+        QStringLiteral("reports"), [this] { m_window.showPage(PageId::Reports); },
+        [this] { return !qobject_cast<ReportsPage *>(m_window.page(PageId::Reports))->previewText().isEmpty(); });
+    pause(std::chrono::milliseconds(200));
+    picture(QStringLiteral("reports"));
 }
 
 void Tour::begin(std::size_t step)

@@ -76,7 +76,7 @@ void Tour::planAxes()
         [this] {
             m_window.selection().select(board()->id);
             m_window.showPage(PageId::Plots);
-            qobject_cast<PlotsPage *>(m_window.page(PageId::Plots))->resetLayout();
+            qobject_cast<PlotsPage *>(m_window.page(PageId::Plots))->layoutBook().reset();
             stepAxes(0.0);
         },
         [this] { return board()->motion.setPoints.size() == 4; });

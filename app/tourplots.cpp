@@ -41,7 +41,7 @@ void Tour::planPlots()
     });
     pause(afterPaint);
     act("cursors", [this](PlotsPage &page) {
-        const auto [from, to] = page.stack().range();
+        const auto [from, to] = page.stack().view().range();
         page.stack().setCursorsShown(true);
         page.stack().setCursorKeys(from + (to - from) * 0.55, from + (to - from) * 0.8);
         page.board().addNote(to - 1.5, tr("at speed"));
@@ -54,19 +54,19 @@ void Tour::planPlots()
     });
     pause(std::chrono::milliseconds(2000));
     act("arm the trigger", [](PlotsPage &page) {
-        page.stack().setWindow(2.0);
+        page.stack().view().setWindow(2.0);
         page.board().keepReferences();
-        page.triggerBar().setLevel(triggerLevel);
-        page.triggerOn(velocityOf(page).id);
+        page.trigger().bar().setLevel(triggerLevel);
+        page.trigger().armOn(velocityOf(page).id);
     });
     add(
         QStringLiteral("event"), [this] { drive(); },
-        [this] { return plotsOf(m_window).trigger().event().has_value(); });
+        [this] { return plotsOf(m_window).trigger().watch().event().has_value(); });
     pause(std::chrono::milliseconds(2000));
     picture(QStringLiteral("plots-trigger"));
     act("spectrum", [](PlotsPage &page) {
-        page.triggerOff();
-        page.stack().setWindow(10.0);
+        page.trigger().disarm();
+        page.stack().view().setWindow(10.0);
         page.showView(PlotsPage::View::Spectrum);
     });
     pause(afterPaint);

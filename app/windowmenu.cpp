@@ -3,6 +3,8 @@
 
 #include "app/about.h"
 #include "app/preferences.h"
+#include "transport/backends/gpiolines.h"
+#include "widgets/connection/addlinkdialog.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/plots/sampleswindow.h"
 
@@ -24,11 +26,15 @@ WindowMenu::WindowMenu(Workbench &workbench, ThemeSource &theme, Settings &setti
     m_menu->addAction(tr("Open recording…"), this, &WindowMenu::openRecording, QKeySequence::Open);
     m_menu->addAction(tr("Open the simulated bench"), this, &WindowMenu::openSimulation);
     m_menu->addSeparator();
+    m_menu->addAction(tr("Open the folder of a machine…"), this, [this] { Q_EMIT projectWanted(true); });
+    m_menu->addAction(tr("Save the machine into a folder…"), this, [this] { Q_EMIT projectWanted(false); });
+    m_menu->addSeparator();
     m_menu->addAction(tr("Commands…"), this, &WindowMenu::commandsRequested, QKeySequence(QStringLiteral("Ctrl+K")));
     m_menu->addAction(
         tr("Switch between dark and light"), this, &WindowMenu::switchTheme, QKeySequence(QStringLiteral("Ctrl+T")));
     m_menu->addAction(tr("Preferences…"), this, &WindowMenu::askPreferences, QKeySequence(QStringLiteral("Ctrl+,")));
     m_menu->addSeparator();
+    m_menu->addAction(tr("Help"), this, [this] { Q_EMIT helpWanted(QStringLiteral("first-hour")); });
     m_menu->addAction(tr("Keys"), this, &WindowMenu::keysRequested);
     m_menu->addAction(tr("About MotorBench"), this, [this] {
         auto *about = new About(&m_window);
@@ -40,7 +46,29 @@ WindowMenu::WindowMenu(Workbench &workbench, ThemeSource &theme, Settings &setti
 
 void WindowMenu::addLink()
 {
-    askAddLink(m_workbench, m_window, [&settings = m_settings](const QString &address) { settings.addLink(address); });
+    std::vector<std::string> open;
+    for (const LinkView &link : m_workbench.snapshot().links)
+        open.push_back(link.address);
+    auto *dialog = new AddLinkDialog(linkChoices(m_workbench.listings(), open), m_theme, &m_window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    std::vector<std::pair<QString, QString>> lines;
+    for (const GpioLineListing &line : gpioLines()) {
+        if (!line.used)
+            lines.emplace_back(QString::fromStdString(line.name), QString::fromStdString(line.label));
+    }
+    dialog->setLines(lines);
+    connect(dialog, &AddLinkDialog::chosen, this, &WindowMenu::openAddress);
+    connect(dialog, &AddLinkDialog::recordingWanted, this, &WindowMenu::openRecording);
+    connect(dialog, &AddLinkDialog::helpWanted, this, [this] { Q_EMIT helpWanted(QStringLiteral("connecting")); });
+    dialog->open();
+}
+
+void WindowMenu::openAddress(const QString &address, bool keep)
+{
+    mb::openAddress(m_workbench, address, [keep, &settings = m_settings](const QString &opened) {
+        if (keep)
+            settings.addLink(opened);
+    });
 }
 
 void WindowMenu::openRecording()

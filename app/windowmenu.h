@@ -20,6 +20,8 @@ public:
     [[nodiscard]] QMenu &menu() { return *m_menu; }
 
     void addLink();
+    /// `keep`: at every start from now on, once it could be opened.
+    void openAddress(const QString &address, bool keep);
     /// Asks for a file, then openFile().
     void openRecording();
     /// Samples (.mcap, .csv) in a window of their own, anything else as a link that plays. It is not opened again at the next
@@ -35,7 +37,10 @@ Q_SIGNALS:
     /// Everything that has a name is wanted. Ctrl+K.
     void commandsRequested();
     void keysRequested();
+    /// A page of the help (widgets/help/helptopics.h).
+    void helpWanted(const QString &topic);
     void lookChosen();
+    void projectWanted(bool open);
 
 private:
     Workbench &m_workbench;

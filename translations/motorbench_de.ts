@@ -126,18 +126,6 @@
         <translation>antwortet jetzt als Nummer %1</translation>
     </message>
     <message>
-        <source>Add a link</source>
-        <translation>Verbindung hinzufügen</translation>
-    </message>
-    <message>
-        <source>Link address, such as socketcan:can0 or sim:can?loss=0.01:</source>
-        <translation>Adresse der Verbindung, etwa socketcan:can0 oder sim:can?loss=0.01:</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>Stop and count from 0</source>
         <translation>Stoppen und ab 0 zählen</translation>
     </message>
@@ -620,6 +608,57 @@
     </message>
 </context>
 <context>
+    <name>HelpTitles</name>
+    <message>
+        <source>First hour</source>
+        <translation>Die erste Stunde</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Anschließen</translation>
+    </message>
+    <message>
+        <source>Tuning by itself</source>
+        <translation>Selbst abstimmen</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Service</source>
+        <translation>Service</translation>
+    </message>
+    <message>
+        <source>Safety</source>
+        <translation>Sicherheit</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Troubleshooting</source>
+        <translation>Fehler suchen</translation>
+    </message>
+    <message>
+        <source>Hardware: DMC60C</source>
+        <translation>Hardware: DMC60C</translation>
+    </message>
+    <message>
+        <source>Hardware: Supermodified</source>
+        <translation>Hardware: Supermodified</translation>
+    </message>
+    <message>
+        <source>Hardware: Abstract DC Drive</source>
+        <translation>Hardware: Abstract DC Drive</translation>
+    </message>
+    <message>
+        <source>Hardware: QuadQuad2Drv</source>
+        <translation>Hardware: QuadQuad2Drv</translation>
+    </message>
+</context>
+<context>
     <name>LeapText</name>
     <message>
         <source>%1 × as large as now, %2.</source>
@@ -628,6 +667,206 @@
     <message>
         <source>%1 × smaller than now, %2.</source>
         <translation>%1-mal kleiner als jetzt, %2.</translation>
+    </message>
+</context>
+<context>
+    <name>LinkChoices</name>
+    <message>
+        <source>up</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <translation>ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>bus-off</source>
+        <translation>Bus-Off</translation>
+    </message>
+    <message>
+        <source>no permission</source>
+        <translation>kein Zugriff</translation>
+    </message>
+    <message>
+        <source>not there</source>
+        <translation>nicht da</translation>
+    </message>
+    <message>
+        <source>ready</source>
+        <translation>bereit</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <translation>%1 · %2</translation>
+    </message>
+    <message>
+        <source>A recording of frames…</source>
+        <translation>Eine Aufnahme von Frames…</translation>
+    </message>
+    <message>
+        <source>file</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Plays a candump or Vector ASC log as if its bus were here. Nothing can be sent.</source>
+        <translation>Spielt ein candump- oder Vector-ASC-Log ab, als wäre sein Bus hier. Gesendet werden kann nichts.</translation>
+    </message>
+    <message>
+        <source>The whole simulated bench</source>
+        <translation>Der ganze simulierte Prüfstand</translation>
+    </message>
+    <message>
+        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
+        <translation>Regler aller vier Familien mit echtem Busverhalten; nichts Echtes kann sich bewegen.</translation>
+    </message>
+    <message>
+        <source>Simulated CAN bus</source>
+        <translation>Simulierter CAN-Bus</translation>
+    </message>
+    <message>
+        <source>Three DMC60C and three Abstract DC Drives.</source>
+        <translation>Drei DMC60C und drei Abstract DC Drives.</translation>
+    </message>
+    <message>
+        <source>Simulated serial line</source>
+        <translation>Simulierte serielle Leitung</translation>
+    </message>
+    <message>
+        <source>Two Supermodified, dialects D1 and D3.</source>
+        <translation>Zwei Supermodified, Dialekte D1 und D3.</translation>
+    </message>
+    <message>
+        <source>Simulated SPI board</source>
+        <translation>Simulierte SPI-Platine</translation>
+    </message>
+    <message>
+        <source>A QuadQuad2Drv with four geared motors.</source>
+        <translation>Ein QuadQuad2Drv mit vier Getriebemotoren.</translation>
+    </message>
+    <message>
+        <source>CAN interfaces</source>
+        <translation>CAN-Schnittstellen</translation>
+    </message>
+    <message>
+        <source>Serial ports</source>
+        <translation>Serielle Ports</translation>
+    </message>
+    <message>
+        <source>SPI devices</source>
+        <translation>SPI-Geräte</translation>
+    </message>
+    <message>
+        <source>Recordings</source>
+        <translation>Aufnahmen</translation>
+    </message>
+    <message>
+        <source>Without hardware</source>
+        <translation>Ohne Hardware</translation>
+    </message>
+</context>
+<context>
+    <name>PlotFeed</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>live, %1</source>
+        <translation>live, %1</translation>
+    </message>
+    <message>
+        <source>paused, %1</source>
+        <translation>angehalten, %1</translation>
+    </message>
+</context>
+<context>
+    <name>PlotReadings</name>
+    <message>
+        <source>t</source>
+        <comment>time of both cursors</comment>
+        <translation>t</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>Δt</source>
+        <translation>Δt</translation>
+    </message>
+    <message>
+        <source>1/Δt</source>
+        <translation>1/Δt</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>Δ %1</source>
+        <translation>Δ %1</translation>
+    </message>
+    <message>
+        <source>mean A…B</source>
+        <translation>Mittel A…B</translation>
+    </message>
+    <message>
+        <source>min … max</source>
+        <translation>min … max</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>σ, %1 samples</source>
+        <translation>σ, %1 Werte</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>/s</source>
+        <translation>/s</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3</source>
+        <translation>%1 %2 bis %3</translation>
+    </message>
+    <message>
+        <source>%1 no data</source>
+        <translation>%1 ohne Daten</translation>
+    </message>
+    <message>
+        <source>, now %1</source>
+        <translation>, jetzt %1</translation>
+    </message>
+    <message>
+        <source>, 1 gap</source>
+        <translation>, 1 Lücke</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n gaps</source>
+        <translation>
+            <numerusform>, %n Lücke</numerusform>
+            <numerusform>, %n Lücken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No traces</source>
+        <translation>Keine Kurven</translation>
+    </message>
+    <message>
+        <source>Last %1: %2</source>
+        <translation>Letzte %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>PlotStrip</name>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
     </message>
 </context>
 <context>
@@ -766,6 +1005,153 @@
     </message>
 </context>
 <context>
+    <name>Stories</name>
+    <message>
+        <source>Select</source>
+        <translation>Auswählen</translation>
+    </message>
+    <message>
+        <source>Click DMC60C #7 in the list at the left. Everything that follows is about it.</source>
+        <translation>DMC60C #7 links in der Liste anklicken. Um ihn geht es ab jetzt.</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Scharf schalten</translation>
+    </message>
+    <message>
+        <source>Hold the lamp at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, always.</source>
+        <translation>Die Lampe oben eine Sekunde halten (oder Strg+Umschalt+F12). Vorher bewegt sich nichts. Esc stoppt, immer.</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>Press F5: the motor steps to a speed and back, and the overshoot is measured.</source>
+        <translation>F5 drücken: der Motor springt auf eine Geschwindigkeit und zurück, das Überschwingen wird gemessen.</translation>
+    </message>
+    <message>
+        <source>Tune</source>
+        <translation>Abstimmen</translation>
+    </message>
+    <message>
+        <source>Press F6 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at most.</source>
+        <translation>F6 auf der Seite Entwurf: das Programm findet Verstärkungen und beweist sie. Gezähmt: ein Sprung schwingt höchstens 5 % über.</translation>
+    </message>
+    <message>
+        <source>Store</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+S on the page Parameters, or wait 15 s: done when the unit proves that its flash has the gains.</source>
+        <translation>Strg+S auf der Seite Parameter, oder 15 s warten: fertig, wenn das Gerät beweist, dass die Werte im Flash sind.</translation>
+    </message>
+    <message>
+        <source>Click DMC60C #5 in the list at the left.</source>
+        <translation>DMC60C #5 links in der Liste anklicken.</translation>
+    </message>
+    <message>
+        <source>Limit</source>
+        <translation>Begrenzen</translation>
+    </message>
+    <message>
+        <source>On the page Parameters find current_limit.enabled, switch it on, set continuous and peak to what the motor may have, and write.</source>
+        <translation>Auf der Seite Parameter current_limit.enabled suchen und einschalten, Dauer- und Spitzenstrom auf das setzen, was der Motor darf, und schreiben.</translation>
+    </message>
+    <message>
+        <source>Hold the lamp at the top for one second (or Ctrl+Shift+F12).</source>
+        <translation>Die Lampe oben eine Sekunde halten (oder Strg+Umschalt+F12).</translation>
+    </message>
+    <message>
+        <source>Press F5 on the page Tune: the peak current of the step stands in its table.</source>
+        <translation>F5 auf der Seite Abstimmen: der Spitzenstrom des Sprungs steht in der Tabelle.</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+S on the page Parameters, or wait 15 s until the unit has proved it.</source>
+        <translation>Strg+S auf der Seite Parameter, oder 15 s warten, bis das Gerät es bewiesen hat.</translation>
+    </message>
+    <message>
+        <source>Click DMC60C #9 in the list at the left. It says: in bootloader.</source>
+        <translation>DMC60C #9 links in der Liste anklicken. Dort steht: im Bootloader.</translation>
+    </message>
+    <message>
+        <source>Write</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>The demo image is loaded on the page Firmware. Press F5 and watch the pages arrive, the last one first.</source>
+        <translation>Das Demo-Abbild ist auf der Seite Firmware geladen. F5 drücken; die Seiten kommen an, die letzte zuerst.</translation>
+    </message>
+    <message>
+        <source>Prove</source>
+        <translation>Beweisen</translation>
+    </message>
+    <message>
+        <source>Wait until the unit answers with its new version. Nothing else counts as done.</source>
+        <translation>Warten, bis das Gerät mit der neuen Version antwortet. Nur das zählt als fertig.</translation>
+    </message>
+    <message>
+        <source>#7 overshoots: tame it in a minute</source>
+        <translation>#7 schwingt über: in einer Minute gezähmt</translation>
+    </message>
+    <message>
+        <source>775pro</source>
+        <translation>775pro</translation>
+    </message>
+    <message>
+        <source>4096 counts a turn · DMC60C #7</source>
+        <translation>4096 Schritte je Umdrehung · DMC60C #7</translation>
+    </message>
+    <message>
+        <source>This one overshoots by about 20 %. Find gains that do not.</source>
+        <translation>Dieser schwingt um etwa 20 % über. Verstärkungen finden, die das nicht tun.</translation>
+    </message>
+    <message>
+        <source>velocity, set-point dashed</source>
+        <translation>Geschwindigkeit, Sollwert gestrichelt</translation>
+    </message>
+    <message>
+        <source>#5 has no current limit: set one that saves it</source>
+        <translation>#5 hat keine Stromgrenze: eine setzen, die ihn rettet</translation>
+    </message>
+    <message>
+        <source>CIM</source>
+        <translation>CIM</translation>
+    </message>
+    <message>
+        <source>load 9 × rotor inertia · 4096 counts a turn · DMC60C #5</source>
+        <translation>Last 9 × Rotorträgheit · 4096 Schritte je Umdrehung · DMC60C #5</translation>
+    </message>
+    <message>
+        <source>A stalled CIM draws more than 100 A, and nothing holds this one back. Limit it.</source>
+        <translation>Ein blockierter CIM zieht mehr als 100 A, und nichts hält diesen zurück. Begrenzen.</translation>
+    </message>
+    <message>
+        <source>current, limit dashed</source>
+        <translation>Strom, Grenze gestrichelt</translation>
+    </message>
+    <message>
+        <source>#9 has no program: bring it back</source>
+        <translation>#9 hat kein Programm: zurückholen</translation>
+    </message>
+    <message>
+        <source>Interrupted update</source>
+        <translation>Abgebrochenes Update</translation>
+    </message>
+    <message>
+        <source>waits in its bootloader · DMC60C #9</source>
+        <translation>wartet im Bootloader · DMC60C #9</translation>
+    </message>
+    <message>
+        <source>Somebody cut its power while it was written. Give it firmware again.</source>
+        <translation>Jemand hat beim Schreiben den Strom genommen. Ihm wieder Firmware geben.</translation>
+    </message>
+    <message>
+        <source>flash pages, written from the last to the first</source>
+        <translation>Flash-Seiten, von der letzten zur ersten geschrieben</translation>
+    </message>
+</context>
+<context>
     <name>TriggerText</name>
     <message>
         <source>trigger armed, waiting</source>
@@ -881,6 +1267,57 @@
     </message>
 </context>
 <context>
+    <name>mb::AddLinkDialog</name>
+    <message>
+        <source>Add a link</source>
+        <translation>Verbindung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Links that can be added</source>
+        <translation>Verbindungen zum Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Zustand</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>none found</source>
+        <translation>keine gefunden</translation>
+    </message>
+    <message>
+        <source>Command for a terminal</source>
+        <translation>Befehl für ein Terminal</translation>
+    </message>
+    <message>
+        <source>Address of the link</source>
+        <translation>Adresse der Verbindung</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Open it at every start</source>
+        <translation>Bei jedem Start öffnen</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Choose the file…</source>
+        <translation>Datei wählen…</translation>
+    </message>
+</context>
+<context>
     <name>mb::AdvicePanel</name>
     <message>
         <source>Why it did that</source>
@@ -944,6 +1381,73 @@
     <message>
         <source>Stage %1</source>
         <translation>%1 vormerken</translation>
+    </message>
+</context>
+<context>
+    <name>mb::AgainstView</name>
+    <message>
+        <source>Export plot</source>
+        <translation>Kurve exportieren</translation>
+    </message>
+    <message>
+        <source>plot written to %1</source>
+        <translation>Kurve geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Export PNG…</source>
+        <translation>PNG exportieren…</translation>
+    </message>
+    <message>
+        <source>PNG picture (*.png)</source>
+        <translation>PNG-Bild (*.png)</translation>
+    </message>
+    <message>
+        <source>Export SVG…</source>
+        <translation>SVG exportieren…</translation>
+    </message>
+    <message>
+        <source>SVG drawing (*.svg)</source>
+        <translation>SVG-Zeichnung (*.svg)</translation>
+    </message>
+    <message>
+        <source>Export PDF…</source>
+        <translation>PDF exportieren…</translation>
+    </message>
+    <message>
+        <source>PDF document (*.pdf)</source>
+        <translation>PDF-Dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>One signal against another</source>
+        <translation>Ein Signal über einem anderen</translation>
+    </message>
+    <message>
+        <source>Signal across</source>
+        <translation>Signal waagerecht</translation>
+    </message>
+    <message>
+        <source>Signal upwards</source>
+        <translation>Signal senkrecht</translation>
+    </message>
+    <message>
+        <source>against</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>A … B: </source>
+        <translation>A … B: </translation>
+    </message>
+    <message>
+        <source>what is seen: </source>
+        <translation>Sichtbares: </translation>
     </message>
 </context>
 <context>
@@ -1708,6 +2212,37 @@
     </message>
 </context>
 <context>
+    <name>mb::CrashNotice</name>
+    <message>
+        <source>The program ended unexpectedly</source>
+        <translation>Das Programm endete unerwartet</translation>
+    </message>
+    <message>
+        <source>Open it again</source>
+        <translation>Wieder öffnen</translation>
+    </message>
+    <message>
+        <source>Read the report</source>
+        <translation>Bericht lesen</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Report of the crash</source>
+        <translation>Bericht des Absturzes</translation>
+    </message>
+    <message>
+        <source>File of the report</source>
+        <translation>Datei des Berichts</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+</context>
+<context>
     <name>mb::DemoStripe</name>
     <message>
         <source>simulated bench</source>
@@ -2103,6 +2638,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>Show %1 new devices</source>
         <translation>%1 neue Geräte zeigen</translation>
     </message>
+    <message>
+        <source>Open it at every start</source>
+        <translation>Bei jedem Start öffnen</translation>
+    </message>
 </context>
 <context>
     <name>mb::DoctorCard</name>
@@ -2388,6 +2927,37 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::ExportBar</name>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Fortschritt des Exports</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Writing samples</source>
+        <translation>Schreibt Werte</translation>
+    </message>
+    <message>
+        <source>One export at a time: %1 is being written.</source>
+        <translation>Nur ein Export zur selben Zeit: %1 wird gerade geschrieben.</translation>
+    </message>
+    <message>
+        <source>writing %1</source>
+        <translation>schreibt %1</translation>
+    </message>
+    <message>
+        <source>%1 written: %2 samples, %3 lost</source>
+        <translation>%1 geschrieben: %2 Werte, %3 verloren</translation>
+    </message>
+    <message>
+        <source>export cancelled, nothing was written</source>
+        <translation>Export abgebrochen, nichts wurde geschrieben</translation>
+    </message>
+</context>
+<context>
     <name>mb::FaultLine</name>
     <message>
         <source>Use %1</source>
@@ -2611,6 +3181,21 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Cancelled. %1.</source>
         <translation>Abgebrochen. %1.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::FirmwareShelf</name>
+    <message>
+        <source>not read yet</source>
+        <translation>noch nicht gelesen</translation>
+    </message>
+    <message>
+        <source>%1 · checked · %2</source>
+        <translation>%1 · geprüft · %2</translation>
+    </message>
+    <message>
+        <source>Details</source>
+        <translation>Details</translation>
     </message>
 </context>
 <context>
@@ -2893,6 +3478,72 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::Guide</name>
+    <message>
+        <source>overshoot %1 % at first, %2 % now</source>
+        <translation>Überschwingen erst %1 %, jetzt %2 %</translation>
+    </message>
+    <message>
+        <source>overshoot %1 %</source>
+        <translation>Überschwingen %1 %</translation>
+    </message>
+    <message>
+        <source>peak current %1 A</source>
+        <translation>Spitzenstrom %1 A</translation>
+    </message>
+</context>
+<context>
+    <name>mb::GuideStrip</name>
+    <message>
+        <source>Guide</source>
+        <translation>Anleitung</translation>
+    </message>
+    <message>
+        <source>Show me where</source>
+        <translation>Zeigen, wo</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Jetzt nicht</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Simulated: nothing real moves. A guide says each step and waits until it has happened.</source>
+        <translation>Simuliert: nichts Echtes bewegt sich. Eine Anleitung nennt jeden Schritt und wartet, bis er geschehen ist.</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>%1 fertig</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Done.</source>
+        <translation>Fertig.</translation>
+    </message>
+    <message>
+        <source>The simulated bench is opened; the unit answers in a moment.</source>
+        <translation>Der simulierte Prüfstand wird geöffnet; das Gerät antwortet gleich.</translation>
+    </message>
+    <message>
+        <source>Measured: %1.</source>
+        <translation>Gemessen: %1.</translation>
+    </message>
+</context>
+<context>
     <name>mb::HeaderBar</name>
     <message>
         <source>MotorBench</source>
@@ -2935,6 +3586,31 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>1 link</source>
         <translation>1 Verbindung</translation>
+    </message>
+</context>
+<context>
+    <name>mb::HelpBrowser</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>mb::HelpDesk</name>
+    <message>
+        <source>Help for this page</source>
+        <translation>Hilfe zu dieser Seite</translation>
+    </message>
+</context>
+<context>
+    <name>mb::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Pages of the help</source>
+        <translation>Seiten der Hilfe</translation>
     </message>
 </context>
 <context>
@@ -3250,6 +3926,48 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::KeepBar</name>
+    <message>
+        <source>left over from before: nothing goes back by itself</source>
+        <translation>von früher übrig: nichts geht von selbst zurück</translation>
+    </message>
+    <message>
+        <source>30 s from when the unit has restarted with them</source>
+        <translation>30 s, sobald das Gerät damit neu gestartet ist</translation>
+    </message>
+    <message>
+        <source>they go back in %1 s</source>
+        <translation>zurück in %1 s</translation>
+    </message>
+    <message>
+        <source>they go back as soon as the motor stands</source>
+        <translation>zurück, sobald der Motor steht</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurückschreiben</translation>
+    </message>
+    <message>
+        <source>Time until the values go back</source>
+        <translation>Zeit, bis die Werte zurückgehen</translation>
+    </message>
+    <message>
+        <source>Keep these values of %1? %2</source>
+        <translation>Diese Werte von %1 behalten? %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %n more change(s) after this one</source>
+        <translation>
+            <numerusform>%1 · danach noch %n Änderung</numerusform>
+            <numerusform>%1 · danach noch %n Änderungen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::Lamp</name>
     <message>
         <source>SAFE</source>
@@ -3333,6 +4051,91 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>Link %1: %2</source>
         <translation>Verbindung %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::LinkOptions</name>
+    <message>
+        <source>Bit rate</source>
+        <translation>Bitrate</translation>
+    </message>
+    <message>
+        <source>find it: all rates of the protocol</source>
+        <translation>suchen: alle Raten des Protokolls</translation>
+    </message>
+    <message>
+        <source>%1 bit/s</source>
+        <translation>%1 bit/s</translation>
+    </message>
+    <message>
+        <source>the computer&apos;s own RS-485 port</source>
+        <translation>eigener RS-485-Port des Rechners</translation>
+    </message>
+    <message>
+        <source>RS-485</source>
+        <translation>RS-485</translation>
+    </message>
+    <message>
+        <source>Lets the kernel switch the driver of a port on the computer&apos;s board. Adapters on USB switch by themselves: leave it off.</source>
+        <translation>Der Kernel schaltet den Treiber eines Ports auf der Platine des Rechners. USB-Adapter schalten selbst: dann aus lassen.</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Takt</translation>
+    </message>
+    <message>
+        <source>%1 kHz</source>
+        <translation>%1 kHz</translation>
+    </message>
+    <message>
+        <source>Ready line (SRDY)</source>
+        <translation>Bereit-Leitung (SRDY)</translation>
+    </message>
+    <message>
+        <source>Reset line (MCLR)</source>
+        <translation>Reset-Leitung (MCLR)</translation>
+    </message>
+    <message>
+        <source>Lost frames</source>
+        <translation>Verlorene Frames</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>not wired</source>
+        <translation>nicht verdrahtet</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>mb::LinkOwners</name>
+    <message>
+        <source>%1, process %2</source>
+        <translation>%1, Prozess %2</translation>
+    </message>
+    <message>
+        <source>%1 has this link too. Agree who drives: two masters on one motor disturb each other.</source>
+        <translation>%1 hat diese Verbindung auch. Absprechen, wer fährt: zwei Master an einem Motor stören einander.</translation>
+    </message>
+    <message>
+        <source>%1 has this port. Close it there, then reconnect.</source>
+        <translation>%1 hat diesen Port. Dort schließen, dann neu verbinden.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ListCard</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -3496,10 +4299,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>hält jeden Motor an, außer wo gerade Text eingegeben wird</translation>
     </message>
     <message>
-        <source>shows these keys</source>
-        <translation>zeigt diese Tasten</translation>
-    </message>
-    <message>
         <source>shows page %1</source>
         <translation>zeigt die Seite %1</translation>
     </message>
@@ -3550,6 +4349,30 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>held for 1 s: arms; let go early it does nothing</source>
         <translation>1 s gehalten: schaltet scharf; zu früh losgelassen geschieht nichts</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>verloren</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames received, %3 sent, %4 dropped, %5 errors</source>
+        <translation>%1: %2 Frames empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
+    </message>
+    <message>
+        <source>%1: %2 bytes received, %3 sent, %4 dropped, %5 errors</source>
+        <translation>%1: %2 Bytes empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
+    </message>
+    <message>
+        <source>REC %1</source>
+        <translation>REC %1</translation>
+    </message>
+    <message>
+        <source>Reports</source>
+        <translation>Berichte</translation>
+    </message>
+    <message>
+        <source>shows these keys; once more, the help for this page</source>
+        <translation>zeigt diese Tasten; noch einmal, die Hilfe zu dieser Seite</translation>
     </message>
 </context>
 <context>
@@ -3875,22 +4698,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Übersicht</translation>
     </message>
     <message>
-        <source>Try with simulated motors</source>
-        <translation>Mit simulierten Motoren ausprobieren</translation>
-    </message>
-    <message>
-        <source>A bench of simulated controllers with real bus timing: #5 a CIM that is tuned well, #7 a 775pro that overshoots about 20 %, #9 a unit that waits in its bootloader for firmware. Everything works as on a real bus, and nothing can move.</source>
-        <translation>Ein Prüfstand simulierter Controller mit echtem Zeitverhalten am Bus: #5 ein gut eingestellter CIM, #7 ein 775pro mit etwa 20 % Überschwingen, #9 ein Gerät, das im Bootloader auf Firmware wartet. Alles verhält sich wie am echten Bus, und nichts kann sich bewegen.</translation>
-    </message>
-    <message>
-        <source>Open the simulated bench</source>
-        <translation>Simulierten Prüfstand öffnen</translation>
-    </message>
-    <message>
-        <source>Add link</source>
-        <translation>Verbindung hinzufügen</translation>
-    </message>
-    <message>
         <source>load</source>
         <translation>Last</translation>
     </message>
@@ -3921,10 +4728,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>round trip</source>
         <translation>Umlaufzeit</translation>
-    </message>
-    <message>
-        <source>Open recording…</source>
-        <translation>Aufnahme öffnen…</translation>
     </message>
 </context>
 <context>
@@ -4540,43 +5343,18 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
-    <name>mb::PlotScrubber</name>
-    <message>
-        <source>Whole session</source>
-        <translation>Ganze Sitzung</translation>
-    </message>
-    <message>
-        <source>The whole session: drag the box or click to scroll back, End returns to the present.
-The recording goes on meanwhile.</source>
-        <translation>Die ganze Sitzung: Rahmen ziehen oder klicken, um zurückzublättern, Ende führt zurück zur Gegenwart.
-Die Aufnahme läuft dabei weiter.</translation>
-    </message>
-</context>
-<context>
-    <name>mb::PlotStack</name>
+    <name>mb::PlotExport</name>
     <message>
         <source>Export plot</source>
         <translation>Kurve exportieren</translation>
     </message>
     <message>
-        <source>Pause view	P</source>
-        <translation>Anzeige anhalten	P</translation>
-    </message>
-    <message>
-        <source>Back to live	P</source>
-        <translation>Zurück zu live	P</translation>
-    </message>
-    <message>
-        <source>Fit time and value	0</source>
-        <translation>Zeit und Wert einpassen	0</translation>
-    </message>
-    <message>
-        <source>Cursors A and B	L</source>
-        <translation>Cursor A und B	L</translation>
-    </message>
-    <message>
         <source>Copy picture</source>
         <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy numbers</source>
+        <translation>Zahlen kopieren</translation>
     </message>
     <message>
         <source>Copy summary</source>
@@ -4614,109 +5392,147 @@ Die Aufnahme läuft dabei weiter.</translation>
         <source>Table (*.csv)</source>
         <translation>Tabelle (*.csv)</translation>
     </message>
+</context>
+<context>
+    <name>mb::PlotLayoutBook</name>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
+        <source>Save layout</source>
+        <translation>Anordnung speichern</translation>
     </message>
     <message>
-        <source>live, %1</source>
-        <translation>live, %1</translation>
+        <source>Save layout as…</source>
+        <translation>Anordnung speichern unter…</translation>
     </message>
     <message>
-        <source>paused, %1</source>
-        <translation>angehalten, %1</translation>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
-        <source>Δt</source>
-        <translation>Δt</translation>
+        <source>Begin like this with every %1</source>
+        <translation>Bei jedem %1 so beginnen</translation>
     </message>
     <message>
-        <source>1/Δt</source>
-        <translation>1/Δt</translation>
+        <source>Begin with the usual for every %1</source>
+        <translation>Bei jedem %1 wie üblich beginnen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::PlotScrubber</name>
+    <message>
+        <source>Whole session</source>
+        <translation>Ganze Sitzung</translation>
     </message>
     <message>
-        <source>Hz</source>
-        <translation>Hz</translation>
+        <source>The whole session: drag the box or click to scroll back, End returns to the present.
+The recording goes on meanwhile.</source>
+        <translation>Die ganze Sitzung: Rahmen ziehen oder klicken, um zurückzublättern, Ende führt zurück zur Gegenwart.
+Die Aufnahme läuft dabei weiter.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::PlotStack</name>
+    <message>
+        <source>Pause view	P</source>
+        <translation>Anzeige anhalten	P</translation>
     </message>
     <message>
-        <source>Δ %1</source>
-        <translation>Δ %1</translation>
+        <source>Back to live	P</source>
+        <translation>Zurück zu live	P</translation>
     </message>
     <message>
-        <source>%1 %2 to %3</source>
-        <translation>%1 %2 bis %3</translation>
+        <source>Fit time and value	0</source>
+        <translation>Zeit und Wert einpassen	0</translation>
     </message>
     <message>
-        <source>%1 no data</source>
-        <translation>%1 ohne Daten</translation>
-    </message>
-    <message>
-        <source>, now %1</source>
-        <translation>, jetzt %1</translation>
-    </message>
-    <message>
-        <source>, 1 gap</source>
-        <translation>, 1 Lücke</translation>
-    </message>
-    <message numerus="yes">
-        <source>, %n gaps</source>
-        <translation>
-            <numerusform>, %n Lücke</numerusform>
-            <numerusform>, %n Lücken</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No traces</source>
-        <translation>Keine Kurven</translation>
-    </message>
-    <message>
-        <source>Last %1: %2</source>
-        <translation>Letzte %1: %2</translation>
+        <source>Cursors A and B	L</source>
+        <translation>Cursor A und B	L</translation>
     </message>
     <message>
         <source>Plot</source>
         <translation>Diagramm</translation>
     </message>
+</context>
+<context>
+    <name>mb::PlotsBar</name>
     <message>
-        <source>s</source>
-        <translation>s</translation>
+        <source>window %1 ms</source>
+        <translation>Fenster %1 ms</translation>
     </message>
     <message>
-        <source>Copy numbers</source>
-        <translation>Zahlen kopieren</translation>
+        <source>window %1 s</source>
+        <translation>Fenster %1 s</translation>
     </message>
     <message>
-        <source>mean A…B</source>
-        <translation>Mittel A…B</translation>
+        <source>window %1 min</source>
+        <translation>Fenster %1 min</translation>
     </message>
     <message>
-        <source>min … max</source>
-        <translation>min … max</translation>
+        <source>window %1 h</source>
+        <translation>Fenster %1 h</translation>
     </message>
     <message>
-        <source>%1 … %2</source>
-        <translation>%1 … %2</translation>
+        <source>Pause view</source>
+        <translation>Anzeige anhalten</translation>
     </message>
     <message>
-        <source>σ, %1 samples</source>
-        <translation>σ, %1 Werte</translation>
+        <source>Follow live</source>
+        <translation>Live folgen</translation>
     </message>
     <message>
-        <source>slope</source>
-        <translation>Steigung</translation>
+        <source>The recording goes on.</source>
+        <translation>Die Aufnahme läuft weiter.</translation>
     </message>
     <message>
-        <source>/s</source>
-        <translation>/s</translation>
+        <source>View</source>
+        <translation>Ansicht</translation>
     </message>
     <message>
-        <source>t</source>
-        <comment>time of both cursors</comment>
-        <translation>t</translation>
+        <source>Time</source>
+        <translation>Zeit</translation>
     </message>
     <message>
-        <source>%1 → %2</source>
-        <translation>%1 → %2</translation>
+        <source>X-Y</source>
+        <translation>X-Y</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Against time, one signal against another, or amplitude against frequency of what is seen or of A … B</source>
+        <translation>Über der Zeit, ein Signal über einem anderen oder Amplitude über Frequenz für das Sichtbare oder A … B</translation>
+    </message>
+    <message>
+        <source>Length of the time axis</source>
+        <translation>Länge der Zeitachse</translation>
+    </message>
+    <message>
+        <source>Trigger: stands still at an edge or a level</source>
+        <translation>Trigger: steht an einer Flanke oder einem Pegel still</translation>
+    </message>
+    <message>
+        <source>Cursors A and B</source>
+        <translation>Cursor A und B</translation>
+    </message>
+    <message>
+        <source>Fit time and value</source>
+        <translation>Zeit und Wert einpassen</translation>
+    </message>
+    <message>
+        <source>Keep what is seen as a reference</source>
+        <translation>Das Sichtbare als Referenz behalten</translation>
+    </message>
+    <message>
+        <source>Layouts: save, restore, reset</source>
+        <translation>Anordnungen: speichern, wiederherstellen, zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>The picture as PNG, SVG or PDF; samples as CSV or MCAP</source>
+        <translation>Das Bild als PNG, SVG oder PDF; Werte als CSV oder MCAP</translation>
     </message>
 </context>
 <context>
@@ -4738,126 +5554,14 @@ Die Aufnahme läuft dabei weiter.</translation>
         <translation>Kurve geschrieben nach %1</translation>
     </message>
     <message>
-        <source>Pause view</source>
-        <translation>Anzeige anhalten</translation>
-    </message>
-    <message>
-        <source>Follow live</source>
-        <translation>Live folgen</translation>
-    </message>
-    <message>
-        <source>The recording goes on.</source>
-        <translation>Die Aufnahme läuft weiter.</translation>
-    </message>
-    <message>
-        <source>window %1 s</source>
-        <translation>Fenster %1 s</translation>
-    </message>
-    <message>
-        <source>window %1 min</source>
-        <translation>Fenster %1 min</translation>
-    </message>
-    <message>
-        <source>Length of the time axis</source>
-        <translation>Länge der Zeitachse</translation>
-    </message>
-    <message>
-        <source>Cursors A and B</source>
-        <translation>Cursor A und B</translation>
-    </message>
-    <message>
-        <source>Fit time and value</source>
-        <translation>Zeit und Wert einpassen</translation>
-    </message>
-    <message>
-        <source>Export</source>
-        <translation>Export</translation>
-    </message>
-    <message>
-        <source>Traces</source>
-        <translation>Kurven</translation>
-    </message>
-    <message>
-        <source>rate      lost</source>
-        <translation>Rate   verl.</translation>
-    </message>
-    <message>
-        <source>%1 Hz</source>
-        <translation>%1 Hz</translation>
-    </message>
-    <message>
-        <source>%1 lost</source>
-        <translation>%1 verloren</translation>
-    </message>
-    <message>
-        <source>A %1   B %2</source>
-        <translation>A %1   B %2</translation>
-    </message>
-    <message>
         <source>Wheel zooms time, Ctrl+wheel values, Shift+wheel moves · drag moves · Shift+drag zooms into a box
 double click or End returns to the present · right click for more</source>
         <translation>Rad zoomt die Zeit, Strg+Rad die Werte, Umschalt+Rad verschiebt · Ziehen verschiebt · Umschalt+Ziehen zoomt in einen Rahmen
 Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</translation>
     </message>
     <message>
-        <source>Spectrum</source>
-        <translation>Spektrum</translation>
-    </message>
-    <message>
-        <source>frequency, Hz</source>
-        <translation>Frequenz, Hz</translation>
-    </message>
-    <message>
-        <source>amplitude</source>
-        <translation>Amplitude</translation>
-    </message>
-    <message>
-        <source>Progress of the export</source>
-        <translation>Fortschritt des Exports</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Writing samples</source>
-        <translation>Schreibt Werte</translation>
-    </message>
-    <message>
-        <source>L cursors · 0 fits · + − zooms · P pauses · N note</source>
-        <translation>L Cursor · 0 passt ein · + − zoomt · P hält an · N Notiz</translation>
-    </message>
-    <message>
-        <source>window %1 ms</source>
-        <translation>Fenster %1 ms</translation>
-    </message>
-    <message>
-        <source>window %1 h</source>
-        <translation>Fenster %1 h</translation>
-    </message>
-    <message>
-        <source>Record</source>
-        <translation>Aufnehmen</translation>
-    </message>
-    <message>
-        <source>Save</source>
-        <translation>Speichern</translation>
-    </message>
-    <message>
-        <source>View</source>
-        <translation>Ansicht</translation>
-    </message>
-    <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
-    </message>
-    <message>
         <source>X-Y</source>
         <translation>X-Y</translation>
-    </message>
-    <message>
-        <source>Against time, one signal against another, or amplitude against frequency of what is seen or of A … B</source>
-        <translation>Über der Zeit, ein Signal über einem anderen oder Amplitude über Frequenz für das Sichtbare oder A … B</translation>
     </message>
     <message>
         <source>Trigger: stands still at an edge or a level</source>
@@ -4868,190 +5572,8 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
         <translation>Das Sichtbare als Referenz behalten</translation>
     </message>
     <message>
-        <source>Layouts: save, restore, reset</source>
-        <translation>Anordnungen: speichern, wiederherstellen, zurücksetzen</translation>
-    </message>
-    <message>
-        <source>The picture as PNG, SVG or PDF; samples as CSV or MCAP</source>
-        <translation>Das Bild als PNG, SVG oder PDF; Werte als CSV oder MCAP</translation>
-    </message>
-    <message>
-        <source>mean %1 · σ %2 · %3 … %4 · %5 samples</source>
-        <translation>Mittel %1 · σ %2 · %3 … %4 · %5 Werte</translation>
-    </message>
-    <message>
-        <source> · %1 lost</source>
-        <translation> · %1 verloren</translation>
-    </message>
-    <message>
-        <source>derived</source>
-        <translation>abgeleitet</translation>
-    </message>
-    <message>
-        <source>Copy picture</source>
-        <translation>Bild kopieren</translation>
-    </message>
-    <message>
-        <source>Export PNG…</source>
-        <translation>PNG exportieren…</translation>
-    </message>
-    <message>
-        <source>PNG picture (*.png)</source>
-        <translation>PNG-Bild (*.png)</translation>
-    </message>
-    <message>
-        <source>Export SVG…</source>
-        <translation>SVG exportieren…</translation>
-    </message>
-    <message>
-        <source>SVG drawing (*.svg)</source>
-        <translation>SVG-Zeichnung (*.svg)</translation>
-    </message>
-    <message>
-        <source>Export PDF…</source>
-        <translation>PDF exportieren…</translation>
-    </message>
-    <message>
-        <source>PDF document (*.pdf)</source>
-        <translation>PDF-Dokument (*.pdf)</translation>
-    </message>
-    <message>
-        <source>Export plot</source>
-        <translation>Kurve exportieren</translation>
-    </message>
-    <message>
-        <source>One export at a time: %1 is being written.</source>
-        <translation>Nur ein Export zur selben Zeit: %1 wird gerade geschrieben.</translation>
-    </message>
-    <message>
-        <source>writing %1</source>
-        <translation>schreibt %1</translation>
-    </message>
-    <message>
-        <source>%1 written: %2 samples, %3 lost</source>
-        <translation>%1 geschrieben: %2 Werte, %3 verloren</translation>
-    </message>
-    <message>
-        <source>export cancelled, nothing was written</source>
-        <translation>Export abgebrochen, nichts wurde geschrieben</translation>
-    </message>
-    <message>
-        <source>Save layout as…</source>
-        <translation>Anordnung speichern unter…</translation>
-    </message>
-    <message>
-        <source>Save layout</source>
-        <translation>Anordnung speichern</translation>
-    </message>
-    <message>
-        <source>Begin like this with every %1</source>
-        <translation>Bei jedem %1 so beginnen</translation>
-    </message>
-    <message>
-        <source>Begin with the usual for every %1</source>
-        <translation>Bei jedem %1 wie üblich beginnen</translation>
-    </message>
-    <message>
-        <source>Reset</source>
-        <translation>Zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Keeps everything that devices send, beginning with the last %1.
-What was recorded lately is on disk all the time and outlives a crash.</source>
-        <translation>Behält alles, was Geräte senden, beginnend mit den letzten %1.
-Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Absturz.</translation>
-    </message>
-    <message>
-        <source>recording written to %1</source>
-        <translation>Aufnahme geschrieben nach %1</translation>
-    </message>
-    <message>
-        <source>not recorded: %1</source>
-        <translation>nicht aufgenommen: %1</translation>
-    </message>
-    <message>
-        <source>%1 · %2 · %3 samples</source>
-        <translation>%1 · %2 · %3 Werte</translation>
-    </message>
-    <message>
-        <source>last %1 on disk · %2</source>
-        <translation>letzte %1 auf Festplatte · %2</translation>
-    </message>
-    <message>
-        <source>One signal against another</source>
-        <translation>Ein Signal über einem anderen</translation>
-    </message>
-    <message>
-        <source>Signal across</source>
-        <translation>Signal waagerecht</translation>
-    </message>
-    <message>
-        <source>Signal upwards</source>
-        <translation>Signal senkrecht</translation>
-    </message>
-    <message>
-        <source>against</source>
-        <translation>über</translation>
-    </message>
-    <message>
-        <source>amplitude, %1</source>
-        <translation>Amplitude, %1</translation>
-    </message>
-    <message>
-        <source>A … B</source>
-        <translation>A … B</translation>
-    </message>
-    <message>
-        <source>what is seen</source>
-        <translation>was zu sehen ist</translation>
-    </message>
-    <message>
-        <source>, Hann window, peak values. </source>
-        <translation>, Hann-Fenster, Scheitelwerte. </translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>A … B: </source>
-        <translation>A … B: </translation>
-    </message>
-    <message>
-        <source>what is seen: </source>
-        <translation>Sichtbares: </translation>
-    </message>
-    <message>
-        <source>In a pane of its own</source>
-        <translation>In ein eigenes Diagramm</translation>
-    </message>
-    <message>
-        <source>Into the pane above</source>
-        <translation>In das Diagramm darüber</translation>
-    </message>
-    <message>
-        <source>With its unit</source>
-        <translation>Zur gleichen Einheit</translation>
-    </message>
-    <message>
-        <source>Scale at the right</source>
-        <translation>Skala rechts</translation>
-    </message>
-    <message>
-        <source>Trigger on it	T</source>
-        <translation>Darauf triggern	T</translation>
-    </message>
-    <message>
-        <source>Keep all as references</source>
-        <translation>Alle als Referenz behalten</translation>
-    </message>
-    <message>
         <source>Remove references</source>
         <translation>Referenzen entfernen</translation>
-    </message>
-    <message>
-        <source>Remove the trace</source>
-        <translation>Kurve entfernen</translation>
     </message>
     <message>
         <source>Note at this time…	N</source>
@@ -5245,6 +5767,28 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>No serial port is plugged in; choose or name the one of the programmer</source>
         <translation>Keine serielle Schnittstelle ist angesteckt; die des Programmiergeräts wählen oder nennen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProjectDesk</name>
+    <message>
+        <source>Save the machine into a folder</source>
+        <translation>Maschine in einen Ordner sichern</translation>
+    </message>
+    <message>
+        <source>Open the folder of a machine</source>
+        <translation>Ordner einer Maschine öffnen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unit(s) saved into %1</source>
+        <translation>
+            <numerusform>%n Gerät nach %1 gesichert</numerusform>
+            <numerusform>%n Geräte nach %1 gesichert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>scales and limits of the project are in force</source>
+        <translation>Skalen und Grenzen des Projekts gelten</translation>
     </message>
 </context>
 <context>
@@ -5448,6 +5992,39 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     <message>
         <source>Samples are not recorded on disk: %1</source>
         <translation>Messwerte werden nicht auf die Platte geschrieben: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::RecordingControl</name>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Keeps everything that devices send, beginning with the last %1.
+What was recorded lately is on disk all the time and outlives a crash.</source>
+        <translation>Behält alles, was Geräte senden, beginnend mit den letzten %1.
+Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Absturz.</translation>
+    </message>
+    <message>
+        <source>recording written to %1</source>
+        <translation>Aufnahme geschrieben nach %1</translation>
+    </message>
+    <message>
+        <source>not recorded: %1</source>
+        <translation>nicht aufgenommen: %1</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3 samples</source>
+        <translation>%1 · %2 · %3 Werte</translation>
+    </message>
+    <message>
+        <source>last %1 on disk · %2</source>
+        <translation>letzte %1 auf Festplatte · %2</translation>
     </message>
 </context>
 <context>
@@ -6004,6 +6581,69 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
 </context>
 <context>
+    <name>mb::ReportsPage</name>
+    <message>
+        <source>Reports</source>
+        <translation>Berichte</translation>
+    </message>
+    <message>
+        <source>Nothing to report yet</source>
+        <translation>Noch nichts zu berichten</translation>
+    </message>
+    <message>
+        <source>The cards of units, their tunings and their trials appear here.</source>
+        <translation>Hier erscheinen Karten der Geräte, ihre Abstimmungen und Versuche.</translation>
+    </message>
+    <message>
+        <source>Search the reports</source>
+        <translation>Berichte durchsuchen</translation>
+    </message>
+    <message>
+        <source>Reports, newest first</source>
+        <translation>Berichte, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Write report…</source>
+        <translation>Bericht schreiben …</translation>
+    </message>
+    <message>
+        <source>Preview of the report</source>
+        <translation>Vorschau des Berichts</translation>
+    </message>
+    <message>
+        <source>writes the report that is looked at</source>
+        <translation>schreibt den angezeigten Bericht</translation>
+    </message>
+    <message>
+        <source>goes to the search</source>
+        <translation>geht zur Suche</translation>
+    </message>
+    <message>
+        <source>Card of %1</source>
+        <translation>Karte von %1</translation>
+    </message>
+    <message>
+        <source>Tuning of %1</source>
+        <translation>Abstimmung von %1</translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation>%1 Versuche</translation>
+    </message>
+    <message>
+        <source>Trial #%1 of %2</source>
+        <translation>Versuch #%1 von %2</translation>
+    </message>
+    <message>
+        <source>as it is now</source>
+        <translation>wie es jetzt ist</translation>
+    </message>
+</context>
+<context>
     <name>mb::ResolutionMeter</name>
     <message>
         <source>Resolution: off</source>
@@ -6333,6 +6973,51 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
     </message>
 </context>
 <context>
+    <name>mb::SessionDesk</name>
+    <message>
+        <source>today %1</source>
+        <translation>heute %1</translation>
+    </message>
+    <message>
+        <source>yesterday %1</source>
+        <translation>gestern %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 is used by %2 too</source>
+        <translation>%1 wird auch von %2 benutzt</translation>
+    </message>
+    <message>
+        <source>agree who drives: two masters disturb each other</source>
+        <translation>absprechen, wer fährt: zwei Master stören einander</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly (%1). What was measured is kept. Open again: %2?</source>
+        <translation>Das Programm endete unerwartet (%1). Was gemessen wurde, ist aufbewahrt. Wieder öffnen: %2?</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unit(s)</source>
+        <translation>
+            <numerusform>%n Gerät</numerusform>
+            <numerusform>%n Geräte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::SessionKeeper</name>
+    <message>
+        <source>This session cannot be kept: %1</source>
+        <translation>Diese Sitzung kann nicht aufbewahrt werden: %1</translation>
+    </message>
+</context>
+<context>
     <name>mb::SetPointPanel</name>
     <message>
         <source>Set-point</source>
@@ -6558,10 +7243,108 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
+    <name>mb::SpectrumView</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>frequency, Hz</source>
+        <translation>Frequenz, Hz</translation>
+    </message>
+    <message>
+        <source>amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>amplitude, %1</source>
+        <translation>Amplitude, %1</translation>
+    </message>
+    <message>
+        <source>A … B</source>
+        <translation>A … B</translation>
+    </message>
+    <message>
+        <source>what is seen</source>
+        <translation>was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>, Hann window, peak values. </source>
+        <translation>, Hann-Fenster, Scheitelwerte. </translation>
+    </message>
+</context>
+<context>
     <name>mb::StagedEdits</name>
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
+    </message>
+</context>
+<context>
+    <name>mb::StartPage</name>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Add link</source>
+        <translation>Verbindung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Open recording…</source>
+        <translation>Aufnahme öffnen…</translation>
+    </message>
+    <message>
+        <source>Try with a simulated motor</source>
+        <translation>Mit einem simulierten Motor ausprobieren</translation>
+    </message>
+    <message>
+        <source>Open the simulated bench</source>
+        <translation>Simulierten Prüfstand öffnen</translation>
+    </message>
+    <message>
+        <source>Controllers of all four families with real bus timing; nothing real can move.</source>
+        <translation>Regler aller vier Familien mit echtem Busverhalten; nichts Echtes kann sich bewegen.</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Weitermachen</translation>
+    </message>
+    <message>
+        <source>Firmware on this computer</source>
+        <translation>Firmware auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>Choose the folder whose images are listed here</source>
+        <translation>Den Ordner wählen, dessen Abbilder hier stehen</translation>
+    </message>
+    <message>
+        <source>First time here?</source>
+        <translation>Zum ersten Mal hier?</translation>
+    </message>
+    <message>
+        <source>STOP works on key press, everywhere, also while you type (use Esc then). It is software: keep a hardware stop in the supply.</source>
+        <translation>STOP wirkt beim Drücken, überall, auch beim Tippen (dann mit Esc). Es ist Software: einen echten Schalter in der Versorgung behalten.</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Wiring guides</source>
+        <translation>Verdrahtung</translation>
+    </message>
+    <message>
+        <source>Sessions and recordings that you have opened stand here.</source>
+        <translation>Hier stehen Sitzungen und Aufnahmen von früher.</translation>
+    </message>
+    <message>
+        <source>No image (.hex) in this folder.</source>
+        <translation>Kein Abbild (.hex) in diesem Ordner.</translation>
     </message>
 </context>
 <context>
@@ -6800,6 +7583,24 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
+    <name>mb::StoryCard</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <translation>
+            <numerusform>etwa %n min</numerusform>
+            <numerusform>etwa %n min</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Try it</source>
+        <translation>Ausprobieren</translation>
+    </message>
+    <message>
+        <source>Try it: %1</source>
+        <translation>Ausprobieren: %1</translation>
+    </message>
+</context>
+<context>
     <name>mb::SweepPanel</name>
     <message>
         <source>%1 sines from %2 to %3 Hz, both ways in turn: duty %4 ± %5 %, at most %6 counts/s, %7 counts one way, %8.</source>
@@ -6867,6 +7668,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>done again: %1</source>
         <translation>wiederholt: %1</translation>
     </message>
+    <message>
+        <source>put back: %1</source>
+        <translation>zurückgeschrieben: %1</translation>
+    </message>
 </context>
 <context>
     <name>mb::Tour</name>
@@ -6904,6 +7709,81 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Pane, axis, trigger, reference …</source>
         <translation>Diagramm, Achse, Trigger, Referenz …</translation>
+    </message>
+</context>
+<context>
+    <name>mb::TracePanel</name>
+    <message>
+        <source>Traces</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>rate      lost</source>
+        <translation>Rate   verl.</translation>
+    </message>
+    <message>
+        <source>L cursors · 0 fits · + − zooms · P pauses · N note</source>
+        <translation>L Cursor · 0 passt ein · + − zoomt · P hält an · N Notiz</translation>
+    </message>
+    <message>
+        <source>mean %1 · σ %2 · %3 … %4 · %5 samples</source>
+        <translation>Mittel %1 · σ %2 · %3 … %4 · %5 Werte</translation>
+    </message>
+    <message>
+        <source> · %1 lost</source>
+        <translation> · %1 verloren</translation>
+    </message>
+    <message>
+        <source>derived</source>
+        <translation>abgeleitet</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>%1 lost</source>
+        <translation>%1 verloren</translation>
+    </message>
+    <message>
+        <source>A %1   B %2</source>
+        <translation>A %1   B %2</translation>
+    </message>
+    <message>
+        <source>In a pane of its own</source>
+        <translation>In ein eigenes Diagramm</translation>
+    </message>
+    <message>
+        <source>Into the pane above</source>
+        <translation>In das Diagramm darüber</translation>
+    </message>
+    <message>
+        <source>With its unit</source>
+        <translation>Zur gleichen Einheit</translation>
+    </message>
+    <message>
+        <source>Scale at the right</source>
+        <translation>Skala rechts</translation>
+    </message>
+    <message>
+        <source>Trigger on it	T</source>
+        <translation>Darauf triggern	T</translation>
+    </message>
+    <message>
+        <source>Keep all as references</source>
+        <translation>Alle als Referenz behalten</translation>
+    </message>
+    <message>
+        <source>Remove references</source>
+        <translation>Referenzen entfernen</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Remove the trace</source>
+        <translation>Kurve entfernen</translation>
     </message>
 </context>
 <context>
@@ -7493,10 +8373,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>zeigt das Gerät: es blinkt</translation>
     </message>
     <message>
-        <source>undoes the last edit of gains</source>
-        <translation>nimmt die letzte Änderung der Faktoren zurück</translation>
-    </message>
-    <message>
         <source>does it again</source>
         <translation>macht sie wieder</translation>
     </message>
@@ -7515,6 +8391,10 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>a battery of steps: several sizes, both ways, and the worst of them</source>
         <translation>eine Reihe von Sprüngen: mehrere Größen, beide Richtungen und das Schlechteste davon</translation>
+    </message>
+    <message>
+        <source>undoes the last edit of gains, or else the last write to the unit</source>
+        <translation>nimmt die letzte Änderung der Verstärkungen zurück, sonst das letzte Schreiben in das Gerät</translation>
     </message>
 </context>
 <context>
@@ -7931,6 +8811,36 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
+    <name>mb::VerdictView</name>
+    <message>
+        <source>READY</source>
+        <translation>BEREIT</translation>
+    </message>
+    <message>
+        <source>WORKING</source>
+        <translation>LÄUFT</translation>
+    </message>
+    <message>
+        <source>PASS</source>
+        <translation>GUT</translation>
+    </message>
+    <message>
+        <source>FAIL</source>
+        <translation>FEHLER</translation>
+    </message>
+    <message>
+        <source>REFUSED</source>
+        <translation>ABGELEHNT</translation>
+    </message>
+</context>
+<context>
+    <name>mb::Welcome</name>
+    <message>
+        <source>Folder with firmware</source>
+        <translation>Ordner mit Firmware</translation>
+    </message>
+</context>
+<context>
     <name>mb::WindowMenu</name>
     <message>
         <source>Add link…</source>
@@ -7987,6 +8897,18 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open the folder of a machine…</source>
+        <translation>Ordner einer Maschine öffnen…</translation>
+    </message>
+    <message>
+        <source>Save the machine into a folder…</source>
+        <translation>Maschine in einen Ordner sichern…</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>PlotReadings</name>
+    <message numerus="yes">
+        <source>, %n gaps</source>
+        <translation>
+            <numerusform>, %n gap</numerusform>
+            <numerusform>, %n gaps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::BannerStack</name>
     <message numerus="yes">
         <source>%n more notices</source>
@@ -29,12 +39,42 @@
     </message>
 </context>
 <context>
-    <name>mb::PlotStack</name>
+    <name>mb::KeepBar</name>
     <message numerus="yes">
-        <source>, %n gaps</source>
+        <source>%1 · %n more change(s) after this one</source>
         <translation>
-            <numerusform>, %n gap</numerusform>
-            <numerusform>, %n gaps</numerusform>
+            <numerusform>%1 · %n more change after this one</numerusform>
+            <numerusform>%1 · %n more changes after this one</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProjectDesk</name>
+    <message numerus="yes">
+        <source>%n unit(s) saved into %1</source>
+        <translation>
+            <numerusform>%n unit saved into %1</numerusform>
+            <numerusform>%n units saved into %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mb::SessionDesk</name>
+    <message numerus="yes">
+        <source>%n unit(s)</source>
+        <translation>
+            <numerusform>%n unit</numerusform>
+            <numerusform>%n units</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>mb::StoryCard</name>
+    <message numerus="yes">
+        <source>about %n min</source>
+        <translation>
+            <numerusform>about %n min</numerusform>
+            <numerusform>about %n min</numerusform>
         </translation>
     </message>
 </context>

@@ -34,6 +34,7 @@ struct Arguments {
     std::string velocity;
     std::string acceleration;
     std::string ramp;
+    std::string slew;
     bool brake = false;
     bool coast = false;
     bool reverseMotor = false;
@@ -53,6 +54,7 @@ struct Arguments {
 struct Plan {
     Target target;
     SetPoint setPoint;
+    double slew = 0.0; ///< greatest change of the target per second; 0 jumps
     Duration time{};
     bool zero = false;
     bool halt = false; ///< before it is switched off
@@ -149,6 +151,18 @@ Result<SetPoint> parseSetPoint(const Family &family, const Arguments &a)
     return setPoint;
 }
 
+/// Where this program makes the way, and not the device.
+Result<double> parseSlew(const Arguments &a, const SetPoint &setPoint)
+{
+    const auto slew = optionalNumber("--slew", a.slew, 0.0, huge);
+    const bool goesItself = setPoint.mode == Mode::Off || setPoint.mode == Mode::Follow
+        || setPoint.mode == Mode::RampPosition || setPoint.mode == Mode::RampVelocity || setPoint.relative;
+    if (slew && *slew > 0.0 && goesItself)
+        return fail(Fault::Usage, "--slew means a target that this program moves",
+            "give it with duty, velocity, position, current or voltage");
+    return slew;
+}
+
 /// Asks the family's own check before anything is opened: a device object on a link that stays closed.
 Result<void> checkSetPoint(Console &console, const Plan &plan)
 {
@@ -206,11 +220,29 @@ Result<Plan> check(Console &console, const Arguments &arguments)
     const auto time = parseSpan(arguments.seconds);
     if (!time)
         return fail(time.error());
-    Plan plan{std::move(*target), *setPoint, time->value_or(Duration::zero()), arguments.zero,
+    const auto slew = parseSlew(arguments, *setPoint);
+    if (!slew)
+        return fail(slew.error());
+    Plan plan{std::move(*target), *setPoint, *slew, time->value_or(Duration::zero()), arguments.zero,
         arguments.halt && !arguments.mode.empty()};
     if (auto legal = checkSetPoint(console, plan); !legal)
         return fail(legal.error());
     return plan;
+}
+
+/// From where the motor is: what it was told last in this mode is not known, and it stands.
+Glide glideOf(const Device &device, const Plan &plan)
+{
+    if (plan.slew <= 0.0)
+        return {};
+    const bool isPosition = plan.setPoint.mode == Mode::Position;
+    const std::string channel
+        = device.family().capabilities.axes > 1 ? "ch" + std::to_string(plan.setPoint.axis) + ".position" : "position";
+    const auto position = isPosition ? findChannel(device.family().channels, channel) : std::nullopt;
+    const auto latest = position ? device.telemetry()->latest(*position) : std::nullopt;
+    if (isPosition && !latest)
+        return {};
+    return {plan.slew, latest ? latest->value : 0.0};
 }
 
 /// What ended the motion, and whether the device was seen to have stopped.
@@ -290,7 +322,7 @@ Task<Outcome> move(Console &console, Device &device, Plan plan)
     SetPointStream &stream = console.session().stream(device);
     const Subscription signal = console.interrupted().add([&console] { console.session().stopAll(StopCause::User); });
     if (!console.isInterrupted()) {
-        if (auto started = stream.start(plan.setPoint, leaseTerm); !started) {
+        if (auto started = stream.start(plan.setPoint, leaseTerm, glideOf(device, plan)); !started) {
             if (!plan.zero)
                 console.onlyAsk();
             co_return fail(started.error());
@@ -403,6 +435,8 @@ Job declareDrive(CLI::App &arguments)
     arguments.add_option("--velocity", a->velocity, "Of profiled modes, counts/s");
     arguments.add_option("--acceleration", a->acceleration, "Of profiled modes, counts/s²");
     arguments.add_option("--ramp", a->ramp, "Greatest change of the output, duty per second");
+    arguments.add_option(
+        "--slew", a->slew, "Greatest change of the target, in its unit per second, from where the motor is");
     arguments.add_flag("--brake", a->brake, "Brake at zero output; the stored setting otherwise");
     arguments.add_flag("--coast", a->coast, "Coast at zero output");
     arguments.add_flag("--reverse-motor", a->reverseMotor, "Exchange the directions of the output");

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/notebook.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
+#include "model/progress.h"
+#include "settings/writing.h"
 
 #include <memory>
 
@@ -54,7 +57,10 @@ Task<int> renumber(Console &console, Arguments arguments)
     if (auto free = checkFree(console, *device, *number); !free)
         co_return fail(free.error());
     const int old = device->identity().address;
-    auto renumbering = device->renumber(*number);
+    Notebook notebook(console);
+    NoProgress progress;
+    auto renumbering
+        = settings::renumberKept(*device, *number, settings::Origin::Console, notebook.settings(), progress);
     co_await std::move(renumbering);
     const bool verified = device->identity().address == *number;
     const bool pending = !verified && isPending(*device, *number);

@@ -7,6 +7,9 @@
 #include "app/console/trialtext.h"
 #include "app/console/verb.h"
 #include "async/sleep.h"
+#include "model/parametertransfer.h"
+#include "model/progress.h"
+#include "settings/writing.h"
 #include "storage/trialfile.h"
 #include "tuning/experiment.h"
 
@@ -175,6 +178,29 @@ Result<int> verdictOf(const Trial &trial)
         say("remove the cause before it is run again"));
 }
 
+using Numbers = std::vector<std::pair<std::string, std::optional<double>>>;
+
+/// What --set is about to replace, where it is known, by key; asked afresh where it can be.
+Task<Numbers> numbersBefore(Device &device, std::vector<ParameterChange> changes)
+{
+    std::vector<ParameterIndex> readable;
+    for (const ParameterChange &change : changes) {
+        if (device.parameters().parameter(change.index).access != Access::WriteOnly)
+            readable.push_back(change.index);
+    }
+    NoProgress progress;
+    auto reading = readParameters(device, std::move(readable), progress);
+    (void)co_await std::move(reading).attempt();
+    Numbers known;
+    for (const ParameterChange &change : changes) {
+        const Parameter &parameter = device.parameters().parameter(change.index);
+        const auto raw = device.parameters().entry(change.index).raw;
+        known.emplace_back(
+            parameter.key, raw ? std::optional(static_cast<double>(*raw) / parameter.one) : std::nullopt);
+    }
+    co_return known;
+}
+
 Task<int> performOn(Console &console, Stage &stage, Plan plan)
 {
     auto finding = stage.find(plan.target);
@@ -187,6 +213,11 @@ Task<int> performOn(Console &console, Stage &stage, Plan plan)
     auto settling = notebook.settleOwed(*device, plan.yes);
     co_await std::move(settling);
     Result<Trial> trial;
+    Numbers before;
+    if (plan.experiment.keep == Keep::Always && notebook.settings()) {
+        auto asking = numbersBefore(*device, plan.experiment.gains);
+        before = co_await std::move(asking);
+    }
     {
         std::optional<SampleStream> samples;
         if (plan.samples)
@@ -196,6 +227,11 @@ Task<int> performOn(Console &console, Stage &stage, Plan plan)
     }
     if (!trial)
         co_return fail(trial.error());
+    if (!before.empty()) {
+        auto noting = settings::keepReplaced(*device, before, settings::Origin::Console, *notebook.settings());
+        if (const auto noted = co_await std::move(noting).attempt(); !noted)
+            console.note("the history does not have this write: " + noted.error().text());
+    }
     printTrial(console, *trial, trial->number);
     if (!plan.save.empty()) {
         if (auto saved = saveTrial(plan.save, *trial, trial->number); !saved)

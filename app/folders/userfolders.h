@@ -27,6 +27,12 @@ namespace mb {
     return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString() + "/motorbench/updates";
 }
 
+/// Where the window keeps what it had open, in `sessions`, and reports of crashes, in `crashes`.
+[[nodiscard]] inline std::string programFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation).toStdString() + "/motorbench";
+}
+
 /// Trials, and what is owed to units: one file for window and console.
 [[nodiscard]] inline std::string databaseFile()
 {

@@ -2,6 +2,7 @@
 #include "model/parametertransfer.h"
 
 #include "model/family.h"
+#include "model/writeorder.h"
 
 namespace mb {
 
@@ -69,8 +70,7 @@ Task<std::vector<TransferOutcome>> writeParameters(
 {
     std::vector<TransferOutcome> outcomes;
     const int total = static_cast<int>(changes.size());
-    if (device.family().arrange)
-        device.family().arrange(device.parameters(), changes);
+    arrangeForWriting(device.family(), device.parameters(), changes);
     for (const ParameterChange change : changes) {
         const std::string key(device.parameters().parameter(change.index).key);
         progress.step(say("Writing %1", key), static_cast<int>(outcomes.size()), total);

@@ -3,6 +3,8 @@
 
 #include "model/family.h"
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -29,10 +31,10 @@ SetPointStream::~SetPointStream()
     m_device.guard().leave();
 }
 
-Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease)
+Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease, const Glide &glide)
 {
     if (m_running)
-        return update(setPoint);
+        return update(setPoint, glide);
     if (setPoint.mode != Mode::Off) {
         if (auto allowed = m_device.mayMove(); !allowed)
             return allowed;
@@ -40,7 +42,8 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease)
             return checked;
     }
     m_setPoints.clear();
-    remember(setPoint);
+    m_glides.clear();
+    remember(glided(setPoint, glide));
     if (auto sent = sendOrWait(); !sent)
         return sent;
     m_running = true;
@@ -50,6 +53,49 @@ Result<void> SetPointStream::start(const SetPoint &setPoint, Duration lease)
     begin();
     m_changed.notify();
     return {};
+}
+
+SetPoint SetPointStream::glided(SetPoint setPoint, const Glide &glide)
+{
+    const auto told = std::find_if(m_setPoints.begin(), m_setPoints.end(),
+        [&setPoint](const SetPoint &known) { return known.axis == setPoint.axis && known.mode == setPoint.mode; });
+    const bool isTold = told != m_setPoints.end();
+    const std::optional<double> from = isTold ? told->target : glide.from;
+    const bool jumps = !from || *from == setPoint.target || (isTold && glide.rate <= 0.0);
+    if (jumps || !isTold)
+        m_glides.erase(setPoint.axis);
+    if (jumps)
+        return setPoint;
+    const auto [at, isNew] = m_glides.try_emplace(setPoint.axis);
+    SetPointSlew &slew = at->second;
+    if (isNew)
+        slew.start(*from, m_clock.now());
+    else if (m_waiting)
+        slew.resume(m_clock.now());
+    slew.setRate(glide.rate);
+    slew.setTarget(setPoint.target);
+    setPoint.target = isNew ? *from : slew.advance(m_clock.now());
+    return setPoint;
+}
+
+void SetPointStream::advanceGlides()
+{
+    if (m_glides.empty())
+        return;
+    for (SetPoint &setPoint : m_setPoints) {
+        const auto glide = m_glides.find(setPoint.axis);
+        if (glide == m_glides.end())
+            continue;
+        setPoint.target = glide->second.advance(m_clock.now());
+        if (m_setPoint.axis == setPoint.axis)
+            m_setPoint = setPoint;
+    }
+    std::erase_if(m_glides, [](const auto &glide) { return glide.second.isThere(); });
+}
+
+bool SetPointStream::isGliding() const
+{
+    return !m_glides.empty();
 }
 
 void SetPointStream::remember(const SetPoint &setPoint)
@@ -113,15 +159,17 @@ void SetPointStream::guardChanged()
     if (!checkDevice() || !m_waiting || !m_device.guard().stands())
         return;
     m_waiting = false;
+    for (auto &[axis, glide] : m_glides)
+        glide.resume(m_clock.now()); // it was not on its way while it waited
     if (auto sent = sendAll(); !sent)
         finish(End::Refused, sent.error().message());
     else
         begin();
 }
 
-Result<void> SetPointStream::update(const SetPoint &setPoint)
+Result<void> SetPointStream::update(const SetPoint &setPoint, const Glide &glide)
 {
-    auto followed = follow(setPoint);
+    auto followed = followOne(setPoint, glide);
     if (followed)
         renew();
     return followed;
@@ -129,11 +177,16 @@ Result<void> SetPointStream::update(const SetPoint &setPoint)
 
 Result<void> SetPointStream::follow(const SetPoint &setPoint)
 {
+    return followOne(setPoint, {});
+}
+
+Result<void> SetPointStream::followOne(const SetPoint &setPoint, const Glide &glide)
+{
     if (!checkDevice())
         return fail(Fault::Unsafe, say("the motor was stopped"), say("arm again"));
     if (auto checked = m_device.check(setPoint); !checked)
         return checked;
-    remember(setPoint);
+    remember(glided(setPoint, glide));
     const bool waited = m_waiting;
     if (auto sent = sendOrWait(); !sent) {
         finish(End::Refused, sent.error().message());
@@ -201,11 +254,15 @@ void SetPointStream::tick()
 {
     if (!checkDevice())
         return;
+    const bool glides = isGliding();
+    advanceGlides();
     if (auto sent = sendAll(); !sent) {
         finish(End::Refused, sent.error().message());
         return;
     }
     scheduleNext(m_next);
+    if (glides)
+        m_changed.notify();
 }
 
 void SetPointStream::scheduleNext(Instant last)
@@ -223,6 +280,7 @@ void SetPointStream::finish(End end, Message reason)
     m_end = end;
     m_reason = std::move(reason);
     m_timer.stop();
+    m_glides.clear();
     m_lease.reset();
     m_linkState.reset();
     m_deviceChanged.reset();

@@ -3,10 +3,20 @@
 
 #include "async/lease.h"
 #include "model/device.h"
+#include "model/setpointslew.h"
 
+#include <map>
 #include <memory>
 
 namespace mb {
+
+/// How a target is approached: no faster than `rate`, in its unit per second, from where its axis was told to be last. An axis
+/// that was told nothing in this mode begins with `from`, which is where the motor is, in its first frame. A rate of 0 jumps
+/// from there, and what has nowhere to come from jumps at once.
+struct Glide {
+    double rate = 0.0;
+    std::optional<double> from{};
+};
 
 /// Keeps a motor's set-point alive, or those of several axes of one device: one control frame an axis every command period, only as long as somebody renews the lease
 /// (docs/architecture.md, Motion lease). Whatever ends it ends in Device::stop(): the lease, another master, a lost link, a
@@ -34,10 +44,10 @@ public:
 
     /// Sends the first frame now, or, for a device that needs a guardian, once that has confirmed that it stands by (it has
     /// two seconds). Fails without sending when the device may not move or cannot do it.
-    [[nodiscard]] Result<void> start(const SetPoint &setPoint, Duration lease);
+    [[nodiscard]] Result<void> start(const SetPoint &setPoint, Duration lease, const Glide &glide = {});
     /// A new target for the next frame, sent now; renews the lease. Fails and goes on with the old one when it is not legal.
     /// For another axis than before it joins the others; Mode::Off takes an axis out while others run.
-    [[nodiscard]] Result<void> update(const SetPoint &setPoint);
+    [[nodiscard]] Result<void> update(const SetPoint &setPoint, const Glide &glide = {});
     /// The same for a story that moves the target by itself: it does not renew the lease, which is for who watches it.
     [[nodiscard]] Result<void> follow(const SetPoint &setPoint);
     void renew();
@@ -45,8 +55,10 @@ public:
     void stop();
 
     [[nodiscard]] bool isRunning() const { return m_running; }
-    /// The latest.
+    /// The latest; while it glides, with the target of the newest frame.
     [[nodiscard]] const SetPoint &setPoint() const { return m_setPoint; }
+    /// Some axis is still on its way to its target.
+    [[nodiscard]] bool isGliding() const;
     /// Of every axis that is kept alive.
     [[nodiscard]] const std::vector<SetPoint> &setPoints() const { return m_setPoints; }
     [[nodiscard]] End end() const { return m_end; }
@@ -55,6 +67,10 @@ public:
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
 
 private:
+    /// The set-point of this moment, with its glide begun or taken along.
+    [[nodiscard]] SetPoint glided(SetPoint setPoint, const Glide &glide);
+    void advanceGlides();
+    [[nodiscard]] Result<void> followOne(const SetPoint &setPoint, const Glide &glide);
     [[nodiscard]] Result<void> sendOrWait();
     [[nodiscard]] Result<void> sendAll();
     void remember(const SetPoint &setPoint);
@@ -73,6 +89,7 @@ private:
     Clock &m_clock;
     SetPoint m_setPoint;
     std::vector<SetPoint> m_setPoints;
+    std::map<int, SetPointSlew> m_glides; ///< by axis, of those that are on their way
     bool m_running = false;
     bool m_waiting = false; ///< for the guardian; nothing was sent yet
     End m_end = End::None;

@@ -85,6 +85,21 @@ struct OperationView {
     std::optional<UpdateReport> update; ///< of a finished firmware update
 };
 
+/// A change of a device's settings that goes back unless somebody keeps it.
+struct UnconfirmedView {
+    enum class State {
+        Offered,          ///< left by a program that is gone, or from before the link was lost: nothing goes by itself
+        AwaitsRestart,    ///< the device does not have it yet
+        Counting,         ///< `left` seconds from now it goes back
+        AwaitsStandstill, ///< it goes back as soon as the motor is seen to stand
+    };
+    DeviceId device;
+    std::int64_t change = 0; ///< its number in the history
+    std::string text;        ///< "current_limit.peak: 60 -> 80"
+    State state = State::Offered;
+    double left = 0.0; ///< s
+};
+
 /// A link that was asked for and could not be opened.
 struct FailedLink {
     std::string address;
@@ -95,8 +110,9 @@ struct Snapshot {
     Instant time{};
     std::vector<LinkView> links;
     std::vector<FailedLink> failed;
-    std::vector<DeviceView> devices;       ///< grouped by link, in order of address
-    std::vector<OperationView> operations; ///< oldest first
+    std::vector<DeviceView> devices;          ///< grouped by link, in order of address
+    std::vector<OperationView> operations;    ///< oldest first
+    std::vector<UnconfirmedView> unconfirmed; ///< oldest first of each device
     /// Selectors of devices that are in no list, because their link is closed or they were not found again, and that are owed a stop.
     std::vector<std::string> owedStops;
 

@@ -89,11 +89,14 @@ std::string textOf(const Family &family, const SettingsChange &change)
     std::string text;
     for (const ValueChange &value : change.values) {
         const auto index = findParameter(family.parameters, value.key);
-        if (!index || value.proof == Proof::Refused)
+        if (value.proof == Proof::Refused)
             continue;
-        const Parameter &parameter = family.parameters[index->value];
-        text += (text.empty() ? "" : ", ") + value.key + ": " + (value.before ? toText(parameter, *value.before) : "?")
-            + " -> " + toText(parameter, value.after);
+        const auto say
+            = [&](std::int64_t raw) { // what is no parameter, such as the number on the bus, is a bare number
+                  return index ? toText(family.parameters[index->value], raw) : std::to_string(raw);
+              };
+        text += (text.empty() ? "" : ", ") + value.key + ": " + (value.before ? say(*value.before) : "?") + " -> "
+            + say(value.after);
     }
     return text;
 }

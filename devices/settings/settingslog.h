@@ -45,7 +45,15 @@ enum class Origin {
 [[nodiscard]] Origin originFromString(std::string_view text);
 
 /// What a write was for.
-enum class Purpose { Write, Restore, Undo, Redo, Revert };
+enum class Purpose {
+    Write,
+    Restore,
+    Undo,
+    Redo,
+    Revert,      ///< a provisional change went back: SettingsChange::of
+    Provisional, ///< goes back unless somebody keeps it (confirmation.h)
+    Keep,        ///< somebody kept that of SettingsChange::of; writes nothing
+};
 [[nodiscard]] std::string_view toString(Purpose purpose);
 [[nodiscard]] Purpose purposeFromString(std::string_view text);
 
@@ -78,7 +86,7 @@ struct SettingsChange {
     std::string person; ///< name of the account at the computer
     Origin origin = Origin::Window;
     Purpose purpose = Purpose::Write;
-    std::optional<std::int64_t> of; ///< the change that this one undid, or did again
+    std::optional<std::int64_t> of; ///< the change that this one undid, did again, put back or kept
     std::vector<ValueChange> values;
 };
 

@@ -10,6 +10,9 @@
 namespace mb::settings {
 namespace {
 
+/// In the history; no parameter of any family is called so.
+constexpr std::string_view numberKey = "number";
+
 SettingsChange changeOf(const Device &device, const Order &order)
 {
     SettingsChange change;
@@ -86,6 +89,30 @@ void notKept(Progress &progress, const Error &error)
     progress.log(Severity::Caution, say("the history does not have this write: %1", error.message()));
 }
 
+/// The change is on the disk; nothing where nothing is kept, or the disk failed, which is told.
+Task<std::optional<std::int64_t>> beginKept(SettingsLog *log, SettingsChange change, Progress &progress)
+{
+    if (!log || change.values.empty())
+        co_return std::nullopt;
+    auto beginning = log->begin(std::move(change));
+    const Result<std::int64_t> begun = co_await std::move(beginning).attempt();
+    if (begun)
+        co_return *begun;
+    notKept(progress, begun.error());
+    co_return std::nullopt;
+}
+
+Task<void> completeKept(
+    SettingsLog *log, std::optional<std::int64_t> number, std::vector<ValueChange> values, Progress &progress)
+{
+    if (!log || !number)
+        co_return {};
+    auto completing = log->complete(*number, std::move(values));
+    if (const auto completed = co_await std::move(completing).attempt(); !completed)
+        notKept(progress, completed.error());
+    co_return {};
+}
+
 std::vector<ParameterChange> writesOf(const Family &family, const std::vector<ValueChange> &values,
     std::optional<std::int64_t> (*raw)(const ValueChange &))
 {
@@ -135,25 +162,17 @@ Task<void> keepWritten(const Device &device, std::vector<ValueChange> values, Or
 Task<std::vector<TransferOutcome>> writeKept(
     Device &device, std::vector<ParameterChange> changes, Order order, SettingsLog *log, Progress &progress)
 {
-    std::optional<std::int64_t> number;
     SettingsChange change = changeOf(device, order);
     if (log && !changes.empty()) {
         auto looking = valuesBefore(device, changes);
         change.values = co_await std::move(looking);
-        auto beginning = log->begin(change);
-        const Result<std::int64_t> begun = co_await std::move(beginning).attempt();
-        if (begun)
-            number = *begun;
-        else
-            notKept(progress, begun.error());
     }
+    auto beginning = beginKept(log, change, progress);
+    const std::optional<std::int64_t> number = co_await std::move(beginning);
     auto writing = writeParameters(device, std::move(changes), progress);
     std::vector<TransferOutcome> outcomes = co_await std::move(writing);
-    if (number) {
-        auto completing = log->complete(*number, judged(device, change.values, outcomes));
-        if (const auto completed = co_await std::move(completing).attempt(); !completed)
-            notKept(progress, completed.error());
-    }
+    auto completing = completeKept(log, number, judged(device, change.values, outcomes), progress);
+    co_await std::move(completing);
     co_return outcomes;
 }
 
@@ -176,6 +195,42 @@ Task<void> keepReplaced(const Device &device, std::vector<std::pair<std::string,
     co_return {};
 }
 
+Task<int> rewriteKept(Device &device, Origin origin, SettingsLog *log, Progress &progress)
+{
+    SettingsChange change = changeOf(device, {origin, Purpose::Restore});
+    for (const ParameterChange &lost : lostSettings(device.family(), device.profile()))
+        change.values.push_back(
+            {std::string(device.parameters().parameter(lost.index).key), std::nullopt, lost.raw, Proof::Open});
+    auto beginning = beginKept(log, change, progress);
+    const std::optional<std::int64_t> number = co_await std::move(beginning);
+    auto writing = rewriteSettings(device, progress);
+    const int written = co_await std::move(writing);
+    for (ValueChange &value : change.values)
+        value.proof = Proof::Blind;
+    auto completing = completeKept(log, number, std::move(change.values), progress);
+    co_await std::move(completing);
+    co_return written;
+}
+
+Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *log, Progress &progress)
+{
+    SettingsChange change = changeOf(device, {origin});
+    change.values.push_back({std::string(numberKey), device.identity().address, number, Proof::Open});
+    auto beginning = beginKept(log, change, progress);
+    const std::optional<std::int64_t> kept = co_await std::move(beginning);
+    auto renumbering = device.renumber(number);
+    const Result<void> renumbered = co_await std::move(renumbering).attempt();
+    if (renumbered)
+        change.values.front().proof = device.identity().address == number ? Proof::Equal : Proof::Blind;
+    else if (changedNothing(renumbered.error().fault))
+        change.values.front().proof = Proof::Refused;
+    auto completing = completeKept(log, kept, std::move(change.values), progress);
+    co_await std::move(completing);
+    if (!renumbered)
+        co_return fail(renumbered.error());
+    co_return {};
+}
+
 Task<SettingsChange> undo(Device &device, Origin origin, SettingsLog &log, Progress &progress)
 {
     auto looking = historyOf(device, log);
@@ -184,7 +239,6 @@ Task<SettingsChange> undo(Device &device, Origin origin, SettingsLog &log, Progr
         co_return fail(Fault::Refused, say("the history of %1 has nothing to undo", device.selector()));
     std::vector<ParameterChange> writes = writesOf(device.family(), undoable(device.family(), *history.undo),
         [](const ValueChange &value) { return value.before; });
-    std::reverse(writes.begin(), writes.end());
     auto writing = writeAll(device, std::move(writes), {origin, Purpose::Undo, history.undo->number}, log, progress);
     co_await std::move(writing);
     co_return *history.undo;

@@ -23,6 +23,13 @@ struct Order {
 [[nodiscard]] Task<void> keepReplaced(const Device &device,
     std::vector<std::pair<std::string, std::optional<double>>> before, Origin origin, SettingsLog &log);
 
+/// mb::rewriteSettings() that is in the history; yields how many values were written again.
+[[nodiscard]] Task<int> rewriteKept(Device &device, Origin origin, SettingsLog *log, Progress &progress);
+
+/// Device::renumber() that is in the history, of the unit as it was called before. Not undone by undo(): others may have its old
+/// number by now.
+[[nodiscard]] Task<void> renumberKept(Device &device, int number, Origin origin, SettingsLog *log, Progress &progress);
+
 /// Writes what was there before the last change that can be undone, and reads it back: a change of its own. Refused where there
 /// is none; BadCheck, or the cause, where a value did not come back: then the change can still be undone.
 /// Yields the change that it undid.

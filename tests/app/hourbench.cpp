@@ -50,7 +50,7 @@ HourBench::HourBench(std::uint64_t seed)
 
 void HourBench::open(const std::string &link)
 {
-    m_core.openLink(*LinkAddress::parse(link), [](const Result<void> &opened) { EXPECT_TRUE(opened); });
+    m_core.send(orders::OpenLink{*LinkAddress::parse(link)}, [](const Result<void> &opened) { EXPECT_TRUE(opened); });
     for (Link *one : m_core.session().links()) {
         if (m_taps.contains(one))
             continue;
@@ -95,16 +95,17 @@ void HourBench::drive()
     if (const Message caution = m_core.session().find(view.id)->caution(setPoint); !caution.empty())
         expect(view, caution.english());
     std::optional<Result<void>> started;
-    m_core.startMotion(view.id, setPoint, 500ms, [&started](const Result<void> &result) { started = result; });
+    m_core.send(
+        orders::StartMotion{view.id, setPoint, 500ms}, [&started](const Result<void> &result) { started = result; });
     for (int i = number(1, 25); i > 0; --i) {
         pass(100ms);
-        m_core.renewMotion(view.id);
+        m_core.send(orders::RenewMotion{view.id});
     }
     ASSERT_TRUE(started && *started) << (started ? started->error().text() : "no answer");
     if (number(0, 9) == 0)
         m_core.stopAll(StopCause::User);
     else
-        m_core.stopMotion(view.id);
+        m_core.send(orders::StopMotion{view.id});
     pass(4s);
     const Snapshot shot = m_core.snapshot();
     EXPECT_FALSE(shot.device(view.id)->motion.running) << view.selector;
@@ -123,7 +124,8 @@ void HourBench::write()
     const auto &before = view.parameters.at(index->value).raw;
     const std::int64_t raw = number(free.least, free.most);
     std::optional<Result<void>> done;
-    m_core.writeParameters(view.id, {{*index, raw}}, [&done](const Result<void> &result) { done = result; });
+    m_core.send(
+        orders::WriteParameters{view.id, {{*index, raw}}}, [&done](const Result<void> &result) { done = result; });
     pass(3s);
     ASSERT_TRUE(done && *done) << view.selector << ' ' << free.key;
     m_written[{view.selector, std::string(free.key)}] = raw;
@@ -136,7 +138,7 @@ void HourBench::read()
 {
     const DeviceView view
         = drawn([](const DeviceView &device) { return device.identity.state == DeviceState::Online; });
-    m_core.readParameters(view.id);
+    m_core.send(orders::ReadParameters{view.id});
     pass(4s);
 }
 
@@ -148,13 +150,13 @@ void HourBench::chooseRate()
     do
         channel = static_cast<std::uint16_t>(number(0, std::ssize(view.family->channels) - 1));
     while (view.family->channels[channel].quantity == Quantity::SetPoint);
-    m_core.setRate(view.id, {channel}, rates.at(static_cast<std::size_t>(number(0, rates.size() - 1))));
+    m_core.send(orders::SetRate{view.id, {channel}, rates.at(static_cast<std::size_t>(number(0, rates.size() - 1)))});
     pass(1s);
 }
 
 void HourBench::scan()
 {
-    m_core.scanAll();
+    m_core.send(orders::ScanLinks{});
     pass(5s);
 }
 
@@ -174,7 +176,7 @@ void HourBench::reopen()
     Link *const link = m_core.session().findLink(*LinkAddress::parse(address));
     m_taps.erase(link);
     m_passed.erase(link);
-    m_core.closeLink(address);
+    m_core.send(orders::CloseLink{address});
     pass(1ms * number(1500, 5000));
     open(address);
     pass(6s);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whoever gave an order is answered, whatever becomes of it.
-#include "app/enginecore.h"
+#include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
 #include "model/registry.h"
 #include "support/temporaryfile.h"
@@ -197,7 +197,7 @@ int answersTo(const Family &family, std::size_t kind, Fate fate)
     int answers = 0;
     auto core = std::make_unique<EngineCore>(clock, families(), false);
     const std::string link = "sim:" + std::string(toString(family.links.front()));
-    core->openLink(*LinkAddress::parse(link), [](const Result<void> &) {});
+    core->send(orders::OpenLink{*LinkAddress::parse(link)}, [](const Result<void> &) {});
     clock.advance(3s);
     const auto devices = core->session().devices();
     const auto found = std::find_if(devices.begin(), devices.end(), [&family](const Device *device) {
@@ -209,10 +209,10 @@ int answersTo(const Family &family, std::size_t kind, Fate fate)
     Place place{*core, core->session().idOf(**found), family, link, folder.path()};
     core->carryOut(everyOrder(place, everyKind).at(kind), Reply([&answers](const Result<Answer> &) { ++answers; }));
     switch (fate) {
-    case Fate::LinkClosed: core->closeLink(link); break;
+    case Fate::LinkClosed: core->send(orders::CloseLink{link}); break;
     case Fate::LinkClosedLater:
         clock.advance(7ms);
-        core->closeLink(link);
+        core->send(orders::CloseLink{link});
         break;
     case Fate::PowerCut:
         for (const Link *open : core->session().links()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/enginecore.h"
+#include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
 #include "model/registry.h"
 
@@ -16,7 +16,8 @@ class Core : public testing::Test {
 protected:
     void open(const char *address)
     {
-        core.openLink(*LinkAddress::parse(address), [this](const Result<void> &result) { opened = result; });
+        core.send(
+            orders::OpenLink{*LinkAddress::parse(address)}, [this](const Result<void> &result) { opened = result; });
         clock.advance(2s);
         ASSERT_TRUE(opened && *opened);
     }
@@ -62,7 +63,7 @@ protected:
         setPoint.target = target;
         return setPoint;
     }
-    EngineCore::Finished into(std::optional<Result<void>> &place)
+    Finished into(std::optional<Result<void>> &place)
     {
         return [&place](Result<void> result) { place = std::move(result); };
     }
@@ -99,7 +100,7 @@ TEST_F(Core, ShowsWhatItFoundInASnapshot)
 
 TEST_F(Core, TellsWhyALinkDoesNotOpen)
 {
-    core.openLink(*LinkAddress::parse("sim:can?loss=7"), into(opened));
+    core.send(orders::OpenLink{*LinkAddress::parse("sim:can?loss=7")}, into(opened));
     clock.advance(1ms);
     ASSERT_TRUE(opened);
     EXPECT_FALSE(*opened);
@@ -118,12 +119,12 @@ TEST_F(Core, SaysWhatAMoveStoresAndMayPassBeforeItGoes)
         ramp.mode = Mode::RampPosition;
         ramp.target = 100.0;
         ramp.velocity = 800.0;
-        core.startMotion(view.id, ramp, 500ms, into(opened));
+        core.send(orders::StartMotion{view.id, ramp, 500ms}, into(opened));
         EXPECT_FALSE(said("the device stores it")) << "it has this already";
-        core.stopMotion(view.id);
+        core.send(orders::StopMotion{view.id});
         clock.advance(1s);
         ramp.velocity = 3000.0;
-        core.startMotion(view.id, ramp, 500ms, into(opened));
+        core.send(orders::StartMotion{view.id, ramp, 500ms}, into(opened));
     }
     EXPECT_TRUE(said("profile.velocity becomes 3000, it was 800: the device stores it"));
     EXPECT_TRUE(said("may pass the target"));
@@ -131,14 +132,14 @@ TEST_F(Core, SaysWhatAMoveStoresAndMayPassBeforeItGoes)
 
 TEST_F(Core, KeepsTheDiagnosisOfALinkThatDoesNotOpenUntilItIsClosed)
 {
-    core.openLink(*LinkAddress::parse("socketcan:nosuchcan9"), into(opened));
+    core.send(orders::OpenLink{*LinkAddress::parse("socketcan:nosuchcan9")}, into(opened));
     clock.advance(1ms);
     ASSERT_TRUE(opened && !*opened);
     const Snapshot shot = core.snapshot();
     ASSERT_EQ(shot.failed.size(), 1U);
     EXPECT_EQ(shot.failed[0].address, "socketcan:nosuchcan9");
     EXPECT_FALSE(shot.failed[0].diagnosis.isHealthy());
-    core.closeLink("socketcan:nosuchcan9");
+    core.send(orders::CloseLink{"socketcan:nosuchcan9"});
     EXPECT_TRUE(core.snapshot().failed.empty());
 }
 
@@ -169,7 +170,7 @@ TEST_F(Core, ScansAgainOnlyWhileNothingMoves)
 {
     open("sim:can");
     EXPECT_GE(scansWithin(20s), 3);
-    core.startMotion(id(5), duty(0.3), 60s, into(opened));
+    core.send(orders::StartMotion{id(5), duty(0.3), 60s}, into(opened));
     ASSERT_TRUE(*opened);
     clock.advance(500ms);
     EXPECT_EQ(scansWithin(20s), 0);
@@ -181,7 +182,7 @@ TEST_F(Core, ScansAgainOnlyWhileNothingMoves)
 TEST_F(Core, ShowsAStopUntilItIsSeenAndThenThatItWas)
 {
     open("sim:can");
-    core.startMotion(id(5), duty(0.3), 60s, into(opened));
+    core.send(orders::StartMotion{id(5), duty(0.3), 60s}, into(opened));
     clock.advance(500ms);
     core.stopAll(StopCause::User);
     const auto view = [this] { return *core.snapshot().device(id(5)); };
@@ -201,7 +202,7 @@ TEST_F(Core, SaysThatAMotorMayStillTurnWhenItsLineWasCutUntilItIsSeen)
         drive = candidate->selector().ends_with("abstractdc:3") ? candidate : drive;
     ASSERT_NE(drive, nullptr);
     const DeviceId driven = core.session().idOf(*drive);
-    core.startMotion(driven, duty(0.3), 60s, into(opened));
+    core.send(orders::StartMotion{driven, duty(0.3), 60s}, into(opened));
     ASSERT_TRUE(*opened);
     ASSERT_TRUE(clock.runUntil([&] { return core.session().links().front()->state() == LinkState::Lost; }, 5s));
     clock.advance(20ms);
@@ -216,10 +217,10 @@ TEST_F(Core, SaysThatAMotorMayStillTurnWhenItsLineWasCutUntilItIsSeen)
 TEST_F(Core, DismissesWhatMayStillTurnByOrder)
 {
     open("sim:can");
-    core.startMotion(id(5), duty(0.3), 60s, into(opened));
+    core.send(orders::StartMotion{id(5), duty(0.3), 60s}, into(opened));
     clock.advance(200ms);
     device(5)->stopping().told();
-    core.dismissStops();
+    core.send(orders::DismissStops{});
     EXPECT_FALSE(core.snapshot().device(id(5))->mayTurn);
     EXPECT_TRUE(said("dismissed"));
 }
@@ -230,9 +231,9 @@ TEST_F(Core, RefusesASecondJobWhileOneHasTheDevice)
     std::optional<Result<void>> first;
     std::optional<Result<void>> second;
     std::optional<Result<void>> elsewhere;
-    core.identify(id(5), into(first));
-    core.identify(id(5), into(second));
-    core.identify(id(7), into(elsewhere));
+    core.send(orders::Identify{id(5)}, into(first));
+    core.send(orders::Identify{id(5)}, into(second));
+    core.send(orders::Identify{id(7)}, into(elsewhere));
     ASSERT_TRUE(second) << "refused at once";
     ASSERT_FALSE(*second);
     EXPECT_EQ(second->error().fault, Fault::Unsafe);
@@ -241,7 +242,7 @@ TEST_F(Core, RefusesASecondJobWhileOneHasTheDevice)
     EXPECT_TRUE(*first);
     EXPECT_TRUE(*elsewhere);
     second.reset();
-    core.identify(id(5), into(second));
+    core.send(orders::Identify{id(5)}, into(second));
     clock.advance(5s);
     ASSERT_TRUE(second);
     EXPECT_TRUE(*second) << "it is free again";
@@ -251,26 +252,26 @@ TEST_F(Core, AnswersForADeviceThatIsGone)
 {
     open("sim:can");
     const DeviceId gone = id(5);
-    core.closeLink("sim:can");
+    core.send(orders::CloseLink{"sim:can"});
     std::optional<Result<void>> job;
     std::optional<Result<void>> motion;
     std::optional<Result<void>> change;
-    core.identify(gone, into(job));
-    core.startMotion(gone, duty(0.1), 1s, into(motion));
-    core.updateMotion(gone, duty(0.1), into(change));
+    core.send(orders::Identify{gone}, into(job));
+    core.send(orders::StartMotion{gone, duty(0.1), 1s}, into(motion));
+    core.send(orders::UpdateMotion{gone, duty(0.1)}, into(change));
     for (const auto *answer : {&job, &motion, &change}) {
         ASSERT_TRUE(*answer) << "every order is answered";
         EXPECT_FALSE(**answer);
     }
-    core.renewMotion(gone);
-    core.stopMotion(gone);
+    core.send(orders::RenewMotion{gone});
+    core.send(orders::StopMotion{gone});
     clock.advance(1s);
 }
 
 TEST_F(Core, ReadsARestartedUnitAgain)
 {
     open("sim:can");
-    core.readParameters(id(7));
+    core.send(orders::ReadParameters{id(7)});
     clock.advance(2s);
     ASSERT_EQ(unknown(7), 0U);
     unit("dmc60c:7")->setPowered(false);
@@ -290,9 +291,9 @@ TEST_F(Core, ReadsARestartedUnitAgain)
 TEST_F(Core, EndsAMotionThatNobodyRenewsAndSaysSo)
 {
     open("sim:can");
-    core.startMotion(id(5), duty(0.3), 500ms, {});
+    core.send(orders::StartMotion{id(5), duty(0.3), 500ms});
     clock.advance(400ms);
-    core.renewMotion(id(5));
+    core.send(orders::RenewMotion{id(5)});
     clock.advance(400ms);
     EXPECT_TRUE(unit("dmc60c:5")->isOutputOn());
     clock.advance(200ms);
@@ -304,10 +305,10 @@ TEST_F(Core, EndsAMotionThatNobodyRenewsAndSaysSo)
 TEST_F(Core, ClosingALinkStopsItsMotorsAndEndsItsJobs)
 {
     open("sim:can");
-    core.startMotion(id(5), duty(0.3), 60s, {});
-    core.readParameters(id(7));
-    core.scanAll();
-    core.closeLink("sim:can");
+    core.send(orders::StartMotion{id(5), duty(0.3), 60s});
+    core.send(orders::ReadParameters{id(7)});
+    core.send(orders::ScanLinks{});
+    core.send(orders::CloseLink{"sim:can"});
     EXPECT_TRUE(core.snapshot().links.empty());
     EXPECT_TRUE(core.snapshot().devices.empty());
     EXPECT_TRUE(core.snapshot().operations.empty());
@@ -319,9 +320,9 @@ TEST_F(Core, ClosingALinkStopsItsMotorsAndEndsItsJobs)
 TEST_F(Core, DoesNotLetAnythingElseTalkToAUnitDuringAnUpdate)
 {
     open("sim:can");
-    core.update(id(7), std::make_shared<FirmwareImage>(), {});
+    core.send(orders::UpdateFirmware{id(7), std::make_shared<FirmwareImage>(), {}});
     std::optional<Result<void>> motion;
-    core.startMotion(id(7), duty(0.1), 1s, into(motion));
+    core.send(orders::StartMotion{id(7), duty(0.1), 1s}, into(motion));
     clock.advance(30s);
     ASSERT_TRUE(motion);
     const Snapshot shot = core.snapshot();
@@ -350,12 +351,12 @@ TEST_F(Core, TheLogTellsWhichKeyWasWrittenFromWhatToWhat)
     open("sim:can");
     const auto &family = device(7)->family();
     const auto index = *findParameter(family.parameters, "slot0.p");
-    core.readParameters(id(7));
+    core.send(orders::ReadParameters{id(7)});
     clock.advance(5s);
     const auto before = device(7)->parameters().entries()[index.value].raw;
     ASSERT_TRUE(before);
     std::optional<Result<void>> written;
-    core.writeParameters(id(7), {{index, 65536}}, into(written));
+    core.send(orders::WriteParameters{id(7), {{index, 65536}}}, into(written));
     clock.advance(2s);
     ASSERT_TRUE(written && *written);
     EXPECT_TRUE(said("DMC60C #7: slot0.p: " + toText(family.parameters[index.value], *before) + " -> 1"));
@@ -365,12 +366,12 @@ TEST_F(Core, OneUpdateABusAndTheSecondIsRefusedWithWords)
 {
     open("sim:can");
     const auto image = std::make_shared<FirmwareImage>();
-    core.update(id(7), image, {});
-    core.update(id(5), image, {});
+    core.send(orders::UpdateFirmware{id(7), image, {}});
+    core.send(orders::UpdateFirmware{id(5), image, {}});
     EXPECT_FALSE(core.snapshot().operation(id(5)));
     EXPECT_TRUE(said("one update a bus: DMC60C #7 is being written; nothing was sent"));
     clock.advance(30s);
-    core.update(id(5), image, {});
+    core.send(orders::UpdateFirmware{id(5), image, {}});
     EXPECT_TRUE(core.snapshot().operation(id(5))) << "the bus is free again";
 }
 

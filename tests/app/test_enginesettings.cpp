@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Snapshots, the history and undo as the engine's half does them. Virtual time.
-#include "app/enginecore.h"
+#include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
 #include "model/registry.h"
 #include "settings/unit.h"
@@ -33,7 +33,7 @@ protected:
         noticed = core.noticed().add(
             [this](Severity, const std::string &, const Message &text) { notices.push_back(text.english()); });
         core.setSettingsLog(book.get());
-        core.openLink(*LinkAddress::parse("sim:can"), {});
+        core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
         EXPECT_TRUE(clock.runUntil([this] { return device(7) && device(7)->liveness().heard; }, 10s));
     }
     [[nodiscard]] Device *device(int address)
@@ -61,7 +61,7 @@ protected:
     {
         return device(7)->parameters().entry(change(key, 0).index).raw;
     }
-    [[nodiscard]] EngineCore::Finished heard()
+    [[nodiscard]] Finished heard()
     {
         answered.reset();
         return [this](const Result<void> &result) { answered = result; };
@@ -73,7 +73,7 @@ protected:
     }
     Result<void> write(std::vector<ParameterChange> writes)
     {
-        core.writeParameters(id(), std::move(writes), heard());
+        core.send(orders::WriteParameters{id(), std::move(writes)}, heard());
         return ends();
     }
 
@@ -104,13 +104,13 @@ TEST_F(SettingsCore, AWriteIsUndoneAndDoneAgainByNewWrites)
     clock.advance(3s);
     const auto old = known("slot0.p");
     ASSERT_TRUE(write({change("slot0.p", 65536)}));
-    core.undoWrite(id(), false, heard());
+    core.send(orders::UndoWrite{id(), false}, heard());
     ASSERT_TRUE(ends());
     EXPECT_EQ(known("slot0.p"), old);
-    core.undoWrite(id(), true, heard());
+    core.send(orders::UndoWrite{id(), true}, heard());
     ASSERT_TRUE(ends());
     EXPECT_EQ(known("slot0.p"), 65536);
-    core.undoWrite(id(), true, heard());
+    core.send(orders::UndoWrite{id(), true}, heard());
     EXPECT_FALSE(ends());
     ASSERT_EQ(changes().size(), 3U);
     EXPECT_EQ(changes()[1].purpose, Purpose::Undo);
@@ -123,7 +123,7 @@ TEST_F(SettingsCore, AWriteIsUndoneAndDoneAgainByNewWrites)
 TEST_F(SettingsCore, ARestoreAndAWriteOfManyValuesKeepFirstWhatIsThere)
 {
     clock.advance(3s);
-    core.restoreParameters(id(), {change("slot0.p", 65536)}, heard());
+    core.send(orders::RestoreParameters{id(), {change("slot0.p", 65536)}}, heard());
     ASSERT_TRUE(ends());
     EXPECT_EQ(snapshots().back().occasion, Occasion::Restore);
     EXPECT_EQ(changes().back().purpose, Purpose::Restore);
@@ -137,10 +137,73 @@ TEST_F(SettingsCore, ARestoreAndAWriteOfManyValuesKeepFirstWhatIsThere)
     EXPECT_EQ(snapshots().size(), 3U);
 }
 
+TEST_F(SettingsCore, AWiderLimitGoesBackAfterThirtySecondsUnlessSomebodyKeepsIt)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    ASSERT_TRUE(write({change("current_limit.peak", old * 2), change("slot0.p", 65536)}));
+    clock.advance(500ms);
+    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+    const UnconfirmedView waiting = core.snapshot().unconfirmed.front();
+    EXPECT_EQ(waiting.state, UnconfirmedView::State::Counting);
+    EXPECT_NEAR(waiting.left, 29.5, 0.3);
+    EXPECT_TRUE(waiting.text.starts_with("current_limit.peak: ")) << waiting.text;
+    clock.advance(28s);
+    EXPECT_EQ(known("current_limit.peak"), old * 2);
+    clock.advance(3s);
+    EXPECT_EQ(known("current_limit.peak"), old);
+    EXPECT_EQ(known("slot0.p"), 65536);
+    EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+    EXPECT_EQ(changes().back().purpose, Purpose::Revert);
+
+    ASSERT_TRUE(write({change("current_limit.peak", old * 2)}));
+    clock.advance(1s);
+    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+    core.send(orders::KeepChange{id(), core.snapshot().unconfirmed.front().change}, heard());
+    ASSERT_TRUE(ends());
+    clock.advance(60s);
+    EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+    EXPECT_EQ(known("current_limit.peak"), old * 2);
+}
+
+TEST_F(SettingsCore, ATighterLimitIsNobodysQuestion)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    ASSERT_TRUE(write({change("current_limit.peak", old / 2)}));
+    clock.advance(1s);
+    EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+    EXPECT_EQ(changes().back().purpose, Purpose::Write);
+}
+
+TEST_F(SettingsCore, WhatAProgramThatIsGoneHasLeftIsOfferedAndNothingGoesByItself)
+{
+    clock.advance(3s);
+    const std::int64_t old = known("current_limit.peak").value_or(0);
+    settings::SettingsChange left;
+    left.unit = settings::unitOf(*device(7)).key;
+    left.device = device(7)->selector();
+    left.purpose = Purpose::Provisional;
+    left.values = {{"current_limit.peak", old / 2, old, settings::Proof::Equal}};
+    auto beginning = book->begin(left);
+    beginning.start();
+    ASSERT_TRUE(clock.runUntil([&beginning] { return beginning.isFinished(); }, 1s));
+    core.provisional().look(id(), false);
+    clock.advance(60s);
+    ASSERT_EQ(core.snapshot().unconfirmed.size(), 1U);
+    EXPECT_EQ(core.snapshot().unconfirmed.front().state, UnconfirmedView::State::Offered);
+    EXPECT_EQ(known("current_limit.peak"), old);
+    core.send(orders::PutBackChange{id(), core.snapshot().unconfirmed.front().change}, heard());
+    ASSERT_TRUE(ends());
+    clock.advance(1s);
+    EXPECT_EQ(known("current_limit.peak"), old / 2);
+    EXPECT_TRUE(core.snapshot().unconfirmed.empty());
+}
+
 TEST_F(SettingsCore, ASnapshotIsTakenUnderItsName)
 {
     clock.advance(3s);
-    core.takeSnapshot(id(), "limits for the demo", heard());
+    core.send(orders::TakeSnapshot{id(), "limits for the demo"}, heard());
     ASSERT_TRUE(ends());
     EXPECT_EQ(snapshots().back().name, "limits for the demo");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Boards that keep nothing, as the engine's half sees them: resets, writing again, experiments, bootloaders. Virtual time.
-#include "app/enginecore.h"
+#include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
 #include "model/registry.h"
 
@@ -22,7 +22,7 @@ protected:
     {
         family = *findFamily(families(), "quadquad2drv");
         family.bench = units;
-        core.openLink(*LinkAddress::parse("sim:spi"), {});
+        core.send(orders::OpenLink{*LinkAddress::parse("sim:spi")});
         clock.advance(1s);
     }
     [[nodiscard]] Device *device()
@@ -39,8 +39,8 @@ protected:
         std::optional<Result<void>> written;
         const auto gain = *findParameter(family.parameters, "ch1.velocity.p");
         const auto limit = *findParameter(family.parameters, "ch2.limit.power");
-        core.writeParameters(
-            id(), {{gain, 120}, {limit, 4000}}, [&written](const Result<void> &result) { written = result; });
+        core.send(orders::WriteParameters{id(), {{gain, 120}, {limit, 4000}}},
+            [&written](const Result<void> &result) { written = result; });
         ASSERT_TRUE(clock.runUntil([&written] { return written.has_value(); }, 10s));
         ASSERT_TRUE(*written);
     }
@@ -72,9 +72,10 @@ TEST_F(BoardCore, AnswersAnOrderWhoseLinkIsClosedMeanwhile)
 {
     std::optional<Result<void>> written;
     const auto gain = *findParameter(family.parameters, "ch1.velocity.p");
-    core.writeParameters(id(), {{gain, 120}}, [&written](const Result<void> &result) { written = result; });
+    core.send(
+        orders::WriteParameters{id(), {{gain, 120}}}, [&written](const Result<void> &result) { written = result; });
     EXPECT_FALSE(written) << "it is under way";
-    core.closeLink("sim:spi");
+    core.send(orders::CloseLink{"sim:spi"});
     ASSERT_TRUE(written);
     ASSERT_FALSE(*written);
     EXPECT_EQ(written->error().fault, Fault::LinkLost);
@@ -88,7 +89,7 @@ TEST_F(BoardCore, ShowsWhatAResetTookAndWritesItAgain)
     EXPECT_TRUE(said("the unit restarted"));
     EXPECT_EQ(lost(), 2U);
     std::optional<Result<void>> again;
-    core.rewriteSettings(id(), [&again](const Result<void> &result) { again = result; });
+    core.send(orders::RewriteSettings{id()}, [&again](const Result<void> &result) { again = result; });
     ASSERT_TRUE(clock.runUntil([&again] { return again.has_value(); }, 10s));
     EXPECT_TRUE(*again);
     EXPECT_EQ(lost(), 0U);
@@ -98,11 +99,12 @@ TEST_F(BoardCore, ShowsWhatAResetTookAndWritesItAgain)
 TEST_F(BoardCore, AnOrderForADeviceThatIsGoneIsAnswered)
 {
     const DeviceId gone = id();
-    core.closeLink("sim:spi");
+    core.send(orders::CloseLink{"sim:spi"});
     std::optional<Result<void>> first;
     std::optional<Result<void>> second;
-    core.rewriteSettings(gone, [&first](const Result<void> &result) { first = result; });
-    core.experiment(gone, "gain-scales", {}, [&second](const Result<void> &result) { second = result; });
+    core.send(orders::RewriteSettings{gone}, [&first](const Result<void> &result) { first = result; });
+    core.send(
+        orders::RunExperiment{gone, "gain-scales", {}}, [&second](const Result<void> &result) { second = result; });
     ASSERT_TRUE(first && second);
     EXPECT_FALSE(*first);
     EXPECT_FALSE(*second);
@@ -111,15 +113,16 @@ TEST_F(BoardCore, AnOrderForADeviceThatIsGoneIsAnswered)
 TEST_F(BoardCore, AnExperimentThatIsNotKnownOrComesInMotionIsRefused)
 {
     std::optional<Result<void>> unknown;
-    core.experiment(id(), "no-such", {}, [&unknown](const Result<void> &result) { unknown = result; });
+    core.send(orders::RunExperiment{id(), "no-such", {}}, [&unknown](const Result<void> &result) { unknown = result; });
     ASSERT_TRUE(unknown);
     EXPECT_EQ(unknown->error().fault, Fault::Unsupported);
     SetPoint setPoint;
     setPoint.mode = Mode::Duty;
     setPoint.target = 0.1;
-    core.startMotion(id(), setPoint, 10s, {});
+    core.send(orders::StartMotion{id(), setPoint, 10s});
     std::optional<Result<void>> moving;
-    core.experiment(id(), "gain-scales", {}, [&moving](const Result<void> &result) { moving = result; });
+    core.send(
+        orders::RunExperiment{id(), "gain-scales", {}}, [&moving](const Result<void> &result) { moving = result; });
     ASSERT_TRUE(moving);
     EXPECT_EQ(moving->error().fault, Fault::Unsafe);
 }
@@ -130,7 +133,8 @@ TEST_F(BoardCore, StopEndsAnExperimentWhereverItIs)
         std::optional<Result<void>> end;
         ExperimentOptions options;
         options.power = 0.25;
-        core.experiment(id(), "gain-scales", options, [&end](const Result<void> &result) { end = result; });
+        core.send(
+            orders::RunExperiment{id(), "gain-scales", options}, [&end](const Result<void> &result) { end = result; });
         clock.advance(moment);
         ASSERT_FALSE(end) << "it runs: " << (*end ? "" : end->error().text()) << ' ' << moment.count();
         core.stopAll(StopCause::User);
@@ -146,7 +150,7 @@ TEST_F(BoardCore, StopEndsAnExperimentWhereverItIs)
 TEST_F(BoardCore, AnExperimentTellsInItsLogWhatItFound)
 {
     std::optional<Result<void>> end;
-    core.experiment(id(), "input-reading", {}, [&end](const Result<void> &result) { end = result; });
+    core.send(orders::RunExperiment{id(), "input-reading", {}}, [&end](const Result<void> &result) { end = result; });
     ASSERT_TRUE(clock.runUntil([&end] { return end.has_value(); }, 10s));
     ASSERT_TRUE(*end);
     const OperationView operation = core.snapshot().operations.back();

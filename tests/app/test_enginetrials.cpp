@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Experiments as the engine's half runs them: kept, stopped at any phase, owed gains put back. Virtual time.
-#include "app/enginecore.h"
+#include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
 #include "model/registry.h"
 #include "support/fakejournal.h"
@@ -20,7 +20,7 @@ protected:
         : renewal(clock)
     {
         core.setJournal(&journal);
-        core.openLink(*LinkAddress::parse("sim:can"), {});
+        core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
         EXPECT_TRUE(clock.runUntil([this] { return device() && device()->liveness().heard; }, 10s));
         clock.advance(2s);
         renew();
@@ -38,7 +38,7 @@ protected:
     [[nodiscard]] std::int64_t stored()
     {
         std::optional<std::int64_t> raw;
-        core.readParameters(id());
+        core.send(orders::ReadParameters{id()});
         EXPECT_TRUE(clock.runUntil([this] { return !isBusy(); }, 10s));
         raw = device()->parameters().entry(p()).raw;
         return raw.value_or(-1);
@@ -59,7 +59,7 @@ protected:
     }
     void renew()
     {
-        core.renewMotion(id());
+        core.send(orders::RenewMotion{id()});
         renewal.startIn(100ms, [this] { renew(); });
     }
     void start(Keep keep)
@@ -71,8 +71,8 @@ protected:
         plan.keep = keep;
         measured.clear();
         ended.reset();
-        core.runTrial(
-            id(), plan, [this](const tuning::Trial &trial) { measured.emplace_back(clock.now(), trial); },
+        core.send(orders::RunTrial{id(), plan,
+                      [this](const tuning::Trial &trial) { measured.emplace_back(clock.now(), trial); }},
             [this](Result<tuning::Trial> trial) { ended = std::move(trial); });
     }
     [[nodiscard]] bool ends()
@@ -114,7 +114,8 @@ TEST_F(TrialCore, TunesAnOvershootingUnitInOneOrderAndAgainFromTheModelWithoutPu
     std::optional<Result<tuning::TuneReport>> tuned;
     const auto tune = [this, &tuned](const tuning::TunePlan &plan) {
         tuned.reset();
-        core.runTuning(id(), plan, [&tuned](Result<tuning::TuneReport> report) { tuned = std::move(report); });
+        core.send(
+            orders::RunTuning{id(), plan}, [&tuned](Result<tuning::TuneReport> report) { tuned = std::move(report); });
         return clock.runUntil([&tuned] { return tuned.has_value(); }, 120s) && *tuned;
     };
     tuning::TunePlan plan;
@@ -142,7 +143,8 @@ TEST_F(TrialCore, StopInATuningStopsTheMotorAndLeavesTheGainsAsTheyWere)
     const std::int64_t before = stored();
     for (const Duration moment : {5ms, 700ms, 3000ms, 8000ms, 14000ms}) {
         std::optional<Result<tuning::TuneReport>> tuned;
-        core.runTuning(id(), {}, [&tuned](Result<tuning::TuneReport> report) { tuned = std::move(report); });
+        core.send(
+            orders::RunTuning{id(), {}}, [&tuned](Result<tuning::TuneReport> report) { tuned = std::move(report); });
         clock.advance(moment);
         ASSERT_FALSE(tuned) << moment.count();
         core.stopAll(StopCause::User);
@@ -179,10 +181,10 @@ TEST_F(TrialCore, HaltEndsItAndASecondOneIsRefusedMeanwhile)
     start(Keep::Never);
     clock.advance(1s);
     std::optional<Result<tuning::Trial>> second;
-    core.runTrial(id(), {}, {}, [&second](Result<tuning::Trial> trial) { second = std::move(trial); });
+    core.send(orders::RunTrial{id(), {}, {}}, [&second](Result<tuning::Trial> trial) { second = std::move(trial); });
     ASSERT_TRUE(second);
     EXPECT_EQ(second->error().fault, Fault::Unsafe);
-    core.stopMotion(id());
+    core.send(orders::StopMotion{id()});
     ASSERT_TRUE(ends());
     ASSERT_TRUE(*ended);
     EXPECT_EQ((**ended).reason, "interrupted");
@@ -205,12 +207,13 @@ TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
     const std::int64_t before = stored();
     journal.debtor = tuning::unitOf(*device());
     std::optional<Result<void>> written;
-    core.writeParameters(id(), {{p(), 30'000}}, [&written](const Result<void> &result) { written = result; });
+    core.send(
+        orders::WriteParameters{id(), {{p(), 30'000}}}, [&written](const Result<void> &result) { written = result; });
     ASSERT_TRUE(clock.runUntil([&written] { return written.has_value(); }, 10s));
     journal.owed = {{"slot0.p", before}};
-    core.closeLink("sim:can");
+    core.send(orders::CloseLink{"sim:can"});
     EXPECT_TRUE(core.owedGains().empty());
-    core.openLink(*LinkAddress::parse("sim:can"), {});
+    core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
     ASSERT_TRUE(clock.runUntil([this] { return device() && device()->liveness().heard; }, 10s));
     clock.advance(3s);
     // A bench that is opened anew is as from the factory: it has what it is owed, and nobody is asked.
@@ -218,12 +221,13 @@ TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
     EXPECT_TRUE(journal.owed.empty());
 
     journal.owed = {{"slot0.p", before + 1000}};
-    core.closeLink("sim:can");
-    core.openLink(*LinkAddress::parse("sim:can"), {});
+    core.send(orders::CloseLink{"sim:can"});
+    core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
     ASSERT_TRUE(clock.runUntil([this] { return device() && core.owedGains().count(id()) == 1; }, 20s));
     EXPECT_EQ(stored(), before) << "nothing is written unasked";
     std::optional<Result<void>> paid;
-    core.payGains(id(), core.owedGains().at(id()).front().trial, [&paid](const Result<void> &r) { paid = r; });
+    core.send(
+        orders::PayGains{id(), core.owedGains().at(id()).front().trial}, [&paid](const Result<void> &r) { paid = r; });
     ASSERT_TRUE(clock.runUntil([&paid] { return paid.has_value(); }, 20s));
     ASSERT_TRUE(*paid) << paid->error().detail;
     EXPECT_EQ(stored(), before + 1000);

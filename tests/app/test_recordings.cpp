@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The engine's half of recording and replaying, in virtual time.
-#include "app/enginecore.h"
+#include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
 #include "model/registry.h"
 #include "support/fulldisk.h"
@@ -27,7 +27,8 @@ struct EngineBench {
     Result<void> open(const std::string &address)
     {
         Result<void> result;
-        core.openLink(*LinkAddress::parse(address), [&result](Result<void> done) { result = std::move(done); });
+        core.send(
+            orders::OpenLink{*LinkAddress::parse(address)}, [&result](Result<void> done) { result = std::move(done); });
         return result;
     }
     LinkView view(const std::string &address)
@@ -56,11 +57,12 @@ std::string recorded(EngineBench &bench)
     EXPECT_TRUE(bench.open("sim:can"));
     bench.clock.advance(2s);
     Result<void> started = fail(Fault::Timeout, say("no answer"));
-    bench.core.startRecording("sim:can", path, [&started](Result<void> done) { started = std::move(done); });
+    bench.core.send(
+        orders::StartRecording{"sim:can", path}, [&started](Result<void> done) { started = std::move(done); });
     EXPECT_TRUE(started);
     bench.clock.advance(5s);
     EXPECT_GT(bench.view("sim:can").recording->frames, 500U);
-    bench.core.stopRecording("sim:can");
+    bench.core.send(orders::StopRecording{"sim:can"});
     while (!bench.view("sim:can").recording->finished)
         std::this_thread::yield();
     bench.clock.advance(1s);
@@ -102,20 +104,20 @@ TEST(EngineRecordings, ArePausedSoughtAndPaced)
     const std::string address = recorded(bench);
     ASSERT_TRUE(bench.open(address));
     bench.clock.advance(1s);
-    bench.core.steerReplay(address, {std::nullopt, std::nullopt, false});
+    bench.core.send(orders::SteerReplay{address, {std::nullopt, std::nullopt, false}});
     const Duration stood = bench.view(address).replay->position;
     bench.clock.advance(10s);
     EXPECT_EQ(bench.view(address).replay->position, stood);
     const auto devices = bench.core.snapshot().devices.size();
-    bench.core.steerReplay(address, {2.0, 1s, true});
+    bench.core.send(orders::SteerReplay{address, {2.0, 1s, true}});
     EXPECT_EQ(bench.view(address).replay->position, 1s);
     bench.clock.advance(1s);
     EXPECT_EQ(bench.view(address).replay->position, 3s);
     EXPECT_EQ(bench.core.snapshot().devices.size(), devices);
-    bench.core.steerReplay(address, {-1.0, std::nullopt, std::nullopt});
+    bench.core.send(orders::SteerReplay{address, {-1.0, std::nullopt, std::nullopt}});
     EXPECT_TRUE(bench.wasTold("is no speed")) << "a wrong order is told";
-    bench.core.steerReplay("sim:can", {std::nullopt, 1s, true});
-    bench.core.closeLink(address);
+    bench.core.send(orders::SteerReplay{"sim:can", {std::nullopt, 1s, true}});
+    bench.core.send(orders::CloseLink{address});
     bench.clock.advance(1s);
     EXPECT_TRUE(bench.view(address).address.empty());
 }
@@ -126,13 +128,13 @@ TEST(EngineRecordings, SayOnceWhyTheyFail)
     ASSERT_TRUE(bench.open("sim:can"));
     Result<void> started;
     const auto keep = [&started](Result<void> done) { started = std::move(done); };
-    bench.core.startRecording("socketcan:can7", bench.folder.path("a.log"), keep);
+    bench.core.send(orders::StartRecording{"socketcan:can7", bench.folder.path("a.log")}, keep);
     EXPECT_EQ(started.error().fault, Fault::LinkLost);
-    bench.core.startRecording("sim:can", bench.folder.path("none/a.log"), keep);
+    bench.core.send(orders::StartRecording{"sim:can", bench.folder.path("none/a.log")}, keep);
     EXPECT_NE(started.error().text().find("there is no such folder; "), std::string::npos);
-    bench.core.startRecording("sim:can", bench.folder.path("a.log"), keep);
+    bench.core.send(orders::StartRecording{"sim:can", bench.folder.path("a.log")}, keep);
     ASSERT_TRUE(started);
-    bench.core.startRecording("sim:can", bench.folder.path("b.log"), keep);
+    bench.core.send(orders::StartRecording{"sim:can", bench.folder.path("b.log")}, keep);
     EXPECT_NE(started.error().text().find("is being recorded already"), std::string::npos);
     const auto damaged = bench.folder.write("damaged.log", "(1.000000) can0 02061405#0040110000000000\nrubbish\n(2.0");
     ASSERT_TRUE(bench.open("replay:" + damaged));
@@ -149,7 +151,7 @@ TEST(EngineRecordings, EndOnceWhenTheDiskIsFull)
     bench.clock.advance(2s);
     Result<void> started;
     const auto keep = [&started](Result<void> done) { started = std::move(done); };
-    bench.core.startRecording("sim:can", "/dev/full", keep);
+    bench.core.send(orders::StartRecording{"sim:can", "/dev/full"}, keep);
     if (!started)
         GTEST_SKIP() << "there is no /dev/full here";
     while (!bench.view("sim:can").recording->finished) {
@@ -162,7 +164,7 @@ TEST(EngineRecordings, EndOnceWhenTheDiskIsFull)
     const auto told = std::count_if(bench.notices.begin(), bench.notices.end(),
         [](const auto &notice) { return notice.second.find("the disk is full") != std::string::npos; });
     EXPECT_EQ(told, 1);
-    bench.core.startRecording("sim:can", bench.folder.path("b.log"), keep);
+    bench.core.send(orders::StartRecording{"sim:can", bench.folder.path("b.log")}, keep);
     EXPECT_TRUE(started) << "another recording may begin";
 }
 
@@ -174,7 +176,7 @@ TEST(EngineRecordings, WhatADiskTookBeforeItWasFullIsPlayed)
     bench.clock.advance(2s);
     {
         const test::FullDisk full(20'000);
-        bench.core.startRecording("sim:can", path, {});
+        bench.core.send(orders::StartRecording{"sim:can", path});
         bench.clock.advance(5s);
         while (!bench.view("sim:can").recording->finished) {
             bench.clock.advance(200ms);

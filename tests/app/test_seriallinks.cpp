@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/enginecore.h"
+#include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
 #include "support/eventloop.h"
 #include "support/pseudoterminal.h"
@@ -58,7 +58,7 @@ protected:
     }
     void open(const std::string &options = {})
     {
-        core.openLink(*LinkAddress::parse("serial:" + path.string() + options),
+        core.send(orders::OpenLink{*LinkAddress::parse("serial:" + path.string() + options)},
             [this](const Result<void> &result) { opened = result; });
         clock.advance(1ms);
     }
@@ -126,7 +126,7 @@ TEST_F(SerialLinks, ALineIsScannedWhenItOpensAndWhenAskedAndNeverByItself)
     open();
     clock.advance(60s);
     EXPECT_EQ(scans, 1);
-    core.scanAll();
+    core.send(orders::ScanLinks{});
     clock.advance(1s);
     EXPECT_EQ(scans, 2);
 }
@@ -134,7 +134,7 @@ TEST_F(SerialLinks, ALineIsScannedWhenItOpensAndWhenAskedAndNeverByItself)
 TEST_F(SerialLinks, AClosedOneIsNotOpenedAgain)
 {
     open();
-    core.closeLink("serial:" + path.string());
+    core.send(orders::CloseLink{"serial:" + path.string()});
     plug();
     clock.advance(5s);
     EXPECT_TRUE(core.snapshot().links.empty());

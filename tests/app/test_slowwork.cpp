@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What may block is done elsewhere: the engine goes on while a port does not open and while a disk takes nothing.
-#include "app/enginecore.h"
+#include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
 #include "support/eventloop.h"
 #include "support/heldbackground.h"
@@ -26,7 +26,7 @@ protected:
     SlowWork() { core.setBackground(&background); }
     void open(const test::PseudoTerminal &terminal)
     {
-        core.openLink(addressOf(terminal), [this](const Result<void> &result) { opened = result; });
+        core.send(orders::OpenLink{addressOf(terminal)}, [this](const Result<void> &result) { opened = result; });
     }
     static LinkAddress addressOf(const test::PseudoTerminal &terminal)
     {
@@ -87,7 +87,7 @@ TEST_F(SlowWork, APortThatIsAskedForTwiceIsOpenedOnceAndAnswersBoth)
 {
     open(slow);
     std::optional<Result<void>> second;
-    core.openLink(addressOf(slow), [&second](const Result<void> &result) { second = result; });
+    core.send(orders::OpenLink{addressOf(slow)}, [&second](const Result<void> &result) { second = result; });
     EXPECT_FALSE(second);
     EXPECT_EQ(background.waiting(), 1U);
     background.release();
@@ -101,8 +101,8 @@ TEST_F(SlowWork, APortThatIsClosedBeforeItIsOpenTellsEveryOneWhoAskedForIt)
 {
     open(slow);
     std::optional<Result<void>> second;
-    core.openLink(addressOf(slow), [&second](const Result<void> &result) { second = result; });
-    core.closeLink(addressOf(slow).text());
+    core.send(orders::OpenLink{addressOf(slow)}, [&second](const Result<void> &result) { second = result; });
+    core.send(orders::CloseLink{addressOf(slow).text()});
     ASSERT_TRUE(opened && second);
     EXPECT_EQ(opened->error().fault, Fault::Cancelled);
     EXPECT_EQ(second->error().fault, Fault::Cancelled);
@@ -139,7 +139,7 @@ TEST_F(SlowWork, StopsLeaveWhileAnotherPortDoesNotOpen)
 TEST_F(SlowWork, APortThatIsClosedBeforeItIsOpenStaysClosed)
 {
     open(slow);
-    core.closeLink(addressOf(slow).text());
+    core.send(orders::CloseLink{addressOf(slow).text()});
     ASSERT_TRUE(opened && !*opened);
     background.release();
     clock.advance(1s);
@@ -170,7 +170,7 @@ TEST_F(SlowWork, WhatIsKnownOfADeviceIsKeptAlthoughTheDiskTakesItLater)
     motor().setVerdict("direction", "reversed");
     EXPECT_EQ(background.waiting(), 1U);
     EXPECT_FALSE(std::filesystem::exists(folder.path("profiles")));
-    core.closeLink(addressOf(good).text());
+    core.send(orders::CloseLink{addressOf(good).text()});
     open(good);
     background.release();
     clock.advance(10ms);

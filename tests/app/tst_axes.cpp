@@ -308,7 +308,8 @@ void AxesTest::fourAxesStepAtOnceInOnePlot()
         "set-points of the four axes %.2f ms apart, first 20 counts %.1f ms apart", spread(stepped), spread(underWay));
     QVERIFY2(spread(stepped) < 20.0, "they are told at the same moment");
     QVERIFY2(spread(underWay) < 200.0, "and move at the same time");
-    QVERIFY2(m_tune->plot().stack().traceCount() >= 8, "four positions and their set-points in the plot of the page");
+    QVERIFY2(m_tune->plot().stack().strips().traceCount() >= 8,
+        "four positions and their set-points in the plot of the page");
     m_arming->disarm();
     QTRY_VERIFY_WITH_TIMEOUT(!isOutputOn(), patience);
 }

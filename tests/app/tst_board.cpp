@@ -164,7 +164,7 @@ void BoardTest::writingAgainCanBeCancelled()
     m_bench->engine().post([id](EngineCore &core) { // before it has ended, which on a simulated board is at once
         for (const OperationView &job : core.snapshot().operations) {
             if (job.device == id && job.status.state == OperationStatus::State::Running)
-                core.cancel(job.id);
+                core.send(orders::CancelOperation{job.id});
         }
     });
     QTRY_VERIFY_WITH_TIMEOUT(!running(), patience);

@@ -125,8 +125,8 @@ void ProgramTest::recordedSamplesOpenInAWindowOfTheirOwn()
     auto *samples = bench.window().findChild<SamplesWindow *>();
     QVERIFY(samples && samples->isVisible());
     QTRY_VERIFY_WITH_TIMEOUT(samples->isLoaded(), patience);
-    QCOMPARE(samples->stack().traceCount(), 2);
-    QVERIFY(samples->stack().range().second > 1.9);
+    QCOMPARE(samples->stack().strips().traceCount(), 2);
+    QVERIFY(samples->stack().view().range().second > 1.9);
     auto *channels = samples->findChild<QListWidget *>();
     QCOMPARE(channels->count(), 2);
     QVERIFY(QTest::qWaitForWindowExposed(samples));
@@ -135,11 +135,13 @@ void ProgramTest::recordedSamplesOpenInAWindowOfTheirOwn()
     keepPicture(*samples, QStringLiteral("samples"));
     for (int i = 0; i < 2; ++i)
         QCOMPARE(channels->item(i)->checkState(), Qt::Checked);
-    QVERIFY2(samples->stack().summary().contains(QStringLiteral("speed")), qPrintable(samples->stack().summary()));
+    QVERIFY2(samples->stack().readings().summary().contains(QStringLiteral("speed")),
+        qPrintable(samples->stack().readings().summary()));
     channels->item(0)->setCheckState(Qt::Unchecked);
     samples->stack().refresh(2.0);
-    QVERIFY2(!samples->stack().summary().contains(QStringLiteral("speed")), qPrintable(samples->stack().summary()));
-    QVERIFY(samples->stack().summary().contains(QStringLiteral("current")));
+    QVERIFY2(!samples->stack().readings().summary().contains(QStringLiteral("speed")),
+        qPrintable(samples->stack().readings().summary()));
+    QVERIFY(samples->stack().readings().summary().contains(QStringLiteral("current")));
     samples->close();
     QTRY_VERIFY_WITH_TIMEOUT(!bench.window().findChild<SamplesWindow *>(), patience);
     QVERIFY(bench.window().isVisible());
@@ -159,7 +161,7 @@ void ProgramTest::aFileThatIsNoRecordingSaysWhy()
     QTRY_VERIFY_WITH_TIMEOUT(!samples->failure().isEmpty(), patience);
     QVERIFY(samples->failure().contains(QStringLiteral("wrong.mcap")));
     QVERIFY(!samples->isLoaded());
-    QCOMPARE(samples->stack().traceCount(), 0);
+    QCOMPARE(samples->stack().strips().traceCount(), 0);
 }
 
 void ProgramTest::aFileThatIsNotThereIsRefusedBeforeThereIsAWindow()

@@ -96,7 +96,7 @@ void WindowTest::aTypedGainReachesTheDevice()
     const std::uint64_t revision = bench.device(WindowBench::tuned)->parameterRevision;
     bench.engine().post([id](EngineCore &core) {
         core.session().find(id)->parameters().forgetAll();
-        core.readParameters(id);
+        core.send(orders::ReadParameters{id});
     });
     QTRY_VERIFY_WITH_TIMEOUT(bench.device(WindowBench::tuned)->parameterRevision > revision, patience);
     QTRY_VERIFY_WITH_TIMEOUT(bench.isRead(WindowBench::tuned), patience);
@@ -116,7 +116,8 @@ void WindowTest::thePlotShowsSamplesOfTheDevice()
     const QString path = folder.filePath(QStringLiteral("seen.csv"));
     const auto drawn = [&page, &path] {
         QFile file(path);
-        return page.stack().exportTo(path) && file.open(QIODevice::ReadOnly) ? file.readAll().count('\n') : 0;
+        return page.stack().exporter().exportTo(path) && file.open(QIODevice::ReadOnly) ? file.readAll().count('\n')
+                                                                                        : 0;
     };
     QTRY_VERIFY_WITH_TIMEOUT(drawn() > 50, patience);
     QFile file(path);

@@ -108,9 +108,9 @@ Measured ours(std::int64_t samples, bool noiseOnly, int rounds)
     for (std::uint16_t trace = 0; trace < traceCount; ++trace) {
         TraceStyle style{QString::number(trace), QStringLiteral("V"), static_cast<TraceRole>(1 + trace % 6)};
         style.strip = trace % stripCount;
-        stack.addTrace(style, std::make_shared<TelemetrySource>(telemetry, ChannelIndex{trace}));
+        stack.strips().addTrace(style, std::make_shared<TelemetrySource>(telemetry, ChannelIndex{trace}));
     }
-    stack.setWindow(static_cast<double>(samples) / 1000.0);
+    stack.view().setWindow(static_cast<double>(samples) / 1000.0);
     stack.show();
     QApplication::processEvents();
     stack.refresh(static_cast<double>(next) / 1000.0);
@@ -227,9 +227,9 @@ void latency(int programs)
     for (std::uint16_t trace = 0; trace < traceCount; ++trace) {
         TraceStyle style{QString::number(trace), QStringLiteral("V"), static_cast<TraceRole>(1 + trace % 6)};
         style.strip = trace % stripCount;
-        stack.addTrace(style, std::make_shared<TelemetrySource>(telemetry, ChannelIndex{trace}));
+        stack.strips().addTrace(style, std::make_shared<TelemetrySource>(telemetry, ChannelIndex{trace}));
     }
-    stack.setWindow(10.0);
+    stack.view().setWindow(10.0);
     stack.show();
     const auto begun = Stopwatch::now();
     const auto now = [begun] { return std::chrono::duration<double>(Stopwatch::now() - begun).count(); };

@@ -142,6 +142,51 @@ TEST_F(Dmc60cStream, LearnsAShorterPeriod)
     EXPECT_EQ(lost(), 2U);
 }
 
+TEST_F(Dmc60cStream, OfALateFrameBehindTwoThatAreMissingOnlyThoseAreCounted)
+{
+    for (const auto gap : {10ms, 10ms, 36ms, 4ms, 10ms, 10ms}) // 50 comes at 56, and 60 in time
+        after(gap);
+    EXPECT_EQ(lost(), 2U);
+    EXPECT_EQ(recorded(), sent);
+}
+
+TEST_F(Dmc60cStream, ThreeShortGapsAfterALongOneAreJitterAndFourOfThemANewPeriod)
+{
+    for (const auto gap : {10ms, 10ms, 14ms, 6ms, 6ms, 6ms})
+        after(gap);
+    EXPECT_EQ(stream.period(), 10ms);
+    EXPECT_EQ(lost(), 0U);
+    after(6ms);
+    EXPECT_EQ(stream.period(), 6ms);
+    EXPECT_EQ(lost(), 0U);
+}
+
+TEST_F(Dmc60cStream, APeriodOfNothingIsNotBelieved)
+{
+    after(10ms);
+    stream.setPeriod(0ms);
+    stream.setPeriod(-1ms);
+    EXPECT_EQ(stream.period(), 10ms);
+    after(20ms);
+    after(10ms);
+    EXPECT_EQ(lost(), 1U);
+}
+
+TEST_F(Dmc60cStream, APeriodThatDiffersByATenthIsAnotherOneAndTheGapBehindItIsNoLoss)
+{
+    for (const auto gap : {10ms, 10ms, 10ms})
+        after(gap);
+    stream.setPeriod(8500us);
+    after(20ms); // a mixture of both
+    after(8500us);
+    after(8500us);
+    EXPECT_EQ(lost(), 0U);
+    stream.setPeriod(9000us); // known: what has gone is missing
+    after(18ms);
+    after(9000us);
+    EXPECT_EQ(lost(), 1U);
+}
+
 TEST_F(Dmc60cStream, BelievesTheDeviceAboutANewPeriod)
 {
     for (int i = 0; i < 5; ++i)

@@ -144,7 +144,7 @@ TEST(Dmc60cUpdate, TakesAtMostATenthLongerThanBusAndFlashNeed)
     UpdateBench bench("dmc60c:9,state=bootloader");
     const Instant begin = bench.clock.now();
     expectDone(bench.update(demoImage()));
-    // Per page: 513 frames of at least 131 bits back to back, 23.1 ms of erasing and 54 ms of writing (7.5); the resets apart.
+    // Per page: 513 frames of at least 131 bits back to back, 23.1 ms of erasing and 54 ms of writing; the resets apart.
     const double frames = 513 * 131e-6 * 1.05; // stuff bits of ordinary data
     const double needed = 31 * (frames + 0.0231 + 0.054);
     const double taken = std::chrono::duration<double>(bench.clock.now() - begin).count() - 0.45; // the scan

@@ -330,6 +330,59 @@ TEST_F(Stream, EndsAStallThatIsLongerThanTheLeaseInAStop)
     expectEnded(End::LeaseExpired);
 }
 
+TEST_F(Stream, GlidesFromWhereTheMotorIsNoFasterThanItsRate)
+{
+    ASSERT_TRUE(stream->start(duty(0.6), 60s, {2.0, 0.0}));
+    EXPECT_EQ(stream->setPoint().target, 0.0) << "the first frame is where it is";
+    double before = 0.0;
+    for (int i = 0; i < 50; ++i) {
+        clock.advance(20ms);
+        const double now = stream->setPoint().target;
+        EXPECT_LE(now - before, 2.0 * 0.020 + 1e-9);
+        EXPECT_NEAR(now, std::min(0.6, 2.0 * 0.020 * (i + 1)), 0.041);
+        before = now;
+    }
+    EXPECT_EQ(stream->setPoint().target, 0.6);
+    EXPECT_FALSE(stream->isGliding());
+}
+
+TEST_F(Stream, TakesANewTargetAlongOnTheWay)
+{
+    ASSERT_TRUE(stream->start(duty(0.8), 60s, {1.0, 0.0}));
+    clock.advance(400ms);
+    const double turned = stream->setPoint().target;
+    EXPECT_NEAR(turned, 0.4, 0.021);
+    ASSERT_TRUE(stream->update(duty(-0.8), {1.0, {}}));
+    EXPECT_LE(std::abs(stream->setPoint().target - turned), 0.021);
+    clock.advance(200ms);
+    EXPECT_NEAR(stream->setPoint().target, turned - 0.2, 0.021);
+    clock.advance(10s);
+    EXPECT_EQ(stream->setPoint().target, -0.8);
+    clock.advance(5s); // a long rest is no reason to jump
+    ASSERT_TRUE(stream->update(duty(0.8), {1.0, {}}));
+    EXPECT_EQ(stream->setPoint().target, -0.8);
+    clock.advance(100ms);
+    EXPECT_NEAR(stream->setPoint().target, -0.7, 0.021);
+}
+
+TEST_F(Stream, HoldsWhereItIsBeforeItJumps)
+{
+    ASSERT_TRUE(stream->start(duty(0.3), 60s, {0.0, 0.1}));
+    EXPECT_EQ(stream->setPoint().target, 0.1);
+    clock.advance(family.capabilities.commandPeriod + 1ms);
+    EXPECT_EQ(stream->setPoint().target, 0.3);
+    ASSERT_TRUE(stream->update(duty(0.5)));
+    EXPECT_EQ(stream->setPoint().target, 0.5) << "what moves already jumps at once without a rate";
+}
+
+TEST_F(Stream, EndsAGlideWithTheMotion)
+{
+    ASSERT_TRUE(stream->start(duty(0.8), 300ms, {1.0, 0.0}));
+    clock.advance(1s);
+    EXPECT_FALSE(stream->isGliding());
+    expectEnded(End::LeaseExpired);
+}
+
 TEST_F(Stream, StopsTheMotorWithItsOwnEnd)
 {
     drive();

@@ -43,6 +43,20 @@ TEST_F(Histories, EveryWriteTellsWhoWroteWhatFromWhere)
     EXPECT_EQ(all[0].values[0], (settings::ValueChange{"slot0.p", old, 65536, Proof::Equal}));
 }
 
+TEST_F(Histories, ANewNumberIsInTheHistoryAndNotUndone)
+{
+    Device &five = *bench.device(5);
+    ASSERT_TRUE(write(five, {change(five, "slot0.p", 65536)}));
+    ASSERT_TRUE(run(settings::renumberKept(five, 12, Origin::Window, book.get(), progress)));
+    const auto all = changes(five);
+    ASSERT_EQ(all.size(), 2U);
+    EXPECT_EQ(all[1].values, (std::vector<settings::ValueChange>{{"number", 5, 12, Proof::Equal}}));
+    EXPECT_EQ(settings::textOf(five.family(), all[1]), "number: 5 -> 12");
+    ASSERT_TRUE(undo(five));
+    EXPECT_EQ(five.identity().address, 12) << "others may have its old number by now";
+    EXPECT_EQ(changes(five).back().values.front().key, "slot0.p");
+}
+
 TEST_F(Histories, UndoAndRedoAreNewWritesAlsoAfterTheProgramBeganAgain)
 {
     Device &five = *bench.device(5);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The engine thread's half of the window while interfaces come and go. Runs where vcan0 and vcan1 are up
 // (tests/socketcan/run).
-#include "app/enginecore.h"
+#include "app/engine/enginecore.h"
 #include "model/registry.h"
 #include "support/eventloop.h"
 #include "transport/linkwatch.h"
@@ -33,7 +33,7 @@ protected:
                 FAIL() << "there is no interface vcan0 here";
             GTEST_SKIP() << "no vcan0 here; tests/socketcan/run BUILD_DIR runs this where it is";
         }
-        core.takeListings(listLinks());
+        core.links().takeListings(listLinks());
     }
     [[nodiscard]] std::optional<LinkView> link(const std::string &address)
     {
@@ -50,7 +50,8 @@ protected:
     [[nodiscard]] Result<void> opened(const std::string &address)
     {
         std::optional<Result<void>> answer;
-        core.openLink(*LinkAddress::parse(address), [&answer](Result<void> result) { answer = std::move(result); });
+        core.send(orders::OpenLink{*LinkAddress::parse(address)},
+            [&answer](Result<void> result) { answer = std::move(result); });
         if (!loop.runUntil([&answer] { return answer.has_value(); }, 5s))
             return fail(Fault::Timeout, say("%1: the order has no answer", address));
         return *answer;
@@ -59,7 +60,7 @@ protected:
     test::EventLoop loop;
     EngineCore core{loop.clock(), families(), true};
     LinkWatch watch{loop.clock()}; // as in app/engine
-    Subscription plugged = watch.changed().add([this] { core.takeListings(listLinks()); });
+    Subscription plugged = watch.changed().add([this] { core.links().takeListings(listLinks()); });
 };
 
 } // namespace

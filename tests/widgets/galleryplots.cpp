@@ -43,29 +43,30 @@ double noise(double t)
 QWidget *livePlotPage(const ThemeSource &theme)
 {
     auto *stack = new PlotStack(theme);
-    stack->setStrip(0, {s("DMC60C #5 velocity"), 1.6, true});
-    stack->setStrip(1, {s("DMC60C #5 current"), 1.0, true});
-    stack->setStrip(2, {s("QuadQuad2Drv ch2 elbow position"), 1.2, true});
+    stack->strips().setStrip(0, {s("DMC60C #5 velocity"), 1.6, true});
+    stack->strips().setStrip(1, {s("DMC60C #5 current"), 1.0, true});
+    stack->strips().setStrip(2, {s("QuadQuad2Drv ch2 elbow position"), 1.2, true});
     const auto gap = [](double t, double value) { return t > 106 && t < 106.84 ? std::nan("") : value; };
-    stack->addTrace({s("#5 velocity"), s("rpm"), TraceRole::Velocity, 0},
+    stack->strips().addTrace({s("#5 velocity"), s("rpm"), TraceRole::Velocity, 0},
         sampled(
             95, 112, 0.01, [&](double t) { return gap(t, response(t - 101, 0.5) + 12 * noise(t)); },
             s("100 Hz, 84 of 1700 lost")));
-    stack->addTrace({s("#5 set-point"), s("rpm"), TraceRole::Setpoint, 0},
+    stack->strips().addTrace({s("#5 set-point"), s("rpm"), TraceRole::Setpoint, 0},
         sampled(95, 112, 0.005, [](double t) { return t < 101 ? 0.0 : 1500.0; }));
-    stack->addTrace({s("#5 current"), s("A"), TraceRole::Current, 1},
+    stack->strips().addTrace({s("#5 current"), s("A"), TraceRole::Current, 1},
         sampled(
             95, 112, 0.001,
             [&](double t) { return gap(t, 4 + 30 * std::exp(-std::abs(t - 101.2) * 3) + 3 * noise(t)); },
             s("1 kHz, 0 lost")));
-    stack->addTrace({s("ch2 position"), s("t"), TraceRole::Position, 2},
+    stack->strips().addTrace({s("ch2 position"), s("t"), TraceRole::Position, 2},
         sampled(95, 112, 0.005, [](double t) { return 8192 * std::sin(t); }));
-    stack->addTrace({s("ch2 duty"), s("%"), TraceRole::Duty, 2},
+    stack->strips().addTrace({s("ch2 duty"), s("%"), TraceRole::Duty, 2},
         sampled(95, 112, 0.005, [](double t) { return 3000 * std::cos(t * 2); }));
-    stack->setLimits(1, {{60, s("peak limit 60 A"), TraceRole::Current}, {30, s("limit 30 A"), TraceRole::Current}});
-    stack->setClock(1718100000.0);
-    stack->setWatermark(s("DEMO"));
-    stack->setRange(100, 112);
+    stack->strips().annotate<PlotLimit>(
+        1, {{60, s("peak limit 60 A"), TraceRole::Current}, {30, s("limit 30 A"), TraceRole::Current}});
+    stack->strips().setClock(1718100000.0);
+    stack->strips().setWatermark(s("DEMO"));
+    stack->view().setRange(100, 112);
     stack->setCursorsShown(true);
     return stack;
 }
@@ -73,28 +74,30 @@ QWidget *livePlotPage(const ThemeSource &theme)
 QWidget *trialPlotPage(const ThemeSource &theme)
 {
     auto *stack = new PlotStack(theme);
-    stack->setStrip(0, {{}, 3.5, true});
-    stack->addTrace({s("A #17 as found"), s("rpm"), TraceRole::Velocity, 0, TraceDash::Long, TraceMarker::HollowSquare},
+    stack->strips().setStrip(0, {{}, 3.5, true});
+    stack->strips().addTrace(
+        {s("A #17 as found"), s("rpm"), TraceRole::Velocity, 0, TraceDash::Long, TraceMarker::HollowSquare},
         sampled(-0.1, 1.3, 0.001, [](double t) { return response(t, 0.4); }));
-    stack->addTrace({s("B #21"), s("rpm"), TraceRole::Velocity, 0, TraceDash::Automatic, TraceMarker::Automatic, true},
+    stack->strips().addTrace(
+        {s("B #21"), s("rpm"), TraceRole::Velocity, 0, TraceDash::Automatic, TraceMarker::Automatic, true},
         sampled(
             -0.1, 1.3, 0.001, [](double t) { return response(t, 0.8); }, s("1 kHz, mean of 4, 0 of 6400 lost")));
-    stack->addTrace({s("next, predicted"), s("rpm"), TraceRole::Neutral, 0, TraceDash::Dots},
+    stack->strips().addTrace({s("next, predicted"), s("rpm"), TraceRole::Neutral, 0, TraceDash::Dots},
         sampled(-0.1, 1.3, 0.001, [](double t) { return response(t, 0.7); }));
-    stack->addTrace({s("set-point"), s("rpm"), TraceRole::Setpoint, 0},
+    stack->strips().addTrace({s("set-point"), s("rpm"), TraceRole::Setpoint, 0},
         sampled(-0.1, 1.3, 0.001, [](double t) { return t < 0 ? 0.0 : 1500.0; }));
-    stack->addTrace({s("duty"), s("%"), TraceRole::Duty, 1},
+    stack->strips().addTrace({s("duty"), s("%"), TraceRole::Duty, 1},
         sampled(-0.1, 1.3, 0.001, [](double t) { return t < 0 ? 0.0 : 29 + 20 * std::exp(-t * 6); }));
-    stack->addTrace({s("current"), s("A"), TraceRole::Current, 2},
+    stack->strips().addTrace({s("current"), s("A"), TraceRole::Current, 2},
         sampled(-0.1, 1.3, 0.001, [](double t) { return t < 0 ? 0.0 : 2.3 + 44 * std::exp(-t * 9); }));
-    stack->setBands(0, {{1470, 1530, s("±2 % band"), Tone::Ok}});
+    stack->strips().annotate<PlotBand>(0, {{1470, 1530, s("±2 % band"), Tone::Ok}});
     for (int strip = 0; strip < 3; ++strip)
-        stack->setSpans(
+        stack->strips().annotate<PlotSpan>(
             strip, {{0, 0.107, strip == 0 ? s("duty at 55 % limit, 107 ms (A)") : QString(), TraceRole::Current}});
-    stack->setNotes(0,
+    stack->strips().annotate<PlotNote>(0,
         {{0.22, 1880, s("A peak 1 880 · +25 %"), QPointF(14, -16), false},
             {0.38, 1510, s("B settles 286 ms"), QPointF(16, 90), true}});
-    stack->setLimits(2, {{60, s("peak limit 60 A / 500 ms"), TraceRole::Current}});
+    stack->strips().annotate<PlotLimit>(2, {{60, s("peak limit 60 A / 500 ms"), TraceRole::Current}});
     stack->setFootNote(s("t = 0 at measured duty edge"));
     stack->fit();
     return stack;

@@ -5,11 +5,13 @@
 #include "tunebench.h"
 #include "widgets/common/segmented.h"
 #include "widgets/plots/curveplot.h"
+#include "widgets/plots/exportbar.h"
 #include "widgets/plots/plotdialogs.h"
 #include "widgets/plots/plotscrubber.h"
 #include "widgets/plots/plotspage.h"
 #include "widgets/plots/recorder.h"
 #include "widgets/plots/tracelist.h"
+#include "widgets/plots/tracepanel.h"
 #include "widgets/plots/triggerbar.h"
 
 #include <QApplication>

@@ -80,14 +80,14 @@ private:
         m_bench.other.skip(0.9);
         m_bench.pass(3, 40'000);
         picture("loss");
-        m_bench.stack().setLive(false);
+        m_bench.stack().view().setLive(false);
         picture("paused");
-        m_bench.stack().setLive(true);
+        m_bench.stack().view().setLive(true);
     }
 
     void cursors()
     {
-        const auto [from, to] = m_bench.stack().range();
+        const auto [from, to] = m_bench.stack().view().range();
         m_bench.stack().setCursorsShown(true);
         m_bench.stack().setCursorKeys(from + (to - from) * 0.3, from + (to - from) * 0.5);
         m_bench.board().addNote(to - 2.0, s("load pulse by hand"));
@@ -110,13 +110,13 @@ private:
     void triggered()
     {
         m_bench.board().keepReferences();
-        m_bench.page->triggerBar().setLevel(30'000.0);
-        m_bench.page->triggerOn(m_bench.board().traces().front().id); // its velocity
+        m_bench.page->trigger().bar().setLevel(30'000.0);
+        m_bench.page->trigger().armOn(m_bench.board().traces().front().id); // its velocity
         picture("armed");
         m_bench.pass(3, 55'000);
         m_bench.pass(6, 55'000);
         picture("trigger");
-        m_bench.page->triggerOff();
+        m_bench.page->trigger().disarm();
     }
 
     void otherViews()

@@ -138,7 +138,7 @@ void TestExperiments::twoTrialsLieOverEachOtherWithTheirDifferenceInWords()
     QCOMPARE(bench.metric(0, 2), s("4.6"));
     QCOMPARE(bench.metric(0, 3), s("\u221211.7 ▼ better"));
     QVERIFY2(bench.metric(3, 3).endsWith(s("▲ slower")), qPrintable(bench.metric(3, 3)));
-    QCOMPARE(trials.plot().stack().traceCount(), 5); // twice velocity and duty, and the set-point
+    QCOMPARE(trials.plot().stack().strips().traceCount(), 5); // twice velocity and duty, and the set-point
     QVERIFY(trials.metrics().chips().contains(s("SAT 8 %")));
     QVERIFY(trials.metrics().chips().contains(s("SIMULATED")));
     QVERIFY(trials.metrics().chips().filter(s("WINDUP")).size() == 1);
@@ -158,7 +158,7 @@ void TestExperiments::anotherStimulusIsNotDrawnOverB()
     bench.page->run();
     bench.finish(0.5);
     QVERIFY(!bench.page->trials().isComparable());
-    QCOMPARE(bench.page->trials().plot().stack().traceCount(), 3);
+    QCOMPARE(bench.page->trials().plot().stack().strips().traceCount(), 3);
 }
 
 void TestExperiments::theGainsOfATrialComeBackAsEdits()

@@ -176,15 +176,15 @@ void HonestyTest::anIdleSetPointIsNoGap()
         TraceStyle style;
         style.name = QStringLiteral("x");
         style.role = role;
-        stack.setStrip(0, {});
-        stack.addTrace(style,
+        stack.strips().setStrip(0, {});
+        stack.strips().addTrace(style,
             std::make_shared<FixedTrace>(
                 std::vector<PlotPoint>{{1.0, 5.0}, {2.0, 5.0}, PlotPoint::gap(2.0), {6.0, 5.0}, {7.0, 5.0}}));
         stack.resize(400, 300);
-        stack.setRange(0.0, 8.0);
+        stack.view().setRange(0.0, 8.0);
         stack.show();
         stack.refresh(8.0);
-        return stack.summary();
+        return stack.readings().summary();
     };
     QVERIFY(summaryOf(TraceRole::Velocity).contains(QStringLiteral("1 gap")));
     QVERIFY(!summaryOf(TraceRole::Setpoint).contains(QStringLiteral("gap")));
@@ -220,14 +220,14 @@ void HonestyTest::aLineThatBeginsAnewIsNoGap()
     TraceStyle style;
     style.name = QStringLiteral("x");
     style.role = TraceRole::Velocity;
-    stack.setStrip(0, {});
-    stack.addTrace(style, std::make_shared<TelemetrySource>(telemetry, ChannelIndex{0}));
+    stack.strips().setStrip(0, {});
+    stack.strips().addTrace(style, std::make_shared<TelemetrySource>(telemetry, ChannelIndex{0}));
     stack.resize(800, 300);
-    stack.setRange(0.5, 3.0);
+    stack.view().setRange(0.5, 3.0);
     stack.show();
     stack.refresh(3.0);
     QFETCH(bool, isGap);
-    QCOMPARE(stack.summary().contains(QStringLiteral("1 gap")), isGap);
+    QCOMPARE(stack.readings().summary().contains(QStringLiteral("1 gap")), isGap);
 }
 
 void HonestyTest::lossIsOneCount()

@@ -81,14 +81,14 @@ void TestPlotBoard::statisticsOfTheSelectionAreThoseOfItsSamples()
     bench.stack().setCursorsShown(true);
     const double now = plotKey(bench.workbench.time);
     bench.stack().setCursorKeys(now - 2.0, now - 1.0);
-    const auto found = bench.stack().selection(bench.trace("#5 velocity").id);
+    const auto found = bench.stack().readings().selection(bench.trace("#5 velocity").id);
     QVERIFY(found);
     QVERIFY2(found->count >= 99 && found->count <= 102, QByteArray::number(static_cast<int>(found->count)));
     QVERIFY(std::abs(found->mean - 60000.0) < 500.0);
     QVERIFY(found->low <= found->mean + 1e-6 && found->mean <= found->high + 1e-6); // of equal samples it is rounded
     const auto &rows = bench.page->findChild<TraceList *>()->rows();
     QVERIFY2(rows.front().statistics.contains(s("mean")), qPrintable(rows.front().statistics));
-    const auto duty = bench.stack().selection(bench.trace("#5 duty").id); // shown in percent
+    const auto duty = bench.stack().readings().selection(bench.trace("#5 duty").id); // shown in percent
     QVERIFY(duty && duty->high > 5.0 && duty->high < 100.0);
 }
 
@@ -99,7 +99,7 @@ void TestPlotBoard::numbersCanBeCopied()
     bench.stack().setCursorsShown(true);
     const double now = plotKey(bench.workbench.time);
     bench.stack().setCursorKeys(now - 2.0, now - 1.0);
-    const QStringList lines = bench.stack().numbers().split(QLatin1Char('\n'));
+    const QStringList lines = bench.stack().readings().numbers().split(QLatin1Char('\n'));
     QCOMPARE(lines.first().split(QLatin1Char('\t')).size(), 11);
     QVERIFY(lines.at(2).startsWith(s("#5 velocity\tcounts/s\t")));
     QCOMPARE(lines.at(2).split(QLatin1Char('\t')).size(), 11);
@@ -109,43 +109,43 @@ void TestPlotBoard::theTriggerStandsStillAtTheEventAndGoesOn()
 {
     PlotBench bench;
     bench.pass(1.0, 0.0);
-    bench.stack().setWindow(2.0);
-    bench.page->triggerBar().setLevel(30000.0);
-    bench.page->triggerOn(bench.trace("#5 velocity").id);
-    QVERIFY(bench.page->trigger().isArmed());
-    QVERIFY(!bench.page->trigger().event());
+    bench.stack().view().setWindow(2.0);
+    bench.page->trigger().bar().setLevel(30000.0);
+    bench.page->trigger().armOn(bench.trace("#5 velocity").id);
+    QVERIFY(bench.page->trigger().watch().isArmed());
+    QVERIFY(!bench.page->trigger().watch().event());
     bench.pass(1.0, 60000.0);
-    QTRY_VERIFY(bench.page->trigger().event());
-    const double event = *bench.page->trigger().event();
-    QVERIFY(std::abs(bench.stack().valueAt(bench.trace("#5 velocity").id, event) - 30000.0) < 1500.0);
-    const auto [from, to] = bench.stack().range();
+    QTRY_VERIFY(bench.page->trigger().watch().event());
+    const double event = *bench.page->trigger().watch().event();
+    QVERIFY(std::abs(bench.stack().readings().valueAt(bench.trace("#5 velocity").id, event) - 30000.0) < 1500.0);
+    const auto [from, to] = bench.stack().view().range();
     QVERIFY(std::abs((event - from) / (to - from) - 0.2) < 0.02); // 20 % before it
     bench.pass(1.5, 0.0);
-    QCOMPARE(*bench.page->trigger().event(), event); // downwards is none
+    QCOMPARE(*bench.page->trigger().watch().event(), event); // downwards is none
     bench.pass(1.0, 60000.0);
-    QTRY_VERIFY(*bench.page->trigger().event() > event + 1.0);
-    QCOMPARE(bench.page->trigger().events(), 2);
-    bench.page->triggerOff();
+    QTRY_VERIFY(*bench.page->trigger().watch().event() > event + 1.0);
+    QCOMPARE(bench.page->trigger().watch().events(), 2);
+    bench.page->trigger().disarm();
     bench.pass(0.5, 60000.0);
-    QVERIFY(bench.stack().range().second >= plotKey(bench.workbench.time) - 0.1);
+    QVERIFY(bench.stack().view().range().second >= plotKey(bench.workbench.time) - 0.1);
 }
 
 void TestPlotBoard::aSingleEventStays()
 {
     PlotBench bench;
     bench.pass(1.0, 0.0);
-    bench.stack().setWindow(1.0);
-    auto *mode = bench.page->triggerBar().findChild<Segmented *>();
-    bench.page->triggerBar().setLevel(30000.0);
-    bench.page->triggerOn(bench.trace("#5 velocity").id);
+    bench.stack().view().setWindow(1.0);
+    auto *mode = bench.page->trigger().bar().findChild<Segmented *>();
+    bench.page->trigger().bar().setLevel(30000.0);
+    bench.page->trigger().armOn(bench.trace("#5 velocity").id);
     mode->setCurrent(1);
     for (int i = 0; i < 3; ++i) {
         bench.pass(1.5, 60000.0);
         bench.pass(1.5, 0.0);
     }
-    QVERIFY(bench.page->trigger().isDone());
-    QCOMPARE(bench.page->trigger().events(), 1);
-    QVERIFY(*bench.page->trigger().event() < 1003.0);
+    QVERIFY(bench.page->trigger().watch().isDone());
+    QCOMPARE(bench.page->trigger().watch().events(), 1);
+    QVERIFY(*bench.page->trigger().watch().event() < 1003.0);
 }
 
 void TestPlotBoard::pausingDoesNotStopTheRecording()
@@ -153,17 +153,17 @@ void TestPlotBoard::pausingDoesNotStopTheRecording()
     PlotBench bench;
     bench.pass(1.0, 1000.0);
     const auto before = bench.recording.telemetry()->size(channel("velocity"));
-    bench.stack().setLive(false);
-    const auto range = bench.stack().range();
+    bench.stack().view().setLive(false);
+    const auto range = bench.stack().view().range();
     bench.pass(2.0, 1000.0);
-    QCOMPARE(bench.stack().range(), range);
+    QCOMPARE(bench.stack().view().range(), range);
     QCOMPARE(bench.recording.telemetry()->size(channel("velocity")), before + 200);
-    bench.stack().setLive(true);
+    bench.stack().view().setLive(true);
     bench.pass(0.1, 1000.0);
-    QVERIFY(bench.stack().selection(bench.trace("#5 velocity").id) == std::nullopt);
+    QVERIFY(bench.stack().readings().selection(bench.trace("#5 velocity").id) == std::nullopt);
     bench.stack().setCursorsShown(true);
     bench.stack().setCursorKeys(1000.0, 1003.0);
-    const auto found = bench.stack().selection(bench.trace("#5 velocity").id);
+    const auto found = bench.stack().readings().selection(bench.trace("#5 velocity").id);
     QCOMPARE(found->count, std::size_t{301}); // what came while it was paused is there
 }
 
@@ -171,8 +171,8 @@ void TestPlotBoard::theLevelCanBeDragged()
 {
     PlotBench bench;
     bench.pass(2.0, 60000.0);
-    bench.page->triggerBar().setLevel(30000.0);
-    bench.page->triggerOn(bench.trace("#5 velocity").id);
+    bench.page->trigger().bar().setLevel(30000.0);
+    bench.page->trigger().armOn(bench.trace("#5 velocity").id);
     bench.pass(0.2, 60000.0);
     QCustomPlot &plot = bench.stack().plot();
     QCPAxisRect *pane = plot.axisRect(0);
@@ -183,8 +183,8 @@ void TestPlotBoard::theLevelCanBeDragged()
     QMouseEvent move(QEvent::MouseMove, target, Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&plot, &move);
     QTest::mouseRelease(&plot, Qt::LeftButton, Qt::NoModifier, target);
-    QVERIFY2(std::abs(bench.page->triggerBar().setup().level - 10000.0) < 1000.0,
-        QByteArray::number(bench.page->triggerBar().setup().level));
+    QVERIFY2(std::abs(bench.page->trigger().bar().setup().level - 10000.0) < 1000.0,
+        QByteArray::number(bench.page->trigger().bar().setup().level));
 }
 
 void TestPlotBoard::aDerivedSignalIsPlottedLikeAnyOther()
@@ -197,9 +197,9 @@ void TestPlotBoard::aDerivedSignalIsPlottedLikeAnyOther()
     QCOMPARE(bench.trace("sum").style.unit, s("counts/s"));
     const auto last = bench.trace("sum").source->latest();
     QVERIFY(last && std::abs(*last) < 1e-6); // one runs forwards, the other backwards
-    QVERIFY(!bench.page->signalList().list().findItems(s("sum"), Qt::MatchExactly).isEmpty());
+    QVERIFY(!bench.page->panel().signalList().list().findItems(s("sum"), Qt::MatchExactly).isEmpty());
     bench.board().removeDerived(0);
-    QVERIFY(bench.page->signalList().list().findItems(s("sum"), Qt::MatchExactly).isEmpty());
+    QVERIFY(bench.page->panel().signalList().list().findItems(s("sum"), Qt::MatchExactly).isEmpty());
     QCOMPARE(bench.page->traceCount(), std::size_t{4});
 }
 
@@ -216,18 +216,19 @@ void TestPlotBoard::aWrongFormulaSaysWhy()
 void TestPlotBoard::referencesStayWhereTheyWereSeen()
 {
     PlotBench bench;
-    bench.stack().setWindow(2.0);
+    bench.stack().view().setWindow(2.0);
     bench.pass(2.0, 60000.0);
     const int velocity = bench.trace("#5 velocity").id;
-    const double before = bench.stack().valueAt(velocity, bench.stack().range().first + 1.0);
+    const double before = bench.stack().readings().valueAt(velocity, bench.stack().view().range().first + 1.0);
     bench.board().keepReferences();
     QCOMPARE(bench.board().references().size(), std::size_t{4});
     bench.pass(3.0, 0.0);
     const int reference = bench.board().references().front().id;
-    const double after = bench.stack().valueAt(reference, bench.stack().range().first + 1.0);
+    const double after = bench.stack().readings().valueAt(reference, bench.stack().view().range().first + 1.0);
     QVERIFY2(std::abs(after - before) < 700.0, QByteArray::number(after) + ' ' + QByteArray::number(before));
-    QVERIFY(
-        std::abs(bench.stack().valueAt(bench.trace("#5 velocity").id, bench.stack().range().second - 0.1)) < 5000.0);
+    QVERIFY(std::abs(bench.stack().readings().valueAt(
+                bench.trace("#5 velocity").id, bench.stack().view().range().second - 0.1))
+        < 5000.0);
     bench.board().clearReferences();
     QVERIFY(bench.board().references().empty());
 }

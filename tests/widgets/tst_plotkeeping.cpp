@@ -29,14 +29,14 @@ void TestPlotKeeping::notesStandInThePlotAndInTheFile()
     bench.board().addNote(1001.0, s("load pulse"));
     bench.board().addNote(1001.0, s("  "));
     QCOMPARE(bench.board().notes().size(), std::size_t{1});
-    QSignalSpy wanted(&bench.stack(), &PlotStack::noteRequested);
+    QSignalSpy wanted(&bench.stack().input(), &PlotInput::noteRequested);
     QTest::keyClick(&bench.stack(), Qt::Key_N);
     QCOMPARE(wanted.count(), 1);
     for (QWidget *dialog : QApplication::topLevelWidgets()) {
         if (dialog->windowTitle() == s("Note at this time"))
             dialog->close();
     }
-    bench.page->exportSamples({ExportChoice::Range::Seen, false, folder.filePath(s("a.csv"))});
+    bench.page->exportBar().exportSamples({ExportChoice::Range::Seen, false, folder.filePath(s("a.csv"))});
     QFile file(folder.filePath(s("a.csv")));
     QTRY_VERIFY(file.exists());
     QVERIFY(file.open(QIODevice::ReadOnly));
@@ -50,7 +50,7 @@ void TestPlotKeeping::theWholeSessionIsExportedWithItsDevices()
     bench.pass(3.0, 60000.0);
     bench.recording.telemetry()->lost(channel("velocity"), 9);
     bench.pass(1.0, 60000.0);
-    bench.page->exportSamples({ExportChoice::Range::Session, true, folder.filePath(s("a.mcap"))});
+    bench.page->exportBar().exportSamples({ExportChoice::Range::Session, true, folder.filePath(s("a.mcap"))});
     QTRY_VERIFY(QFile::exists(folder.filePath(s("a.mcap"))));
     const auto loaded = loadRecording(folder.filePath(s("a.mcap")).toStdString());
     QVERIFY(loaded);
@@ -72,7 +72,7 @@ void TestPlotKeeping::anExportCanBeCancelled()
         bench.recording.telemetry()->append({channel("velocity"), bench.workbench.time + i * 1ms, 1.0});
     bench.recording.telemetry()->commit();
     bench.workbench.time += 400s;
-    bench.page->exportSamples({ExportChoice::Range::Session, false, folder.filePath(s("a.csv"))});
+    bench.page->exportBar().exportSamples({ExportChoice::Range::Session, false, folder.filePath(s("a.csv"))});
     for (QPushButton *button : bench.page->findChildren<QPushButton *>()) {
         if (button->text() == s("Cancel"))
             button->click();
@@ -92,29 +92,29 @@ void TestPlotKeeping::layoutsComeBack()
     bench.board().setSecondAxis(bench.trace("#5 current").id, true);
     QVERIFY(bench.board().addDerived(s("sum"), s("counts/s"), s("d5_velocity + d7_velocity")));
     bench.board().moveToPane(bench.trace("sum").id, bench.board().paneOf(-1));
-    bench.stack().setWindow(30.0);
-    const PlotLayout layout = bench.page->currentLayout();
+    bench.stack().view().setWindow(30.0);
+    const PlotLayout layout = bench.page->layoutBook().current();
     const auto parsed = PlotLayout::fromJson(layout.toJson());
     QVERIFY(parsed && *parsed == layout);
     bench.page.reset(); // the end of the program
     bench.open();
     bench.page->setLayoutFolder(folder.path());
-    QVERIFY(bench.page->currentLayout() == layout);
+    QVERIFY(bench.page->layoutBook().current() == layout);
     QVERIFY(!PlotLayout::fromJson("{}"));
     QVERIFY(!PlotLayout::fromJson("{\"motorbench\":\"plot layout\",\"window\":-1}"));
-    QVERIFY(bench.page->layouts().names().isEmpty()); // @last is nobody's name
+    QVERIFY(bench.page->layoutBook().layouts().names().isEmpty()); // @last is nobody's name
 }
 
 void TestPlotKeeping::aLayoutWaitsForItsDevices()
 {
     PlotBench bench;
     bench.page->addSignal({{2}, channel("velocity")});
-    const PlotLayout layout = bench.page->currentLayout();
+    const PlotLayout layout = bench.page->layoutBook().current();
     const DeviceView second = bench.workbench.shot.devices.back();
     bench.page.reset();
     bench.workbench.shot.devices.pop_back();
     bench.open();
-    bench.page->applyLayout(layout);
+    bench.page->layoutBook().apply(layout);
     QCOMPARE(bench.page->traceCount(), std::size_t{4});
     bench.workbench.shot.devices.push_back(second);
     bench.workbench.publish();
@@ -142,7 +142,7 @@ void TestPlotKeeping::resetBringsTheUsualBack()
     bench.page->addSignal({{2}, channel("velocity")});
     bench.pass(1.0, 100.0);
     bench.board().keepReferences();
-    bench.page->resetLayout();
+    bench.page->layoutBook().reset();
     QCOMPARE(bench.page->traceCount(), std::size_t{4});
     QVERIFY(bench.board().references().empty());
     QVERIFY(!bench.board().isTouched());
@@ -154,13 +154,13 @@ void TestPlotKeeping::theScrubberScrollsBackWhileRecording()
     bench.pass(120.0, 60000.0);
     auto *scrubber = bench.page->findChild<PlotScrubber *>();
     QTest::mouseClick(scrubber, Qt::LeftButton, Qt::NoModifier, QPoint(scrubber->width() / 2, scrubber->height() / 3));
-    QVERIFY(!bench.stack().isLive());
-    const auto [from, to] = bench.stack().range();
+    QVERIFY(!bench.stack().view().isLive());
+    const auto [from, to] = bench.stack().view().range();
     QVERIFY2(from > 1030.0 && to < 1090.0, QByteArray::number(from));
     bench.pass(1.0, 60000.0);
-    QCOMPARE(bench.stack().range(), std::make_pair(from, to));
+    QCOMPARE(bench.stack().view().range(), std::make_pair(from, to));
     QTest::keyClick(scrubber, Qt::Key_End);
-    QVERIFY(bench.stack().isLive());
+    QVERIFY(bench.stack().view().isLive());
 }
 
 void TestPlotKeeping::recordingBeginsBeforeItWasAskedFor()

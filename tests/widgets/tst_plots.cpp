@@ -55,10 +55,10 @@ std::unique_ptr<PlotStack> shownStack(const ThemeSource &theme)
 std::unique_ptr<PlotStack> spikeStack(const ThemeSource &theme, int spikeAt)
 {
     auto stack = shownStack(theme);
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0, TraceDash::Automatic, TraceMarker::None},
+    stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0, TraceDash::Automatic, TraceMarker::None},
         std::make_shared<FixedTrace>(flatWithSpike(200'000, spikeAt, 1000.0)));
-    stack->setRange(0, 1);
-    stack->setValueRange(0, std::pair(-100.0, 1100.0));
+    stack->view().setRange(0, 1);
+    stack->strips().setValueRange(0, std::pair(-100.0, 1100.0));
     stack->refresh(0);
     return stack;
 }
@@ -161,13 +161,13 @@ void PlotsTest::whatIsKeptOfThePictureIsWhatWouldBeDrawn()
 {
     const auto stack = shownStack(m_theme);
     for (int strip = 0; strip < 2; ++strip) {
-        stack->addTrace({s("velocity"), s("rpm"), TraceRole::Velocity, strip}, std::make_shared<Wave>());
-        stack->addTrace({s("set-point"), s("rpm"), TraceRole::Setpoint, strip}, std::make_shared<Wave>());
+        stack->strips().addTrace({s("velocity"), s("rpm"), TraceRole::Velocity, strip}, std::make_shared<Wave>());
+        stack->strips().addTrace({s("set-point"), s("rpm"), TraceRole::Setpoint, strip}, std::make_shared<Wave>());
     }
-    stack->setWatermark(s("DEMO"));
-    stack->setLimits(0, {{0.4, s("limit"), TraceRole::Current}});
-    stack->setMarks({{107, s("load pulse")}});
-    stack->setWindow(10);
+    stack->strips().setWatermark(s("DEMO"));
+    stack->strips().annotate<PlotLimit>(0, {{0.4, s("limit"), TraceRole::Current}});
+    stack->strips().setMarks({{107, s("load pulse")}});
+    stack->view().setWindow(10);
     QVERIFY(QTest::qWaitForWindowExposed(stack.get()));
     stack->refresh(100);
     PartialPaints partial(stack->plot());
@@ -185,7 +185,7 @@ void PlotsTest::nothingIsFetchedWhileHidden()
     PlotStack stack(m_theme);
     stack.resize(600, 300);
     const auto source = std::make_shared<Counting>();
-    stack.addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, source);
+    stack.strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, source);
     for (int i = 0; i < 10; ++i)
         stack.refresh(i);
     QCoreApplication::processEvents();
@@ -200,15 +200,15 @@ void PlotsTest::liveFollowsThePresentByWholeColumns()
 {
     const auto stack = shownStack(m_theme);
     const auto source = std::make_shared<Counting>();
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, source);
-    stack->setWindow(60);
+    stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, source);
+    stack->view().setWindow(60);
     stack->refresh(100);
     QCoreApplication::processEvents();
     stack->refresh(100);
-    QVERIFY(stack->range().second >= 100 && stack->range().second < 100.5);
-    QCOMPARE(stack->range().second - stack->range().first, 60.0);
+    QVERIFY(stack->view().range().second >= 100 && stack->view().range().second < 100.5);
+    QCOMPARE(stack->view().range().second - stack->view().range().first, 60.0);
     const int asked = source->asked;
-    stack->refresh(stack->range().second - 1e-6); // less than a pixel later
+    stack->refresh(stack->view().range().second - 1e-6); // less than a pixel later
     QCOMPARE(source->asked, asked);
     stack->refresh(102);
     QCOMPARE(source->asked, asked + 1);
@@ -218,26 +218,26 @@ void PlotsTest::pausedStaysWhereItIs()
 {
     const auto stack = shownStack(m_theme);
     const auto source = std::make_shared<Counting>();
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, source);
-    QSignalSpy live(stack.get(), &PlotStack::liveChanged);
-    stack->setRange(3, 5);
+    stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, source);
+    QSignalSpy live(&stack->view(), &PlotView::liveChanged);
+    stack->view().setRange(3, 5);
     QCOMPARE(live.count(), 1);
     stack->refresh(100);
     const int asked = source->asked;
     stack->refresh(200);
     QCOMPARE(source->asked, asked);
-    QCOMPARE(stack->range(), std::make_pair(3.0, 5.0));
+    QCOMPARE(stack->view().range(), std::make_pair(3.0, 5.0));
 }
 
 void PlotsTest::aGapAtThePresentEndsNow()
 {
     const auto stack = shownStack(m_theme);
     std::vector<PlotPoint> points{{0, 1}, {1, 2}, PlotPoint::gap(1.0)};
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<FixedTrace>(points));
-    stack->setWindow(10);
+    stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<FixedTrace>(points));
+    stack->view().setWindow(10);
     stack->refresh(5);
     const QImage image = stack->plot().picture({600, 300}, 1.0);
-    QVERIFY(stack->summary().contains(s("1 gap")));
+    QVERIFY(stack->readings().summary().contains(s("1 gap")));
     QVERIFY(pixelsNear(image, m_theme.theme().caution) > 5);
 }
 
@@ -245,15 +245,16 @@ void PlotsTest::clearingLeavesAUsablePlot()
 {
     const auto stack = shownStack(m_theme);
     for (int round = 0; round < 3; ++round) {
-        const int first = stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
-        stack->addTrace({s("c"), s("A"), TraceRole::Current, 2}, std::make_shared<Counting>());
-        stack->setSource(first, std::make_shared<Counting>());
+        const int first
+            = stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
+        stack->strips().addTrace({s("c"), s("A"), TraceRole::Current, 2}, std::make_shared<Counting>());
+        stack->strips().setSource(first, std::make_shared<Counting>());
         stack->refresh(10 + round);
-        QCOMPARE(stack->traceCount(), 2);
-        stack->removeTrace(first);
-        QCOMPARE(stack->traceCount(), 1);
-        stack->clear();
-        QCOMPARE(stack->traceCount(), 0);
+        QCOMPARE(stack->strips().traceCount(), 2);
+        stack->strips().removeTrace(first);
+        QCOMPARE(stack->strips().traceCount(), 1);
+        stack->strips().clear();
+        QCOMPARE(stack->strips().traceCount(), 0);
         stack->refresh(10.5 + round);
     }
     QCOMPARE(stack->plot().axisRectCount(), 0);
@@ -262,68 +263,68 @@ void PlotsTest::clearingLeavesAUsablePlot()
 void PlotsTest::cursorsReadTheTrace()
 {
     const auto stack = shownStack(m_theme);
-    const int trace = stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0},
+    const int trace = stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0},
         std::make_shared<FixedTrace>(std::vector<PlotPoint>{{0, 0}, {3, 30}}));
-    stack->setRange(0, 3);
+    stack->view().setRange(0, 3);
     stack->refresh(0);
     QSignalSpy changed(stack.get(), &PlotStack::cursorsChanged);
     stack->setCursorsShown(true);
     QCOMPARE(changed.count(), 1);
     const auto [a, b] = stack->cursorKeys();
-    QCOMPARE(stack->valueAt(trace, a), 10.0);
-    QCOMPARE(stack->valueAt(trace, b), 20.0);
+    QCOMPARE(stack->readings().valueAt(trace, a), 10.0);
+    QCOMPARE(stack->readings().valueAt(trace, b), 20.0);
 }
 
 void PlotsTest::keysZoomPauseAndFit()
 {
     const auto stack = shownStack(m_theme);
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0},
+    stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0},
         std::make_shared<FixedTrace>(std::vector<PlotPoint>{{0, 0}, {3, 30}}));
     stack->refresh(50);
-    const double window = stack->window();
+    const double window = stack->view().window();
     QTest::keyClick(stack.get(), Qt::Key_Plus);
-    QVERIFY(stack->window() < window);
-    QVERIFY(stack->isLive());
+    QVERIFY(stack->view().window() < window);
+    QVERIFY(stack->view().isLive());
     QTest::keyClick(stack.get(), Qt::Key_P);
-    QVERIFY(!stack->isLive());
+    QVERIFY(!stack->view().isLive());
     QTest::keyClick(stack.get(), Qt::Key_0);
-    QCOMPARE(stack->range(), std::make_pair(0.0, 3.0));
+    QCOMPARE(stack->view().range(), std::make_pair(0.0, 3.0));
     QTest::keyClick(stack.get(), Qt::Key_L);
     QVERIFY(stack->cursorsShown());
     QTest::keyClick(stack.get(), Qt::Key_End);
-    QVERIFY(stack->isLive());
+    QVERIFY(stack->view().isLive());
 }
 
 void PlotsTest::aBoxZoomsTimeAndValuesWhileLive()
 {
     const auto stack = shownStack(m_theme);
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
-    stack->setWindow(10);
+    stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
+    stack->view().setWindow(10);
     stack->refresh(100);
-    QVERIFY(stack->isLive());
+    QVERIFY(stack->view().isLive());
     QCustomPlot &plot = stack->plot();
     const QRect area = plot.axisRect(0)->rect();
-    const auto [from, to] = stack->range();
+    const auto [from, to] = stack->view().range();
     const QPoint corner(area.left() + area.width() / 4, area.top() + area.height() / 4);
     const QPoint other(area.left() + area.width() / 2, area.top() + area.height() / 2);
     const double upper = plot.axisRect(0)->axis(QCPAxis::atLeft)->pixelToCoord(corner.y());
     QTest::mousePress(&plot, Qt::LeftButton, Qt::ShiftModifier, corner);
     QTest::mouseRelease(&plot, Qt::LeftButton, Qt::ShiftModifier, other);
     stack->refresh(101);
-    QVERIFY(!stack->isLive());
-    QVERIFY(std::abs(stack->range().first - (from + (to - from) / 4)) < 0.1);
-    QVERIFY(std::abs(stack->range().second - (from + to) / 2) < 0.1);
+    QVERIFY(!stack->view().isLive());
+    QVERIFY(std::abs(stack->view().range().first - (from + (to - from) / 4)) < 0.1);
+    QVERIFY(std::abs(stack->view().range().second - (from + to) / 2) < 0.1);
     QVERIFY(std::abs(plot.axisRect(0)->axis(QCPAxis::atLeft)->range().upper - upper) < 0.05);
     QTest::keyClick(stack.get(), Qt::Key_End); // back, with the axis following the data again
     stack->refresh(102);
-    QVERIFY(stack->isLive());
+    QVERIFY(stack->view().isLive());
 }
 
 void PlotsTest::theWheelZoomsAndMovesWhileLive()
 {
     const auto stack = shownStack(m_theme);
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
-    stack->setWindow(10);
+    stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
+    stack->view().setWindow(10);
     stack->refresh(100);
     QCustomPlot &plot = stack->plot();
     const QPoint middle = plot.axisRect(0)->rect().center();
@@ -333,22 +334,22 @@ void PlotsTest::theWheelZoomsAndMovesWhileLive()
         QApplication::sendEvent(&plot, &event);
     };
     turn(120, Qt::NoModifier);
-    QVERIFY(stack->window() < 10.0 && stack->isLive());
+    QVERIFY(stack->view().window() < 10.0 && stack->view().isLive());
     const QCPRange before = plot.axisRect(0)->axis(QCPAxis::atLeft)->range();
     turn(120, Qt::ControlModifier);
     stack->refresh(101);
     QVERIFY(plot.axisRect(0)->axis(QCPAxis::atLeft)->range().size() < before.size());
-    QVERIFY(stack->isLive());
-    const double from = stack->range().first;
+    QVERIFY(stack->view().isLive());
+    const double from = stack->view().range().first;
     turn(120, Qt::ShiftModifier); // back in time
-    QVERIFY(!stack->isLive() && stack->range().first < from);
+    QVERIFY(!stack->view().isLive() && stack->view().range().first < from);
 }
 
 void PlotsTest::arrowsMoveACursorByAPixel()
 {
     const auto stack = shownStack(m_theme);
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
-    stack->setRange(0, 3);
+    stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
+    stack->view().setRange(0, 3);
     stack->refresh(0);
     stack->setCursorsShown(true);
     const auto [a, b] = stack->cursorKeys();
@@ -358,24 +359,24 @@ void PlotsTest::arrowsMoveACursorByAPixel()
     QTest::keyClick(stack.get(), Qt::Key_C);
     QTest::keyClick(stack.get(), Qt::Key_Left, Qt::ControlModifier);
     QVERIFY(std::abs(stack->cursorKeys().first - (a - 10 * pixel)) < 1e-9);
-    QCOMPARE(stack->range(), std::make_pair(0.0, 3.0));
+    QCOMPARE(stack->view().range(), std::make_pair(0.0, 3.0));
 }
 
 void PlotsTest::aHeldEventStandsStillWhileLive()
 {
     const auto stack = shownStack(m_theme);
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
-    stack->setWindow(10);
+    stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<Counting>());
+    stack->view().setWindow(10);
     stack->refresh(100);
-    stack->hold(95.0, 0.2);
+    stack->view().hold(95.0, 0.2);
     stack->refresh(101);
-    QVERIFY(stack->isLive());
-    QVERIFY(std::abs(stack->range().first - 93.0) < 0.05);
+    QVERIFY(stack->view().isLive());
+    QVERIFY(std::abs(stack->view().range().first - 93.0) < 0.05);
     stack->refresh(120);
-    QVERIFY(std::abs(stack->range().second - 103.0) < 0.05);
-    stack->hold({}, 0.2);
+    QVERIFY(std::abs(stack->view().range().second - 103.0) < 0.05);
+    stack->view().hold({}, 0.2);
     stack->refresh(121);
-    QVERIFY(stack->range().second >= 121);
+    QVERIFY(stack->view().range().second >= 121);
 }
 
 void PlotsTest::anAlignedTraceStaysOnTheScreen()
@@ -383,25 +384,27 @@ void PlotsTest::anAlignedTraceStaysOnTheScreen()
     const auto stack = shownStack(m_theme);
     TraceStyle style{s("ref"), s("rpm"), TraceRole::Velocity, 0};
     style.aligned = true;
-    const int id = stack->addTrace(style, std::make_shared<FixedTrace>(std::vector<PlotPoint>{{0, 0}, {10, 100}}));
-    stack->setWindow(10);
+    const int id
+        = stack->strips().addTrace(style, std::make_shared<FixedTrace>(std::vector<PlotPoint>{{0, 0}, {10, 100}}));
+    stack->view().setWindow(10);
     for (const double now : {50.0, 77.0}) {
         stack->refresh(now);
-        QVERIFY(std::abs(stack->valueAt(id, stack->range().first + 5.0) - 50.0) < 1e-6);
+        QVERIFY(std::abs(stack->readings().valueAt(id, stack->view().range().first + 5.0) - 50.0) < 1e-6);
     }
-    stack->hold(60.0, 0.5);
+    stack->view().hold(60.0, 0.5);
     stack->refresh(78);
-    QVERIFY(std::abs(stack->valueAt(id, 62.0) - 20.0) < 1e-6); // from the event on
+    QVERIFY(std::abs(stack->readings().valueAt(id, 62.0) - 20.0) < 1e-6); // from the event on
 }
 
 void PlotsTest::aNoteIsDrawnThroughAllStrips()
 {
     const auto stack = shownStack(m_theme);
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<FixedTrace>(std::vector<PlotPoint>{}));
-    stack->setRange(0, 1);
+    stack->strips().addTrace(
+        {s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<FixedTrace>(std::vector<PlotPoint>{}));
+    stack->view().setRange(0, 1);
     stack->refresh(0);
     const QImage before = stack->plot().picture({600, 300}, 1.0);
-    stack->setMarks({{0.5, s("load pulse")}});
+    stack->strips().setMarks({{0.5, s("load pulse")}});
     stack->refresh(0);
     QVERIFY(stack->plot().picture({600, 300}, 1.0) != before);
 }
@@ -409,13 +412,13 @@ void PlotsTest::aNoteIsDrawnThroughAllStrips()
 void PlotsTest::theNumbersOfTheSelectionAreExact()
 {
     const auto stack = shownStack(m_theme);
-    stack->addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0},
+    stack->strips().addTrace({s("v"), s("rpm"), TraceRole::Velocity, 0},
         std::make_shared<FixedTrace>(std::vector<PlotPoint>{{0, 0}, {4, 40}}));
-    stack->setRange(0, 4);
+    stack->view().setRange(0, 4);
     stack->refresh(0);
     stack->setCursorsShown(true);
     stack->setCursorKeys(1.0, 3.0);
-    const QString numbers = stack->numbers();
+    const QString numbers = stack->readings().numbers();
     QVERIFY2(numbers.contains(s("time\ts\t1.000000\t3.000000\t2\t")), qPrintable(numbers));
     QVERIFY2(numbers.contains(s("v\trpm\t10\t30\t20")), qPrintable(numbers));
 }
@@ -424,14 +427,14 @@ void PlotsTest::exportsReadableFiles()
 {
     const QTemporaryDir folder;
     const auto stack = shownStack(m_theme);
-    stack->addTrace(
+    stack->strips().addTrace(
         {s("v"), s("rpm"), TraceRole::Velocity, 0}, std::make_shared<FixedTrace>(flatWithSpike(1000, 500, 10)));
-    stack->setWatermark(s("DEMO"));
-    stack->setRange(0, 1);
+    stack->strips().setWatermark(s("DEMO"));
+    stack->view().setRange(0, 1);
     stack->refresh(0);
-    QSignalSpy exported(stack.get(), &PlotStack::exported);
+    QSignalSpy exported(&stack->exporter(), &PlotExport::exported);
     for (const char *kind : {"png", "svg", "pdf", "csv"})
-        QVERIFY2(stack->exportTo(folder.filePath(s("plot.") + s(kind))), kind);
+        QVERIFY2(stack->exporter().exportTo(folder.filePath(s("plot.") + s(kind))), kind);
     QCOMPARE(exported.count(), 4);
     const QImage picture(folder.filePath(s("plot.png")));
     QVERIFY(picture.width() > 1000 && pixelsNear(picture, m_theme.theme().trace(TraceRole::Velocity)) > 100);
@@ -447,9 +450,9 @@ void PlotsTest::anUnknownSuffixOrFolderFails()
 {
     const QTemporaryDir folder;
     const auto stack = shownStack(m_theme);
-    QSignalSpy failed(stack.get(), &PlotStack::exportFailed);
-    QVERIFY(!stack->exportTo(folder.filePath(s("plot.xyz"))));
-    QVERIFY(!stack->exportTo(folder.filePath(s("missing/plot.csv"))));
+    QSignalSpy failed(&stack->exporter(), &PlotExport::exportFailed);
+    QVERIFY(!stack->exporter().exportTo(folder.filePath(s("plot.xyz"))));
+    QVERIFY(!stack->exporter().exportTo(folder.filePath(s("missing/plot.csv"))));
     QCOMPARE(failed.count(), 2);
     QVERIFY2(failed.at(0).first().toString().contains(s(".pdf")), qPrintable(failed.at(0).first().toString()));
     QVERIFY2(
@@ -460,13 +463,13 @@ void PlotsTest::tableHasOneColumnPerTraceAndBlanksInGaps()
 {
     const QTemporaryDir folder;
     const auto stack = shownStack(m_theme);
-    stack->addTrace({s("speed, left"), s("rpm"), TraceRole::Velocity, 0},
+    stack->strips().addTrace({s("speed, left"), s("rpm"), TraceRole::Velocity, 0},
         std::make_shared<FixedTrace>(std::vector<PlotPoint>{{0, 1.5}, {1, -2}, PlotPoint::gap(2), {3, 4}}));
-    stack->addTrace(
+    stack->strips().addTrace(
         {s("current"), s("A"), TraceRole::Current, 1}, std::make_shared<FixedTrace>(std::vector<PlotPoint>{{1, 7}}));
-    stack->setRange(0, 3);
+    stack->view().setRange(0, 3);
     const QString path = folder.filePath(s("plot.csv"));
-    QVERIFY(stack->exportTo(path));
+    QVERIFY(stack->exporter().exportTo(path));
     QFile file(path);
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QStringList lines = QString::fromUtf8(file.readAll()).trimmed().split(QLatin1Char('\n'));
@@ -478,15 +481,15 @@ void PlotsTest::tableHasOneColumnPerTraceAndBlanksInGaps()
 void PlotsTest::summarySpeaksOfEveryTrace()
 {
     const auto stack = shownStack(m_theme);
-    QCOMPARE(stack->summary(), s("No traces"));
-    stack->addTrace({s("velocity"), s("rpm"), TraceRole::Velocity, 0},
+    QCOMPARE(stack->readings().summary(), s("No traces"));
+    stack->strips().addTrace({s("velocity"), s("rpm"), TraceRole::Velocity, 0},
         std::make_shared<FixedTrace>(std::vector<PlotPoint>{{0, 0}, {1, 1500}}));
-    stack->addTrace(
+    stack->strips().addTrace(
         {s("current"), s("A"), TraceRole::Current, 1}, std::make_shared<FixedTrace>(std::vector<PlotPoint>{}));
-    stack->setRange(0, 1);
+    stack->view().setRange(0, 1);
     stack->refresh(0);
-    QVERIFY(stack->summary().contains(s("velocity")) && stack->summary().contains(s("rpm")));
-    QVERIFY(stack->summary().contains(s("current no data")));
+    QVERIFY(stack->readings().summary().contains(s("velocity")) && stack->readings().summary().contains(s("rpm")));
+    QVERIFY(stack->readings().summary().contains(s("current no data")));
 }
 
 MB_WINDOW_TEST(PlotsTest);

@@ -2,9 +2,11 @@
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/common/numberformat.h"
+#include "widgets/plots/exportbar.h"
 #include "widgets/plots/plotspage.h"
 #include "widgets/plots/plotstack.h"
 #include "widgets/plots/tracelist.h"
+#include "widgets/plots/tracepanel.h"
 
 #include <QComboBox>
 #include <QListWidget>
@@ -117,7 +119,7 @@ void TestPlotsPage::oneStripForEachUnit()
 void TestPlotsPage::aDoubleClickAddsAndASecondRemoves()
 {
     PlotsBench bench;
-    QListWidget &list = bench.page->signalList().list();
+    QListWidget &list = bench.page->panel().signalList().list();
     const auto found = list.findItems(s("#7 temperature"), Qt::MatchExactly);
     QCOMPARE(found.size(), 1);
     Q_EMIT list.itemActivated(found.first());
@@ -137,7 +139,7 @@ void TestPlotsPage::aTraceCanBeRemovedFromItsRow()
         }
     }
     QCOMPARE(bench.names(), QStringList({s("#5 velocity"), s("#5 current"), s("#5 duty")}));
-    const auto found = bench.page->signalList().list().findItems(s("#5 position"), Qt::MatchExactly);
+    const auto found = bench.page->panel().signalList().list().findItems(s("#5 position"), Qt::MatchExactly);
     QCOMPARE(found.first()->checkState(), Qt::Unchecked);
 }
 
@@ -153,7 +155,8 @@ void TestPlotsPage::whatIsRecordedIsShownWithRateAndLoss()
     QVERIFY(row.lossy);
     QVERIFY2(row.value.endsWith(s("counts/s")), qPrintable(row.value));
     QVERIFY(!bench.traces().rows().at(1).lossy);
-    QTRY_VERIFY2(bench.page->stack().summary().contains(s("1 gap")), qPrintable(bench.page->stack().summary()));
+    QTRY_VERIFY2(bench.page->stack().readings().summary().contains(s("1 gap")),
+        qPrintable(bench.page->stack().readings().summary()));
     bench.workbench.time += 10s; // silent: what it was is not what it is
     bench.workbench.publish();
     QCOMPARE(bench.traces().rows().at(0).value, QString(UnknownMark));
@@ -203,24 +206,24 @@ void TestPlotsPage::keysPauseAndFit()
 {
     PlotsBench bench;
     QApplication::setActiveWindow(bench.page.get());
-    QVERIFY(bench.page->stack().isLive());
+    QVERIFY(bench.page->stack().view().isLive());
     QTest::keyClick(bench.page.get(), Qt::Key_P);
-    QVERIFY(!bench.page->stack().isLive());
+    QVERIFY(!bench.page->stack().view().isLive());
     QTest::keyClick(bench.page.get(), Qt::Key_P);
-    QVERIFY(bench.page->stack().isLive());
+    QVERIFY(bench.page->stack().view().isLive());
     auto *window = bench.page->findChild<QComboBox *>(s("plotsWindow"));
     window->setCurrentIndex(2);
     Q_EMIT window->activated(2);
-    QCOMPARE(bench.page->stack().window(), 2.0);
+    QCOMPARE(bench.page->stack().view().window(), 2.0);
 }
 
 void TestPlotsPage::whatIsVisibleCanBeExported()
 {
     PlotsBench bench;
     bench.pass(2.0, 60000.0);
-    QTRY_VERIFY(bench.page->stack().range().second > plotKey(bench.workbench.time) - 0.1);
+    QTRY_VERIFY(bench.page->stack().view().range().second > plotKey(bench.workbench.time) - 0.1);
     QTemporaryDir directory;
-    QVERIFY(bench.page->stack().exportTo(directory.filePath(s("plot.csv"))));
+    QVERIFY(bench.page->stack().exporter().exportTo(directory.filePath(s("plot.csv"))));
     QFile file(directory.filePath(s("plot.csv")));
     QVERIFY(file.open(QIODevice::ReadOnly));
     const QByteArray table = file.readAll();

@@ -104,7 +104,7 @@ void TestRates::aShorterWindowAsksForMore()
     bench.plots->show();
     QTRY_COMPARE(bench.asked().size(), 4U);
     for (const auto &[window, hertz] : std::map<double, double>{{60.0, 20.0}, {10.0, 100.0}, {1.0, 500.0}}) {
-        bench.plots->stack().setWindow(window);
+        bench.plots->stack().view().setWindow(window);
         bench.workbench.publish();
         QTRY_COMPARE(bench.asked()[std::pair(1U, std::string("velocity"))], hertz);
     }
@@ -142,7 +142,7 @@ void TestRates::nothingIsAskedForOfADeviceWhoseRatesAreASetting()
 void TestRates::theFasterOfTwoPagesCountsAndTheOtherRemains()
 {
     RatesBench bench;
-    bench.plots->stack().setWindow(60.0);
+    bench.plots->stack().view().setWindow(60.0);
     bench.plots->show();
     bench.tune->show();
     QTRY_COMPARE(bench.asked()[std::pair(1U, std::string("velocity"))], 100.0);

@@ -5,11 +5,11 @@
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/connection/devicetree.h"
+#include "widgets/connection/linkchoices.h"
 #include "widgets/connection/overviewpage.h"
 #include "widgets/connection/scanstrip.h"
 
 #include <QComboBox>
-#include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QProgressBar>
@@ -138,25 +138,19 @@ void TestSerialLinks::theDialogOffersPortsWithWhatTheyAreAndSaysWhyOneCannotBeUs
         Message::verbatim(
             "no permission to use /dev/ttyUSB1; become a member of its group: sudo usermod -aG dialout $USER"),
         false});
-    QWidget parent;
-    askAddLink(workbench, parent, {});
-    auto *dialog = parent.findChild<QInputDialog *>();
-    QVERIFY(dialog);
-    QCOMPARE(dialog->comboBoxItems(), QStringList({s("serial:/dev/ttyUSB0"), s("sim:")}));
-    QVERIFY(dialog->labelText().contains(s("serial number A50285BI")));
-    QVERIFY(dialog->labelText().contains(s("usermod -aG dialout")));
+    const std::vector<LinkChoice> choices = linkChoices(workbench.links, {});
+    QCOMPARE(choices[0].name, s("ttyUSB0 · FTDI FT232R USB UART, serial number A50285BI, 0403:6001"));
+    QVERIFY(choices[0].openable);
+    QVERIFY(!choices[1].openable);
+    QVERIFY(choices[1].words.contains(s("usermod -aG dialout")));
 }
 
 void TestSerialLinks::anAddedPortIsRememberedOnlyOnceItIsOpen()
 {
     FakeWorkbench workbench;
-    QWidget parent;
     QStringList remembered;
-    askAddLink(workbench, parent, [&remembered](const QString &address) { remembered << address; });
-    auto *dialog = parent.findChild<QInputDialog *>();
-    QVERIFY(dialog);
-    dialog->setTextValue(s("serial:/dev/ttyUSB0?baud=57600"));
-    dialog->accept();
+    openAddress(workbench, s("serial:/dev/ttyUSB0?baud=57600"),
+        [&remembered](const QString &address) { remembered << address; });
     const auto opened = workbench.given<orders::OpenLink>();
     QCOMPARE(opened.size(), std::size_t{1});
     QCOMPARE(QString::fromStdString(opened[0].address.text()), s("serial:/dev/ttyUSB0?baud=57600"));

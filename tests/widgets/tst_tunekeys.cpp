@@ -123,15 +123,15 @@ const std::array checks{
         }},
     Check{"0",
         [](KeyBench &b, const QKeySequence &k) {
-            b.stack().setRange(0.3, 0.4);
+            b.stack().view().setRange(0.3, 0.4);
             b.press(k);
-            return b.stack().range().second > 1.0;
+            return b.stack().view().range().second > 1.0;
         }},
     Check{"P",
         [](KeyBench &b, const QKeySequence &k) {
             b.page->showLive(true);
             b.press(k);
-            return !b.page->plot().stack().isLive();
+            return !b.page->plot().stack().view().isLive();
         }},
     Check{"I",
         [](KeyBench &b, const QKeySequence &k) {
@@ -315,7 +315,7 @@ void TestTuneKeys::theCursorsCanBeDraggedAndSayTimeAndValue()
     QTest::mouseRelease(&stack.plot(), Qt::LeftButton, {}, at(0.8));
     QVERIFY2(std::abs(stack.cursorKeys().second - 0.8) < 0.01, qPrintable(QString::number(stack.cursorKeys().second)));
     stack.refresh(0.0);
-    const QStringList said = stack.cursorWords();
+    const QStringList said = stack.readings().cursorWords();
     QVERIFY2(said.size() >= 4, qPrintable(said.join(s(" | "))));
     QVERIFY2(said[0].contains(s("200")) && said[0].contains(s("→")), qPrintable(said[0]));
     QVERIFY2(said.filter(s("B #2")).size() == 1 && said.filter(s("B #2")).first().contains(s("→")),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/setpointslew.h"
 #include "support/windowtests.h"
 #include "tunebench.h"
 #include "widgets/control/gainunits.h"
 #include "widgets/control/logslider.h"
 #include "widgets/control/resolutionmeter.h"
-#include "widgets/control/setpointslew.h"
 #include "widgets/control/tuneplot.h"
 
 #include <QAbstractButton>
@@ -61,9 +61,9 @@ void TestTunePage::thePlotShowsWhatIsRecorded()
     TuneBench bench;
     bench.recording.setCommanded(true);
     bench.pass(2.0, 60000.0);
-    QTRY_VERIFY2(bench.page->plot().stack().summary().contains(s("Velocity 0\u00A0counts/s to 64")),
-        qPrintable(bench.page->plot().stack().summary()));
-    const QString summary = bench.page->plot().stack().summary();
+    QTRY_VERIFY2(bench.page->plot().stack().readings().summary().contains(s("Velocity 0\u00A0counts/s to 64")),
+        qPrintable(bench.page->plot().stack().readings().summary()));
+    const QString summary = bench.page->plot().stack().readings().summary();
     QVERIFY2(summary.contains(s("Set-point 60\u202F000\u00A0counts/s to 60\u202F000")), qPrintable(summary));
     QVERIFY2(summary.contains(s("Duty")) && summary.contains(s("Current")), qPrintable(summary));
 }
@@ -77,8 +77,8 @@ void TestTunePage::countsBecomeRevolutions()
     Q_EMIT field->textEdited(field->text());
     bench.find<QAbstractButton>("rpm")->click();
     QCOMPARE(field->text(), s("600"));
-    QTRY_VERIFY2(
-        bench.page->plot().stack().summary().contains(s("rpm")), qPrintable(bench.page->plot().stack().summary()));
+    QTRY_VERIFY2(bench.page->plot().stack().readings().summary().contains(s("rpm")),
+        qPrintable(bench.page->plot().stack().readings().summary()));
     auto *counts = bench.find<QLineEdit>("Counts per revolution");
     counts->setText(s("2048"));
     Q_EMIT counts->textEdited(counts->text());

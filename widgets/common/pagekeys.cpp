@@ -93,7 +93,8 @@ QString PageKeys::textOf(const Row &row)
     return texts.join(QStringLiteral(", "));
 }
 
-void showKeys(QWidget &parent, const QString &page, const std::vector<const PageKeys *> &keys)
+void showKeys(
+    QWidget &parent, const QString &page, const std::vector<const PageKeys *> &keys, const std::function<void()> &help)
 {
     auto *dialog = new QDialog(&parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -121,6 +122,11 @@ void showKeys(QWidget &parent, const QString &page, const std::vector<const Page
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::close);
     column->addWidget(buttons);
+    if (help) {
+        buttons->addButton(QDialogButtonBox::Help);
+        QObject::connect(buttons, &QDialogButtonBox::helpRequested, dialog, help);
+        QObject::connect(new QShortcut(Qt::Key_F1, dialog), &QShortcut::activated, dialog, help);
+    }
     const QSize room = parent.window()->size();
     dialog->resize(std::min(dialog->sizeHint().width() + scroll->verticalScrollBar()->sizeHint().width()
                            + QFontMetrics(dialog->font()).horizontalAdvance(QString(50, QLatin1Char('n'))),

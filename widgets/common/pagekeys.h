@@ -44,6 +44,7 @@ private:
 };
 
 /// What F1 opens: the keys of a page and those of the window.
-void showKeys(QWidget &parent, const QString &page, const std::vector<const PageKeys *> &keys);
+void showKeys(QWidget &parent, const QString &page, const std::vector<const PageKeys *> &keys,
+    const std::function<void()> &help = {});
 
 } // namespace mb

@@ -132,34 +132,18 @@ void askRenumber(Workbench &workbench, DeviceId id, QWidget &parent)
     dialog->open();
 }
 
-void askAddLink(Workbench &workbench, QWidget &parent, std::function<void(const QString &)> opened)
+void openAddress(Workbench &workbench, const QString &text, const std::function<void(const QString &)> &opened)
 {
-    QStringList choices;
-    QStringList lines{DeviceActions::tr("Link address, such as socketcan:can0 or sim:can?loss=0.01:")};
-    for (const LinkListing &listing : workbench.listings()) {
-        const QString address = QString::fromStdString(listing.link.text());
-        if (listing.openable)
-            choices += address;
-        if (!listing.link.path.empty() && !listing.detail.empty())
-            lines += DeviceActions::tr("%1: %2").arg(address, messageText(listing.detail));
+    const auto address = LinkAddress::parse(text.trimmed().toStdString());
+    if (!address) {
+        workbench.report(Severity::Danger, {}, errorText(address.error()));
+        return;
     }
-    choices += QStringLiteral("sim:");
-    QInputDialog *dialog = ask(parent, DeviceActions::tr("Add a link"), lines.join(QLatin1Char('\n')));
-    dialog->setComboBoxItems(choices);
-    dialog->setComboBoxEditable(true);
-    QObject::connect(dialog, &QInputDialog::textValueSelected, &workbench, [&workbench, opened](const QString &text) {
-        const auto address = LinkAddress::parse(text.trimmed().toStdString());
-        if (!address) {
-            workbench.report(Severity::Danger, {}, errorText(address.error()));
-            return;
-        }
-        workbench.send(orders::OpenLink{*address},
-            [opened, whole = QString::fromStdString(address->text())](const Result<void> &done) {
-                if (done && opened)
-                    opened(whole);
-            });
-    });
-    dialog->open();
+    workbench.send(orders::OpenLink{*address},
+        [opened, whole = QString::fromStdString(address->text())](const Result<void> &done) {
+            if (done && opened)
+                opened(whole);
+        });
 }
 
 void openRecording(Workbench &workbench, const QString &path, const std::function<void(const QString &)> &opened)

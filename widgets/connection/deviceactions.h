@@ -17,9 +17,8 @@ void addDeviceActions(QMenu &menu, Workbench &workbench, DeviceId device, QWidge
 /// Ask for the new value first. Nothing is sent when the user thinks better of it.
 void askRename(Workbench &workbench, DeviceId device, QWidget &parent);
 void askRenumber(Workbench &workbench, DeviceId device, QWidget &parent);
-/// Asks for a link address, with those that can be opened to choose from, and opens it.
-/// `opened` gets the address once it is open, so that it can be remembered.
-void askAddLink(Workbench &workbench, QWidget &parent, std::function<void(const QString &)> opened);
+/// Opens a link; `opened` gets the address once it is open, so that it can be remembered. What is wrong with it is reported.
+void openAddress(Workbench &workbench, const QString &text, const std::function<void(const QString &)> &opened);
 /// Opens a candump or Vector ASC log as a link; `opened` gets its address once it is open. What is wrong with the file is reported once, by the engine.
 void openRecording(Workbench &workbench, const QString &path, const std::function<void(const QString &)> &opened);
 

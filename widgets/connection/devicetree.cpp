@@ -51,6 +51,7 @@ DeviceTree::DeviceTree(Workbench &workbench, Selection &selection, const ThemeSo
     , m_selection(selection)
     , m_theme(theme)
     , m_model(new DeviceModel(workbench, this))
+    , m_first(selection)
 {
     setObjectName(QStringLiteral("devices"));
     setAccessibleName(tr("Devices"));
@@ -182,9 +183,7 @@ void DeviceTree::follow()
     const bool none = m_model->rowCount() == 0;
     m_empty->setVisible(none);
     m_view->setVisible(!none);
-    const auto &devices = m_workbench.snapshot().devices;
-    if (m_selection.device().value == 0 && !devices.empty())
-        m_selection.select(devices.front().id);
+    m_first.follow(m_workbench.snapshot());
     if (!m_view->currentIndex().isValid())
         showSelection();
 }
@@ -243,6 +242,13 @@ void DeviceTree::showMenu(const QPoint &position)
             const QString address = QString::fromStdString(link.address);
             if (link.kind == LinkKind::Serial)
                 addSearch(*menu, link);
+            if (m_isKept && !link.replay) {
+                QAction *keep = menu->addAction(tr("Open it at every start"), this,
+                    [this, address](bool on) { Q_EMIT keepLinkRequested(address, on); });
+                keep->setObjectName(QStringLiteral("keepLink"));
+                keep->setCheckable(true);
+                keep->setChecked(m_isKept(address));
+            }
             menu->addAction(tr("Close this link"), this, [this, address] { Q_EMIT closeLinkRequested(address); });
         }
     }

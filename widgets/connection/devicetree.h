@@ -4,8 +4,12 @@
 #include "widgets/common/selection.h"
 #include "widgets/common/theme.h"
 #include "widgets/connection/devicemodel.h"
+#include "widgets/connection/firstselection.h"
 
 #include <QWidget>
+
+#include <functional>
+#include <utility>
 
 class QHBoxLayout;
 class QMenu;
@@ -27,11 +31,15 @@ public:
     DeviceTree(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
     [[nodiscard]] DeviceModel &model() { return *m_model; }
     [[nodiscard]] QSize sizeHint() const override;
+    /// Whether a link, by its address, is opened at every start.
+    void setKept(std::function<bool(const QString &)> isKept) { m_isKept = std::move(isKept); }
 
 Q_SIGNALS:
     void addLinkRequested();
     void simulateRequested();
     void closeLinkRequested(const QString &address);
+    /// Open it at every start, or no more.
+    void keepLinkRequested(const QString &address, bool keep);
     void collapseRequested();
     /// These are to be plotted.
     void plotRequested(const std::vector<mb::Signal> &wanted);
@@ -53,6 +61,8 @@ private:
     Selection &m_selection;
     const ThemeSource &m_theme;
     DeviceModel *m_model = nullptr;
+    FirstSelection m_first;
+    std::function<bool(const QString &)> m_isKept;
     QTreeView *m_view = nullptr;
     SearchField *m_filter = nullptr;
     EmptyState *m_empty = nullptr;

@@ -17,11 +17,6 @@
 #include <QVBoxLayout>
 
 namespace mb {
-namespace {
-
-constexpr std::chrono::milliseconds renewalTime{100};
-
-} // namespace
 
 ExperimentDialog::ExperimentDialog(
     Workbench &workbench, DeviceId device, const Experiment &experiment, const ThemeSource &theme, QWidget *parent)
@@ -30,6 +25,7 @@ ExperimentDialog::ExperimentDialog(
     , m_device(device)
     , m_experiment(experiment)
     , m_theme(theme)
+    , m_renewal(workbench)
 {
     const DeviceView *view = workbench.snapshot().device(device);
     setObjectName(QStringLiteral("experimentDialog"));
@@ -43,8 +39,9 @@ ExperimentDialog::ExperimentDialog(
     buildProgress(*column);
     buildButtons(*column);
     setMinimumSize(theme.theme().u(520), theme.theme().u(520));
-    m_renewal.setInterval(renewalTime);
-    connect(&m_renewal, &QTimer::timeout, this, &ExperimentDialog::renew);
+    m_renewal.setCondition([this] { // only while somebody can see it
+        return m_running && isVisible() && QGuiApplication::applicationState() != Qt::ApplicationInactive;
+    });
     connect(&workbench, &Workbench::changed, this, &ExperimentDialog::follow);
     connect(this, &QDialog::finished, this, &ExperimentDialog::cancel);
 }
@@ -151,19 +148,12 @@ void ExperimentDialog::start()
     options.axis = std::max(1, m_axis->currentData().toInt());
     options.power = m_power ? m_power->value() / 100.0 : 0.0;
     options.answer = m_answer ? m_answer->currentIndex() : 0;
-    m_renewal.start();
+    m_renewal.keep({m_device});
     m_workbench.send(orders::RunExperiment{m_device, std::string(m_experiment.key), options},
         [self = QPointer<ExperimentDialog>(this)](const Result<void> &result) {
             if (self)
                 self->ended(result);
         });
-}
-
-/// Only while somebody can see it.
-void ExperimentDialog::renew()
-{
-    if (m_running && isVisible() && QGuiApplication::applicationState() != Qt::ApplicationInactive)
-        m_workbench.send(orders::RenewMotion{m_device});
 }
 
 const OperationView *ExperimentDialog::operation() const
@@ -204,7 +194,7 @@ void ExperimentDialog::ended(const Result<void> &result)
 {
     follow();
     m_running = false;
-    m_renewal.stop();
+    m_renewal.keep({});
     m_start->setEnabled(true);
     m_close->setText(tr("Close"));
     m_step->setText(tr("Ended"));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/motionrenewal.h"
 #include "widgets/common/theme.h"
-#include "widgets/common/workbench.h"
 
 #include <QDialog>
 #include <QTimer>
@@ -38,7 +38,6 @@ private:
     void buildProgress(QVBoxLayout &column);
     void buildButtons(QVBoxLayout &column);
     void follow();
-    void renew();
     void cancel();
     void ended(const Result<void> &result);
     [[nodiscard]] const OperationView *operation() const;
@@ -56,7 +55,7 @@ private:
     QLabel *m_result = nullptr;
     HoldButton *m_start = nullptr;
     QPushButton *m_close = nullptr;
-    QTimer m_renewal;
+    MotionRenewal m_renewal;
     OperationId m_before; ///< the newest operation when it was started
     bool m_running = false;
     std::size_t m_lines = 0;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/connection/overviewpage.h"
 
+#include "widgets/common/card.h"
 #include "widgets/common/devicetext.h"
-#include "widgets/common/iconbutton.h"
-#include "widgets/common/labels.h"
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/devicecard.h"
 #include "widgets/connection/doctorcard.h"
+#include "widgets/start/startpage.h"
 
 #include <QGridLayout>
 #include <QScrollArea>
@@ -68,47 +68,16 @@ void OverviewPage::buildCards()
 
 void OverviewPage::buildEmpty()
 {
-    const Theme &theme = m_theme.theme();
     auto *scroll = new QScrollArea(m_states);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
-    auto *page = new QWidget(scroll);
-    auto *column = new QVBoxLayout(page);
-    column->setContentsMargins(theme.u(16), theme.u(16), theme.u(16), theme.u(16));
-    column->setSpacing(theme.u(16));
-    m_doctor = new DoctorCard(m_workbench, m_theme, true, page);
-    column->addWidget(m_doctor);
-    column->addWidget(buildTry(page));
-    column->addStretch();
-    scroll->setWidget(page);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_start = new StartPage(m_workbench, m_theme, scroll);
+    scroll->setWidget(m_start);
     m_states->addWidget(scroll);
-}
-
-QWidget *OverviewPage::buildTry(QWidget *parent)
-{
-    auto *card = new Card(m_theme, tr("Try with simulated motors"), parent);
-    card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-    auto *text = textLabel(tr("A bench of simulated controllers with real bus timing: #5 a CIM that is tuned well, #7 "
-                              "a 775pro that overshoots about 20 %, "
-                              "#9 a unit that waits in its bootloader for firmware. Everything works as on a real bus, "
-                              "and nothing can move."),
-        TextRole::Body, Tone::Dim, card);
-    text->setWordWrap(true);
-    card->body().addWidget(text);
-    auto *row = new QHBoxLayout;
-    auto *simulate = new CommandButton(m_theme, Symbol::Play, tr("Open the simulated bench"), card);
-    simulate->setPrimary(true);
-    auto *add = new CommandButton(m_theme, Symbol::Add, tr("Add link"), card);
-    row->addWidget(simulate);
-    row->addWidget(add);
-    auto *recording = new CommandButton(m_theme, Symbol::Open, tr("Open recording…"), card);
-    row->addWidget(recording);
-    row->addStretch();
-    connect(recording, &QPushButton::clicked, this, &OverviewPage::openRecordingRequested);
-    card->body().addLayout(row);
-    connect(simulate, &QPushButton::clicked, this, &OverviewPage::simulateRequested);
-    connect(add, &QPushButton::clicked, this, &OverviewPage::addLinkRequested);
-    return card;
+    connect(m_start, &StartPage::benchWanted, this, &OverviewPage::simulateRequested);
+    connect(m_start, &StartPage::addLinkRequested, this, &OverviewPage::addLinkRequested);
+    connect(m_start, &StartPage::openRecordingRequested, this, &OverviewPage::openRecordingRequested);
 }
 
 void OverviewPage::showEvent(QShowEvent *event)
@@ -130,7 +99,7 @@ void OverviewPage::follow()
     const Snapshot &shot = m_workbench.snapshot();
     m_states->setCurrentIndex(shot.links.empty() ? 1 : 0);
     if (shot.links.empty()) {
-        m_doctor->follow();
+        m_start->follow();
         return;
     }
     m_ailing->follow();

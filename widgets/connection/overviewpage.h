@@ -18,6 +18,7 @@ namespace mb {
 class Card;
 class DeviceCard;
 class DoctorCard;
+class StartPage;
 class ValueLabel;
 
 /// Every link and every device at a glance; with nothing connected, why that is and what can be done.
@@ -25,6 +26,9 @@ class OverviewPage : public QWidget {
     Q_OBJECT
 public:
     OverviewPage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent = nullptr);
+
+    /// What is shown while no link is open.
+    [[nodiscard]] StartPage &start() { return *m_start; }
 
 Q_SIGNALS:
     void simulateRequested();
@@ -49,7 +53,6 @@ private:
 
     void buildCards();
     void buildEmpty();
-    [[nodiscard]] QWidget *buildTry(QWidget *parent);
     void follow();
     void followLinks(const Snapshot &shot);
     void followDevices(const Snapshot &shot);
@@ -65,7 +68,7 @@ private:
     QWidget *m_canvas = nullptr;
     QGridLayout *m_linkGrid = nullptr;
     QGridLayout *m_deviceGrid = nullptr;
-    DoctorCard *m_doctor = nullptr; ///< of the empty page: every link
+    StartPage *m_start = nullptr;   ///< of the empty page
     DoctorCard *m_ailing = nullptr; ///< above the cards: what does not work
     std::map<std::string, LinkCard> m_links;
     std::map<DeviceId, DeviceCard *> m_cards;

@@ -15,9 +15,6 @@
 namespace mb {
 namespace {
 
-/// docs/names.md#set-points-by-hand: a set-point held by hand lives 500 ms without renewal.
-constexpr std::chrono::milliseconds leaseTime{500};
-constexpr std::chrono::milliseconds armingRenewal{100};
 constexpr Duration startTime = std::chrono::seconds(1);
 
 } // namespace
@@ -25,9 +22,8 @@ constexpr Duration startTime = std::chrono::seconds(1);
 Arming::Arming(Workbench &workbench, QObject *parent)
     : QObject(parent)
     , m_workbench(workbench)
+    , m_renewal(workbench)
 {
-    m_renewal.setInterval(armingRenewal);
-    connect(&m_renewal, &QTimer::timeout, this, &Arming::renew);
     connect(&workbench, &Workbench::changed, this, &Arming::follow);
 }
 
@@ -166,12 +162,7 @@ void Arming::enter(LampState state, const QString &reason)
     m_reason = reason;
     m_byHand = false;
     m_started = false;
-    m_silence = {};
-    m_renewedAt = m_workbench.now();
-    if (state == LampState::Moving)
-        m_renewal.start();
-    else
-        m_renewal.stop();
+    m_renewal.keep(state == LampState::Moving ? std::vector{m_device} : std::vector<DeviceId>());
     if (state == LampState::Armed)
         m_armedUntil = m_workbench.now() + m_armedTime;
     Q_EMIT changed();
@@ -205,7 +196,7 @@ void Arming::disarm()
         enter(LampState::Safe);
 }
 
-void Arming::run(const SetPoint &setPoint)
+void Arming::run(const SetPoint &setPoint, const Glide &glide)
 {
     if (m_state != LampState::Armed && m_state != LampState::Moving)
         return;
@@ -215,12 +206,12 @@ void Arming::run(const SetPoint &setPoint)
             self->refused(result.error());
     };
     if (m_state == LampState::Moving) {
-        m_workbench.send(orders::UpdateMotion{m_device, setPoint}, finished);
+        m_workbench.send(orders::UpdateMotion{m_device, setPoint, glide}, finished);
         return;
     }
     m_runAt = m_workbench.now();
     enter(LampState::Moving);
-    m_workbench.send(orders::StartMotion{m_device, setPoint, leaseTime}, finished);
+    m_workbench.send(orders::StartMotion{m_device, setPoint, MotionRenewal::lease, glide}, finished);
 }
 
 void Arming::refused(const Error &error)
@@ -354,20 +345,12 @@ void Arming::stop(StopCause cause, const QString &reason)
     Q_EMIT changed();
 }
 
-void Arming::renew()
-{
-    const Instant now = m_workbench.now();
-    m_silence = std::max(m_silence, now - m_renewedAt);
-    m_renewedAt = now;
-    m_workbench.send(orders::RenewMotion{m_device});
-}
-
 /// A lease that ran out is a word of the program's; what people saw is a window that hung.
 QString Arming::endOf(const MotionView &motion) const
 {
     if (motion.end != SetPointStream::End::LeaseExpired)
         return messageText(motion.reason);
-    const Duration silence = std::max<Duration>({m_silence, m_workbench.now() - m_renewedAt, leaseTime});
+    const Duration silence = std::max<Duration>(m_renewal.silence(), MotionRenewal::lease);
     return tr("this window did not respond for %1 s")
         .arg(formatNumber(std::chrono::duration<double>(silence).count(), 1));
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "widgets/common/lamp.h"
-#include "widgets/common/workbench.h"
+#include "widgets/common/motionrenewal.h"
 
 #include <QTimer>
 
@@ -35,7 +35,7 @@ public:
     /// Back to safe; stops first when something moves.
     void disarm();
     /// Starts the armed device, or changes what it does. Nothing happens when it is not armed.
-    void run(const SetPoint &setPoint);
+    void run(const SetPoint &setPoint, const Glide &glide = {});
     /// Runs an experiment on the armed device, and renews its lease. Nothing happens, and nobody is answered, when it is not
     /// armed or moves. Once it is over the device is armed again, or stopped by whatever stopped it.
     void runTrial(
@@ -66,7 +66,6 @@ Q_SIGNALS:
 
 private:
     void follow();
-    void renew();
     void enter(LampState state, const QString &reason = {});
     [[nodiscard]] bool beginTrial(Mode mode, int axis);
     /// `reason` as in Trial, with its detail; an error: nothing has moved.
@@ -90,14 +89,12 @@ private:
     QString m_reason;
     QString m_leftOut; ///< of the last STOP
     bool m_byHand = false;
-    Instant m_renewedAt{};
-    Duration m_silence{}; ///< the longest time between two renewals of this motion
     bool m_onTrial = false;
     bool m_started = false; ///< a snapshot has shown the motion running
     Instant m_runAt{};
     Instant m_armedUntil{};
     std::chrono::seconds m_armedTime{300};
-    QTimer m_renewal;
+    MotionRenewal m_renewal;
 };
 
 } // namespace mb

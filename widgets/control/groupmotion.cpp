@@ -8,25 +8,13 @@
 #include <algorithm>
 
 namespace mb {
-namespace {
-
-constexpr std::chrono::milliseconds groupLease{500};
-constexpr std::chrono::milliseconds groupRenewal{100};
-
-} // namespace
 
 GroupMotion::GroupMotion(Workbench &workbench, Arming &arming, QObject *parent)
     : QObject(parent)
     , m_workbench(workbench)
     , m_arming(arming)
+    , m_renewal(workbench)
 {
-    m_renewal.setInterval(groupRenewal);
-    connect(&m_renewal, &QTimer::timeout, this, [this] {
-        for (const Member &member : m_members) {
-            if (member.device != m_lead)
-                m_workbench.send(orders::RenewMotion{member.device});
-        }
-    });
     connect(&workbench, &Workbench::changed, this, &GroupMotion::follow);
     connect(&arming, &Arming::changed, this, &GroupMotion::follow);
 }
@@ -56,7 +44,12 @@ bool GroupMotion::prepare(DeviceId lead, std::vector<Member> members)
         member.setPoint.order = m_order;
         command(member);
     }
-    m_renewal.start();
+    std::vector<DeviceId> others;
+    for (const Member &member : m_members) {
+        if (member.device != m_lead) // the arming renews that one
+            others.push_back(member.device);
+    }
+    m_renewal.keep(std::move(others));
     Q_EMIT changed();
     return true;
 }
@@ -78,7 +71,7 @@ void GroupMotion::command(const Member &member)
     if (view && view->motion.running)
         m_workbench.send(orders::UpdateMotion{member.device, member.setPoint}, finished);
     else
-        m_workbench.send(orders::StartMotion{member.device, member.setPoint, groupLease}, finished);
+        m_workbench.send(orders::StartMotion{member.device, member.setPoint, MotionRenewal::lease}, finished);
 }
 
 bool GroupMotion::hasAcknowledged(DeviceId device) const
@@ -158,7 +151,7 @@ void GroupMotion::follow()
 
 void GroupMotion::end()
 {
-    m_renewal.stop();
+    m_renewal.keep({});
     const std::vector<Member> members = std::exchange(m_members, {});
     for (const Member &member : members) {
         if (member.device != m_lead)

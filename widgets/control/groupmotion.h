@@ -51,7 +51,7 @@ private:
     std::vector<DeviceId> m_seen; ///< a snapshot has shown them running
     bool m_started = false;
     std::uint32_t m_order = 0;
-    QTimer m_renewal;
+    MotionRenewal m_renewal;
 };
 
 } // namespace mb

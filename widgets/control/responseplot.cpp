@@ -89,14 +89,14 @@ ResponsePlot::ResponsePlot(const ThemeSource &theme, QWidget *parent)
     column->setContentsMargins(0, 0, 0, 0);
     m_stack = new PlotStack(theme, this);
     m_stack->setObjectName(QStringLiteral("responseStack"));
-    m_stack->setLive(false);
-    m_stack->setCursorValues(true);
+    m_stack->view().setLive(false);
+    m_stack->readings().setCursorValues(true);
     column->addWidget(m_stack);
 }
 
 void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const KeptTrial *b, const DisplayUnits &units)
 {
-    m_stack->clear();
+    m_stack->strips().clear();
     m_length = 0.0;
     m_drawnStrips = strips();
     const Side sideA{a, QStringLiteral("A"), false};
@@ -125,20 +125,20 @@ void ResponsePlot::setTrials(const Family *family, const KeptTrial *a, const Kep
         ++strip;
     }
     for (int i = 0; i < strip; ++i)
-        m_stack->setStrip(i, {{}, i == 0 ? 4.0 : 1.0, i == 0});
+        m_stack->strips().setStrip(i, {{}, i == 0 ? 4.0 : 1.0, i == 0});
     const ShownUnit unit = shownUnit(trial.mode == Mode::Duty ? Mode::Velocity : trial.mode, units);
     if (trial.mode != Mode::Duty)
         addSetPoint(trial, unit, m_length);
     addMarks(sideA, sideB, unit);
     addSpans(sideA, sideB);
-    m_stack->setWatermark(trial.simulated ? tr("DEMO") : QString());
+    m_stack->strips().setWatermark(trial.simulated ? tr("DEMO") : QString());
     m_stack->setFootNote(trial.repeat > 1
             ? tr("t = 0 at the edge, mean of %1 · %2 samples, %3 lost")
                   .arg(trial.repeat)
                   .arg(trial.samples)
                   .arg(trial.lost)
             : tr("t = 0 at the edge · %1 samples, %2 lost").arg(trial.samples).arg(trial.lost));
-    m_stack->setRange(-std::min(beforeEdge, 0.1 * m_length), std::max(m_length, 0.05));
+    m_stack->view().setRange(-std::min(beforeEdge, 0.1 * m_length), std::max(m_length, 0.05));
     m_stack->refresh(0.0);
     setAccessibleName(tr("Responses"));
     setAccessibleDescription(summary());
@@ -165,7 +165,7 @@ void ResponsePlot::add(
     style.emphasis = side.current && strip == 0;
     style.valueTag = side.current;
     style.tagUnit = false;
-    m_stack->addTrace(style, std::make_shared<FixedTrace>(pointsOf(trace, unit.scale)));
+    m_stack->strips().addTrace(style, std::make_shared<FixedTrace>(pointsOf(trace, unit.scale)));
 }
 
 void ResponsePlot::addSetPoint(const Trial &trial, const ShownUnit &unit, double length)
@@ -187,7 +187,7 @@ void ResponsePlot::addSetPoint(const Trial &trial, const ShownUnit &unit, double
     style.name = tr("set-point");
     style.unit = unit.text;
     style.role = TraceRole::Setpoint;
-    m_stack->addTrace(style, std::make_shared<FixedTrace>(std::move(points)));
+    m_stack->strips().addTrace(style, std::make_shared<FixedTrace>(std::move(points)));
 }
 
 void ResponsePlot::addMarks(const Side &a, const Side &b, const ShownUnit &unit)
@@ -214,8 +214,8 @@ void ResponsePlot::addMarks(const Side &a, const Side &b, const ShownUnit &unit)
                 tr("%1 settles %2").arg(side.letter, formatDuration(*metrics.settle)), {10, side.current ? 40.0 : 22.0},
                 side.current});
     }
-    m_stack->setBands(0, bands);
-    m_stack->setNotes(0, notes);
+    m_stack->strips().annotate<PlotBand>(0, bands);
+    m_stack->strips().annotate<PlotNote>(0, notes);
     const auto settleOf = [](const Side &side) { return side.kept ? side.kept->trial.metrics.settle : std::nullopt; };
     if (settleOf(a) && settleOf(b) && !m_stack->cursorsShown())
         m_stack->setCursorKeys(*settleOf(a), *settleOf(b));
@@ -241,7 +241,7 @@ void ResponsePlot::addSpans(const Side &a, const Side &b)
             spans.push_back({from, to, tr("%1: current at its limit, %2").arg(side.letter, formatDuration(to - from)),
                 TraceRole::Current});
     }
-    m_stack->setSpans(0, spans);
+    m_stack->strips().annotate<PlotSpan>(0, spans);
 }
 
 void ResponsePlot::addLimits(const Trial &trial, int strip, std::string_view channel)
@@ -252,7 +252,7 @@ void ResponsePlot::addLimits(const Trial &trial, int strip, std::string_view cha
         return;
     const double shown = *limit * (duty ? 100.0 : 1.0);
     const QString text = duty ? tr("limit %1 %").arg(formatNumber(shown)) : tr("limit %1 A").arg(formatNumber(shown));
-    m_stack->setLimits(strip, {{shown, text, duty ? TraceRole::Duty : TraceRole::Current}});
+    m_stack->strips().annotate<PlotLimit>(strip, {{shown, text, duty ? TraceRole::Duty : TraceRole::Current}});
 }
 
 int ResponsePlot::strips() const
@@ -270,7 +270,7 @@ void ResponsePlot::resizeEvent(QResizeEvent *event)
 
 QString ResponsePlot::summary() const
 {
-    return m_stack->summary();
+    return m_stack->readings().summary();
 }
 
 } // namespace mb

@@ -42,7 +42,8 @@ PageKeys *makeTuneKeys(TunePage &page)
     keys->add({Qt::Key_0}, TuneKeys::tr("fits time and value of the plot"), [tune] { tune->shownStack().fit(); });
     keys->add({Qt::Key_P}, TuneKeys::tr("pauses the live view, and goes on"), [tune] { tune->pauseLive(); });
     keys->add({Qt::Key_I}, TuneKeys::tr("identifies the device: it blinks"), [tune] { tune->identify(); });
-    keys->add({QKeySequence::Undo}, TuneKeys::tr("undoes the last edit of gains"), [tune] { tune->undo(false); });
+    keys->add({QKeySequence::Undo}, TuneKeys::tr("undoes the last edit of gains, or else the last write to the unit"),
+        [tune] { tune->undo(false); });
     keys->add({QKeySequence(QStringLiteral("Ctrl+Y")), QKeySequence(QStringLiteral("Ctrl+Shift+Z"))},
         TuneKeys::tr("does it again"), [tune] { tune->undo(true); });
     keys->add({QKeySequence::Print}, TuneKeys::tr("writes a report of the trials that are shown"),

@@ -31,8 +31,6 @@
 namespace mb {
 namespace {
 
-constexpr std::chrono::milliseconds slewTime{20};
-
 } // namespace
 
 TunePage::TunePage(
@@ -199,9 +197,6 @@ QWidget *TunePage::buildWriteRow()
 
 void TunePage::connectPanels()
 {
-    m_slewTimer.setTimerType(Qt::PreciseTimer);
-    m_slewTimer.setInterval(slewTime);
-    connect(&m_slewTimer, &QTimer::timeout, this, &TunePage::slewTick);
     connect(m_run, &QPushButton::clicked, this, &TunePage::run);
     connect(m_halt, &QPushButton::clicked, this, &TunePage::halt);
     connect(m_modes, &ModePanel::modeChanged, this, &TunePage::modeChosen);
@@ -238,10 +233,21 @@ void TunePage::connectPanels()
 void TunePage::undo(bool again)
 {
     const Choice *const chosen = choice();
-    if (!chosen || !chosen->edits)
+    const DeviceView *view = device();
+    if (!chosen || !chosen->edits || !view)
         return;
     QUndoStack &stack = chosen->edits->undoStack();
-    again ? stack.redo() : stack.undo();
+    if (again ? stack.canRedo() : stack.canUndo() && !stack.isClean()) {
+        again ? stack.redo() : stack.undo();
+        return;
+    }
+    if (!view->liveness.heard)
+        return;
+    m_workbench.send(orders::UndoWrite{view->id, again},
+        [self = QPointer<TunePage>(this), name = titleOf(*view)](const Result<void> &result) {
+            if (self && !result)
+                self->m_workbench.report(Severity::Danger, name, errorText(result.error()));
+        });
 }
 
 } // namespace mb

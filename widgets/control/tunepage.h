@@ -5,7 +5,6 @@
 #include "widgets/control/arming.h"
 #include "widgets/control/experimentplan.h"
 #include "widgets/control/setpointpanel.h"
-#include "widgets/control/setpointslew.h"
 #include "widgets/control/statusline.h"
 #include "widgets/parameters/editdesk.h"
 #include "widgets/plots/displayunits.h"
@@ -118,10 +117,7 @@ private:
         StimulusChoice stimulus;
         std::string unit;               ///< who it is in the notebook
         SetPointPanel::Entered entered; ///< of an axis that is not shown
-        SetPoint base;                  ///< what was sent last
-        SetPointSlew slew;
-        bool slewing = false;
-        bool ours = false; ///< the motion was started here
+        bool ours = false;              ///< the motion was started here
     };
     QWidget *buildWork();
     QWidget *buildLive();
@@ -167,12 +163,9 @@ private:
     [[nodiscard]] QString describe(const SetPoint &setPoint) const;
     void start();
     void startAxis(const DeviceView &view, int axis, bool several);
-    [[nodiscard]] double whereItIs(const DeviceView &view, int axis, Mode mode) const;
     [[nodiscard]] bool isAxisMoving(const DeviceView &view, int axis) const;
     void forgetMotion();
     void applyTarget();
-    void slewTick();
-    void send(Choice &chosen, double target);
     // tunepageaxes.cpp
     [[nodiscard]] Choice &choiceOf(const DeviceView &view, int axis);
     [[nodiscard]] int axisFor(const DeviceView &view);
@@ -200,7 +193,6 @@ private:
     bool m_writing = false;
     std::uint64_t m_editRevision = 0;
     QString m_rowsShown;
-    QTimer m_slewTimer;
     QStackedWidget *m_stack = nullptr;
     TuneFrame *m_frame = nullptr;
     EmptyState *m_empty = nullptr;

@@ -84,7 +84,7 @@ void TunePage::identify()
 void TunePage::pauseLive()
 {
     if (isLive())
-        m_plot->stack().setLive(!m_plot->stack().isLive());
+        m_plot->stack().view().setLive(!m_plot->stack().view().isLive());
 }
 
 PlotStack &TunePage::shownStack()
@@ -226,16 +226,15 @@ void TunePage::halt()
     }
     for (const int axis : stopped) {
         Choice &chosen = choiceOf(*view, axis);
-        chosen.slewing = chosen.ours = false;
+        chosen.ours = false;
         m_arming.haltAxis(axis);
     }
 }
 
 void TunePage::forgetMotion()
 {
-    m_slewTimer.stop();
     for (auto &[place, chosen] : m_choices)
-        chosen.slewing = chosen.ours = false;
+        chosen.ours = false;
 }
 
 bool TunePage::isAxisMoving(const DeviceView &view, int axis) const
@@ -262,8 +261,8 @@ void TunePage::zero()
         });
 }
 
-/// docs/names.md#set-points-by-hand: the first set-point is where the motor is, then no faster than the hand's limit. A step of another
-/// quantity than position goes out at once; of several axes, once each holds where it is.
+/// The first set-point is where the motor is, then no faster than the hand's limit. A step of another quantity than position
+/// goes out at once; of several axes, once each holds where it is.
 void TunePage::start()
 {
     const DeviceView *view = device();
@@ -280,61 +279,20 @@ void TunePage::startAxis(const DeviceView &view, int axis, bool several)
 {
     Choice &chosen = choiceOf(view, axis);
     const SetPoint wished = axis == m_axis ? wanted() : wantedOf(view, axis);
-    const double rate = axis == m_axis ? m_setPoint->slewRate() : m_setPoint->slewRate(chosen.entered, wished.mode);
-    const bool moving = isAxisMoving(view, axis);
-    chosen.slew.setRate(rate);
-    if (!moving || !chosen.slewing)
-        chosen.slew.start(whereItIs(view, axis, wished.mode), m_workbench.now());
-    chosen.base = wished;
-    chosen.slew.setTarget(wished.target);
-    if (moving && chosen.slewing)
-        return; // it takes the new target along
+    Glide glide;
+    if (wished.mode != Mode::Follow) {
+        glide.rate = axis == m_axis ? m_setPoint->slewRate() : m_setPoint->slewRate(chosen.entered, wished.mode);
+        if (several || wished.mode == Mode::Position || glide.rate > 0.0)
+            glide.from = present(view, wished.mode, axis).value_or(0.0);
+    }
     chosen.ours = true;
-    const bool careful = several || (!moving && (wished.mode == Mode::Position || rate > 0.0));
-    send(chosen, careful && wished.mode != Mode::Follow ? chosen.slew.value() : chosen.slew.advance(m_workbench.now()));
-    chosen.slewing = moving || !chosen.slew.isThere();
-    if (chosen.slewing)
-        m_slewTimer.start();
-}
-
-/// Where a new set-point starts from.
-double TunePage::whereItIs(const DeviceView &view, int axis, Mode mode) const
-{
-    const Choice &chosen = m_choices.at({view.id, axis});
-    if (isAxisMoving(view, axis) && chosen.ours)
-        return chosen.slew.value();
-    const SetPoint *told = axis > 0 ? view.motion.on(axis) : &view.motion.setPoint;
-    if (m_arming.isMoving() && told && told->mode == mode)
-        return told->target;
-    return present(view, mode, axis).value_or(0.0);
+    m_arming.run(wished, glide);
 }
 
 void TunePage::applyTarget()
 {
     if (m_arming.isMoving() && status().mayRun)
         start();
-}
-
-void TunePage::slewTick()
-{
-    bool more = false;
-    for (auto &[place, chosen] : m_choices) {
-        if (!chosen.slewing)
-            continue;
-        const bool news = !chosen.slew.isThere() || chosen.base.target != chosen.slew.value();
-        if (m_arming.isMoving() && news)
-            send(chosen, chosen.slew.advance(m_workbench.now()));
-        chosen.slewing = m_arming.isMoving() && !chosen.slew.isThere();
-        more = more || chosen.slewing;
-    }
-    if (!more)
-        m_slewTimer.stop();
-}
-
-void TunePage::send(Choice &chosen, double target)
-{
-    chosen.base.target = target;
-    m_arming.run(chosen.base);
 }
 
 void TunePage::followForeignRun(const DeviceView &view)

@@ -67,7 +67,7 @@ TunePlot::TunePlot(Workbench &workbench, const ThemeSource &theme, QWidget *pare
     column->addWidget(buildBar());
     column->addWidget(separatorLine(Qt::Horizontal, this));
     column->addWidget(m_stack, 1);
-    m_stack->setWindow(windows.at(usualWindow));
+    m_stack->view().setWindow(windows.at(usualWindow));
     m_tick.setTimerType(Qt::PreciseTimer);
     m_tick.setInterval(tickTime);
     connect(&m_tick, &QTimer::timeout, this, &TunePlot::tick);
@@ -125,18 +125,18 @@ void TunePlot::buildView(QHBoxLayout &row)
              static_cast<QWidget *>(cursors), static_cast<QWidget *>(fit)})
         row.addWidget(widget);
     connect(m_window, qOverload<int>(&QComboBox::activated), this, [this](int place) {
-        m_stack->setWindow(windows.at(static_cast<std::size_t>(place)));
-        m_stack->setLive(true);
+        m_stack->view().setWindow(windows.at(static_cast<std::size_t>(place)));
+        m_stack->view().setLive(true);
     });
-    connect(m_pause, &QToolButton::toggled, this, [this](bool paused) { m_stack->setLive(!paused); });
-    connect(m_stack, &PlotStack::liveChanged, m_pause, [this](bool live) { m_pause->setChecked(!live); });
+    connect(m_pause, &QToolButton::toggled, this, [this](bool paused) { m_stack->view().setLive(!paused); });
+    connect(&m_stack->view(), &PlotView::liveChanged, m_pause, [this](bool live) { m_pause->setChecked(!live); });
     connect(cursors, &QToolButton::toggled, this, [this](bool shown) { m_stack->setCursorsShown(shown); });
     connect(m_stack, &PlotStack::cursorsChanged, cursors,
         [this, cursors] { cursors->setChecked(m_stack->cursorsShown()); });
     connect(fit, &QToolButton::clicked, m_stack, &PlotStack::fit);
-    connect(m_stack, &PlotStack::exported, this,
+    connect(&m_stack->exporter(), &PlotExport::exported, this,
         [this](const QString &path) { m_workbench.report(Severity::Good, {}, tr("plot written to %1").arg(path)); });
-    connect(m_stack, &PlotStack::exportFailed, this,
+    connect(&m_stack->exporter(), &PlotExport::exportFailed, this,
         [this](const QString &cause) { m_workbench.report(Severity::Danger, {}, cause); });
 }
 
@@ -204,7 +204,7 @@ bool TunePlot::addTrace(const DeviceView &device, std::string_view channel, int 
     if (!m_beside.empty())
         style.colour = axisColour(axis);
     style.strip = strip;
-    m_stack->addTrace(style, source);
+    m_stack->strips().addTrace(style, source);
     if (row.quantity == quantityOf(m_mode))
         addSetPoint(device, strip, unit, axis);
     return true;
@@ -224,12 +224,12 @@ void TunePlot::addSetPoint(const DeviceView &device, int strip, const ShownUnit 
     style.strip = strip;
     style.name = m_beside.empty() ? tr("Set-point") : tr("ch%1 set-point").arg(axis);
     style.role = TraceRole::Setpoint;
-    m_stack->addTrace(style, wished);
+    m_stack->strips().addTrace(style, wished);
 }
 
 void TunePlot::rebuild(const DeviceView &device)
 {
-    m_stack->clear();
+    m_stack->strips().clear();
     m_sources.clear();
     int strip = 0;
     for (const std::string_view channel : channelsFor(m_mode, m_axis > 0)) {
@@ -243,11 +243,11 @@ void TunePlot::rebuild(const DeviceView &device)
     for (int i = 0; i < strip; ++i) {
         StripStyle style;
         style.stretch = i == 0 ? 2.4 : 1.0;
-        m_stack->setStrip(i, style);
+        m_stack->strips().setStrip(i, style);
     }
     const LinkView *link = m_workbench.snapshot().link(device.link);
-    m_stack->setWatermark(link && link->simulated ? tr("DEMO") : QString());
-    m_stack->setClock(std::chrono::duration<double>(m_workbench.unixOffset()).count());
+    m_stack->strips().setWatermark(link && link->simulated ? tr("DEMO") : QString());
+    m_stack->strips().setClock(std::chrono::duration<double>(m_workbench.unixOffset()).count());
     follow(device);
     m_drawn = 0;
     m_drawnAt = 0.0;

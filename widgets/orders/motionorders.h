@@ -3,24 +3,27 @@
 
 #include "model/session.h"
 #include "model/setpoint.h"
+#include "model/setpointstream.h"
 
 #include <chrono>
 
 /// Orders to motors. STOP is none of them: it has its own lane (Workbench::stopAll). Timeout when the device is gone.
 namespace mb::orders {
 
-/// Drives it until its lease ends, which is renewed for as long as the motor is meant to turn. Unsafe, Refused, OutOfRange with
-/// the cause, and then nothing moves.
+/// Drives it until its lease ends, which is renewed for as long as the motor is meant to turn, and glides to its target. Unsafe,
+/// Refused, OutOfRange with the cause, and then nothing moves.
 struct StartMotion {
     DeviceId device;
     SetPoint setPoint;
     std::chrono::milliseconds lease{};
+    Glide glide{};
 };
 
 /// Another set-point of a motion that runs. Unsafe when none does.
 struct UpdateMotion {
     DeviceId device;
     SetPoint setPoint;
+    Glide glide{};
 };
 
 /// From now on its lease runs anew.

@@ -18,12 +18,13 @@ namespace mb {
 /// and its handler in app/.
 using Order = std::variant<orders::OpenLink, orders::CloseLink, orders::ScanLinks, orders::ScanEverything,
     orders::CancelScan, orders::SendFrame, orders::ReadParameters, orders::WriteParameters, orders::StoreParameters,
-    orders::RewriteSettings, orders::RestoreParameters, orders::UndoWrite, orders::TakeSnapshot, orders::Identify,
-    orders::Rename, orders::Renumber, orders::ClearFaults, orders::Calibrate, orders::SetDialect, orders::SetRate,
-    orders::StartMotion, orders::UpdateMotion, orders::RenewMotion, orders::StopMotion, orders::ReleaseMoves,
-    orders::ZeroPosition, orders::DismissStops, orders::RunExperiment, orders::RunTrial, orders::RunTuning,
-    orders::RunSweep, orders::PayGains, orders::DismissGains, orders::UpdateFirmware, orders::CancelOperation,
-    orders::StartRecording, orders::StopRecording, orders::SteerReplay>;
+    orders::RewriteSettings, orders::RestoreParameters, orders::UndoWrite, orders::KeepChange, orders::PutBackChange,
+    orders::TakeSnapshot, orders::Identify, orders::Rename, orders::Renumber, orders::ClearFaults, orders::Calibrate,
+    orders::SetDialect, orders::SetRate, orders::StartMotion, orders::UpdateMotion, orders::RenewMotion,
+    orders::StopMotion, orders::ReleaseMoves, orders::ZeroPosition, orders::DismissStops, orders::RunExperiment,
+    orders::RunTrial, orders::RunTuning, orders::RunSweep, orders::PayGains, orders::DismissGains,
+    orders::UpdateFirmware, orders::CancelOperation, orders::StartRecording, orders::StopRecording,
+    orders::SteerReplay>;
 
 /// What an order that went well is answered with: nothing for most, else what its struct names as its Answer.
 using Answer = std::variant<std::monostate, tuning::Trial, tuning::TuneReport, tuning::FrequencyResponse>;

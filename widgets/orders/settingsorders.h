@@ -24,6 +24,18 @@ struct UndoWrite {
     bool again = false;
 };
 
+/// Somebody keeps a write that would go back by itself (Snapshot::unconfirmed); writes nothing. OutOfRange when it is none.
+struct KeepChange {
+    DeviceId device;
+    std::int64_t change = 0; ///< UnconfirmedView::change
+};
+
+/// It goes back now. Unsafe while the motor is not seen to stand.
+struct PutBackChange {
+    DeviceId device;
+    std::int64_t change = 0;
+};
+
 /// Keeps everything that can be read.
 struct TakeSnapshot {
     DeviceId device;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The history of the unit on this page: its states, undo of what was written, snapshots.
+#include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/parameters/historypanel.h"

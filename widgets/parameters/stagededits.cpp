@@ -230,12 +230,19 @@ int StagedEdits::faults() const
 
 std::vector<StagedChange> StagedEdits::ordered() const
 {
-    std::vector<StagedChange> changes;
+    ParameterStore inForce(m_family.parameters);
+    std::vector<ParameterChange> writes;
     for (const auto &[index, edit] : effective()) {
-        if (edit.value.raw)
-            changes.push_back({index, known(index), *edit.value.raw});
+        if (!edit.value.raw)
+            continue;
+        writes.push_back({index, *edit.value.raw});
+        if (const auto before = known(index))
+            inForce.setRead(index, *before);
     }
-    sortForWriting(m_family.parameters, changes);
+    arrangeForWriting(m_family, inForce, writes);
+    std::vector<StagedChange> changes;
+    for (const ParameterChange &write : writes)
+        changes.push_back({write.index, known(write.index), write.raw});
     return changes;
 }
 

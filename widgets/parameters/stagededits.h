@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/family.h"
+#include "model/writeorder.h"
 #include "widgets/parameters/valuetext.h"
-#include "widgets/parameters/writeorder.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -59,7 +59,7 @@ public:
     [[nodiscard]] const StagedEdit *find(ParameterIndex index) const;
     [[nodiscard]] int count() const;
     [[nodiscard]] int faults() const;
-    /// Every legal change in the order of writing, those that are left out too.
+    /// Every legal change in the order of writing (arrangeForWriting()), those that are left out too.
     [[nodiscard]] std::vector<StagedChange> ordered() const;
     /// The edits that cannot be written, in table order.
     [[nodiscard]] std::vector<ParameterIndex> illegal() const;

@@ -124,6 +124,8 @@ void TimelineList::addChange(const Family &family, const settings::SettingsChang
         what = tr("undone: %1").arg(values);
     else if (change.purpose == settings::Purpose::Redo)
         what = tr("done again: %1").arg(values);
+    else if (change.purpose == settings::Purpose::Revert)
+        what = tr("put back: %1").arg(values);
     auto *row = new QListWidgetItem(when + QStringLiteral(" · ") + who + QLatin1Char('\n') + what, this);
     row->setFlags(Qt::ItemIsEnabled);
     row->setForeground(m_theme.theme().tone(Tone::Dim));

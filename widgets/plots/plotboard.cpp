@@ -192,12 +192,12 @@ void PlotBoard::dress(Trace &trace)
     if (!trace.style.colour)
         chooseColour(trace.style, m_used);
     m_used.push_back(trace.style.look());
-    trace.id = m_stack.addTrace(trace.style, trace.source);
+    trace.id = m_stack.strips().addTrace(trace.style, trace.source);
 }
 
 void PlotBoard::rebuild()
 {
-    m_stack.clear();
+    m_stack.strips().clear();
     m_panes.clear();
     m_used.clear();
     bool simulated = false;
@@ -211,10 +211,10 @@ void PlotBoard::rebuild()
     }
     for (Reference &reference : m_references) {
         reference.style.strip = stripOf(reference.pane, reference.style.unit);
-        reference.id = m_stack.addTrace(reference.style, reference.trace);
+        reference.id = m_stack.strips().addTrace(reference.style, reference.trace);
     }
-    m_stack.setWatermark(simulated ? tr("DEMO") : replayed ? tr("REPLAY") : QString());
-    m_stack.setClock(std::chrono::duration<double>(m_workbench.unixOffset()).count());
+    m_stack.strips().setWatermark(simulated ? tr("DEMO") : replayed ? tr("REPLAY") : QString());
+    m_stack.strips().setClock(std::chrono::duration<double>(m_workbench.unixOffset()).count());
     followRates();
     Q_EMIT changed();
 }

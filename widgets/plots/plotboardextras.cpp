@@ -126,8 +126,8 @@ void PlotBoard::advance()
 
 void PlotBoard::keepReferences()
 {
-    const auto [from, to] = m_stack.range();
-    const double origin = m_stack.heldKey().value_or(from);
+    const auto [from, to] = m_stack.view().range();
+    const double origin = m_stack.view().heldKey().value_or(from);
     const double beside = (to - from) * referenceSpan;
     for (const Trace &trace : m_traces) {
         if (trace.style.role == TraceRole::Setpoint)
@@ -165,7 +165,7 @@ void PlotBoard::addNote(double key, const QString &text)
     std::vector<PlotMark> marks;
     for (const TimedNote &note : m_notes)
         marks.push_back({plotKey(note.time), QString::fromStdString(note.text)});
-    m_stack.setMarks(std::move(marks));
+    m_stack.strips().setMarks(std::move(marks));
 }
 
 std::vector<ExportChannel> PlotBoard::exportChannels(bool everything) const

@@ -87,6 +87,19 @@ struct StripDecor {
     std::vector<std::pair<double, double>> gaps;
     std::vector<const TracePlottable *> curves; ///< against the left scale, in notes' way; empty: they may cover them
     bool first = false; ///< of the stack: gaps are labelled here, beside them when they are too narrow
+
+    /// All of one kind: PlotLimit, PlotBand, PlotSpan or PlotNote.
+    template <typename Annotation> [[nodiscard]] std::vector<Annotation> &all()
+    {
+        if constexpr (std::is_same_v<Annotation, PlotLimit>)
+            return limits;
+        else if constexpr (std::is_same_v<Annotation, PlotBand>)
+            return bands;
+        else if constexpr (std::is_same_v<Annotation, PlotSpan>)
+            return spans;
+        else
+            return notes;
+    }
 };
 
 /// Words at a gap, where they have room.

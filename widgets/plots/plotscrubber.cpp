@@ -69,7 +69,7 @@ double PlotScrubber::keyOf(double at) const
 
 QRectF PlotScrubber::box() const
 {
-    const auto [from, to] = m_stack.range();
+    const auto [from, to] = m_stack.view().range();
     const QRectF area = band();
     const double left = std::clamp(x(from), area.left(), area.right() - 6);
     const double right = std::clamp(x(to), left + 6, area.right());
@@ -152,17 +152,17 @@ void PlotScrubber::paintEvent(QPaintEvent *)
 
 void PlotScrubber::showAround(double key)
 {
-    const double half = m_stack.window() / 2;
+    const double half = m_stack.view().window() / 2;
     if (key + half >= m_now)
-        m_stack.setLive(true);
+        m_stack.view().setLive(true);
     else
-        m_stack.setRange(key - half, key + half);
+        m_stack.view().setRange(key - half, key + half);
     update();
 }
 
 void PlotScrubber::mousePressEvent(QMouseEvent *event)
 {
-    const auto [from, to] = m_stack.range();
+    const auto [from, to] = m_stack.view().range();
     const double middle = (from + to) / 2;
     const double key = keyOf(event->pos().x());
     m_grip = box().contains(event->pos()) ? key - middle : 0.0;
@@ -178,12 +178,12 @@ void PlotScrubber::mouseMoveEvent(QMouseEvent *event)
 
 void PlotScrubber::keyPressEvent(QKeyEvent *event)
 {
-    const auto [from, to] = m_stack.range();
+    const auto [from, to] = m_stack.view().range();
     switch (event->key()) {
-    case Qt::Key_Left: return showAround((from + to) / 2 - m_stack.window() / 2);
-    case Qt::Key_Right: return showAround((from + to) / 2 + m_stack.window() / 2);
-    case Qt::Key_Home: return showAround(m_first + m_stack.window() / 2);
-    case Qt::Key_End: return m_stack.setLive(true);
+    case Qt::Key_Left: return showAround((from + to) / 2 - m_stack.view().window() / 2);
+    case Qt::Key_Right: return showAround((from + to) / 2 + m_stack.view().window() / 2);
+    case Qt::Key_Home: return showAround(m_first + m_stack.view().window() / 2);
+    case Qt::Key_End: return m_stack.view().setLive(true);
     default: QWidget::keyPressEvent(event);
     }
 }

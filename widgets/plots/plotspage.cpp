@@ -3,75 +3,113 @@
 
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
-#include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/pagekeys.h"
 #include "widgets/common/ratekeeper.h"
 #include "widgets/common/replaybar.h"
-#include "widgets/plots/curveplot.h"
-#include "widgets/plots/exportjob.h"
+#include "widgets/plots/analysisviews.h"
+#include "widgets/plots/exportbar.h"
+#include "widgets/plots/plotdialogs.h"
+#include "widgets/plots/plotsbar.h"
 #include "widgets/plots/plotscrubber.h"
-#include "widgets/plots/tracelist.h"
-#include "widgets/plots/triggerbar.h"
+#include "widgets/plots/recordingcontrol.h"
+#include "widgets/plots/tracepanel.h"
 
-#include <QComboBox>
 #include <QDropEvent>
-#include <QHBoxLayout>
+#include <QGridLayout>
+#include <QMenu>
 #include <QMimeData>
-#include <QProgressBar>
-#include <QScrollArea>
 #include <QStackedWidget>
+
+#include <array>
+#include <cmath>
 
 namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds repaintTime{16};
-constexpr std::chrono::milliseconds rememberAfter{1000};
-constexpr double firstWindow = 10.0;
-constexpr int sideWidth = 300;
+constexpr double idleScroll = 0.25;  ///< silent devices scroll away this often
+constexpr double analyseEvery = 0.5; ///< seconds
+constexpr int roomyWidth = 1250;     ///< for the numbers of the recording
+constexpr double narrowestWindow = 0.01;
+/// Samples per second to wish for, so that zooming does not change them all the time.
+constexpr std::array<double, 5> rateSteps{20.0, 50.0, 100.0, 200.0, 500.0};
+
+/// What is plotted comes as often as the screen can show it, and not more often.
+std::vector<RateKeeper::Wish> wishesOf(const Workbench &workbench, const PlotBoard &board, const PlotStack &stack)
+{
+    std::vector<RateKeeper::Wish> wishes;
+    const double columns = std::max(stack.width(), 1) / std::max(stack.view().window(), narrowestWindow);
+    const auto step = std::find_if(rateSteps.begin(), rateSteps.end(), [&](double rate) { return rate >= columns; });
+    const double hertz = step == rateSteps.end() ? rateSteps.back() : *step;
+    const auto add = [&](const Signal &signal) {
+        const DeviceView *device = workbench.snapshot().device(signal.device);
+        if (device && device->telemetry && RateKeeper::isFree(*device))
+            wishes.push_back({signal.device, signal.channel, hertz});
+    };
+    for (const PlotBoard::Trace &trace : board.traces())
+        add(trace.signal);
+    for (const Signal &signal : board.ingredients())
+        add(signal);
+    return wishes;
+}
+
+/// When the first of what is plotted was recorded.
+double beginOf(const PlotBoard &board, double now)
+{
+    double first = now;
+    for (const PlotBoard::Trace &trace : board.traces()) {
+        const auto begin = trace.source->telemetry().first(trace.source->channel());
+        first = begin ? std::min(first, plotKey(begin->time)) : first;
+    }
+    return first;
+}
 
 } // namespace
 
 PlotsPage::PlotsPage(Workbench &workbench, Selection &selection, const ThemeSource &theme, QWidget *parent)
     : QWidget(parent)
     , m_workbench(workbench)
-    , m_selection(selection)
     , m_theme(theme)
     , m_stack(new PlotStack(theme, this))
     , m_board(new PlotBoard(workbench, *m_stack, this))
-    , m_trigger(*m_stack)
+    , m_layoutBook(workbench, selection, *m_stack, *m_board)
 {
     setObjectName(QStringLiteral("plotsPage"));
     m_pages = new QStackedWidget(this);
-    m_empty = new EmptyState(theme, Symbol::Wave, tr("No device yet"),
-        tr("Open a link, or the simulated bench from the menu; its signals appear here."), m_pages);
-    auto *content = new QWidget(m_pages);
-    auto *grid = new QGridLayout(content);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(0);
-    grid->addWidget(buildPlots(), 2, 0);
-    grid->addWidget(buildBar(), 0, 0, 1, 3);
-    grid->addWidget(separatorLine(Qt::Horizontal, content), 1, 0, 1, 3);
-    grid->addWidget(separatorLine(Qt::Vertical, content), 2, 1);
-    grid->addWidget(buildSide(), 2, 2);
-    grid->setColumnStretch(0, 1);
-    grid->setRowStretch(2, 1);
-    m_pages->addWidget(m_empty);
-    m_pages->addWidget(content);
+    m_pages->addWidget(new EmptyState(theme, Symbol::Wave, tr("No device yet"),
+        tr("Open a link, or the simulated bench from the menu; its signals appear here."), m_pages));
+    m_pages->addWidget(buildContent());
     auto *all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     m_replay = new ReplayBar(workbench, theme, this);
     all->setSpacing(0);
     all->addWidget(m_replay);
     all->addWidget(m_pages);
-    connectStack();
+    connectParts();
+    connect(&selection, &Selection::changed, this, &PlotsPage::follow);
     addKeys();
     follow();
 }
 
-PlotsPage::~PlotsPage()
+QWidget *PlotsPage::buildContent()
 {
-    if (m_remember.isActive())
-        rememberLayout();
+    auto *content = new QWidget(m_pages);
+    auto *grid = new QGridLayout(content);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(0);
+    grid->addWidget(buildPlots(), 2, 0);
+    m_bar = new PlotsBar(
+        m_workbench, *m_stack, m_theme, [this](QMenu &menu) { m_layoutBook.fillMenu(menu, *this); },
+        [this](QMenu &menu) { fillExportMenu(menu); }, content);
+    grid->addWidget(m_bar, 0, 0, 1, 3);
+    grid->addWidget(separatorLine(Qt::Horizontal, content), 1, 0, 1, 3);
+    grid->addWidget(separatorLine(Qt::Vertical, content), 2, 1);
+    m_panel = new TracePanel(m_workbench, *m_stack, *m_board, m_theme, content);
+    grid->addWidget(m_panel, 2, 2);
+    grid->setColumnStretch(0, 1);
+    grid->setRowStretch(2, 1);
+    return content;
 }
 
 QWidget *PlotsPage::buildPlots()
@@ -80,13 +118,11 @@ QWidget *PlotsPage::buildPlots()
     auto *column = new QVBoxLayout(area);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    m_triggerBar = new TriggerBar(m_theme, area);
-    m_triggerBar->hide();
+    m_trigger = new TriggerControl(*m_stack, *m_board, m_theme, area);
     m_plots = new QStackedWidget(area);
     m_stack->setObjectName(QStringLiteral("plotsStack"));
-    m_stack->setWindow(firstWindow);
-    m_stack->setOwnTable(false);
-    m_stack->acceptDrops(QLatin1String(signalMimeType));
+    m_stack->exporter().setOwnTable(false);
+    m_stack->input().acceptDrops(QLatin1String(signalMimeType));
     m_stack->setToolTip(
         tr("Wheel zooms time, Ctrl+wheel values, Shift+wheel moves · drag moves · Shift+drag zooms into a box\n"
            "double click or End returns to the present · right click for more"));
@@ -95,122 +131,226 @@ QWidget *PlotsPage::buildPlots()
     m_plots->addWidget(m_stack);
     m_plots->setAcceptDrops(true);
     m_plots->installEventFilter(this);
-    buildAgainst(*m_plots);
-    m_plots->addWidget(m_againstPage);
-    m_spectrum = new CurvePlot(m_theme, tr("Spectrum"), m_plots);
-    m_spectrum->setAxes(tr("frequency, Hz"), tr("amplitude"), true);
+    m_against = new AgainstView(*m_stack, *m_board, m_theme, m_plots);
+    m_plots->addWidget(m_against);
+    m_spectrum = new SpectrumView(*m_stack, *m_board, m_theme, m_plots);
     m_plots->addWidget(m_spectrum);
     m_scrubber = new PlotScrubber(m_theme, *m_stack, area);
-    column->addWidget(m_triggerBar);
-    column->addWidget(buildJob());
+    m_exportBar = new ExportBar(m_workbench, *m_stack, *m_board, m_theme, area);
+    column->addWidget(&m_trigger->bar());
+    column->addWidget(m_exportBar);
     column->addWidget(m_plots, 1);
     column->addWidget(m_scrubber);
     return area;
 }
 
-void PlotsPage::connectStack()
+void PlotsPage::connectParts()
 {
     m_tick.setInterval(repaintTime);
-    connect(&m_tick, &QTimer::timeout, this, &PlotsPage::tick);
-    m_remember.setSingleShot(true);
-    m_remember.setInterval(rememberAfter);
-    connect(&m_remember, &QTimer::timeout, this, &PlotsPage::rememberLayout);
+    connect(&m_tick, &QTimer::timeout, this, [this] {
+        if (m_stack->budget().isDue())
+            draw();
+    });
     connect(&m_workbench, &Workbench::changed, this, &PlotsPage::follow);
-    connect(&m_selection, &Selection::changed, this, &PlotsPage::follow);
     connect(m_board, &PlotBoard::changed, this, &PlotsPage::boardChanged);
-    connect(m_stack, &PlotStack::exported, this,
+    connect(&m_layoutBook, &PlotLayoutBook::wasReset, this, [this] {
+        m_trigger->disarm();
+        follow();
+    });
+    connect(&m_stack->exporter(), &PlotExport::exported, this,
         [this](const QString &path) { m_workbench.report(Severity::Good, {}, tr("plot written to %1").arg(path)); });
-    connect(m_stack, &PlotStack::exportFailed, this,
+    connect(&m_stack->exporter(), &PlotExport::exportFailed, this,
         [this](const QString &cause) { m_workbench.report(Severity::Danger, {}, cause); });
-    connect(m_stack, &PlotStack::dropped, this, [this](const QByteArray &dropped, int strip) {
+    connect(&m_stack->input(), &PlotInput::dropped, this, [this](const QByteArray &dropped, int strip) {
         const std::vector<Signal> all = signalsFromMime(dropped);
         if (all.size() == 1)
             m_board->choose(all.front(), true, m_board->paneOf(strip));
         else // a whole axis has several units
             addSignals(all);
     });
-    connect(m_stack, &PlotStack::noteRequested, this, &PlotsPage::newNote);
+    connect(&m_stack->input(), &PlotInput::noteRequested, this, &PlotsPage::newNote);
     connect(
         m_stack, &PlotStack::menuRequested, this, [this](QMenu *menu, int, double key) { addMenuEntries(*menu, key); });
-    connect(m_stack, &PlotStack::triggerLevelMoved, this, [this](double level) {
-        m_triggerBar->setLevel(level);
-        arm();
+    connect(m_stack, &PlotStack::cursorsChanged, this, [this] {
+        m_analysedAt = -1.0;
+        m_panel->showRows();
     });
-    connect(m_triggerBar, &TriggerBar::changed, this, &PlotsPage::arm);
-    connect(m_triggerBar, &TriggerBar::closed, this, &PlotsPage::triggerOff);
+    connect(m_bar, &PlotsBar::viewChosen, this, [this](int view) { showView(static_cast<View>(view)); });
+    connect(m_bar, &PlotsBar::referencesWanted, m_board, &PlotBoard::keepReferences);
+    connect(m_bar, &PlotsBar::triggerToggled, m_trigger, &TriggerControl::setOn);
+    connect(m_trigger, &TriggerControl::armedChanged, m_bar, &PlotsBar::showTrigger);
+    connect(m_panel, &TracePanel::triggerRequested, m_trigger, &TriggerControl::armOn);
+    connect(m_panel, &TracePanel::derivedRequested, this, &PlotsPage::newDerived);
+    connect(m_panel, &TracePanel::spectrumRequested, this, [this] { showView(View::Spectrum); });
 }
 
-QWidget *PlotsPage::buildJob()
+void PlotsPage::addKeys()
 {
-    const Theme &theme = m_theme.theme();
-    m_jobBar = new QWidget(this);
-    auto *row = new QHBoxLayout(m_jobBar);
-    row->setContentsMargins(theme.u(12), theme.u(4), theme.u(12), theme.u(4));
-    m_progress = new QProgressBar(m_jobBar);
-    m_progress->setRange(0, 100);
-    m_progress->setAccessibleName(tr("Progress of the export"));
-    auto *cancel = new CommandButton(m_theme, tr("Cancel"), m_jobBar);
-    row->addWidget(textLabel(tr("Writing samples"), TextRole::Caption, Tone::Dim, m_jobBar));
-    row->addWidget(m_progress, 1);
-    row->addWidget(cancel);
-    m_jobBar->hide();
-    m_job = new ExportJob(this);
-    connect(cancel, &QPushButton::clicked, m_job, &ExportJob::cancel);
-    connect(m_job, &ExportJob::progressed, m_progress, &QProgressBar::setValue);
-    connect(m_job, &ExportJob::finished, this, &PlotsPage::finished);
-    return m_jobBar;
-}
-
-QWidget *PlotsPage::buildSide()
-{
-    const Theme &theme = m_theme.theme();
-    auto *side = new QWidget(this);
-    side->setFixedWidth(theme.u(sideWidth));
-    auto *column = new QVBoxLayout(side);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(theme.u(12), theme.u(8), theme.u(12), theme.u(8));
-    head->addWidget(new SectionLabel(tr("Traces"), side));
-    head->addStretch(1);
-    head->addWidget(textLabel(tr("rate      lost"), TextRole::Caption, Tone::Dim, side));
-    column->addLayout(head);
-    column->addWidget(separatorLine(Qt::Horizontal, side));
-    buildLists(*side);
-    auto *hint
-        = textLabel(tr("L cursors · 0 fits · + − zooms · P pauses · N note"), TextRole::Caption, Tone::Dim, side);
-    auto *foot = new QHBoxLayout;
-    foot->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(8));
-    foot->addWidget(hint);
-    column->addWidget(separatorLine(Qt::Horizontal, side));
-    column->addLayout(foot);
-    connect(&m_theme, &ThemeSource::changed, side, [this, side] { side->setFixedWidth(m_theme.theme().u(sideWidth)); });
-    return side;
-}
-
-void PlotsPage::buildLists(QWidget &side)
-{
-    auto *column = static_cast<QVBoxLayout *>(side.layout());
-    m_list = new TraceList(m_theme, &side);
-    m_list->setProperty("transparent", true);
-    auto *scroll = new QScrollArea(&side);
-    scroll->setWidget(m_list);
-    scroll->setWidgetResizable(true);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setFocusPolicy(Qt::NoFocus);
-    column->addWidget(scroll, 3);
-    column->addWidget(separatorLine(Qt::Horizontal, &side));
-    m_signals = new SignalList(m_theme, &side);
-    column->addWidget(m_signals, 2);
-    connect(
-        m_signals, &SignalList::toggled, this, [this](const Signal &signal, bool on) { m_board->choose(signal, on); });
-    connect(m_signals, &SignalList::newDerivedRequested, this, &PlotsPage::newDerived);
-    connect(m_signals, &SignalList::removeDerivedRequested, m_board, &PlotBoard::removeDerived);
-    connect(m_list, &TraceList::removeRequested, this, [this](int id) {
-        if (const PlotBoard::Trace *trace = m_board->traceOf(id))
-            m_board->choose(Signal(trace->signal), false);
+    auto *keys = new PageKeys(*this);
+    keys->add({Qt::Key_P}, tr("pauses the plots, and goes on"), [this] { m_bar->togglePause(); });
+    keys->add({Qt::Key_0}, tr("fits time and value"),
+        [this] { m_plots->currentWidget() == m_stack ? m_stack->fit() : curves(View::Spectrum).fit(); });
+    keys->add({Qt::Key_L}, tr("cursors: arrows move one, C changes to the other"), [this] {
+        m_stack->setCursorsShown(!m_stack->cursorsShown());
+        if (m_stack->cursorsShown())
+            m_stack->setFocus(Qt::ShortcutFocusReason);
     });
-    connect(m_list, &TraceList::menuRequested, this, &PlotsPage::showRowMenu);
+    keys->add({Qt::Key_T}, tr("watches for a trigger, or no more"), [this] { m_bar->toggleTrigger(); });
+    keys->add({Qt::Key_R}, tr("records, or ends the recording"), [this] { m_bar->recording().toggle(); });
+    keys->note({Qt::Key_Plus, Qt::Key_Minus}, tr("in the plots: less or more time"));
+    keys->note({Qt::Key_PageUp, Qt::Key_PageDown}, tr("in the plots: larger or smaller values"));
+    keys->note({Qt::Key_N}, tr("in the plots: writes a note at this time"));
+}
+
+void PlotsPage::addSignals(const std::vector<Signal> &wanted)
+{
+    for (const Signal &signal : wanted)
+        m_board->choose(signal, true);
+}
+
+CurvePlot &PlotsPage::curves(View view)
+{
+    return view == View::Against ? m_against->plot() : m_spectrum->plot();
+}
+
+void PlotsPage::showView(View view)
+{
+    m_bar->showView(static_cast<int>(view));
+    const int timePage = m_board->traces().empty() ? 0 : 1;
+    m_plots->setCurrentIndex(view == View::Time ? timePage : view == View::Against ? 2 : 3);
+    m_analysedAt = -1.0;
+    refreshView(plotKey(m_board->present()));
+    if (view != View::Time)
+        curves(view).fit();
+}
+
+void PlotsPage::setLayoutFolder(const QString &folder)
+{
+    m_layoutBook.setFolder(folder);
+    follow();
+}
+
+void PlotsPage::setRecorder(Recorder *recorder, const QString &folder)
+{
+    m_bar->recording().setRecorder(recorder, folder);
+}
+
+void PlotsPage::follow()
+{
+    const auto &devices = m_workbench.snapshot().devices;
+    m_pages->setCurrentIndex(devices.empty() && m_board->traces().empty() ? 0 : 1);
+    m_panel->signalList().setDevices(devices);
+    m_board->follow();
+    m_replay->setLink(m_board->link());
+    m_layoutBook.follow();
+    if (!isVisible())
+        return;
+    m_board->followRates();
+    RateKeeper::of(m_workbench).wish(this, wishesOf(m_workbench, *m_board, *m_stack));
+    m_panel->showRows();
+    m_bar->recording().follow();
+}
+
+void PlotsPage::boardChanged()
+{
+    const auto &traces = m_board->traces();
+    m_panel->followBoard();
+    m_trigger->follow();
+    m_against->follow();
+    if (m_plots->currentIndex() <= 1)
+        m_plots->setCurrentIndex(traces.empty() ? 0 : 1);
+    if (!traces.empty())
+        m_scrubber->setSource(traces.front().source, traces.front().style.look());
+    if (m_board->isTouched())
+        m_layoutBook.remember();
+    m_panel->showRows();
+    m_drawn = 0;
+    m_drawnAt = 0.0;
+    draw();
+}
+
+void PlotsPage::draw()
+{
+    if (!isVisible())
+        return;
+    m_board->advance();
+    const double now = plotKey(m_board->present());
+    const std::uint64_t present = m_board->revision();
+    if (m_board->traces().empty() || (present == m_drawn && std::abs(now - m_drawnAt) < idleScroll))
+        return;
+    m_drawn = present;
+    m_drawnAt = now;
+    const Painting painting(m_stack->budget());
+    m_trigger->poll(now);
+    m_stack->refresh(now);
+    m_scrubber->setSession(
+        beginOf(*m_board, now), now, std::chrono::duration<double>(m_workbench.unixOffset()).count());
+    m_scrubber->follow();
+    refreshView(now);
+}
+
+void PlotsPage::refreshView(double now)
+{
+    const int page = m_plots->currentIndex();
+    const bool first = m_analysedAt < 0.0;
+    if (page < 2 || (!first && now - m_analysedAt < analyseEvery))
+        return;
+    if (!first && !m_stack->view().isLive() && !m_stack->cursorsShown())
+        return; // nothing moves
+    // The time plot is not drawn now, but its window goes on.
+    m_analysedAt = now;
+    if (m_stack->view().isLive() && !m_stack->view().heldKey())
+        m_stack->follow(now);
+    page == 2 ? m_against->refresh() : m_spectrum->refresh();
+    if (first)
+        curves(page == 2 ? View::Against : View::Spectrum).fit();
+}
+
+void PlotsPage::fillExportMenu(QMenu &menu)
+{
+    if (m_plots->currentWidget() != m_stack)
+        return mb::fillExportMenu(
+            menu, curves(m_plots->currentWidget() == m_against ? View::Against : View::Spectrum), m_workbench);
+    m_stack->fillMenu(menu);
+    addMenuEntries(menu, m_stack->view().range().second);
+}
+
+void PlotsPage::addMenuEntries(QMenu &menu, double key)
+{
+    menu.addSeparator();
+    menu.addAction(tr("Note at this time…\tN"), this, [this, key] { newNote(key); });
+    menu.addAction(tr("Keep what is seen as a reference"), m_board, &PlotBoard::keepReferences);
+    QAction *clear = menu.addAction(tr("Remove references"), m_board, &PlotBoard::clearReferences);
+    clear->setEnabled(!m_board->references().empty());
+    menu.addAction(tr("Derived signal…"), this, &PlotsPage::newDerived);
+    menu.addAction(tr("Spectrum of what is seen"), this, [this] { showView(View::Spectrum); });
+    menu.addAction(tr("X-Y"), this, [this] { showView(View::Against); });
+    menu.addAction(
+        tr("Trigger: stands still at an edge or a level") + QStringLiteral("\tT"), m_bar, &PlotsBar::toggleTrigger);
+    menu.addAction(tr("Export samples…"), this, [this] {
+        askExport(
+            *this, m_stack->cursorsShown(), [this](const ExportChoice &choice) { m_exportBar->exportSamples(choice); });
+    });
+}
+
+void PlotsPage::newDerived()
+{
+    const auto check
+        = [this](const QString &name, const QString &formula) { return m_board->whatIsWrong(name, formula); };
+    askDerived(*this, m_theme, m_board->variables(), check,
+        [this](const QString &name, const QString &unit, const QString &formula) {
+            if (const auto added = m_board->addDerived(name, unit, formula); !added)
+                m_workbench.report(Severity::Danger, {}, tr("%1: %2").arg(name, errorText(added.error())));
+        });
+}
+
+void PlotsPage::newNote(double key)
+{
+    askNote(*this, [this, key](const QString &text) {
+        m_board->addNote(key, text);
+        if (!m_board->notes().empty())
+            m_bar->recording().note(m_board->notes().back().time, text);
+    });
 }
 
 void PlotsPage::showEvent(QShowEvent *event)
@@ -239,7 +379,7 @@ bool PlotsPage::eventFilter(QObject *watched, QEvent *event)
 void PlotsPage::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    followWidth();
+    m_bar->recording().setRoomy(width() > m_theme.theme().u(roomyWidth));
 }
 
 void PlotsPage::hideEvent(QHideEvent *event)

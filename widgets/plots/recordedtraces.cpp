@@ -28,15 +28,15 @@ std::vector<int> showRecording(PlotStack &stack, const LoadedRecording &recordin
         TraceStyle style{qt(row.label), unit.text, roleOf(row.quantity), static_cast<int>(panes.indexOf(unit.text))};
         chooseColour(style, used);
         used.push_back(style.look());
-        traces.push_back(stack.addTrace(style, source));
+        traces.push_back(stack.strips().addTrace(style, source));
     }
     const double from = plotKey(recording.first);
     const double to = plotKey(recording.last);
     if (recording.hasClock)
-        stack.setClock(0.0);
+        stack.strips().setClock(0.0);
     if (recording.simulated)
-        stack.setWatermark(QStringLiteral("DEMO"));
-    stack.setRange(from, to > from ? to : from + 1.0);
+        stack.strips().setWatermark(QStringLiteral("DEMO"));
+    stack.view().setRange(from, to > from ? to : from + 1.0);
     return traces;
 }
 

@@ -54,7 +54,7 @@ SamplesWindow::SamplesWindow(const QString &path, const ThemeSource &theme, QWid
     setWindowTitle(tr("%1 (recorded samples)").arg(QFileInfo(path).fileName()));
     build(path, theme);
     addKeys();
-    connect(&m_tick, &QTimer::timeout, m_stack, [this] { m_stack->refresh(m_stack->range().second); });
+    connect(&m_tick, &QTimer::timeout, m_stack, [this] { m_stack->refresh(m_stack->view().range().second); });
     read(path);
 }
 
@@ -93,11 +93,11 @@ void SamplesWindow::build(const QString &path, const ThemeSource &theme)
         m_stack->fillMenu(*menu);
         menu->popup(save->mapToGlobal(QPoint(0, save->height())));
     });
-    connect(m_stack, &PlotStack::exported, this,
+    connect(&m_stack->exporter(), &PlotExport::exported, this,
         [this](const QString &to) { m_state->setText(tr("Written: %1").arg(to)); });
-    connect(m_stack, &PlotStack::exportFailed, m_state, &QLabel::setText);
+    connect(&m_stack->exporter(), &PlotExport::exportFailed, m_state, &QLabel::setText);
     connect(m_channels, &QListWidget::itemChanged, this, [this](const QListWidgetItem *item) {
-        m_stack->setTraceVisible(item->data(Qt::UserRole).toInt(), item->checkState() == Qt::Checked);
+        m_stack->strips().setTraceVisible(item->data(Qt::UserRole).toInt(), item->checkState() == Qt::Checked);
     });
 }
 

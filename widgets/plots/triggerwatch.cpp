@@ -40,7 +40,7 @@ void TriggerWatch::arm(const TriggerSetup &setup, std::shared_ptr<const Telemetr
     const TriggerRule rule{setup.kind, setup.level / source->scale(), hysteresisOf(*source, now)};
     constexpr Duration lead = std::chrono::seconds(1); // an edge needs to know from where it comes
     m_search.emplace(rule, source->sharedTelemetry(), source->channel(), instantAt(now) - lead);
-    m_stack.hold({}, setup.before);
+    m_stack.view().hold({}, setup.before);
     show(now);
 }
 
@@ -49,13 +49,13 @@ void TriggerWatch::disarm()
     m_search.reset();
     m_event.reset();
     m_done = false;
-    m_stack.hold({}, m_setup.before);
+    m_stack.view().hold({}, m_setup.before);
     m_stack.setStateText({});
 }
 
 double TriggerWatch::windowEnd() const
 {
-    return *m_event + m_stack.window() * (1.0 - m_setup.before);
+    return *m_event + m_stack.view().window() * (1.0 - m_setup.before);
 }
 
 void TriggerWatch::poll(double now)
@@ -80,7 +80,7 @@ void TriggerWatch::poll(double now)
 
 void TriggerWatch::show(double now)
 {
-    m_stack.hold(m_event, m_setup.before);
+    m_stack.view().hold(m_event, m_setup.before);
     if (!m_event)
         m_stack.setStateText(TriggerText::tr("trigger armed, waiting"));
     else if (m_done)

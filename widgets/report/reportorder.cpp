@@ -64,16 +64,23 @@ void ReportOrder::write(const DeviceView &view, const ReportWish &wish, const QS
         return finish(path,
             fail(Fault::OutOfRange, say("%1 has a name that ends in no kind of report", path.toStdString()),
                 say("end it in .pdf or .html")));
+    make(view, wish, [this, path](const Result<Report> &report) {
+        finish(path, report ? save(*report, path) : Result<void>(fail(report.error())));
+    });
+}
+
+void ReportOrder::make(const DeviceView &view, const ReportWish &wish, std::function<void(Result<Report>)> made)
+{
     const ReportUnit subject = unitOf(view);
     ReportWish matter = wish;
     if (matter.trials.empty())
         matter.unit = subject.unit;
-    m_workbench.trials().gather(
-        matter, [self = QPointer<ReportOrder>(this), subject, path](Result<std::vector<ReportUnit>> units) {
+    m_workbench.trials().gather(matter,
+        [self = QPointer<ReportOrder>(this), subject, made = std::move(made)](Result<std::vector<ReportUnit>> units) {
             if (!self)
                 return;
             if (!units)
-                return self->finish(path, fail(units.error()));
+                return made(fail(units.error()));
             Report report;
             report.time = std::chrono::duration<double>(
                 self->m_workbench.now().time_since_epoch() + self->m_workbench.unixOffset())
@@ -90,7 +97,7 @@ void ReportOrder::write(const DeviceView &view, const ReportWish &wish, const QS
                 report.units.back().trials = std::move(found.trials);
                 report.units.back().history = std::move(found.history);
             }
-            self->finish(path, self->save(report, path));
+            made(std::move(report));
         });
 }
 

@@ -15,6 +15,8 @@ class ReportOrder : public QObject {
 public:
     ReportOrder(Workbench &workbench, QWidget &page);
 
+    /// Gathers it, in words of the language of the window; answers later, or never when its page is gone.
+    void make(const DeviceView &view, const ReportWish &wish, std::function<void(Result<Report>)> made);
     /// Of this unit as it is now, in words of the language of the window.
     void ask(const DeviceView &view, const ReportWish &wish);
     /// The same into a file whose name ends in .pdf or .html.

@@ -61,7 +61,7 @@ Task<void> PacketPort::searchStart()
     co_return {};
 }
 
-/// Reads until the reply of the round is there or its time is over (1.4, steps 2 to 4).
+/// Reads until the reply of the round is there or its time is over (README.md#waiting-packets).
 Task<void> PacketPort::listenFor(Round &round, std::size_t expected)
 {
     const bool blind = !m_link.ready().has_value();

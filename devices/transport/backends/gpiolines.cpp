@@ -35,6 +35,26 @@ Error causeOf(int error, const std::string &name)
 
 } // namespace
 
+std::vector<GpioLineListing> gpioLines()
+{
+    std::vector<GpioLineListing> lines;
+    gpiod_chip_iter *chips = gpiod_chip_iter_new();
+    if (!chips) // no chip, or none that may be opened
+        return lines;
+    for (gpiod_chip *chip = gpiod_chip_iter_next(chips); chip; chip = gpiod_chip_iter_next(chips)) {
+        for (unsigned number = 0; number < gpiod_chip_num_lines(chip); ++number) {
+            gpiod_line *line = gpiod_chip_get_line(chip, number);
+            if (!line)
+                continue;
+            const char *label = gpiod_line_name(line);
+            lines.push_back({std::string(gpiod_chip_name(chip)) + ':' + std::to_string(number), label ? label : "",
+                gpiod_line_is_used(line)});
+        }
+    }
+    gpiod_chip_iter_free(chips);
+    return lines;
+}
+
 GpioLine::GpioLine() = default;
 
 GpioLine::~GpioLine()

@@ -5,13 +5,24 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <string_view>
+#include <vector>
 
 class QSocketNotifier;
 struct gpiod_chip;
 struct gpiod_line;
 
 namespace mb {
+
+/// A line of a chip of this computer.
+struct GpioLineListing {
+    std::string name;  ///< "gpiochip0:25"
+    std::string label; ///< what the system calls it, "GPIO25"; empty when it has no name
+    bool used = false; ///< another program or a driver has it
+};
+/// Lines of all chips that this user may open, by chip and number. Opens chips, requests no line.
+[[nodiscard]] std::vector<GpioLineListing> gpioLines();
 
 /// One GPIO line, named CHIP:LINE as in `gpiochip0:25`, through libgpiod 1.6. Compile-tested only: no machine of ours has one.
 class GpioLine {

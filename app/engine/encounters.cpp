@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/encounters.h"
+
+#include "settings/history.h"
+#include "settings/snapshots.h"
+#include "settings/unit.h"
+
+namespace mb {
+namespace {
+
+/// Everything is read, and what something else has changed goes into the history before the snapshot.
+Task<settings::ParameterSnapshot> meetUnit(Device &device, settings::SettingsLog &log, Progress &progress)
+{
+    auto taking = settings::takeSnapshot(device, settings::Occasion::Found, {}, log, progress);
+    settings::ParameterSnapshot taken = co_await std::move(taking);
+    auto noticing = settings::noticeForeign(device, log);
+    const int foreign = co_await std::move(noticing);
+    const bool isFresh = device.link().address().isSimulated(); // a bench of this process was never left as anything
+    if (foreign > 0 && !isFresh)
+        progress.log(Severity::Caution,
+            std::to_string(foreign) + " values are not what they were left as; the history has both");
+    co_return taken;
+}
+
+} // namespace
+
+bool Encounters::isReady(const Device &device) const
+{
+    return m_parameters.log() && device.liveness().heard && !device.liveness().moving
+        && device.identity().state == DeviceState::Online && device.busy().empty()
+        && !m_context.operations.has(m_context.session.idOf(device)) && !device.link().address().isRecording()
+        && !readable(device).empty();
+}
+
+void Encounters::look()
+{
+    for (Device *device : m_context.session.devices()) {
+        const DeviceId id = m_context.session.idOf(*device);
+        const std::string unit = settings::unitOf(*device).key;
+        if (!isReady(*device) || m_met[id] == unit)
+            continue;
+        m_met[id] = unit;
+        Operations::Job *const job = m_context.operations.begin<settings::ParameterSnapshot>(
+            id, "Take a snapshot",
+            [log = m_parameters.log()](Device &found, Progress &progress) { return meetUnit(found, *log, progress); },
+            [this](Operations::Job &done, const Result<settings::ParameterSnapshot> &taken) { met(done, taken); },
+            [](const Result<void> &) {});
+        if (job)
+            job->yields = true;
+    }
+    std::erase_if(m_met, [this](const auto &entry) { return !m_context.session.find(entry.first); });
+}
+
+void Encounters::met(const Operations::Job &job, const Result<settings::ParameterSnapshot> &taken)
+{
+    const Device *device = m_context.session.find(job.device);
+    if (!device)
+        return;
+    if (!taken && taken.error().fault != Fault::OutOfRange) // a full disk is told once; others are tried again
+        m_met.erase(job.device);
+    else if (!taken)
+        m_context.log.tell(Severity::Caution, *device, "no snapshot of what was found: " + taken.error().text());
+    for (const LogLine &line : job.operation->status().log)
+        m_context.log.tell(line.severity, *device, line.text);
+    if (taken)
+        m_provisional.look(job.device, false);
+}
+
+} // namespace mb

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/enginecore.h"
+
+namespace mb {
+namespace {
+
+constexpr Duration lookPeriod = std::chrono::seconds(1);
+
+template <class Room, class O>
+concept Takes = requires(Room &room, const O &order, std::function<void(Result<AnswerOf<O>>)> finished)
+{
+    room.carryOut(order, finished);
+};
+
+/// The one room of all that carries this order out does it.
+template <class O, class... Rooms> void giveTo(const O &order, const Reply &reply, Rooms &...rooms)
+{
+    static_assert((Takes<Rooms, O> + ...) == 1, "an order has exactly one handler");
+    const auto offer = [&order, &reply]<class Room>(Room &room) {
+        if constexpr (Takes<Room, O>) {
+            const auto finished = reply.as<AnswerOf<O>>();
+            room.carryOut(
+                order, finished ? finished : [](const Result<AnswerOf<O>> &) {});
+        }
+    };
+    (offer(rooms), ...);
+}
+
+} // namespace
+
+EngineCore::EngineCore(Clock &clock, std::span<const Family *const> families, bool opensByItself, MotionGuard *guard)
+    : m_session(clock, families, guard)
+    , m_log(m_session)
+    , m_operations(clock, m_session, m_log)
+    , m_context{clock, m_session, m_log, m_operations}
+    , m_motion(m_context, guard)
+    , m_recordings(m_context, m_motion)
+    , m_scans(m_context, m_recordings)
+    , m_links(m_context, m_motion, m_recordings, m_scans, opensByItself)
+    , m_provisional(m_context)
+    , m_parameters(m_context, m_provisional)
+    , m_jobs(m_context, m_parameters)
+    , m_encounters(m_context, m_parameters, m_provisional)
+    , m_rates(m_context)
+    , m_owed(m_context)
+    , m_trials(m_context, m_parameters, m_owed, m_rates)
+    , m_firmware(m_context, m_parameters, m_scans)
+    , m_roll(m_context, m_parameters, m_encounters, m_trials)
+    , m_publisher(m_context, m_links, m_provisional)
+    , m_look(clock)
+{
+    m_look.startIn(Duration::zero(), [this] { look(); });
+}
+
+EngineCore::~EngineCore()
+{
+    m_session.stopAll(StopCause::Program);
+    m_operations.clear(); // while what their tasks use is there
+}
+
+void EngineCore::carryOut(const Order &order, const Reply &reply)
+{
+    std::visit(
+        [this, &reply](const auto &one) {
+            giveTo(one, reply, m_operations, m_motion, m_recordings, m_scans, m_links, m_jobs, m_parameters,
+                m_provisional, m_rates, m_owed, m_trials, m_firmware);
+        },
+        order);
+}
+
+void EngineCore::setBackground(Background *background)
+{
+    m_session.setBackground(background);
+    m_recordings.setBackground(background);
+    m_firmware.setBackground(background);
+}
+
+void EngineCore::setSettingsLog(settings::SettingsLog *log)
+{
+    m_provisional.setLog(log);
+    m_parameters.setLog(log);
+}
+
+void EngineCore::setJournal(tuning::ExperimentJournal *journal)
+{
+    m_trials.setJournal(journal);
+    m_owed.setJournal(journal);
+}
+
+void EngineCore::look()
+{
+    m_look.startIn(lookPeriod, [this] { look(); });
+    m_links.look();
+    m_roll.look();
+    m_roll.refreshRestarted();
+    m_owed.look();
+    m_encounters.look();
+    m_scans.look();
+}
+
+} // namespace mb

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/firmwareupdates.h"
+
+#include "async/background.h"
+#include "model/family.h"
+
+namespace mb {
+namespace {
+
+constexpr const char *updateTitle = "Update firmware";
+constexpr Duration transcriptLimit = std::chrono::seconds(30);
+
+/// One story after another, which may fail.
+template <class T> Task<T> after(Task<void> first, Task<T> then)
+{
+    (void)co_await std::move(first).attempt();
+    co_return co_await std::move(then).attempt();
+}
+
+UpdateReport reportOf(const Error &error)
+{
+    return {error.fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed, {}, {}, 0, 0, false,
+        error.text(), error.fault};
+}
+
+} // namespace
+
+FirmwareUpdates::FirmwareUpdates(const EngineContext &context, const ParameterJobs &parameters, Scans &scans)
+    : m_context(context)
+    , m_parameters(parameters)
+    , m_scans(scans)
+    , m_files(context.clock)
+{
+}
+
+void FirmwareUpdates::carryOut(const orders::UpdateFirmware &order, const Finished &finished)
+{
+    const Finished refused = [this, id = order.device, finished](const Result<void> &result) {
+        m_context.log.tell(Severity::Caution, id, result.error().text());
+        finished(result);
+    };
+    const Device *device = m_context.session.find(order.device);
+    if (const Device *other = device ? updatedBeside(*device) : nullptr)
+        return refused(fail(Fault::Unsafe,
+            "one update a bus: " + m_context.log.labelOf(*other) + " is being written; nothing was sent"));
+    m_context.operations.begin<UpdateReport>(
+        order.device, updateTitle,
+        [this, image = order.image, options = order.options](Device &unit, Progress &progress) {
+            unit.setBusy("firmware update");
+            return after<UpdateReport>(m_parameters.keepBefore(unit, settings::Occasion::Update, progress),
+                unit.family().update(unit, *image, options, progress));
+        },
+        [this, image = order.image, finished](
+            Operations::Job &job, const Result<UpdateReport> &report) { ended(job, report, finished); },
+        refused);
+}
+
+void FirmwareUpdates::ended(Operations::Job &job, const Result<UpdateReport> &result, const Finished &finished)
+{
+    const UpdateReport report = result ? *result : reportOf(result.error());
+    const bool good = report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate;
+    job.update = report;
+    if (Device *device = m_context.session.find(job.device)) {
+        device->setBusy({});
+        saveTranscript(job, *device);
+        m_context.log.tell(good ? Severity::Good : Severity::Danger, *device, "firmware: " + report.evidence);
+        m_scans.scan(device->link());
+    }
+    if (!result)
+        finished(fail(result.error()));
+    else
+        finished(good ? Result<void>() : fail(report.fault.value_or(Fault::Refused), report.evidence));
+}
+
+/// Pages of one image between those of another, on one bus: neither would end, and no log could tell why.
+const Device *FirmwareUpdates::updatedBeside(const Device &device) const
+{
+    for (const Operations::Job &job : m_context.operations.jobs()) {
+        const Device *other = m_context.session.find(job.device);
+        if (other && other != &device && &other->link() == &device.link() && job.operation->isRunning()
+            && job.operation->status().title == updateTitle)
+            return other;
+    }
+    return nullptr;
+}
+
+/// What was said to a bootloader and what it answered, for whoever has to find out why it failed.
+void FirmwareUpdates::saveTranscript(const Operations::Job &job, const Device &device)
+{
+    if (m_folder.empty())
+        return;
+    Transcript transcript
+        = transcriptOf(m_folder, device, job.operation->status(), job.update.value_or(UpdateReport{}));
+    m_files.spawn<std::string>(
+        keep(std::move(transcript)), [this, label = m_context.log.labelOf(device)](const Result<std::string> &path) {
+            if (path)
+                m_context.log.tell(Severity::Info, label, "the transcript of the update is in " + *path);
+            else
+                m_context.log.tell(
+                    Severity::Caution, label, "the transcript of the update is not kept: " + path.error().text());
+        });
+}
+
+Task<std::string> FirmwareUpdates::keep(Transcript transcript)
+{
+    if (!m_background)
+        co_return save(transcript);
+    const std::string path = transcript.path;
+    auto saving = inBackground<std::string>(
+        *m_background, m_context.clock, m_folder, transcriptLimit,
+        [transcript = std::move(transcript)] { return save(transcript); }, WhenLate::Finish);
+    const Result<std::string> saved = co_await std::move(saving).attempt();
+    if (!saved && saved.error().fault == Fault::Timeout)
+        co_return fail(Fault::Timeout, "the disk has not taken " + path + " for 30 s");
+    co_return saved;
+}
+
+} // namespace mb

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/links.h"
+
+#include <algorithm>
+
+namespace mb {
+
+Links::Links(const EngineContext &context, Motion &motion, Recordings &recordings, Scans &scans, bool opensByItself)
+    : m_context(context)
+    , m_motion(motion)
+    , m_recordings(recordings)
+    , m_scans(scans)
+    , m_opensByItself(opensByItself)
+    , m_returned(context.clock)
+{
+}
+
+Links::~Links()
+{
+    m_openings.clear();
+}
+
+void Links::carryOut(const orders::OpenLink &order, const Finished &finished)
+{
+    const std::string text = order.address.text();
+    const bool underWay = m_openings.count(text) > 0;
+    m_openings[text].finished.push_back(finished);
+    if (!underWay)
+        begin(text, openAll(expandLink(order.address, m_context.session.families())));
+}
+
+void Links::begin(const std::string &address, Task<void> task)
+{
+    Opening &opening = m_openings[address];
+    opening.scope = std::make_unique<Scope>(m_context.clock);
+    opening.scope->spawn<void>(std::move(task), [this, address](const Result<void> &result) { end(address, result); });
+}
+
+void Links::end(const std::string &address, const Result<void> &result)
+{
+    const auto opening = m_openings.extract(address); // first: who is answered may ask for it again
+    if (!opening)
+        return;
+    for (const Finished &finished : opening.mapped().finished)
+        finished(result);
+}
+
+Task<void> Links::openAll(std::vector<LinkAddress> addresses)
+{
+    for (const LinkAddress &one : addresses) {
+        m_closedByHand.erase(one.text());
+        auto opening = m_context.session.openLinkSoon(one);
+        const Result<Link *> link = co_await std::move(opening).attempt();
+        if (!link) {
+            couldNotOpen(one, link.error());
+            co_return fail(link.error());
+        }
+        opened(**link);
+        m_open[*link].byItself = false;
+        m_scans.scan(**link);
+    }
+    co_return {};
+}
+
+void Links::couldNotOpen(const LinkAddress &address, const Error &error)
+{
+    m_context.log.tell(Severity::Danger, address.shortName(), error.text());
+    m_awaited.add(address);
+    m_failed[address.text()] = diagnose(error);
+}
+
+void Links::opened(Link &link)
+{
+    m_failed.erase(link.address().text());
+    m_awaited.forget(link.address().text());
+    follow(link);
+}
+
+void Links::openAwaited(const LinkAddress &address)
+{
+    if (m_openings.count(address.text()) == 0)
+        begin(address.text(), openReturned(address)); // it may not be ready yet
+}
+
+Task<void> Links::openReturned(LinkAddress address)
+{
+    auto opening = m_context.session.openLinkSoon(address);
+    Link *const link = co_await std::move(opening);
+    opened(*link);
+    m_context.log.tell(Severity::Good, address.shortName(), "is there");
+    m_scans.scan(*link);
+    co_return {};
+}
+
+void Links::carryOut(const orders::CloseLink &order, const Finished &finished)
+{
+    m_awaited.forget(order.link);
+    m_failed.erase(order.link);
+    end(order.link, fail(Fault::Cancelled, order.link + " was closed before it was open"));
+    const auto parsed = LinkAddress::parse(order.link);
+    if (Link *link = parsed ? m_context.session.findLink(*parsed) : nullptr) {
+        m_closedByHand.insert(order.link);
+        remove(*link);
+    }
+    finished({});
+}
+
+void Links::remove(Link &link)
+{
+    m_motion.forget(link);
+    m_context.operations.forget(link);
+    m_scans.forget(link); // after what ends with a scan, such as an update
+    m_recordings.forget(link);
+    m_open.erase(&link);
+    m_context.session.closeLink(link);
+}
+
+void Links::follow(Link &link)
+{
+    auto [entry, isNew] = m_open.try_emplace(&link);
+    if (!isNew)
+        return;
+    m_recordings.follow(link);
+    entry->second.state = link.stateChanged().add([this, &link](LinkState state) { stateChanged(link, state); });
+}
+
+void Links::stateChanged(Link &link, LinkState state)
+{
+    if (state == LinkState::Lost) {
+        m_open[&link].wasLost = true;
+        m_context.log.tell(Severity::Danger, link.address().shortName(), link.reason());
+    } else if (state == LinkState::Open) { // whoever opened it; first all who listen have their turn
+        m_returned.startIn(Duration::zero(), [this] { welcomeReturned(); });
+    }
+}
+
+void Links::look()
+{
+    reopenLost();
+    m_awaited.look([this](const LinkAddress &address) { openAwaited(address); });
+}
+
+void Links::reopenLost()
+{
+    for (Link *link : m_context.session.links()) {
+        if (link->state() == LinkState::Lost && !link->address().isRecording())
+            m_context.session.reopen(*link);
+    }
+}
+
+void Links::welcomeReturned()
+{
+    for (Link *link : m_context.session.links()) {
+        const auto open = m_open.find(link);
+        if (open == m_open.end() || !open->second.wasLost || link->state() != LinkState::Open)
+            continue;
+        open->second.wasLost = false;
+        m_context.log.tell(Severity::Good, link->address().shortName(), "is back");
+        if (!m_context.operations.hasOn(*link)) // an update that waited for it must be alone with its unit
+            m_scans.scan(*link);
+    }
+}
+
+void Links::takeListings(std::vector<LinkListing> listings)
+{
+    m_listings = std::move(listings);
+    if (m_opensByItself)
+        openByItself();
+    reopenLost();
+    dropVanished();
+}
+
+void Links::dropVanished()
+{
+    for (Link *link : m_context.session.links()) {
+        const auto open = m_open.find(link);
+        if (link->state() != LinkState::Lost || open == m_open.end() || !open->second.byItself)
+            continue;
+        const bool listed = std::any_of(m_listings.begin(), m_listings.end(),
+            [link](const LinkListing &listing) { return listing.link == link->address(); });
+        const auto devices = m_context.session.devices();
+        const bool used = std::any_of(
+            devices.begin(), devices.end(), [link](const Device *device) { return &device->link() == link; });
+        if (!listed && !used)
+            remove(*link);
+    }
+}
+
+void Links::openByItself()
+{
+    for (const LinkListing &listing : m_listings) {
+        if (listing.link.scheme != "socketcan" || !listing.openable || m_context.session.findLink(listing.link)
+            || m_closedByHand.count(listing.link.text()) > 0)
+            continue;
+        if (auto link = m_context.session.openLink(listing.link)) {
+            m_failed.erase(listing.link.text());
+            follow(**link);
+            m_open[*link].byItself = true;
+            m_scans.scan(**link);
+        }
+    }
+}
+
+void Links::describe(Snapshot &shot) const
+{
+    for (Link *link : m_context.session.links()) {
+        LinkView view = viewOf(*link, m_context.session.clockOf(*link).now());
+        m_scans.describe(*link, view);
+        m_recordings.describe(*link, view);
+        view.diagnosis = diagnose(symptomsOf(*link, shot.time), shot.time, m_listings);
+        shot.links.push_back(std::move(view));
+    }
+    for (const auto &[address, diagnosis] : m_failed)
+        shot.failed.push_back({address, diagnosis});
+}
+
+void Links::carryOut(const orders::SendFrame &order, const Finished &finished)
+{
+    for (Link *open : m_context.session.links()) {
+        if (open->address().text() == order.link && open->kind() == LinkKind::Can)
+            return finished(static_cast<CanLink *>(open)->send(order.frame));
+    }
+    finished(fail(Fault::LinkLost, "the link is not open"));
+}
+
+} // namespace mb

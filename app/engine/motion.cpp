@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/motion.h"
+
+#include <QtGlobal>
+
+namespace mb {
+
+Motion::Motion(const EngineContext &context, MotionGuard *guard)
+    : m_context(context)
+    , m_stopChanged(context.session.stopChanged().add([this](const Device &device) { followStop(device); }))
+{
+    if (guard)
+        m_guardianActed = guard->acted().add(
+            [this](const std::string &name, MotionGuard::Verdict verdict) { guardianActed(name, verdict); });
+}
+
+void Motion::stopAll(StopCause cause)
+{
+    m_context.session.stopAll(cause);
+    m_context.operations.stopExperiments();
+}
+
+void Motion::forget(const Link &link)
+{
+    for (const Device *device : m_context.session.devices()) {
+        if (&device->link() == &link)
+            m_streams.erase(m_context.session.idOf(*device));
+    }
+}
+
+void Motion::carryOut(const orders::StartMotion &order, const Finished &finished)
+{
+    Device *device = m_context.session.find(order.device);
+    if (!device)
+        return finished(fail(Fault::Timeout, "the device is gone"));
+    SetPointStream &stream = m_context.session.stream(*device);
+    m_streams[order.device] = stream.changed().add([this, id = order.device] { streamChanged(id); });
+    if (const std::string caution = device->caution(order.setPoint); !caution.empty())
+        m_context.log.tell(Severity::Caution, *device, caution);
+    finished(stream.start(order.setPoint, order.lease, order.glide));
+}
+
+void Motion::streamChanged(DeviceId id)
+{
+    Device *device = m_context.session.find(id);
+    if (!device)
+        return;
+    const SetPointStream &stream = m_context.session.stream(*device);
+    if (!stream.isRunning() && stream.end() != SetPointStream::End::Stopped)
+        m_context.log.tell(Severity::Danger, *device,
+            "stopped: "
+                + (stream.end() == SetPointStream::End::LeaseExpired ? "the window did not respond in time"
+                                                                     : stream.reason()));
+}
+
+void Motion::carryOut(const orders::UpdateMotion &order, const Finished &finished)
+{
+    if (Device *device = m_context.session.find(order.device))
+        finished(m_context.session.stream(*device).update(order.setPoint, order.glide));
+    else
+        finished(fail(Fault::Timeout, "the device is gone"));
+}
+
+void Motion::carryOut(const orders::RenewMotion &order, const Finished &finished)
+{
+    if (Device *device = m_context.session.find(order.device))
+        m_context.session.stream(*device).renew();
+    finished({});
+}
+
+void Motion::carryOut(const orders::StopMotion &order, const Finished &finished)
+{
+    if (Device *device = m_context.session.find(order.device))
+        m_context.session.stream(*device).stop();
+    m_context.operations.interruptTrials(order.device);
+    finished({});
+}
+
+void Motion::carryOut(const orders::ReleaseMoves &order, const Finished &finished)
+{
+    Device *device = m_context.session.find(order.device);
+    finished(device ? m_context.session.releaseMoves(*device) : fail(Fault::Timeout, "the device is gone"));
+}
+
+/// A set-point that goes on would start it again.
+void Motion::carryOut(const orders::ZeroPosition &order, const Finished &finished)
+{
+    if (Device *device = m_context.session.find(order.device))
+        m_context.session.stream(*device).stop();
+    m_context.operations.begin(
+        order.device, "Count from 0", [](Device &device, Progress &) { return device.zeroPosition(); }, finished);
+}
+
+void Motion::carryOut(const orders::DismissStops &, const Finished &finished)
+{
+    m_context.session.dismissStops();
+    m_context.log.tell(Severity::Info, std::string(),
+        QT_TRANSLATE_NOOP("table", "the motors that were not seen to stand were looked at; their stops are dismissed"));
+    finished({});
+}
+
+void Motion::followStop(const Device &device)
+{
+    const DeviceStop &stop = device.stopping();
+    switch (stop.state()) {
+    case StopState::Owed:
+        if (!stop.isForMotion())
+            break;
+        m_context.log.tell(Severity::Danger, device,
+            QT_TRANSLATE_NOOP("table",
+                "the stop could not be sent, and is the first thing that goes out when the line is back; cut its "
+                "power"));
+        break;
+    case StopState::Unconfirmed:
+        m_context.log.tell(Severity::Danger, device,
+            QT_TRANSLATE_NOOP("table", "was not seen to stop: the motor may still turn, cut its power"));
+        break;
+    case StopState::ByWatchdog:
+        m_context.log.tell(Severity::Caution, device,
+            QT_TRANSLATE_NOOP("table", "gave no sign after the stop; its own watchdog switches it off"));
+        break;
+    case StopState::Silent:
+        m_context.log.tell(Severity::Caution, device, QT_TRANSLATE_NOOP("table", "gave no sign after the stop"));
+        break;
+    case StopState::Seen:
+        if (m_mayTurn.erase(m_context.session.idOf(device)) > 0)
+            m_context.log.tell(Severity::Good, device, QT_TRANSLATE_NOOP("table", "was seen to stand"));
+        break;
+    case StopState::None:
+    case StopState::Stopping: break;
+    }
+    if (stop.mayTurn())
+        m_mayTurn.insert(m_context.session.idOf(device));
+}
+
+void Motion::guardianActed(const std::string &name, MotionGuard::Verdict verdict)
+{
+    switch (verdict) {
+    case MotionGuard::Verdict::Confirmed:
+        m_context.log.tell(Severity::Good, name, QT_TRANSLATE_NOOP("table", "the guardian has stopped the motor"));
+        break;
+    case MotionGuard::Verdict::Sent:
+        m_context.log.tell(Severity::Caution, name,
+            QT_TRANSLATE_NOOP("table",
+                "the guardian has sent the stop, which nothing on this link confirms; look whether the motor stands"));
+        break;
+    case MotionGuard::Verdict::Failed:
+        m_context.log.tell(Severity::Danger, name,
+            QT_TRANSLATE_NOOP(
+                "table", "the guardian tried in vain to stop the motor; it may still turn: cut its power"));
+        break;
+    }
+}
+
+} // namespace mb

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/operations.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr std::size_t keptOperations = 32;
+
+bool isRunning(const Operations::Job &job)
+{
+    return job.operation->isRunning();
+}
+
+} // namespace
+
+Operations::Operations(Clock &clock, Session &session, EngineLog &log)
+    : m_clock(clock)
+    , m_session(session)
+    , m_log(log)
+{
+}
+
+Result<Device *> Operations::freeDevice(DeviceId id)
+{
+    Device *device = m_session.find(id);
+    if (!device)
+        return fail(Fault::Timeout, "the device is gone");
+    makeWay(id);
+    if (has(id))
+        return fail(Fault::Unsafe, "the device is busy with something else");
+    return device;
+}
+
+Operations::Job &Operations::add(DeviceId device, const char *title)
+{
+    prune();
+    return m_jobs.emplace_back(Job{
+        OperationId{++m_last}, device, std::make_unique<Operation>(m_clock, title), std::nullopt, false, {}, false});
+}
+
+Operations::Job *Operations::begin(DeviceId id, const char *title, const Make<void> &make, const Finished &finished)
+{
+    return begin<void>(
+        id, title, make,
+        [this, id, title = std::string(title), finished](Job &, const Result<void> &result) {
+            if (!result)
+                m_log.tell(Severity::Danger, id, title + ": " + result.error().text());
+            finished(result);
+        },
+        finished);
+}
+
+void Operations::carryOut(const orders::CancelOperation &order, const Finished &finished)
+{
+    for (Job &job : m_jobs) {
+        if (job.id == order.operation && job.interruption)
+            job.interruption->interrupt();
+        else if (job.id == order.operation)
+            (void)job.operation->cancel();
+    }
+    finished({});
+}
+
+bool Operations::has(DeviceId device) const
+{
+    return std::any_of(
+        m_jobs.begin(), m_jobs.end(), [device](const Job &job) { return job.device == device && isRunning(job); });
+}
+
+bool Operations::hasOn(const Link &link) const
+{
+    const auto devices = m_session.devices();
+    return std::any_of(devices.begin(), devices.end(),
+        [&](const Device *device) { return &device->link() == &link && has(m_session.idOf(*device)); });
+}
+
+bool Operations::isAnyRunning() const
+{
+    return std::any_of(m_jobs.begin(), m_jobs.end(), isRunning);
+}
+
+/// One that prepares has nothing to stop yet, and would move later.
+void Operations::stopExperiments()
+{
+    for (Job &job : m_jobs) {
+        if (job.isExperiment)
+            (void)job.operation->cancel();
+    }
+    interruptTrials(std::nullopt);
+}
+
+void Operations::interruptTrials(std::optional<DeviceId> device)
+{
+    for (Job &job : m_jobs) {
+        if (job.interruption && (!device || job.device == *device))
+            job.interruption->interrupt();
+    }
+}
+
+/// What began by itself makes way for what somebody asked for.
+void Operations::makeWay(DeviceId device)
+{
+    for (Job &job : m_jobs) {
+        if (job.device == device && job.yields && isRunning(job))
+            job.operation->dismiss({Fault::Cancelled, "made way for an order"});
+    }
+}
+
+void Operations::dismiss(DeviceId device, const Error &error)
+{
+    const auto runs = [device](const Job &job) { return job.device == device && isRunning(job); };
+    for (auto found = std::find_if(m_jobs.begin(), m_jobs.end(), runs); found != m_jobs.end();
+         found = std::find_if(m_jobs.begin(), m_jobs.end(), runs))
+        found->operation->dismiss(error);
+}
+
+void Operations::forget(const Link &link)
+{
+    for (const Device *device : m_session.devices()) {
+        if (&device->link() != &link)
+            continue;
+        const DeviceId id = m_session.idOf(*device);
+        dismiss(id, {Fault::LinkLost, "the device is gone"});
+        std::erase_if(m_jobs, [id](const Job &job) { return job.device == id; });
+    }
+}
+
+void Operations::prune()
+{
+    for (auto job = m_jobs.begin(); job != m_jobs.end() && m_jobs.size() > keptOperations;)
+        job = isRunning(*job) ? std::next(job) : m_jobs.erase(job);
+}
+
+} // namespace mb

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/engine/context.h"
+#include "app/engine/enginelog.h"
+#include "model/snapshot.h"
+#include "tuning/interruption.h"
+#include "widgets/orders/firmwareorders.h"
+
+#include <list>
+#include <memory>
+#include <optional>
+
+namespace mb {
+
+/// The jobs that have a device for themselves: one a device at a time, and those that ended last. Engine thread.
+class Operations {
+public:
+    struct Job {
+        OperationId id;
+        DeviceId device;
+        std::unique_ptr<Operation> operation;
+        std::optional<UpdateReport> update;
+        bool isExperiment = false;                            ///< STOP ends it, whatever it is doing
+        std::shared_ptr<tuning::Interruption> interruption{}; ///< of a trial, which puts back what it changed
+        bool yields = false; ///< it began by itself and is done again later: an order ends it
+    };
+    template <class T> using Make = std::function<Task<T>(Device &, Progress &)>;
+
+    Operations(Clock &clock, Session &session, EngineLog &log);
+
+    /// Starts a job that has the device for itself; refuses when another one has it, and yields nullptr. The maker runs at
+    /// once.
+    template <class T>
+    Job *begin(DeviceId device, const char *title, const Make<T> &make, std::function<void(Job &, Result<T>)> finished,
+        const Finished &refused);
+    /// The same where nothing comes of it but that it went well, or a line in the log.
+    Job *begin(DeviceId device, const char *title, const Make<void> &make, const Finished &finished);
+    void carryOut(const orders::CancelOperation &order, const Finished &finished);
+
+    [[nodiscard]] bool has(DeviceId device) const;
+    [[nodiscard]] bool hasOn(const Link &link) const;
+    [[nodiscard]] bool isAnyRunning() const;
+    /// Newest last; a part of those that have ended is kept.
+    [[nodiscard]] const std::list<Job> &jobs() const { return m_jobs; }
+
+    /// STOP: what moves, or is about to, ends; trials put back what they changed.
+    void stopExperiments();
+    /// Trials of one device, or all: each stops in this call, and then puts back what it has changed.
+    void interruptTrials(std::optional<DeviceId> device);
+    /// The devices of a link are about to go, or to begin anew: whoever gave an order is answered, though it will not be carried
+    /// out.
+    void forget(const Link &link);
+    /// Ends everything; nobody is told but by Reply.
+    void clear() { m_jobs.clear(); }
+
+private:
+    [[nodiscard]] Result<Device *> freeDevice(DeviceId device);
+    Job &add(DeviceId device, const char *title);
+    void makeWay(DeviceId device);
+    void dismiss(DeviceId device, const Error &error);
+    void prune();
+
+    Clock &m_clock;
+    Session &m_session;
+    EngineLog &m_log;
+    std::list<Job> m_jobs;
+    std::uint32_t m_last = 0;
+};
+
+template <class T>
+Operations::Job *Operations::begin(DeviceId id, const char *title, const Make<T> &make,
+    std::function<void(Job &, Result<T>)> finished, const Finished &refused)
+{
+    const Result<Device *> device = freeDevice(id);
+    if (!device) {
+        refused(fail(device.error()));
+        return nullptr;
+    }
+    Job &job = add(id, title);
+    job.operation->run<T>(make(**device, *job.operation),
+        [&job, finished = std::move(finished)](Result<T> result) { finished(job, std::move(result)); });
+    return &job;
+}
+
+} // namespace mb

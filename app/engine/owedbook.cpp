@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/owedbook.h"
+
+#include "model/family.h"
+#include "tuning/verdict.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+using Owed = std::vector<tuning::OwedGains>;
+
+Task<void> settle(tuning::ExperimentJournal &journal, std::int64_t trial)
+{
+    auto settling = journal.settle(trial);
+    co_await std::move(settling);
+    co_return {};
+}
+
+} // namespace
+
+void OwedBook::lookAgain(DeviceId id)
+{
+    if (const Device *device = m_context.session.find(id); device && tuning::storesLater(*device))
+        m_lookAgain[id] = m_context.clock.now() + tuning::storingTime(*device);
+}
+
+void OwedBook::look()
+{
+    const Instant now = m_context.clock.now();
+    for (const auto &[id, at] : m_lookAgain) {
+        if (now > at)
+            m_lookedFor.erase(id);
+    }
+    std::erase_if(m_lookAgain, [now](const auto &entry) { return now > entry.second; });
+    for (const Device *device : m_context.session.devices())
+        lookUp(*device);
+    std::erase_if(m_owed, [this](const auto &entry) { return !m_context.session.find(entry.first); });
+    std::erase_if(m_lookedFor, [this](const auto &entry) { return !m_context.session.find(entry.first); });
+}
+
+/// Without a word to those who are owed nothing.
+void OwedBook::lookUp(const Device &device)
+{
+    const DeviceId id = m_context.session.idOf(device);
+    const bool ready = m_journal && device.family().trials && device.liveness().heard
+        && device.identity().state == DeviceState::Online && !device.link().address().isRecording();
+    const std::string unit = tuning::unitOf(device);
+    if (!ready || m_lookedFor[id] == unit)
+        return;
+    m_lookedFor[id] = unit;
+    m_asking.spawn<Owed>(m_journal->owedTo(unit), [this, id, unit](const Result<Owed> &owed) {
+        if (owed && !owed->empty())
+            compare(id, unit);
+    });
+}
+
+/// With what the unit has; later, when it is busy now.
+void OwedBook::compare(DeviceId id, const std::string &unit)
+{
+    m_context.operations.begin<Owed>(
+        id, "Look for gains that are owed",
+        [this](Device &device, Progress &) { return tuning::lookForOwed(device, *m_journal); },
+        [this, id](Operations::Job &, const Result<Owed> &owed) {
+            if (owed && !owed->empty())
+                m_owed[id] = *owed;
+            else if (!owed)
+                m_lookedFor.erase(id);
+            lookAgain(id); // until nothing is owed
+        },
+        [this, id, unit](const Result<void> &) {
+            if (m_lookedFor[id] == unit)
+                m_lookedFor.erase(id);
+        });
+}
+
+void OwedBook::end(DeviceId id, std::int64_t trial)
+{
+    std::erase_if(m_owed[id], [trial](const tuning::OwedGains &owed) { return owed.trial == trial; });
+    if (m_owed[id].empty())
+        m_owed.erase(id);
+}
+
+void OwedBook::carryOut(const orders::PayGains &order, const Finished &finished)
+{
+    const auto known = m_owed.find(order.device);
+    const Owed all = known == m_owed.end() ? Owed() : known->second;
+    const auto found = std::find_if(
+        all.begin(), all.end(), [&order](const tuning::OwedGains &owed) { return owed.trial == order.trial; });
+    if (found == all.end())
+        return finished(fail(Fault::OutOfRange, "this trial owes nothing to the unit"));
+    m_context.operations.begin(
+        order.device, "Put gains back",
+        [this, owed = *found](Device &device, Progress &) { return tuning::payOwed(device, *m_journal, owed); },
+        [this, order, finished](const Result<void> &result) {
+            if (result) {
+                end(order.device, order.trial);
+                lookAgain(order.device);
+                m_context.log.tell(Severity::Good, order.device,
+                    "the gains that trial #" + std::to_string(order.trial) + " had changed are put back");
+            }
+            finished(result);
+        });
+}
+
+void OwedBook::carryOut(const orders::DismissGains &order, const Finished &finished)
+{
+    if (!m_journal)
+        return finished({});
+    m_context.operations.begin(
+        order.device, "Keep the gains of a trial",
+        [this, trial = order.trial](Device &, Progress &) { return settle(*m_journal, trial); },
+        [this, order, finished](const Result<void> &result) {
+            if (result)
+                end(order.device, order.trial);
+            finished(result);
+        });
+}
+
+} // namespace mb

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/parameterjobs.h"
+
+#include "model/family.h"
+#include "settings/history.h"
+#include "settings/snapshots.h"
+#include "settings/unit.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr std::size_t manyValues = 8; ///< more are worth a snapshot before they are written
+
+using Outcomes = std::vector<TransferOutcome>;
+
+Task<void> rewrite(Device &device, settings::SettingsLog *log, Progress &progress)
+{
+    auto writing = settings::rewriteKept(device, settings::Origin::Window, log, progress);
+    co_await std::move(writing);
+    co_return {};
+}
+
+/// Which key went from what to what. A value that was not known stays a question mark.
+void tellChanges(const EngineLog &log, const Device &device, const std::vector<ParameterStore::Entry> &before,
+    const Outcomes &outcomes)
+{
+    for (const TransferOutcome &outcome : outcomes) {
+        if (!outcome.raw)
+            continue;
+        const Parameter &row = device.family().parameters[outcome.index.value];
+        const auto &old = before.size() > outcome.index.value ? before[outcome.index.value].raw : std::nullopt;
+        log.tell(Severity::Info, device,
+            std::string(row.key) + ": " + (old ? toText(row, *old) : "?") + " -> " + toText(row, *outcome.raw));
+    }
+}
+
+/// Of writes that all went well: what is known of them.
+std::string proofOf(const Outcomes &outcomes)
+{
+    const auto blind = std::count_if(
+        outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return !outcome.verified; });
+    const std::string all = std::to_string(outcomes.size());
+    if (blind == 0)
+        return all + " written, read back and equal";
+    if (static_cast<std::size_t>(blind) == outcomes.size())
+        return all + " written; they cannot be read back";
+    return all + " written; " + std::to_string(blind) + " of them cannot be read back";
+}
+
+} // namespace
+
+void ParameterJobs::carryOut(const orders::ReadParameters &order, const Finished &finished)
+{
+    m_context.operations.begin<Outcomes>(
+        order.device, "Read parameters",
+        [](Device &device, Progress &progress) { return mb::readParameters(device, readable(device), progress); },
+        [this, finished](Operations::Job &job, const Result<Outcomes> &outcomes) { finished(tellRead(job, outcomes)); },
+        finished);
+}
+
+Result<void> ParameterJobs::tellRead(Operations::Job &job, const Result<Outcomes> &outcomes) const
+{
+    if (!outcomes)
+        return fail(outcomes.error());
+    const Device *device = m_context.session.find(job.device);
+    const auto silent
+        = std::find_if(outcomes->begin(), outcomes->end(), [](const TransferOutcome &o) { return !o.raw; });
+    const auto failed
+        = std::count_if(outcomes->begin(), outcomes->end(), [](const TransferOutcome &o) { return !o.raw; });
+    if (device) {
+        const auto missing = readable(*device).size() - outcomes->size() + static_cast<std::size_t>(failed);
+        if (missing > 0)
+            m_context.log.tell(Severity::Caution, *device, std::to_string(missing) + " parameters gave no answer");
+        else
+            job.operation->log(Severity::Good, "all " + std::to_string(outcomes->size()) + " read");
+    }
+    return silent == outcomes->end() ? Result<void>() : fail(silent->raw.error());
+}
+
+void ParameterJobs::carryOut(const orders::StoreParameters &order, const Finished &finished)
+{
+    m_context.operations.begin<bool>(
+        order.device, "Store to flash", [](Device &device, Progress &progress) { return device.store(progress); },
+        [this, finished](Operations::Job &job, const Result<bool> &proved) {
+            if (proved)
+                m_context.log.tell(*proved ? Severity::Good : Severity::Caution, job.device,
+                    *proved ? "stored, the flash sequence number advanced" : "stored, not verifiable");
+            else
+                m_context.log.tell(Severity::Danger, job.device, proved.error().text());
+            finished(proved ? Result<void>() : fail(proved.error()));
+        },
+        finished);
+}
+
+void ParameterJobs::carryOut(const orders::RewriteSettings &order, const Finished &finished)
+{
+    m_context.operations.begin(
+        order.device, "Write settings again",
+        [this](Device &device, Progress &progress) { return rewrite(device, m_settings, progress); },
+        [this, id = order.device, finished](const Result<void> &result) {
+            if (result)
+                m_context.log.tell(Severity::Good, id, "the settings that the reset took are written again");
+            finished(result);
+        });
+}
+
+Task<void> ParameterJobs::keepBefore(Device &device, settings::Occasion occasion, Progress &progress) const
+{
+    if (!m_settings || device.identity().state == DeviceState::Bootloader)
+        co_return {};
+    auto taking = settings::takeSnapshot(device, occasion, {}, *m_settings, progress);
+    if (const auto taken = co_await std::move(taking).attempt(); !taken)
+        progress.log(Severity::Caution, "no snapshot of what was there: " + taken.error().text());
+    co_return {};
+}
+
+Task<Outcomes> ParameterJobs::writeWhole(
+    Device &device, std::vector<ParameterChange> changes, settings::Purpose purpose, Progress &progress) const
+{
+    const bool restores = purpose == settings::Purpose::Restore;
+    if (restores || changes.size() > manyValues) {
+        auto keeping
+            = keepBefore(device, restores ? settings::Occasion::Restore : settings::Occasion::Import, progress);
+        co_await std::move(keeping);
+    }
+    if (m_settings && settings::mustBeConfirmed(device, changes))
+        purpose = settings::Purpose::Provisional;
+    auto writing
+        = settings::writeKept(device, std::move(changes), {settings::Origin::Window, purpose}, m_settings, progress);
+    co_return co_await std::move(writing).attempt();
+}
+
+void ParameterJobs::carryOut(const orders::WriteParameters &order, const Finished &finished)
+{
+    write(order.device, order.changes, settings::Purpose::Write, finished);
+}
+
+void ParameterJobs::carryOut(const orders::RestoreParameters &order, const Finished &finished)
+{
+    write(order.device, order.changes, settings::Purpose::Restore, finished);
+}
+
+void ParameterJobs::write(
+    DeviceId id, std::vector<ParameterChange> changes, settings::Purpose purpose, const Finished &finished)
+{
+    std::vector<ParameterStore::Entry> before;
+    if (const Device *device = m_context.session.find(id))
+        before.assign(device->parameters().entries().begin(), device->parameters().entries().end());
+    m_context.operations.begin<Outcomes>(
+        id, "Write parameters",
+        [this, changes, purpose](
+            Device &device, Progress &progress) { return writeWhole(device, changes, purpose, progress); },
+        [this, id, finished, before](Operations::Job &, const Result<Outcomes> &outcomes) {
+            m_provisional.look(id, true);
+            finished(tellWritten(id, before, outcomes));
+        },
+        finished);
+}
+
+Result<void> ParameterJobs::tellWritten(
+    DeviceId id, const std::vector<ParameterStore::Entry> &before, const Result<Outcomes> &outcomes) const
+{
+    const Device *device = m_context.session.find(id);
+    if (device && outcomes)
+        tellChanges(m_context.log, *device, before, *outcomes);
+    Result<void> result;
+    if (!outcomes)
+        result = fail(outcomes.error());
+    else if (!outcomes->empty() && !outcomes->back().raw)
+        result = fail(outcomes->back().raw.error());
+    if (device && result)
+        m_context.log.tell(Severity::Good, *device, proofOf(*outcomes));
+    else if (device)
+        m_context.log.tell(Severity::Danger, *device, result.error().text());
+    return result;
+}
+
+void ParameterJobs::carryOut(const orders::UndoWrite &order, const Finished &finished)
+{
+    if (!m_settings)
+        return finished(fail(Fault::Unsupported, "no history is kept here"));
+    m_context.operations.begin<settings::SettingsChange>(
+        order.device, order.again ? "Do a write again" : "Undo a write",
+        [this, again = order.again](Device &device, Progress &progress) {
+            return again ? settings::redo(device, settings::Origin::Window, *m_settings, progress)
+                         : settings::undo(device, settings::Origin::Window, *m_settings, progress);
+        },
+        [this, again = order.again, finished](Operations::Job &job, const Result<settings::SettingsChange> &change) {
+            m_provisional.look(job.device, false);
+            if (const Device *device = m_context.session.find(job.device); device && change)
+                m_context.log.tell(Severity::Good, *device,
+                    (again ? "written again: " : "undone: ") + settings::textOf(device->family(), *change));
+            else if (device)
+                m_context.log.tell(Severity::Danger, *device, change.error().text());
+            finished(change ? Result<void>() : fail(change.error()));
+        },
+        finished);
+}
+
+void ParameterJobs::carryOut(const orders::TakeSnapshot &order, const Finished &finished)
+{
+    if (!m_settings)
+        return finished(fail(Fault::Unsupported, "no snapshots are kept here"));
+    m_context.operations.begin<settings::ParameterSnapshot>(
+        order.device, "Take a snapshot",
+        [this, name = order.name](Device &device, Progress &progress) {
+            return settings::takeSnapshot(device, settings::Occasion::Hand, name, *m_settings, progress);
+        },
+        [this, finished](Operations::Job &job, const Result<settings::ParameterSnapshot> &taken) {
+            if (taken)
+                m_context.log.tell(Severity::Good, job.device,
+                    "snapshot " + std::to_string(taken->number) + ", " + taken->name + ": "
+                        + std::to_string(taken->count) + " values");
+            else
+                m_context.log.tell(Severity::Danger, job.device, "no snapshot: " + taken.error().text());
+            finished(taken ? Result<void>() : fail(taken.error()));
+        },
+        finished);
+}
+
+} // namespace mb

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/provisionalchanges.h"
+
+#include "model/family.h"
+#include "settings/history.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+using settings::Confirmation;
+using settings::SettingsChange;
+
+constexpr Duration lookEvery = std::chrono::milliseconds(100);
+
+UnconfirmedView::State stateOf(const std::optional<Confirmation> &confirmation)
+{
+    if (!confirmation)
+        return UnconfirmedView::State::Offered;
+    switch (confirmation->state()) {
+    case Confirmation::State::AwaitsRestart: return UnconfirmedView::State::AwaitsRestart;
+    case Confirmation::State::Counting: return UnconfirmedView::State::Counting;
+    case Confirmation::State::AwaitsStandstill:
+    case Confirmation::State::Due: return UnconfirmedView::State::AwaitsStandstill;
+    }
+    return UnconfirmedView::State::Offered;
+}
+
+/// In force only when it has restarted: then nobody could offer it before.
+bool actsLater(const Family &family, const SettingsChange &change)
+{
+    return std::any_of(change.values.begin(), change.values.end(), [&family](const settings::ValueChange &value) {
+        const auto index = findParameter(family.parameters, value.key);
+        return index && family.parameters[index->value].afterRestart;
+    });
+}
+
+} // namespace
+
+ProvisionalChanges::ProvisionalChanges(const EngineContext &context)
+    : m_context(context)
+    , m_timer(context.clock)
+    , m_asking(context.clock)
+{
+}
+
+ProvisionalChanges::Entry *ProvisionalChanges::find(DeviceId id, std::int64_t change)
+{
+    const auto found = std::find_if(m_entries.begin(), m_entries.end(),
+        [&](const Entry &entry) { return entry.device == id && entry.change.number == change; });
+    return found == m_entries.end() ? nullptr : &*found;
+}
+
+void ProvisionalChanges::look(DeviceId id, bool counting)
+{
+    const Device *device = m_context.session.find(id);
+    if (!device || !m_log)
+        return;
+    m_asking.spawn<std::vector<SettingsChange>>(settings::findUnconfirmed(*device, *m_log),
+        [this, id, counting](const Result<std::vector<SettingsChange>> &open) {
+            if (open)
+                take(id, *open, counting);
+        });
+}
+
+void ProvisionalChanges::take(DeviceId id, const std::vector<SettingsChange> &open, bool counting)
+{
+    Device *device = m_context.session.find(id);
+    std::erase_if(m_entries, [&](const Entry &entry) {
+        return !m_context.session.find(entry.device)
+            || (entry.device == id && std::none_of(open.begin(), open.end(), [&entry](const SettingsChange &change) {
+                   return change.number == entry.change.number;
+               }));
+    });
+    for (const SettingsChange &change : open) {
+        if (!device || find(id, change.number))
+            continue;
+        m_entries.push_back({id, change, std::nullopt});
+        const bool isNew = counting && &change == &open.back();
+        if (isNew || actsLater(device->family(), change))
+            m_entries.back().confirmation.emplace(change.values);
+    }
+    tick();
+}
+
+/// What is due is offered until it went back: a busy device, or a lost link, is no reason to forget it.
+void ProvisionalChanges::tick()
+{
+    const Instant now = m_context.clock.now();
+    std::vector<std::pair<DeviceId, std::int64_t>> due;
+    bool counts = false;
+    for (Entry &entry : m_entries) {
+        const Device *device = m_context.session.find(entry.device);
+        if (!device || !entry.confirmation)
+            continue;
+        counts = true;
+        if (entry.confirmation->look(*device, now) != Confirmation::State::Due)
+            continue;
+        entry.confirmation.reset();
+        due.emplace_back(entry.device, entry.change.number);
+    }
+    if (counts)
+        m_timer.startIn(lookEvery, [this] { tick(); });
+    for (const auto &[id, change] : due)
+        carryOut(orders::PutBackChange{id, change}, [](const Result<void> &) {});
+}
+
+void ProvisionalChanges::carryOut(const orders::KeepChange &order, const Finished &finished)
+{
+    Entry *entry = find(order.device, order.change);
+    const Device *device = m_context.session.find(order.device);
+    if (!entry || !device || !m_log)
+        return finished(fail(Fault::OutOfRange, "this change waits for nobody"));
+    entry->confirmation.reset(); // somebody has decided, whatever the disk does
+    m_asking.spawn<void>(
+        settings::keepChange(*device, order.change, *m_log), [this, order, finished](const Result<void> &kept) {
+            if (!kept)
+                m_context.log.tell(Severity::Caution, order.device, kept.error().text());
+            if (Entry *decided = find(order.device, order.change); decided && kept)
+                m_entries.remove_if([decided](const Entry &other) { return &other == decided; });
+            finished(kept);
+        });
+}
+
+void ProvisionalChanges::carryOut(const orders::PutBackChange &order, const Finished &finished)
+{
+    const Entry *entry = find(order.device, order.change);
+    if (!entry || !m_log)
+        return finished(fail(Fault::OutOfRange, "this change waits for nobody"));
+    m_context.operations.begin(
+        order.device, "Put values back",
+        [log = m_log, wanted = entry->change](
+            Device &device, Progress &progress) { return settings::putBack(device, wanted, *log, progress); },
+        [this, id = order.device, finished](const Result<void> &result) {
+            m_context.log.tell(result ? Severity::Good : Severity::Danger, id,
+                result ? "the values are put back" : "the values are not put back: " + result.error().text());
+            look(id, false);
+            finished(result);
+        });
+}
+
+std::vector<UnconfirmedView> ProvisionalChanges::views() const
+{
+    std::vector<UnconfirmedView> views;
+    for (const Entry &entry : m_entries) {
+        const Device *device = m_context.session.find(entry.device);
+        if (!device)
+            continue;
+        UnconfirmedView view{entry.device, entry.change.number, settings::textOf(device->family(), entry.change),
+            stateOf(entry.confirmation), 0.0};
+        if (entry.confirmation)
+            view.left = std::chrono::duration<double>(entry.confirmation->left(m_context.clock.now())).count();
+        views.push_back(std::move(view));
+    }
+    return views;
+}
+
+} // namespace mb

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/engine/operations.h"
+#include "async/scope.h"
+#include "settings/confirmation.h"
+#include "widgets/orders/settingsorders.h"
+
+#include <list>
+#include <memory>
+
+namespace mb {
+
+/// Provisional changes (settings/confirmation.h) of the devices of a session: those that this program has written count down
+/// and go back by themselves, those that an earlier one has left are offered. Engine thread.
+class ProvisionalChanges {
+public:
+    explicit ProvisionalChanges(const EngineContext &context);
+
+    /// Without a log nothing is provisional. It outlives this.
+    void setLog(settings::SettingsLog *log) { m_log = log; }
+    /// What the history has now of a device: after a write (`counting`: what is new goes back by itself), and when it is met.
+    void look(DeviceId id, bool counting);
+    /// Somebody keeps a change. OutOfRange when it is none of these.
+    void carryOut(const orders::KeepChange &order, const Finished &finished);
+    /// It goes back now. Unsafe while the motor is not seen to stand; then it is still there.
+    void carryOut(const orders::PutBackChange &order, const Finished &finished);
+    [[nodiscard]] std::vector<UnconfirmedView> views() const;
+
+private:
+    struct Entry {
+        DeviceId device;
+        settings::SettingsChange change;
+        std::optional<settings::Confirmation> confirmation; ///< nothing: it is offered
+    };
+    void take(DeviceId id, const std::vector<settings::SettingsChange> &open, bool counting);
+    void tick();
+    [[nodiscard]] Entry *find(DeviceId id, std::int64_t change);
+
+    EngineContext m_context;
+    settings::SettingsLog *m_log = nullptr;
+    std::list<Entry> m_entries;
+    Timer m_timer;
+    Scope m_asking; ///< last: what it asks uses everything above
+};
+
+} // namespace mb

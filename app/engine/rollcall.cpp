@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/rollcall.h"
+
+#include <iterator>
+
+namespace mb {
+
+void RollCall::look()
+{
+    for (const Device *device : m_context.session.devices()) {
+        const auto [entry, isNew] = m_present.try_emplace(m_context.session.idOf(*device));
+        Presence &presence = entry->second;
+        presence.name = m_context.log.labelOf(*device);
+        if (isNew)
+            m_context.log.tell(Severity::Info, presence.name, "found on " + device->link().address().shortName());
+        hear(*device, presence);
+    }
+    for (auto entry = m_present.begin(); entry != m_present.end();) {
+        const bool gone = !m_context.session.find(entry->first);
+        if (gone)
+            m_context.log.tell(Severity::Caution, entry->second.name, "is gone");
+        entry = gone ? m_present.erase(entry) : std::next(entry);
+    }
+}
+
+void RollCall::hear(const Device &device, Presence &presence)
+{
+    if (device.liveness().heard) {
+        if (presence.lost)
+            m_context.log.tell(Severity::Good, presence.name, "answers again");
+        presence.heard = true;
+        presence.lost = false;
+    } else if (presence.heard && device.busy().empty() && !m_context.operations.has(m_context.session.idOf(device))) {
+        m_context.log.tell(Severity::Caution, presence.name, "does not answer any more");
+        m_trials.forgetDirection(device);
+        presence.heard = false;
+        presence.lost = true;
+    }
+}
+
+void RollCall::refreshRestarted()
+{
+    for (Device *device : m_context.session.devices()) {
+        const DeviceId id = m_context.session.idOf(*device);
+        if (!device->liveness().restarted || !device->liveness().heard || m_context.operations.has(id)
+            || device->link().address().isRecording())
+            continue;
+        m_context.log.tell(
+            Severity::Caution, *device, "the unit restarted: what is volatile was lost, its parameters are read again");
+        device->parameters().forgetAll();
+        m_encounters.forget(id);
+        m_context.operations.begin(
+            id, "Look at the restarted unit", [](Device &unit, Progress &) { return unit.refresh(); },
+            [this, id](const Result<void> &result) {
+                if (result)
+                    m_parameters.carryOut(orders::ReadParameters{id}, [](const Result<void> &) {});
+            });
+    }
+}
+
+} // namespace mb

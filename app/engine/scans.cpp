@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/scans.h"
+
+#include "model/family.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr Duration rescanPeriod = std::chrono::seconds(5);
+
+} // namespace
+
+Scans::Scans(const EngineContext &context, Recordings &recordings)
+    : m_context(context)
+    , m_recordings(recordings)
+{
+}
+
+Scans::~Scans()
+{
+    for (auto &[link, round] : m_rounds)
+        round.task.reset();
+}
+
+Link *Scans::linkUnder(const std::string &address) const
+{
+    const auto parsed = LinkAddress::parse(address);
+    return parsed ? m_context.session.findLink(*parsed) : nullptr;
+}
+
+void Scans::scan(Link &link, ScanExtent extent)
+{
+    Round &round = m_rounds[&link];
+    if (round.running || link.state() != LinkState::Open)
+        return;
+    round.running = true;
+    m_last = m_context.clock.now();
+    ScanOptions options;
+    options.extent = extent;
+    options.progress = [&round](const std::string &step, int done, int total) {
+        round.step = step;
+        round.done = done;
+        round.total = total;
+    };
+    round.task = std::make_unique<Scope>(m_context.clock);
+    round.task->spawn<std::vector<Device *>>(m_context.session.scan(link, std::move(options)),
+        [this, &link](const Result<std::vector<Device *>> &devices) { ended(link, devices); });
+}
+
+void Scans::ended(Link &link, const Result<std::vector<Device *>> &devices)
+{
+    end(m_rounds[&link]);
+    m_last = m_context.clock.now();
+    if (!devices)
+        m_context.log.tell(Severity::Caution, link.address().shortName(), devices.error().text());
+    probeSilent(link);
+    m_recordings.playWhenKnown(link);
+}
+
+/// Its scope stays until the next scan: this may be called from what it has just finished.
+void Scans::end(Round &round)
+{
+    if (round.task)
+        round.task->clear();
+    round.running = false;
+    round.step.clear();
+    round.done = 0;
+    round.total = 0;
+}
+
+/// A board on SPI that waits in its bootloader is silent; it must not vanish from the list for that.
+void Scans::probeSilent(Link &link)
+{
+    const auto all = m_context.session.devices();
+    const bool known
+        = std::any_of(all.begin(), all.end(), [&link](const Device *device) { return &device->link() == &link; });
+    if (known || link.kind() != LinkKind::Spi || link.state() != LinkState::Open)
+        return;
+    for (const Family *family : m_context.session.families()) {
+        if (!family->probe
+            || std::find(family->links.begin(), family->links.end(), LinkKind::Spi) == family->links.end())
+            continue;
+        m_rounds[&link].task->spawn<Device *>(
+            m_context.session.connect({link.address(), std::string(family->key), 0, std::nullopt}),
+            [](const Result<Device *> &) {});
+    }
+}
+
+bool Scans::isQuiet() const
+{
+    const auto all = m_context.session.devices();
+    return !m_context.operations.isAnyRunning() && std::none_of(all.begin(), all.end(), [](const Device *device) {
+        return device->liveness().moving && !device->link().address().isRecording();
+    });
+}
+
+void Scans::look()
+{
+    if (!isQuiet() || m_context.clock.now() - m_last < rescanPeriod)
+        return;
+    for (Link *link : m_context.session.links()) {
+        if (link->kind() == LinkKind::Can) // looking over serial rates would disturb the devices that work
+            scan(*link);
+    }
+}
+
+void Scans::forget(const Link &link)
+{
+    m_rounds.erase(&link);
+}
+
+void Scans::describe(const Link &link, LinkView &view) const
+{
+    const auto round = m_rounds.find(&link);
+    if (round == m_rounds.end())
+        return;
+    view.scanning = round->second.running;
+    view.scanStep = round->second.step;
+    view.scanDone = round->second.done;
+    view.scanTotal = round->second.total;
+}
+
+void Scans::carryOut(const orders::ScanLinks &, const Finished &finished)
+{
+    for (Link *link : m_context.session.links())
+        scan(*link, ScanExtent::Usual);
+    finished({});
+}
+
+void Scans::carryOut(const orders::ScanEverything &order, const Finished &finished)
+{
+    Link *const link = linkUnder(order.link);
+    if (!link)
+        return finished(fail(Fault::LinkLost, "the link is not open"));
+    end(m_rounds[link]);
+    scan(*link, ScanExtent::Everything);
+    finished({});
+}
+
+void Scans::carryOut(const orders::CancelScan &order, const Finished &finished)
+{
+    if (Link *link = linkUnder(order.link); link && m_rounds[link].running) {
+        end(m_rounds[link]);
+        m_context.log.tell(
+            Severity::Info, link->address().shortName(), "the search was cancelled; what it found stays");
+    }
+    finished({});
+}
+
+} // namespace mb

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/engine/recordings.h"
+#include "widgets/orders/linkorders.h"
+
+#include <map>
+#include <memory>
+
+namespace mb {
+
+/// Looking for devices on links: when somebody asks for it, and again and again on CAN while nothing else goes on. Engine thread.
+class Scans {
+public:
+    Scans(const EngineContext &context, Recordings &recordings);
+    /// Ends all scans; what they have found stays.
+    ~Scans();
+
+    void scan(Link &link, ScanExtent extent = ScanExtent::Quick);
+    /// Once a second: every open CAN link, when the last look is some time ago and nothing runs or moves.
+    void look();
+    /// A link is about to go.
+    void forget(const Link &link);
+    /// Its part of what is shown of a link.
+    void describe(const Link &link, LinkView &view) const;
+
+    void carryOut(const orders::ScanLinks &order, const Finished &finished);
+    void carryOut(const orders::ScanEverything &order, const Finished &finished);
+    void carryOut(const orders::CancelScan &order, const Finished &finished);
+
+private:
+    struct Round {
+        bool running = false;
+        std::string step;
+        int done = 0;
+        int total = 0;
+        std::unique_ptr<Scope> task; ///< last: uses everything above
+    };
+
+    void ended(Link &link, const Result<std::vector<Device *>> &devices);
+    static void end(Round &round);
+    void probeSilent(Link &link);
+    [[nodiscard]] bool isQuiet() const;
+    [[nodiscard]] Link *linkUnder(const std::string &address) const;
+
+    EngineContext m_context;
+    Recordings &m_recordings;
+    Instant m_last{};
+    std::map<const Link *, Round> m_rounds;
+};
+
+} // namespace mb

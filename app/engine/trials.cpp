@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/engine/trials.h"
+
+#include "model/family.h"
+#include "settings/snapshots.h"
+#include "tuning/verdict.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+using tuning::Trial;
+
+/// The interruption lives as long as the story that looks at it.
+template <class T> Task<T> keeping(std::shared_ptr<tuning::Interruption> interruption, Task<T> story)
+{
+    const auto held = std::move(interruption);
+    co_return co_await std::move(story).attempt();
+}
+
+/// With a snapshot before it, and what it has replaced in the history.
+Task<tuning::TuneReport> tuneKept(
+    Device &device, tuning::TunePlan plan, settings::SettingsLog *log, Task<tuning::TuneReport> story)
+{
+    if (log && !plan.propose) {
+        NoProgress unseen;
+        auto taking = settings::takeSnapshot(device, settings::Occasion::Tuning, {}, *log, unseen);
+        (void)co_await std::move(taking).attempt();
+    }
+    tuning::TuneReport report = co_await std::move(story);
+    if (log && report.result == tuning::TuneResult::Kept) {
+        auto noting = settings::keepReplaced(device, report.before, settings::Origin::Tuning, *log);
+        (void)co_await std::move(noting).attempt();
+    }
+    co_return report;
+}
+
+Task<void> runOf(
+    Device &device, SetPointStream &stream, const Experiment &experiment, ExperimentOptions options, Progress &progress)
+{
+    auto running = experiment.run(device, stream, options, progress);
+    const ExperimentReport report = co_await std::move(running);
+    progress.log(Severity::Good, report.sentence);
+    co_return {};
+}
+
+std::string nameOf(const Trial &trial)
+{
+    return trial.number ? "trial #" + std::to_string(*trial.number) : std::string("a trial that is not kept");
+}
+
+} // namespace
+
+void Trials::carryOut(const orders::RunExperiment &order, const Finished &finished)
+{
+    Device *device = m_context.session.find(order.device);
+    if (!device)
+        return finished(fail(Fault::Timeout, "the device is gone"));
+    const std::span<const Experiment> known = device->family().experiments;
+    const auto found = std::find_if(
+        known.begin(), known.end(), [&order](const Experiment &candidate) { return candidate.key == order.key; });
+    if (found == known.end())
+        return finished(fail(Fault::Unsupported, "this device has no experiment '" + order.key + "'"));
+    SetPointStream &stream = m_context.session.stream(*device);
+    if (stream.isRunning())
+        return finished(fail(Fault::Unsafe, "stop the motor before an experiment begins"));
+    Operations::Job *const job = m_context.operations.begin(
+        order.device, found->title.data(),
+        [&stream, &experiment = *found, options = order.options](
+            Device &unit, Progress &progress) { return runOf(unit, stream, experiment, options, progress); },
+        finished);
+    if (job)
+        job->isExperiment = true;
+}
+
+/// An operation that moves the device by experiments: what is notable in it is told, what it interrupts puts back what it changed.
+template <class T> void Trials::run(DeviceId id, const Story<T> &story, const std::function<void(Result<T>)> &finished)
+{
+    const Finished refused = [finished](const Result<void> &result) { finished(fail(result.error())); };
+    if (Device *device = m_context.session.find(id); device && m_context.session.stream(*device).isRunning())
+        return refused(fail(Fault::Unsafe, "stop the motor before an experiment begins"));
+    const auto interruption = std::make_shared<tuning::Interruption>();
+    Operations::Job *const job = m_context.operations.begin<T>(
+        id, story.title,
+        [this, run = story.run, interruption](Device &device, Progress &progress) {
+            return keeping(
+                interruption, run(device, m_context.session.stream(device), surroundings(progress, *interruption)));
+        },
+        [this, judge = story.judge, finished](Operations::Job &done, Result<T> result) {
+            ended(done);
+            const Verdict told
+                = result ? judge(*result) : Verdict{Severity::Danger, "no experiment: " + result.error().text()};
+            m_context.log.tell(told.severity, done.device, told.text);
+            finished(std::move(result));
+        },
+        refused);
+    if (job)
+        job->interruption = interruption;
+}
+
+void Trials::carryOut(const orders::RunTrial &order, const std::function<void(Result<Trial>)> &finished)
+{
+    Story<Trial> story;
+    story.title = "Experiment";
+    story.run = [plan = order.plan, measured = order.measured](
+                    Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
+        around.measured = measured;
+        return tuning::runExperiment(device, stream, plan, std::move(around));
+    };
+    story.judge = [](const Trial &trial) {
+        return trial.reason == "done"
+            ? Verdict{Severity::Good, nameOf(trial) + " is done"}
+            : Verdict{Severity::Danger, nameOf(trial) + " was stopped: " + trial.reason + ", " + trial.detail};
+    };
+    run(order.device, story, finished);
+}
+
+void Trials::carryOut(const orders::RunTuning &order, const std::function<void(Result<tuning::TuneReport>)> &finished)
+{
+    using tuning::TuneResult;
+    Story<tuning::TuneReport> story;
+    story.title = "Autotune";
+    story.run = [this, plan = order.plan](
+                    Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
+        return tuneKept(device, plan, m_parameters.log(), tuning::autotune(device, stream, plan, std::move(around)));
+    };
+    story.judge = [](const tuning::TuneReport &report) {
+        const bool good = report.result == TuneResult::Kept || report.result == TuneResult::Proposed;
+        return Verdict{good ? Severity::Good : Severity::Danger,
+            "tuning " + std::string(toString(report.result)) + ": " + report.evidence};
+    };
+    run(order.device, story, finished);
+}
+
+void Trials::carryOut(
+    const orders::RunSweep &order, const std::function<void(Result<tuning::FrequencyResponse>)> &finished)
+{
+    Story<tuning::FrequencyResponse> story;
+    story.title = "Frequency response";
+    story.run = [plan = order.plan, plant = order.plant](
+                    Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
+        return tuning::measureFrequencyResponse(device, stream, plan, plant, std::move(around));
+    };
+    story.judge = [](const tuning::FrequencyResponse &response) {
+        return Verdict{response.stopReason.empty() ? Severity::Good : Severity::Danger,
+            "frequency response: " + response.evidence};
+    };
+    run(order.device, story, finished);
+}
+
+tuning::ExperimentSurroundings Trials::surroundings(Progress &progress, tuning::Interruption &interruption)
+{
+    tuning::ExperimentSurroundings around;
+    around.journal = m_journal;
+    around.directions = &m_directions;
+    around.interruption = &interruption;
+    around.note = [&progress](const std::string &text) { progress.log(Severity::Caution, text); };
+    return around;
+}
+
+void Trials::ended(Operations::Job &job)
+{
+    job.interruption.reset();
+    m_rates.restore(job.device);
+    m_owed.lookAgain(job.device);
+    for (const LogLine &line : job.operation->status().log)
+        m_context.log.tell(line.severity, job.device, line.text);
+}
+
+} // namespace mb

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/project.h"
+
+#include "model/parameterfile.h"
+#include "tuning/verdict.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/control/envelopebook.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr int projectFormat = 1;
+constexpr std::int64_t largestProject = 8 << 20;
+constexpr const char *projectFile = "project.json";
+
+Result<void> writeIfNew(const QString &file, const QByteArray &bytes)
+{
+    const auto before = loadFile(file.toStdString(), largestProject);
+    return before && *before == bytes ? Result<void>{} : saveFile(file.toStdString(), bytes);
+}
+
+QString parametersFile(const ProjectUnit &unit)
+{
+    const std::string who = unit.serial.empty() ? unit.selector : unit.serial;
+    return QStringLiteral("parameters/%1.json").arg(QString::fromStdString(fileNameOf(who)));
+}
+
+QJsonObject toJson(const ProjectUnit &unit)
+{
+    QJsonObject calibration;
+    for (const auto &[key, value] : unit.calibration)
+        calibration[QString::fromStdString(key)] = value;
+    QJsonObject limits;
+    for (const EnvelopeBound &bound : envelopeBounds) {
+        if (const auto &value = unit.limits.*bound.value)
+            limits[QLatin1String(bound.key)] = *value;
+    }
+    QJsonObject object{{QStringLiteral("device"), qt(unit.selector)}, {QStringLiteral("unit"), qt(unit.unit)},
+        {QStringLiteral("title"), qt(unit.title)}, {QStringLiteral("name"), qt(unit.name)},
+        {QStringLiteral("serial"), qt(unit.serial)}, {QStringLiteral("dialect"), qt(unit.dialect)},
+        {QStringLiteral("calibration"), calibration}, {QStringLiteral("limits"), limits}};
+    if (!unit.parameters.isEmpty())
+        object[QStringLiteral("parameters")] = parametersFile(unit);
+    return object;
+}
+
+ProjectUnit fromJson(const QJsonObject &object)
+{
+    const auto text = [&object](const char *key) { return object.value(QLatin1String(key)).toString().toStdString(); };
+    ProjectUnit unit;
+    unit.selector = text("device");
+    unit.unit = text("unit");
+    unit.title = text("title");
+    unit.name = text("name");
+    unit.serial = text("serial");
+    unit.dialect = text("dialect");
+    const QJsonObject calibration = object.value(QStringLiteral("calibration")).toObject();
+    for (auto entry = calibration.begin(); entry != calibration.end(); ++entry) {
+        if (entry.value().isDouble())
+            unit.calibration[entry.key().toStdString()] = entry.value().toDouble();
+    }
+    const QJsonObject limits = object.value(QStringLiteral("limits")).toObject();
+    for (const EnvelopeBound &bound : envelopeBounds) {
+        if (const QJsonValue value = limits.value(QLatin1String(bound.key)); value.isDouble() && value.toDouble() > 0.0)
+            unit.limits.*bound.value = value.toDouble();
+    }
+    return unit;
+}
+
+/// Its settings; live values would make a difference each time.
+QJsonObject settingsOf(const DeviceView &device)
+{
+    std::vector<ParameterIndex> indices;
+    for (std::size_t i = 0; i < device.parameters.size(); ++i) {
+        if (device.family->parameters[i].persistent && device.parameters[i].raw)
+            indices.push_back(ParameterIndex{static_cast<std::uint16_t>(i)});
+    }
+    return indices.empty()
+        ? QJsonObject()
+        : parametersToJson({*device.family, device.identity, device.selector, device.parameters}, indices);
+}
+
+Result<void> copyLayouts(const QString &from, const QString &to)
+{
+    for (const QString &name : QDir(from).entryList({QStringLiteral("*.json")}, QDir::Files)) {
+        const auto bytes = loadFile((from + QLatin1Char('/') + name).toStdString(), largestProject);
+        if (!bytes)
+            return fail(bytes.error());
+        if (auto written = writeIfNew(to + QLatin1Char('/') + name, *bytes); !written)
+            return written;
+    }
+    return {};
+}
+
+} // namespace
+
+Project Project::of(const Snapshot &shot, const EnvelopeBook &limits)
+{
+    Project project;
+    for (const LinkView &link : shot.links)
+        project.links += qt(link.address);
+    for (const DeviceView &device : shot.devices) {
+        ProjectUnit unit;
+        unit.selector = device.selector;
+        unit.unit = tuning::unitOf(device.identity, device.selector, device.link.starts_with("sim:"));
+        unit.title = titleOf(device).toStdString();
+        unit.name = device.identity.name;
+        unit.serial = device.identity.serial;
+        unit.dialect = device.profile.dialect;
+        unit.calibration = device.profile.calibration;
+        unit.limits = limits.entered(unit.unit);
+        unit.parameters = settingsOf(device);
+        project.units.push_back(std::move(unit));
+    }
+    return project;
+}
+
+Result<void> Project::save(const QString &folder) const
+{
+    for (const char *name : {"parameters", "plots"}) {
+        if (!QDir().mkpath(folder + QLatin1Char('/') + QLatin1String(name)))
+            return fail(Fault::OutOfRange, "the folder " + folder.toStdString() + " cannot be written");
+    }
+    QJsonArray rows;
+    for (const ProjectUnit &unit : units) {
+        rows.append(toJson(unit));
+        if (unit.parameters.isEmpty())
+            continue;
+        if (auto written
+            = writeIfNew(folder + QLatin1Char('/') + parametersFile(unit), QJsonDocument(unit.parameters).toJson());
+            !written)
+            return written;
+    }
+    const QJsonObject object{{QStringLiteral("project"), projectFormat},
+        {QStringLiteral("links"), QJsonArray::fromStringList(links)}, {QStringLiteral("units"), rows}};
+    if (!layouts.isEmpty()) {
+        if (auto copied = copyLayouts(layouts, folder + QStringLiteral("/plots")); !copied)
+            return copied;
+    }
+    return writeIfNew(folder + QLatin1Char('/') + QLatin1String(projectFile), QJsonDocument(object).toJson());
+}
+
+Result<Project> Project::load(const QString &folder)
+{
+    const QString file = folder + QLatin1Char('/') + QLatin1String(projectFile);
+    const auto bytes = loadFile(file.toStdString(), largestProject);
+    if (!bytes)
+        return fail(bytes.error());
+    QJsonParseError error;
+    const QJsonObject object = QJsonDocument::fromJson(*bytes, &error).object();
+    if (error.error != QJsonParseError::NoError)
+        return fail(Fault::OutOfRange, file.toStdString() + ": " + error.errorString().toStdString());
+    if (object.value(QStringLiteral("project")).toInt() != projectFormat)
+        return fail(Fault::OutOfRange, file.toStdString() + " is no project of this version");
+    Project project;
+    for (const QJsonValue &link : object.value(QStringLiteral("links")).toArray()) {
+        if (const auto address = LinkAddress::parse(link.toString().toStdString()); !address)
+            return fail(Fault::OutOfRange, file.toStdString() + ": " + address.error().text());
+        project.links += link.toString();
+    }
+    for (const QJsonValue &row : object.value(QStringLiteral("units")).toArray()) {
+        ProjectUnit unit = fromJson(row.toObject());
+        const QString parameters = row.toObject().value(QStringLiteral("parameters")).toString();
+        if (!parameters.isEmpty() && parameters == parametersFile(unit)) { // and no other file of this computer
+            const auto values = loadFile((folder + QLatin1Char('/') + parameters).toStdString(), largestProject);
+            if (values)
+                unit.parameters = QJsonDocument::fromJson(*values).object();
+        }
+        project.units.push_back(std::move(unit));
+    }
+    project.layouts = QDir(folder).exists(QStringLiteral("plots")) ? folder + QStringLiteral("/plots") : QString();
+    return project;
+}
+
+const ProjectUnit *Project::unitOf(const DeviceView &device) const
+{
+    const auto bySerial = std::find_if(units.begin(), units.end(),
+        [&device](const ProjectUnit &unit) { return !unit.serial.empty() && unit.serial == device.identity.serial; });
+    if (bySerial != units.end())
+        return &*bySerial;
+    const auto byPlace = std::find_if(units.begin(), units.end(),
+        [&device](const ProjectUnit &unit) { return unit.serial.empty() && unit.selector == device.selector; });
+    return byPlace == units.end() ? nullptr : &*byPlace;
+}
+
+} // namespace mb

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/welcome.h"
+
+#include "app/firmwareshelf.h"
+#include "app/helpdesk.h"
+#include "app/mainwindow.h"
+#include "app/settings.h"
+#include "widgets/connection/overviewpage.h"
+#include "widgets/firmware/firmwarepage.h"
+#include "widgets/start/guide.h"
+#include "widgets/start/guidestrip.h"
+#include "widgets/start/startpage.h"
+
+#include <QBoxLayout>
+#include <QFileDialog>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr const char *demoImage = ":/firmware/dmc60c-demo.hex";
+
+PageId pageOf(Place place)
+{
+    switch (place) {
+    case Place::Overview: return PageId::Overview;
+    case Place::Parameters: return PageId::Parameters;
+    case Place::Tune: return PageId::Tune;
+    case Place::Design: return PageId::Design;
+    case Place::Firmware: return PageId::Firmware;
+    }
+    return PageId::Overview;
+}
+
+} // namespace
+
+Welcome::Welcome(MainWindow &window, Workbench &workbench, const ThemeSource &theme, Settings &settings)
+    : QObject(&window)
+    , m_window(window)
+    , m_workbench(workbench)
+    , m_settings(settings)
+    , m_start(&qobject_cast<OverviewPage *>(window.page(PageId::Overview))->start())
+    , m_guide(new Guide(workbench, window.selection(), window.arming(), this))
+    , m_strip(new GuideStrip(*m_guide, theme, window.centralWidget()))
+    , m_shelf(new FirmwareShelf(settings.firmwareFolder(), this))
+{
+    auto *column = static_cast<QBoxLayout *>(window.centralWidget()->layout());
+    column->insertWidget(column->count() - 1, m_strip); // above the pages, below what is said of the device
+    connectStart();
+    connectStrip();
+    connect(&workbench, &Workbench::changed, this, &Welcome::offer);
+}
+
+void Welcome::connectStart()
+{
+    connect(m_start, &StartPage::storyWanted, this, &Welcome::begin);
+    connect(m_start, &StartPage::keysWanted, &m_window, &MainWindow::listKeys);
+    connect(m_start, &StartPage::guidesWanted, this,
+        [this] { (void)m_window.help().open(QStringLiteral("hardware/dmc60c")); });
+    connect(m_shelf, &FirmwareShelf::changed, this, [this] { m_start->setFirmware(m_shelf->rows()); });
+    connect(m_start, &StartPage::firmwareWanted, this, [this](int row) {
+        m_window.showPage(PageId::Firmware);
+        qobject_cast<FirmwarePage *>(m_window.page(PageId::Firmware))->loadImage(m_shelf->path(row));
+    });
+    connect(m_start, &StartPage::firmwareFolderWanted, this, [this] {
+        auto *dialog = new QFileDialog(&m_window, tr("Folder with firmware"), m_shelf->folder());
+        dialog->setAttribute(Qt::WA_DeleteOnClose);
+        dialog->setFileMode(QFileDialog::Directory);
+        connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &folder) {
+            m_settings.setFirmwareFolder(folder);
+            m_shelf->look(folder);
+        });
+        dialog->open();
+    });
+    m_shelf->look(m_shelf->folder());
+}
+
+void Welcome::connectStrip()
+{
+    connect(m_strip, &GuideStrip::wanted, this, &Welcome::begin);
+    connect(m_strip, &GuideStrip::placeWanted, this, &Welcome::show);
+    connect(m_strip, &GuideStrip::refused, this, [this] { m_settings.dismiss(QStringLiteral("story")); });
+}
+
+void Welcome::begin(const Story &story)
+{
+    const auto &links = m_workbench.snapshot().links;
+    const bool open = std::any_of(links.begin(), links.end(), [](const LinkView &link) { return link.simulated; });
+    if (!open) {
+        LinkAddress address;
+        address.scheme = "sim";
+        m_workbench.send(orders::OpenLink{address});
+    }
+    m_settings.dismiss(QStringLiteral("story"));
+    m_guide->begin(story);
+}
+
+void Welcome::show(Place place)
+{
+    if (const DeviceView *device = m_guide->device())
+        m_window.selection().select(device->id);
+    m_window.showPage(pageOf(place));
+    if (place == Place::Firmware)
+        qobject_cast<FirmwarePage *>(m_window.page(PageId::Firmware))->loadImage(QLatin1String(demoImage));
+}
+
+/// On the overview of a simulated bench that somebody sees for the first time.
+void Welcome::offer()
+{
+    const Story &story = stories().front();
+    const bool here = Guide::deviceOf(story, m_workbench.snapshot());
+    const bool asked = m_settings.isDismissed(QStringLiteral("story"));
+    m_strip->offer(here && !asked && m_window.shownPage() == PageId::Overview ? &story : nullptr);
+}
+
+} // namespace mb

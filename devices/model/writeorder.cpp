@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/writeorder.h"
+
+#include "model/family.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <tuple>
+
+namespace mb {
+namespace {
+
+/// p, i or d; 0 for everything else.
+char gainOf(std::string_view key)
+{
+    const auto dot = key.rfind('.');
+    const std::string_view last = dot == std::string_view::npos ? key : key.substr(dot + 1);
+    return last == "p" || last == "i" || last == "d" ? last.front() : '\0';
+}
+
+bool switchesOff(const Parameter &parameter, const StagedChange &change)
+{
+    return parameter.key.ends_with("disabled") ? change.to != 0 : change.to == 0;
+}
+
+bool isSwitch(const Parameter &parameter)
+{
+    return parameter.type == WireType::Boolean;
+}
+
+} // namespace
+
+bool isLimit(const Parameter &parameter)
+{
+    const bool named = parameter.key.find("limit.") != std::string_view::npos
+        || parameter.key.find("max_") != std::string_view::npos;
+    return named && gainOf(parameter.key) == '\0' && !parameter.key.ends_with("normally_closed");
+}
+
+bool widensLimit(const Parameter &parameter, const StagedChange &change)
+{
+    if (!isLimit(parameter) || !change.from || *change.from == change.to)
+        return false;
+    return isSwitch(parameter) ? switchesOff(parameter, change) : std::abs(change.to) > std::abs(*change.from);
+}
+
+int writeRank(const Parameter &parameter, const StagedChange &change)
+{
+    if (parameter.nature == Nature::Live)
+        return 11;
+    const bool raised = !change.from || std::abs(change.to) > std::abs(*change.from);
+    switch (gainOf(parameter.key)) {
+    case 'p': return raised ? 9 : 3;
+    case 'i': return raised ? 10 : 2;
+    case 'd': return raised ? 4 : 8;
+    default: break;
+    }
+    if (!isLimit(parameter))
+        return 7;
+    if (isSwitch(parameter))
+        return switchesOff(parameter, change) ? 6 : 1;
+    return widensLimit(parameter, change) ? 5 : 0;
+}
+
+void sortForWriting(std::span<const Parameter> table, std::vector<StagedChange> &changes)
+{
+    const auto place = [table](const StagedChange &change) {
+        return std::tuple(writeRank(table[change.index.value], change), change.index.value);
+    };
+    std::sort(changes.begin(), changes.end(),
+        [&place](const StagedChange &a, const StagedChange &b) { return place(a) < place(b); });
+}
+
+void arrangeForWriting(const Family &family, const ParameterStore &known, std::vector<ParameterChange> &changes)
+{
+    if (family.arrange)
+        return family.arrange(known, changes);
+    std::vector<StagedChange> staged;
+    for (const ParameterChange &change : changes) {
+        const ParameterStore::Entry &entry = known.entry(change.index);
+        staged.push_back({change.index, entry.state == ParameterState::Failed ? std::nullopt : entry.raw, change.raw});
+    }
+    sortForWriting(known.table(), staged);
+    std::transform(staged.begin(), staged.end(), changes.begin(), [](const StagedChange &change) {
+        return ParameterChange{change.index, change.to};
+    });
+}
+
+} // namespace mb

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/parameterstore.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace mb {
+
+struct Family;
+
+/// A value that is to be written, and what is in force until then.
+struct StagedChange {
+    ParameterIndex index;
+    std::optional<std::int64_t> from;
+    std::int64_t to = 0;
+};
+
+/// Where a change stands in a batch: smaller is written earlier. The drive obeys every value at once, so that between
+/// two writes it must never be livelier than both before and after the batch. First everything that calms, then what
+/// leaves it as it is, then what makes it livelier:
+///   0 limits that become tighter (numbers)   1 switches that turn a limit on   2 I lowered   3 P lowered
+///   4 D raised (damping first)   5 limits that become wider (numbers)   6 switches that turn a limit off
+///   7 everything else   8 D lowered   9 P raised   10 I raised   11 live values, such as the position
+/// Raised means a greater amount, whatever the sign. From an unknown value, gains count as raised and limits as tighter.
+[[nodiscard]] int writeRank(const Parameter &parameter, const StagedChange &change);
+
+/// A limit of the motor: by its key, and no gain of a loop that keeps one.
+[[nodiscard]] bool isLimit(const Parameter &parameter);
+/// The change makes a limit wider, or switches it off; false where it is not known what was in force.
+[[nodiscard]] bool widensLimit(const Parameter &parameter, const StagedChange &change);
+
+/// By rank, then in table order.
+void sortForWriting(std::span<const Parameter> table, std::vector<StagedChange> &changes);
+
+/// The one order in which changes go to a device, whoever asks for them: that of its family (Family::arrange) where it has
+/// one, else by rank. `known`: what is in force.
+void arrangeForWriting(const Family &family, const ParameterStore &known, std::vector<ParameterChange> &changes);
+
+} // namespace mb

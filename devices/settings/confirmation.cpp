@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "settings/confirmation.h"
+
+#include "model/family.h"
+#include "model/writeorder.h"
+#include "settings/unit.h"
+#include "settings/writing.h"
+
+#include <algorithm>
+
+namespace mb::settings {
+namespace {
+
+/// How others reach it on its bus: number, mask, bit rate. A unit takes these when it starts, and nothing else but limits.
+bool isAddress(const Parameter &parameter)
+{
+    return parameter.afterRestart && !isLimit(parameter);
+}
+
+bool needsSomebody(const Family &family, const ValueChange &value)
+{
+    const auto index = findParameter(family.parameters, value.key);
+    if (!index || !value.before || *value.before == value.after || value.proof == Proof::Refused)
+        return false;
+    const Parameter &parameter = family.parameters[index->value];
+    return isAddress(parameter) || widensLimit(parameter, {*index, value.before, value.after});
+}
+
+bool isSeenStill(const Device &device)
+{
+    return device.link().state() == LinkState::Open && device.liveness().heard && !device.liveness().moving;
+}
+
+/// What acts after a restart is not what the device says before.
+bool mayHave(const Device &device, const ValueChange &value)
+{
+    const auto index = findParameter(device.family().parameters, value.key);
+    const ParameterStore::Entry &entry = device.parameters().entry(*index);
+    const bool isKnown = entry.raw && entry.state != ParameterState::Failed;
+    return !isKnown || entry.raw == value.after || device.family().parameters[index->value].afterRestart;
+}
+
+/// What acts at once is. What acts after a restart is when the unit was asked since, and has it.
+bool isInForce(const Device &device, const std::vector<ValueChange> &values)
+{
+    const auto table = device.family().parameters;
+    return std::all_of(values.begin(), values.end(), [&](const ValueChange &value) {
+        const auto index = findParameter(table, value.key);
+        const ParameterStore::Entry &entry = device.parameters().entry(*index);
+        return !table[index->value].afterRestart || (entry.state == ParameterState::Stored && entry.raw == value.after);
+    });
+}
+
+/// Values that a later change was seen to replace are somebody else's business.
+void forgetReplaced(std::vector<SettingsChange> &open, const SettingsChange &later)
+{
+    for (SettingsChange &change : open)
+        std::erase_if(change.values, [&later](const ValueChange &value) {
+            return std::any_of(later.values.begin(), later.values.end(), [&value](const ValueChange &other) {
+                return other.key == value.key && (other.proof == Proof::Equal || other.proof == Proof::Blind);
+            });
+        });
+}
+
+} // namespace
+
+std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueChange> values)
+{
+    std::vector<ValueChange> wanted;
+    std::copy_if(values.begin(), values.end(), std::back_inserter(wanted),
+        [&family](const ValueChange &value) { return needsSomebody(family, value); });
+    return wanted;
+}
+
+bool mustBeConfirmed(const Device &device, std::span<const ParameterChange> changes)
+{
+    return std::any_of(changes.begin(), changes.end(), [&device](const ParameterChange &change) {
+        const ParameterStore::Entry &entry = device.parameters().entry(change.index);
+        const auto before = entry.state == ParameterState::Failed ? std::nullopt : entry.raw;
+        return needsSomebody(device.family(),
+            {std::string(device.parameters().parameter(change.index).key), before, change.raw, Proof::Open});
+    });
+}
+
+std::vector<SettingsChange> unconfirmed(const Family &family, std::span<const SettingsChange> changes)
+{
+    std::vector<SettingsChange> open;
+    for (const SettingsChange &change : changes) {
+        if (change.purpose == Purpose::Keep)
+            std::erase_if(open, [&change](const SettingsChange &known) { return known.number == change.of; });
+        forgetReplaced(open, change);
+        if (change.purpose != Purpose::Provisional)
+            continue;
+        open.push_back(change);
+        open.back().values = toConfirm(family, change.values);
+    }
+    std::erase_if(open, [](const SettingsChange &change) { return change.values.empty(); });
+    return open;
+}
+
+Task<std::vector<SettingsChange>> findUnconfirmed(const Device &device, SettingsLog &log)
+{
+    auto asking = log.changesOf(unitOf(device).key);
+    const std::vector<SettingsChange> changes = co_await std::move(asking);
+    std::vector<SettingsChange> open = unconfirmed(device.family(), changes);
+    for (SettingsChange &change : open)
+        std::erase_if(change.values, [&device](const ValueChange &value) { return !mayHave(device, value); });
+    std::erase_if(open, [](const SettingsChange &change) { return change.values.empty(); });
+    co_return open;
+}
+
+Task<void> keepChange(const Device &device, std::int64_t number, SettingsLog &log)
+{
+    SettingsChange kept;
+    kept.unit = unitOf(device).key;
+    kept.device = device.selector();
+    kept.purpose = Purpose::Keep;
+    kept.of = number;
+    auto beginning = log.begin(std::move(kept));
+    co_await std::move(beginning);
+    co_return {};
+}
+
+Task<void> putBack(Device &device, SettingsChange change, SettingsLog &log, Progress &progress)
+{
+    if (!isSeenStill(device))
+        co_return fail(Fault::Unsafe, "the motor is not seen to stand", "stop it, then put the values back");
+    std::vector<ParameterChange> writes;
+    for (const ValueChange &value : toConfirm(device.family(), change.values))
+        writes.push_back({*findParameter(device.family().parameters, value.key), *value.before});
+    const Order order{Origin::Window, Purpose::Revert, change.number};
+    auto writing = writeKept(device, std::move(writes), order, &log, progress);
+    const std::vector<TransferOutcome> outcomes = co_await std::move(writing);
+    if (!outcomes.empty() && !outcomes.back().raw)
+        co_return fail(outcomes.back().raw.error());
+    co_return {};
+}
+
+Confirmation::State Confirmation::look(const Device &device, Instant now)
+{
+    if (m_state == State::AwaitsRestart && isInForce(device, m_values)) {
+        m_state = State::Counting;
+        m_until = now + confirmTime;
+    }
+    if ((m_state == State::Counting && now >= m_until) || m_state == State::Due)
+        m_state = State::AwaitsStandstill;
+    if (m_state == State::AwaitsStandstill && isSeenStill(device))
+        m_state = State::Due;
+    return m_state;
+}
+
+Duration Confirmation::left(Instant now) const
+{
+    return m_state == State::AwaitsRestart ? confirmTime : std::max<Duration>(m_until - now, Duration::zero());
+}
+
+} // namespace mb::settings

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "model/parametertransfer.h"
+#include "settings/settingslog.h"
+
+#include <span>
+
+namespace mb::settings {
+
+/// After this a value that nobody has kept goes back.
+inline constexpr Duration confirmTime = std::chrono::seconds(30);
+
+/// Those of the values that can cut a unit off (its number on the bus, its bit rate) or make a motor livelier than before (a
+/// limit that became wider, or was switched off), were not refused, and were known before: what became safer stays.
+[[nodiscard]] std::vector<ValueChange> toConfirm(const Family &family, std::span<const ValueChange> values);
+/// The same of values that are about to be written, by what is known of the device.
+[[nodiscard]] bool mustBeConfirmed(const Device &device, std::span<const ParameterChange> changes);
+
+/// The provisional changes of a unit (Purpose::Provisional) that nobody has kept, undone or reverted, oldest first, with what
+/// of them is still in force as far as the history knows. `changes`: all of the unit, oldest first.
+[[nodiscard]] std::vector<SettingsChange> unconfirmed(const Family &family, std::span<const SettingsChange> changes);
+
+/// The same, asked for, and only what the device is not known to have otherwise by now: after a write, and of a unit that
+/// was just met, what a program that is gone or a lost link has left.
+[[nodiscard]] Task<std::vector<SettingsChange>> findUnconfirmed(const Device &device, SettingsLog &log);
+
+/// Somebody keeps a provisional change.
+[[nodiscard]] Task<void> keepChange(const Device &device, std::int64_t number, SettingsLog &log);
+
+/// What has to be confirmed of it goes back, and is read back: a change of its own. Unsafe, with nothing written, while the unit
+/// is not heard, or its motor is not seen to stand.
+[[nodiscard]] Task<void> putBack(Device &device, SettingsChange change, SettingsLog &log, Progress &progress);
+
+/// The time of one provisional change, from when its values are in force: at once, or, of what acts after a restart, when the
+/// unit has answered with the new value. A value that is asked; the caller brings device and time.
+class Confirmation {
+public:
+    enum class State {
+        AwaitsRestart, ///< what was written is not in force yet
+        Counting,
+        AwaitsStandstill, ///< the time is over, and the motor is not seen to stand
+        Due,              ///< it can go back now
+    };
+    /// Of what has to be confirmed of it; see toConfirm().
+    explicit Confirmation(std::vector<ValueChange> values)
+        : m_values(std::move(values))
+    {
+    }
+    /// Times do not run backwards.
+    [[nodiscard]] State look(const Device &device, Instant now);
+    [[nodiscard]] State state() const { return m_state; }
+    /// Until the values go back; the whole time before it has begun, zero after it.
+    [[nodiscard]] Duration left(Instant now) const;
+
+private:
+    std::vector<ValueChange> m_values;
+    State m_state = State::AwaitsRestart;
+    Instant m_until{};
+};
+
+} // namespace mb::settings

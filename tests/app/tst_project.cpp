@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A machine in a folder: written so that version control shows what changed, and put into force again.
+#include "windowbench.h"
+
+#include "app/project.h"
+#include "app/projectdesk.h"
+#include "support/fakeworkbench.h"
+#include "support/windowtests.h"
+#include "widgets/control/envelopebook.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QTemporaryDir>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+QByteArray bytesOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class ProjectTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aMachineIsWrittenAndReadAgain();
+    void whatDidNotChangeIsNotWritten();
+    void aFolderThatIsNoneIsRefusedInWords();
+    void aFolderIsPutIntoForce();
+};
+
+void ProjectTest::aMachineIsWrittenAndReadAgain()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    bench.window().showPage(PageId::Parameters);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isRead(WindowBench::tuned), patience);
+    EnvelopeBook limits;
+    Project project = Project::of(bench.engine().snapshot(), limits);
+    Envelope bounds;
+    bounds.travel = 40000.0;
+    bounds.duty = 0.5;
+    QVERIFY(limits.enter(project.unitOf(*bench.device(WindowBench::tuned))->unit, bounds));
+    project = Project::of(bench.engine().snapshot(), limits);
+    const QTemporaryDir folder;
+    QVERIFY(project.save(folder.path()));
+    const auto again = Project::load(folder.path());
+    QVERIFY(again);
+    QCOMPARE(again->links, project.links);
+    QCOMPARE(again->units.size(), project.units.size());
+    const ProjectUnit *unit = again->unitOf(*bench.device(WindowBench::tuned));
+    QVERIFY(unit);
+    QVERIFY(unit->limits == bounds);
+    const QJsonObject values = unit->parameters.value(QStringLiteral("parameters")).toObject();
+    QVERIFY(values.contains(QStringLiteral("slot0.p")));
+    QVERIFY(!values.contains(QStringLiteral("encoder.position"))); // it is another number each time
+    const QByteArray text = bytesOf(folder.filePath(QStringLiteral("project.json")));
+    QVERIFY(text.count('\n') > 20); // a line for each thing
+}
+
+void ProjectTest::whatDidNotChangeIsNotWritten()
+{
+    Project project;
+    project.links = QStringList{QStringLiteral("sim:can")};
+    ProjectUnit unit;
+    unit.selector = "sim:can/dmc60c:5";
+    unit.serial = "210334";
+    unit.parameters[QStringLiteral("family")] = QStringLiteral("dmc60c");
+    project.units = {unit};
+    const QTemporaryDir folder;
+    QVERIFY(project.save(folder.path()));
+    const QString file = folder.filePath(QStringLiteral("project.json"));
+    QFile touched(file);
+    QVERIFY(touched.open(QIODevice::ReadWrite));
+    const QDateTime old = QDateTime::fromSecsSinceEpoch(1000);
+    QVERIFY(touched.setFileTime(old, QFileDevice::FileModificationTime));
+    touched.close();
+    QVERIFY(project.save(folder.path()));
+    QCOMPARE(QFileInfo(file).lastModified(), old);
+    project.links += QStringLiteral("sim:spi");
+    QVERIFY(project.save(folder.path()));
+    QVERIFY(QFileInfo(file).lastModified() != old);
+}
+
+void ProjectTest::aFolderThatIsNoneIsRefusedInWords()
+{
+    const QTemporaryDir folder;
+    QVERIFY(!Project::load(folder.path()));
+    const auto write = [&folder](const QByteArray &bytes) {
+        QFile file(folder.filePath(QStringLiteral("project.json")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(bytes);
+    };
+    for (const char *text : {"{", "{}", "{\"project\":2}", "{\"project\":1,\"links\":[\"nonsense\"]}"}) {
+        write(text);
+        const auto loaded = Project::load(folder.path());
+        QVERIFY2(!loaded, text);
+        QVERIFY2(loaded.error().text().find("project.json") != std::string::npos, text);
+    }
+    write("{\"project\":1,\"units\":[{\"serial\":\"x\",\"parameters\":\"../../etc/passwd\"}]}");
+    const auto loaded = Project::load(folder.path());
+    QVERIFY(loaded);
+    QVERIFY(loaded->units[0].parameters.isEmpty());
+}
+
+void ProjectTest::aFolderIsPutIntoForce()
+{
+    const QTemporaryDir folder;
+    Project project;
+    project.links = QStringList{QStringLiteral("socketcan:can0")};
+    ProjectUnit unit;
+    unit.selector = "socketcan:can0/dmc60c:5";
+    unit.unit = unit.serial = "210334";
+    unit.calibration["counts_per_revolution"] = 2048.0;
+    unit.limits.speed = 9000.0;
+    project.units = {unit};
+    QVERIFY(project.save(folder.path()));
+
+    FakeWorkbench workbench;
+    EnvelopeBook limits;
+    QWidget window;
+    ProjectDesk desk(workbench, limits, {}, window);
+    desk.open(folder.path());
+    QCOMPARE(workbench.given<orders::OpenLink>().size(), std::size_t(1));
+    QVERIFY(workbench.given<orders::Calibrate>().empty());
+    DeviceView device;
+    device.id = DeviceId{1};
+    device.family = families().front();
+    device.identity.family = "dmc60c";
+    device.identity.serial = "210334";
+    workbench.shot.devices = {device};
+    workbench.publish();
+    workbench.publish(); // once is enough
+    const auto calls = workbench.given<orders::Calibrate>();
+    QCOMPARE(calls.size(), std::size_t(1));
+    QVERIFY(calls[0].value == 2048.0);
+    QVERIFY(limits.entered("210334").speed == 9000.0);
+}
+
+MB_WINDOW_TEST(ProjectTest);
+#include "tst_project.moc"

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first minute with the real window and engine: the demo offers a story, and the story goes on when motors and flash say so.
+#include "windowbench.h"
+
+#include "app/firmwareshelf.h"
+#include "app/helpdesk.h"
+#include "app/welcome.h"
+#include "support/windowtests.h"
+#include "widgets/connection/addlinkdialog.h"
+#include "widgets/connection/overviewpage.h"
+#include "widgets/control/tunepage.h"
+#include "widgets/firmware/firmwarepage.h"
+#include "widgets/help/helpwindow.h"
+#include "widgets/start/guide.h"
+#include "widgets/start/guidestrip.h"
+#include "widgets/start/startpage.h"
+
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QToolButton>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+constexpr int tuningTime = 120000; ///< ms, of a tuning in real time on a busy computer
+
+void keepWindow(WindowBench &bench, const QString &name)
+{
+    const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES");
+    if (!folder.isEmpty())
+        bench.window().grab().save(folder + QLatin1Char('/') + name + QStringLiteral(".png"));
+}
+
+QPushButton *buttonOf(const QWidget &parent, const QString &text)
+{
+    for (QPushButton *button : parent.findChildren<QPushButton *>()) {
+        if (button->text() == text)
+            return button;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+class WelcomeTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { qputenv("XDG_CONFIG_HOME", m_config.path().toUtf8()); }
+    void theDemoBeginsOnAUnitThatCanBeTuned();
+    void theOfferStandsOnTheOverviewOnly();
+    void aStoryIsPlayedToItsEnd();
+    void aStoryOfTheStartPageOpensTheBench();
+    void firmwareOnDiskIsCheckedAndOpened();
+    void everyPageHasItsHelp();
+    void everyFormHasItsHelp();
+
+private:
+    QTemporaryDir m_config;
+};
+
+void WelcomeTest::theDemoBeginsOnAUnitThatCanBeTuned()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    QTRY_COMPARE_WITH_TIMEOUT(bench.window().selection().device(), bench.device(WindowBench::tuned)->id, patience);
+}
+
+void WelcomeTest::theOfferStandsOnTheOverviewOnly()
+{
+    WindowBench bench;
+    auto &strip = bench.part<GuideStrip>();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound() && strip.isVisible(), patience);
+    keepWindow(bench, QStringLiteral("offer"));
+    bench.window().showPage(PageId::Tune);
+    QTRY_VERIFY_WITH_TIMEOUT(!strip.isVisible(), patience);
+    bench.window().showPage(PageId::Overview);
+    QTRY_VERIFY_WITH_TIMEOUT(strip.isVisible(), patience);
+    buttonOf(strip, QStringLiteral("Not now"))->click();
+    QTest::qWait(0);
+    Q_EMIT bench.engine().changed();
+    QVERIFY(!strip.isVisible());
+}
+
+void WelcomeTest::aStoryIsPlayedToItsEnd()
+{
+    WindowBench bench;
+    auto &strip = bench.part<GuideStrip>();
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound() && strip.isVisible(), patience);
+    buttonOf(strip, QStringLiteral("Begin"))->click();
+    Guide &guide = bench.part<Welcome>().guide();
+    QVERIFY(guide.story());
+    buttonOf(strip, QStringLiteral("Show me where"))->click(); // selects the unit, and shows its page
+    QCOMPARE(bench.window().shownPage(), PageId::Tune);
+    QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(1), patience);
+    QTRY_VERIFY_WITH_TIMEOUT(bench.device(7)->mayNotMove.empty() && bench.isRead(7), patience);
+    bench.arming().arm(bench.device(7)->id);
+    QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(2), patience);
+    QTest::qWait(200); // the page has to see the arming
+    QTest::keyClick(&bench.window(), Qt::Key_F5);
+    QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(3), tuningTime);
+    keepWindow(bench, QStringLiteral("guide"));
+    QTRY_VERIFY_WITH_TIMEOUT(bench.arming().state() == LampState::Armed, patience);
+    buttonOf(strip, QStringLiteral("Show me where"))->click();
+    QCOMPARE(bench.window().shownPage(), PageId::Design);
+    QTest::keyClick(&bench.window(), Qt::Key_F6);
+    QTRY_VERIFY_WITH_TIMEOUT(guide.step() >= 4, tuningTime);
+    QTRY_VERIFY_WITH_TIMEOUT(guide.isDone(), tuningTime); // 15 s until the flash has them
+    qInfo("%s", qPrintable(guide.result()));
+    keepWindow(bench, QStringLiteral("guide-done"));
+    buttonOf(strip, QStringLiteral("Close"))->click();
+    QVERIFY(!strip.isVisible());
+}
+
+void WelcomeTest::aStoryOfTheStartPageOpensTheBench()
+{
+    Options options;
+    options.language = QStringLiteral("en");
+    Application application(*qApp, options); // no demo: nothing is open
+    application.start();
+    MainWindow &window = application.window();
+    window.resize(1440, 900);
+    auto *start = window.findChild<StartPage *>();
+    QTRY_VERIFY_WITH_TIMEOUT(start->isVisible(), patience);
+    const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES");
+    if (!folder.isEmpty()) {
+        QTRY_VERIFY(window.height() == 900 && !application.engine().listings().empty());
+        QTest::qWait(100);
+        window.grab().save(folder + QStringLiteral("/start.png"));
+    }
+    auto *card = start->findChild<QWidget *>(QStringLiteral("story-revive"));
+    card->findChild<QPushButton *>()->click();
+    Guide &guide = window.findChild<Welcome *>()->guide();
+    QTRY_VERIFY_WITH_TIMEOUT(guide.device(), patience);
+    auto *strip = window.findChild<GuideStrip *>();
+    buttonOf(*strip, QStringLiteral("Show me where"))->click();
+    QCOMPARE(window.shownPage(), PageId::Firmware);
+    QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(1), patience);
+    buttonOf(*strip, QStringLiteral("Show me where"))->click();
+    qobject_cast<FirmwarePage *>(window.page(PageId::Firmware))->startUpdate();
+    QTRY_VERIFY_WITH_TIMEOUT(guide.step() >= 2, patience);
+    QTRY_VERIFY_WITH_TIMEOUT(guide.isDone(), tuningTime);
+}
+
+void WelcomeTest::firmwareOnDiskIsCheckedAndOpened()
+{
+    const QTemporaryDir folder;
+    QVERIFY(QFile::copy(QStringLiteral(":/firmware/dmc60c-demo.hex"), folder.filePath(QStringLiteral("good.hex"))));
+    QFile bad(folder.filePath(QStringLiteral("bad.hex")));
+    QVERIFY(bad.open(QIODevice::WriteOnly));
+    bad.write(":0000000100\n");
+    bad.close();
+    FirmwareShelf shelf(folder.path());
+    shelf.look(folder.path());
+    QTRY_VERIFY(std::all_of(shelf.rows().begin(), shelf.rows().end(),
+        [](const ListCard::Row &row) { return !row.words.contains(QStringLiteral("not read yet")); }));
+    for (const ListCard::Row &row : shelf.rows())
+        QCOMPARE(row.words.contains(QStringLiteral("checked")), row.name == QStringLiteral("good.hex"));
+}
+
+void WelcomeTest::everyPageHasItsHelp()
+{
+    WindowBench bench;
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
+    bench.select(WindowBench::tuned);
+    HelpDesk &desk = bench.window().help();
+    for (int i = 0; i <= static_cast<int>(PageId::Log); ++i) {
+        bench.window().showPage(static_cast<PageId>(i));
+        bench.window().findChild<QToolButton *>(QStringLiteral("pageHelp"))->click();
+        auto *help = bench.window().findChild<HelpWindow *>();
+        QVERIFY(help);
+        QCOMPARE(help->topic(), desk.topicOf(static_cast<PageId>(i)));
+    }
+    QCOMPARE(desk.topicOf(PageId::Parameters), QStringLiteral("hardware/dmc60c"));
+}
+
+void WelcomeTest::everyFormHasItsHelp()
+{
+    WindowBench bench;
+    bench.window().findChild<OverviewPage *>()->addLinkRequested();
+    auto *form = bench.window().findChild<AddLinkDialog *>();
+    QVERIFY(form);
+    QTest::keyClick(form, Qt::Key_F1);
+    auto *help = bench.window().findChild<HelpWindow *>();
+    QVERIFY(help);
+    QCOMPARE(help->topic(), QStringLiteral("connecting"));
+    QTest::keyClick(&bench.window(), Qt::Key_F1);
+    auto *keys = bench.window().findChild<QDialog *>(QStringLiteral("keys"));
+    QVERIFY(keys);
+    QVERIFY(keys->findChild<QDialogButtonBox *>()->button(QDialogButtonBox::Help));
+}
+
+MB_WINDOW_TEST(WelcomeTest);
+#include "tst_welcome.moc"

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Between two writes of a batch a drive is never livelier than both before and after it.
+#include "model/family.h"
+#include "model/writeorder.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <random>
+
+namespace mb {
+namespace {
+
+Parameter row(const char *key, WireType type = WireType::Int32, Nature nature = Nature::Setting)
+{
+    Parameter p;
+    p.key = key;
+    p.type = type;
+    p.nature = nature;
+    p.minimum = -1000.0;
+    p.maximum = 1000.0;
+    return p;
+}
+
+enum Row : std::uint16_t { Threshold, Enabled, SwitchOff, P, I, D, Name, Position, Rows };
+
+const std::array<Parameter, Rows> table{row("limit.current"), row("limit.enabled", WireType::Boolean),
+    row("limit.forward.disabled", WireType::Boolean), row("velocity.p"), row("velocity.i"), row("velocity.d"),
+    row("input.period"), row("position", WireType::Int32, Nature::Live)};
+
+/// The more of it, the livelier; what does not matter is 0.
+std::int64_t lively(std::uint16_t index, std::int64_t raw)
+{
+    switch (index) {
+    case Threshold:
+    case SwitchOff:
+    case P:
+    case I: return std::abs(raw);
+    case Enabled: return -raw;
+    case D: return -std::abs(raw);
+    default: return 0;
+    }
+}
+
+using State = std::array<std::int64_t, Rows>;
+
+bool isNoLivelier(const State &state, const State &than)
+{
+    for (std::uint16_t i = 0; i < Rows; ++i) {
+        if (lively(i, state.at(i)) > lively(i, than.at(i)))
+            return false;
+    }
+    return true;
+}
+
+std::string textOf(const std::vector<ParameterChange> &changes)
+{
+    std::string text;
+    for (const ParameterChange &change : changes)
+        text += std::string(table.at(change.index.value).key) + "=" + std::to_string(change.raw) + " ";
+    return text;
+}
+
+State anyState(std::mt19937 &random)
+{
+    State state{};
+    for (std::uint16_t i = 0; i < Rows; ++i) {
+        const bool isSwitch = table.at(i).type == WireType::Boolean;
+        state.at(i) = std::uniform_int_distribution<std::int64_t>(isSwitch ? 0 : -9, isSwitch ? 1 : 9)(random);
+    }
+    return state;
+}
+
+TEST(WriteOrder, IsNeverLivelierInBetweenThanBothEnds)
+{
+    Family family{};
+    family.parameters = table;
+    std::mt19937 random(7);
+    for (int round = 0; round < 2000; ++round) {
+        const State before = anyState(random);
+        const State after = anyState(random);
+        ParameterStore known(table);
+        std::vector<ParameterChange> changes;
+        for (std::uint16_t i = 0; i < Rows; ++i) {
+            known.setRead({i}, before.at(i));
+            if (before.at(i) != after.at(i))
+                changes.push_back({{i}, after.at(i)});
+        }
+        std::shuffle(changes.begin(), changes.end(), random);
+        arrangeForWriting(family, known, changes);
+        State state = before;
+        for (const ParameterChange &change : changes) {
+            state.at(change.index.value) = change.raw;
+            EXPECT_TRUE(isNoLivelier(state, before) || isNoLivelier(state, after))
+                << "at " << table.at(change.index.value).key << " of " << textOf(changes);
+        }
+        EXPECT_EQ(state, after);
+    }
+}
+
+TEST(WriteOrder, SetsLimitsBeforeGainsWhereNothingIsKnown)
+{
+    Family family{};
+    family.parameters = table;
+    const ParameterStore known(table);
+    std::vector<ParameterChange> changes{{{Position}, 5}, {{I}, 1}, {{P}, 2}, {{Name}, 3}, {{Threshold}, 4}};
+    arrangeForWriting(family, known, changes);
+    EXPECT_EQ(textOf(changes), "limit.current=4 input.period=3 velocity.p=2 velocity.i=1 position=5 ");
+}
+
+TEST(WriteOrder, IsThatOfTheFamilyWhereItHasOne)
+{
+    Family family{};
+    family.parameters = table;
+    family.arrange = [](const ParameterStore &, std::vector<ParameterChange> &changes) {
+        std::reverse(changes.begin(), changes.end());
+    };
+    std::vector<ParameterChange> changes{{{P}, 2}, {{Name}, 3}, {{I}, 4}};
+    arrangeForWriting(family, ParameterStore(table), changes);
+    EXPECT_EQ(textOf(changes), "velocity.i=4 input.period=3 velocity.p=2 ");
+}
+
+} // namespace
+} // namespace mb

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values that can cut a unit off, or make a motor livelier, go back by themselves unless somebody keeps them.
+#include "model/setpointstream.h"
+#include "settings/confirmation.h"
+#include "settings/history.h"
+#include "settings/unit.h"
+#include "settingsbench.h"
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using settings::Confirmation;
+using settings::Origin;
+using settings::Proof;
+using settings::Purpose;
+using settings::SettingsChange;
+using State = Confirmation::State;
+
+class Confirmations : public test::SettingsBench {
+protected:
+    explicit Confirmations(const char *link = "sim:can")
+        : test::SettingsBench(link)
+    {
+    }
+    /// Writes it as the window does.
+    SettingsChange provisional(Device &device, std::vector<ParameterChange> changes)
+    {
+        EXPECT_TRUE(run(settings::writeKept(
+            device, std::move(changes), {Origin::Window, Purpose::Provisional}, book.get(), progress)));
+        return all(device).back();
+    }
+    /// As the engine does, ten times a second; how often it said that it is due.
+    int pass(Confirmation &confirmation, const Device &device, Duration time)
+    {
+        int due = 0;
+        for (const Instant end = bench.clock.now() + time; bench.clock.now() < end; bench.clock.advance(100ms))
+            due += confirmation.state() != State::Due && confirmation.look(device, bench.clock.now()) == State::Due ? 1
+                                                                                                                    : 0;
+        return due;
+    }
+    [[nodiscard]] Confirmation confirmationOf(const Device &device, const SettingsChange &change)
+    {
+        return Confirmation(settings::toConfirm(device.family(), change.values));
+    }
+    [[nodiscard]] std::vector<SettingsChange> all(const Device &device)
+    {
+        return book->changes(settings::unitOf(device).key).value_or(std::vector<SettingsChange>{});
+    }
+    [[nodiscard]] std::vector<std::string> keysToConfirm(
+        Device &device, std::vector<std::tuple<std::string, std::optional<std::int64_t>, std::int64_t>> values)
+    {
+        std::vector<settings::ValueChange> list;
+        for (auto &[key, before, after] : values)
+            list.push_back({key, before, after, Proof::Equal});
+        std::vector<std::string> keys;
+        for (const auto &value : settings::toConfirm(device.family(), list))
+            keys.push_back(value.key);
+        return keys;
+    }
+    static constexpr std::int64_t amperes = 65536;
+};
+
+TEST_F(Confirmations, AreForWhatBecameLivelierNotForWhatBecameSafer)
+{
+    Device &five = *bench.device(5);
+    const std::vector<std::string> wanted{
+        "current_limit.peak", "current_limit.enabled", "limit.forward.switch.disabled", "slot0.max_forward"};
+    EXPECT_EQ(keysToConfirm(five,
+                  {{"current_limit.peak", 40, 60}, {"current_limit.continuous", 40, 30},
+                      {"current_limit.enabled", 1, 0}, {"limit.forward.switch.disabled", 0, 1},
+                      {"limit.reverse.switch.disabled", 1, 0}, {"slot0.max_forward", 100, 200}, {"slot0.p", 1, 9},
+                      {"current_limit.peak_duration", std::nullopt, 900}}),
+        wanted);
+    EXPECT_FALSE(settings::mustBeConfirmed(five, {{change(five, "slot0.p", 7 * amperes)}}));
+}
+
+TEST_F(Confirmations, AValueThatNobodyKeepsGoesBackAfterThirtySeconds)
+{
+    Device &five = *bench.device(5);
+    const auto old = reads(five, "current_limit.peak");
+    ASSERT_TRUE(old);
+    ASSERT_TRUE(settings::mustBeConfirmed(five, {{change(five, "current_limit.peak", *old * 2)}}));
+    const SettingsChange change
+        = provisional(five, {this->change(five, "current_limit.peak", *old * 2), this->change(five, "slot0.p", 65536)});
+    Confirmation confirmation = confirmationOf(five, change);
+    EXPECT_EQ(confirmation.look(five, bench.clock.now()), State::Counting);
+    EXPECT_EQ(confirmation.left(bench.clock.now()), 30s);
+    EXPECT_EQ(pass(confirmation, five, 29'900ms), 0);
+    EXPECT_EQ(pass(confirmation, five, 300ms), 1);
+    EXPECT_EQ(confirmation.left(bench.clock.now()), 0s);
+    ASSERT_TRUE(run(settings::putBack(five, change, *book, progress)));
+    EXPECT_EQ(reads(five, "current_limit.peak"), old);
+    EXPECT_EQ(reads(five, "slot0.p"), 65536) << "it makes no motor livelier than before by itself: it stays";
+    EXPECT_EQ(all(five).back().purpose, Purpose::Revert);
+    EXPECT_EQ(all(five).back().of, change.number);
+    const auto left = run(settings::findUnconfirmed(five, *book));
+    ASSERT_TRUE(left);
+    EXPECT_TRUE(left->empty());
+}
+
+TEST_F(Confirmations, AKeptValueStaysAndCanStillBeUndone)
+{
+    Device &five = *bench.device(5);
+    const auto old = reads(five, "current_limit.peak");
+    const SettingsChange change = provisional(five, {this->change(five, "current_limit.peak", *old * 2)});
+    ASSERT_TRUE(run(settings::keepChange(five, change.number, *book)));
+    EXPECT_TRUE(run(settings::findUnconfirmed(five, *book))->empty());
+    EXPECT_EQ(reads(five, "current_limit.peak"), *old * 2);
+    ASSERT_TRUE(run(settings::undo(five, Origin::Window, *book, progress)));
+    EXPECT_EQ(reads(five, "current_limit.peak"), old);
+}
+
+TEST_F(Confirmations, WhatAProgramThatIsGoneHasLeftIsFound)
+{
+    Device &five = *bench.device(5);
+    const auto old = reads(five, "current_limit.peak");
+    const SettingsChange first = provisional(five, {change(five, "current_limit.peak", *old * 2)});
+    open();
+    auto left = run(settings::findUnconfirmed(five, *book));
+    ASSERT_TRUE(left);
+    ASSERT_EQ(left->size(), 1U);
+    EXPECT_EQ(left->front().number, first.number);
+    ASSERT_TRUE(run(settings::putBack(five, left->front(), *book, progress)));
+    EXPECT_EQ(reads(five, "current_limit.peak"), old);
+}
+
+TEST_F(Confirmations, WhatWasUndoneOrReplacedIsNobodysQuestion)
+{
+    Device &five = *bench.device(5);
+    const auto old = reads(five, "current_limit.peak");
+    provisional(five, {change(five, "current_limit.peak", *old * 2)});
+    ASSERT_TRUE(run(settings::undo(five, Origin::Window, *book, progress)));
+    EXPECT_TRUE(run(settings::findUnconfirmed(five, *book))->empty());
+    provisional(five, {change(five, "current_limit.peak", *old * 2)});
+    ASSERT_TRUE(write(five, {change(five, "current_limit.peak", *old / 2)}));
+    EXPECT_TRUE(run(settings::findUnconfirmed(five, *book))->empty());
+}
+
+TEST_F(Confirmations, NothingIsWrittenWhileTheMotorTurns)
+{
+    Device &five = *bench.device(5);
+    const auto old = reads(five, "current_limit.peak");
+    const SettingsChange change = provisional(five, {this->change(five, "current_limit.peak", *old * 2)});
+    Confirmation confirmation = confirmationOf(five, change);
+    SetPoint duty;
+    duty.mode = Mode::Duty;
+    duty.target = 0.3;
+    SetPointStream &stream = bench.session.stream(five);
+    ASSERT_TRUE(stream.start(duty, 60s));
+    EXPECT_EQ(pass(confirmation, five, 40s), 0);
+    ASSERT_TRUE(five.liveness().moving);
+    EXPECT_EQ(confirmation.state(), State::AwaitsStandstill);
+    EXPECT_FALSE(run(settings::putBack(five, change, *book, progress)));
+    EXPECT_EQ(all(five).size(), 1U) << "nothing was begun";
+    stream.stop();
+    EXPECT_EQ(pass(confirmation, five, 20s), 1);
+}
+
+class SerialConfirmations : public Confirmations {
+protected:
+    SerialConfirmations()
+        : Confirmations("sim:serial")
+    {
+    }
+};
+
+TEST_F(SerialConfirmations, WhatActsAfterARestartCountsFromThen)
+{
+    Device &four = *bench.device(4, "supermodified");
+    const auto old = reads(four, "uart.baud");
+    ASSERT_TRUE(old);
+    const std::int64_t other = *old == 57600 ? 115200 : 57600;
+    ASSERT_TRUE(settings::mustBeConfirmed(four, {{change(four, "uart.baud", other)}}));
+    const SettingsChange change = provisional(four, {this->change(four, "uart.baud", other)});
+    Confirmation confirmation = confirmationOf(four, change);
+    EXPECT_EQ(pass(confirmation, four, 60s), 0);
+    EXPECT_EQ(confirmation.state(), State::AwaitsRestart);
+    EXPECT_EQ(confirmation.left(bench.clock.now()), 30s);
+}
+
+} // namespace
+} // namespace mb

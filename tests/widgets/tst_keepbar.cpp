@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Values that go back unless somebody keeps them, as the window asks.
+#include "support/fakeworkbench.h"
+#include "support/windowtests.h"
+#include "widgets/common/theme.h"
+#include "widgets/parameters/keepbar.h"
+
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTest>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+struct Bench {
+    FakeWorkbench workbench;
+    ThemeSource theme{darkTheme()};
+    QWidget window;
+    KeepBar bar{workbench, theme, &window};
+
+    Bench()
+    {
+        window.resize(1200, 80);
+        bar.resize(1200, 60);
+        window.show();
+        QApplication::setActiveWindow(&window);
+    }
+    void wait(std::int64_t change, UnconfirmedView::State state, double left)
+    {
+        workbench.shot.unconfirmed.push_back({{1}, change, "current_limit.peak: 60 -> 80", state, left});
+        workbench.publish();
+    }
+};
+
+} // namespace
+
+class TestKeepBar : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void thereIsNoneWhileNothingWaits();
+    void theTimeIsSaidAndShown();
+    void keepAndPutBackAreOrders();
+    void whatGoesFirstIsAskedFirst();
+    void theKeyKeepsOnlyWhatIsAsked();
+};
+
+void TestKeepBar::thereIsNoneWhileNothingWaits()
+{
+    Bench bench;
+    QVERIFY(bench.bar.isHidden());
+    bench.wait(4, UnconfirmedView::State::Counting, 18.0);
+    QVERIFY(!bench.bar.isHidden());
+    bench.workbench.shot.unconfirmed.clear();
+    bench.workbench.publish();
+    QVERIFY(bench.bar.isHidden());
+}
+
+void TestKeepBar::theTimeIsSaidAndShown()
+{
+    Bench bench;
+    bench.wait(4, UnconfirmedView::State::Counting, 17.4);
+    QVERIFY2(bench.bar.question().contains(QStringLiteral("18 s")), qPrintable(bench.bar.question()));
+    auto *time = bench.bar.findChild<QProgressBar *>();
+    QCOMPARE(time->value(), 17400);
+    QCOMPARE(time->maximum(), 30000);
+    QVERIFY(!time->accessibleName().isEmpty());
+    QVERIFY(bench.bar.accessibleDescription().contains(QStringLiteral("60 → 80")));
+}
+
+void TestKeepBar::keepAndPutBackAreOrders()
+{
+    Bench bench;
+    bench.wait(4, UnconfirmedView::State::Counting, 17.4);
+    for (auto *button : bench.bar.findChildren<QPushButton *>())
+        button->click();
+    const auto kept = bench.workbench.given<orders::KeepChange>();
+    const auto back = bench.workbench.given<orders::PutBackChange>();
+    QCOMPARE(kept.size(), 1U);
+    QCOMPARE(kept.front().change, 4);
+    QVERIFY(kept.front().device == DeviceId{1});
+    QCOMPARE(back.size(), 1U);
+    QCOMPARE(back.front().change, 4);
+}
+
+void TestKeepBar::whatGoesFirstIsAskedFirst()
+{
+    Bench bench;
+    bench.wait(4, UnconfirmedView::State::Offered, 0.0);
+    bench.wait(6, UnconfirmedView::State::Counting, 20.0);
+    bench.wait(5, UnconfirmedView::State::Counting, 10.0);
+    bench.bar.keep();
+    QCOMPARE(bench.workbench.given<orders::KeepChange>().front().change, 5);
+}
+
+void TestKeepBar::theKeyKeepsOnlyWhatIsAsked()
+{
+    Bench bench;
+    QTest::keyClick(&bench.window, Qt::Key_Return, Qt::ControlModifier);
+    QVERIFY(bench.workbench.given<orders::KeepChange>().empty());
+    bench.wait(4, UnconfirmedView::State::AwaitsStandstill, 0.0);
+    QTest::keyClick(&bench.window, Qt::Key_Return, Qt::ControlModifier);
+    QCOMPARE(bench.workbench.given<orders::KeepChange>().size(), 1U);
+}
+
+MB_WINDOW_TEST(TestKeepBar);
+#include "tst_keepbar.moc"

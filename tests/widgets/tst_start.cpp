@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The start page, its stories, and the unit that is selected first.
+#include "support/fakeworkbench.h"
+#include "support/windowtests.h"
+#include "tunebench.h"
+#include "tuning/verdict.h"
+#include "widgets/connection/firstselection.h"
+#include "widgets/start/guide.h"
+#include "widgets/start/guidestrip.h"
+#include "widgets/start/startpage.h"
+#include "widgets/start/storycard.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+constexpr const char *heldAt = "lost at its end";
+
+DeviceView unit(std::uint32_t id, int address)
+{
+    DeviceView device = readDrive(id, address);
+    device.link = "sim:can";
+    device.selector = "sim:can/dmc60c:" + std::to_string(address);
+    device.mayNotMove.clear();
+    device.identity.state = DeviceState::Online;
+    return device;
+}
+
+OperationView ended(std::uint32_t id, DeviceId device)
+{
+    OperationView operation;
+    operation.id = {id};
+    operation.device = device;
+    operation.status.state = OperationStatus::State::Done;
+    return operation;
+}
+
+KeptTrial stepOf(const DeviceView &device, std::int64_t number, double overshoot)
+{
+    KeptTrial row;
+    row.number = number;
+    row.trial.unit = tuning::unitOf(device.identity, device.selector, true);
+    row.trial.mode = Mode::Velocity;
+    row.trial.reason = "done";
+    row.trial.metrics.overshoot = overshoot;
+    return row;
+}
+
+/// The one who is told of.
+const Story &taming()
+{
+    return stories().front();
+}
+
+struct GuideBench {
+    FakeWorkbench workbench;
+    Selection selection;
+    Arming arming{workbench};
+    Guide guide{workbench, selection, arming};
+
+    GuideBench() { workbench.shot.devices = {unit(1, 5), unit(2, 7)}; }
+    DeviceView &seven() { return workbench.device(1); }
+    void settle()
+    {
+        workbench.publish();
+        QTest::qWait(0); // the notebook answers with the next turn
+        workbench.publish();
+    }
+    void stepEnds(std::uint32_t operation, std::int64_t trial, double overshoot)
+    {
+        workbench.book.kept.push_back(stepOf(seven(), trial, overshoot));
+        workbench.shot.operations = {ended(operation, seven().id)};
+        settle();
+    }
+    void setRam(ParameterState state)
+    {
+        seven().parameters.front().state = state;
+        settle();
+    }
+};
+
+/// Of labels that wrap and are lower than their text, and of buttons narrower than theirs.
+QStringList cutTexts(const QWidget &page)
+{
+    QStringList cut;
+    for (const QLabel *label : page.findChildren<QLabel *>()) {
+        if (label->wordWrap() && label->isVisible() && label->height() < label->heightForWidth(label->width()))
+            cut += label->text();
+    }
+    for (const QPushButton *button : page.findChildren<QPushButton *>()) {
+        if (button->isVisible() && button->width() < button->minimumSizeHint().width())
+            cut += button->text();
+    }
+    return cut;
+}
+
+} // namespace
+
+class StartTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void aStoryGoesOnWhenItsStepsHaveReallyHappened();
+    void whatTheNotebookHadBeforeIsNoStep();
+    void anInterruptedStepIsNone();
+    void aStoryThatIsDismissedLeavesNothing();
+    void theOfferIsMadeOnceAndNotInTheMiddleOfAStory();
+    void everyStepSaysWhatToDo();
+    void theFirstUnitThatCanBeTunedIsSelected();
+    void whatTheUserSelectedStays();
+    void aRowOfTheStartPageCanBeOpened();
+    void nothingIsCutAtTwiceTheFont_data();
+    void nothingIsCutAtTwiceTheFont();
+};
+
+void StartTest::aStoryGoesOnWhenItsStepsHaveReallyHappened()
+{
+    GuideBench bench;
+    bench.guide.begin(taming());
+    bench.settle();
+    QCOMPARE(bench.guide.step(), std::size_t(0));
+    bench.selection.select(bench.seven().id);
+    QCOMPARE(bench.guide.step(), std::size_t(1));
+    bench.arming.arm(bench.seven().id);
+    QCOMPARE(bench.guide.step(), std::size_t(2));
+    bench.stepEnds(1, 1, 0.21);
+    QCOMPARE(bench.guide.step(), std::size_t(3));
+    QVERIFY(bench.guide.result().contains(QStringLiteral("21")));
+    bench.stepEnds(2, 2, 0.12); // better, and not tame
+    QCOMPARE(bench.guide.step(), std::size_t(3));
+    bench.setRam(ParameterState::Ram);
+    bench.stepEnds(3, 3, 0.03);
+    QCOMPARE(bench.guide.step(), std::size_t(4));
+    bench.settle();
+    QVERIFY(!bench.guide.isDone()); // RAM is not flash
+    bench.setRam(ParameterState::Stored);
+    QVERIFY(bench.guide.isDone());
+    QVERIFY(bench.guide.result().contains(QStringLiteral("3 %")));
+}
+
+void StartTest::whatTheNotebookHadBeforeIsNoStep()
+{
+    GuideBench bench;
+    bench.workbench.book.kept = {stepOf(bench.seven(), 1, 0.21), stepOf(bench.seven(), 2, 0.01)};
+    bench.guide.begin(taming());
+    bench.settle();
+    bench.selection.select(bench.seven().id);
+    bench.arming.arm(bench.seven().id);
+    bench.settle();
+    QCOMPARE(bench.guide.step(), std::size_t(2));
+    QVERIFY(bench.guide.result().isEmpty());
+}
+
+void StartTest::anInterruptedStepIsNone()
+{
+    GuideBench bench;
+    bench.guide.begin(taming());
+    bench.settle();
+    bench.selection.select(bench.seven().id);
+    bench.arming.arm(bench.seven().id);
+    KeptTrial cut = stepOf(bench.seven(), 1, 0.0);
+    cut.trial.reason = "interrupted";
+    cut.trial.detail = heldAt;
+    bench.workbench.book.kept = {cut};
+    bench.workbench.shot.operations = {ended(1, bench.seven().id)};
+    bench.settle();
+    QCOMPARE(bench.guide.step(), std::size_t(2));
+}
+
+void StartTest::aStoryThatIsDismissedLeavesNothing()
+{
+    GuideBench bench;
+    ThemeSource theme{darkTheme()};
+    GuideStrip strip(bench.guide, theme);
+    QVERIFY(!strip.isVisibleTo(nullptr));
+    bench.guide.begin(taming());
+    QVERIFY(strip.isVisibleTo(nullptr));
+    bench.guide.end();
+    QVERIFY(!strip.isVisibleTo(nullptr));
+    bench.settle(); // an answer that comes late
+    QVERIFY(!bench.guide.story());
+}
+
+void StartTest::theOfferIsMadeOnceAndNotInTheMiddleOfAStory()
+{
+    GuideBench bench;
+    ThemeSource theme{darkTheme()};
+    GuideStrip strip(bench.guide, theme);
+    QSignalSpy refused(&strip, &GuideStrip::refused);
+    QSignalSpy wanted(&strip, &GuideStrip::wanted);
+    strip.offer(&taming());
+    QVERIFY(strip.isVisibleTo(nullptr));
+    const auto buttons = strip.findChildren<QPushButton *>();
+    QCOMPARE(buttons.at(0)->text(), QStringLiteral("Begin"));
+    buttons.at(0)->click();
+    QCOMPARE(wanted.count(), 1);
+    buttons.at(1)->click();
+    QCOMPARE(refused.count(), 1);
+    QVERIFY(!strip.isVisibleTo(nullptr));
+}
+
+void StartTest::everyStepSaysWhatToDo()
+{
+    GuideBench bench;
+    ThemeSource theme{darkTheme()};
+    for (const Story &story : stories()) {
+        QVERIFY(Guide::deviceOf(story, bench.workbench.shot) || story.address == 9);
+        for (const StoryStep &step : story.steps) {
+            QVERIFY(QString::fromUtf8(step.words).size() > 20);
+            QVERIFY(!QString::fromUtf8(step.name).isEmpty());
+        }
+    }
+    GuideStrip strip(bench.guide, theme);
+    bench.guide.begin(taming());
+    const auto *words = strip.findChild<QLabel *>(QStringLiteral("guideWords"));
+    QVERIFY(words->text().contains(QStringLiteral("#7")));
+    QSignalSpy shown(&strip, &GuideStrip::placeWanted);
+    strip.findChildren<QPushButton *>().at(0)->click();
+    QCOMPARE(shown.count(), 1);
+}
+
+void StartTest::theFirstUnitThatCanBeTunedIsSelected()
+{
+    Selection selection;
+    FirstSelection first(selection);
+    Snapshot shot;
+    DeviceView boot = unit(1, 5);
+    boot.identity.state = DeviceState::Bootloader;
+    shot.devices = {boot};
+    first.follow(shot);
+    QCOMPARE(selection.device(), boot.id); // better than nothing
+    shot.devices = {boot, unit(2, 7), unit(3, 8)};
+    first.follow(shot);
+    QCOMPARE(selection.device(), DeviceId{2});
+    shot.devices.insert(shot.devices.begin(), unit(4, 1)); // late: what is worked with stays
+    first.follow(shot);
+    QCOMPARE(selection.device(), DeviceId{2});
+}
+
+void StartTest::whatTheUserSelectedStays()
+{
+    Selection selection;
+    FirstSelection first(selection);
+    Snapshot shot;
+    DeviceView boot = unit(1, 5);
+    DeviceView other = unit(2, 6);
+    boot.identity.state = other.identity.state = DeviceState::Bootloader;
+    shot.devices = {boot, other};
+    first.follow(shot);
+    selection.select(other.id);
+    shot.devices.push_back(unit(3, 7));
+    first.follow(shot);
+    QCOMPARE(selection.device(), other.id);
+}
+
+void StartTest::aRowOfTheStartPageCanBeOpened()
+{
+    FakeWorkbench bench;
+    ThemeSource theme{lightTheme()};
+    StartPage page(bench, theme);
+    page.setFirmware(
+        {{Symbol::Chip, QStringLiteral("a.hex"), QStringLiteral("1 kB · checked"), QStringLiteral("Details"), {}},
+            {Symbol::Chip, QStringLiteral("b.hex"), QStringLiteral("2 kB · checked"), QStringLiteral("Details"), {}}});
+    QSignalSpy opened(&page, &StartPage::firmwareWanted);
+    auto *card = page.findChild<ListCard *>(QStringLiteral("firmwareOnDisk"));
+    for (QPushButton *button : card->findChildren<QPushButton *>()) {
+        if (button->accessibleName() == QStringLiteral("Details: b.hex"))
+            button->click();
+    }
+    QCOMPARE(opened.count(), 1);
+    QCOMPARE(opened.at(0).at(0).toInt(), 1);
+}
+
+void StartTest::nothingIsCutAtTwiceTheFont_data()
+{
+    QTest::addColumn<double>("points");
+    QTest::addColumn<int>("width");
+    QTest::newRow("100 %, 1280") << 10.0 << 1072;
+    QTest::newRow("200 %, 1280") << 20.0 << 1000;
+    QTest::newRow("100 %, 640") << 10.0 << 640;
+}
+
+void StartTest::nothingIsCutAtTwiceTheFont()
+{
+    QFETCH(double, points);
+    QFETCH(int, width);
+    const QFont before = QApplication::font();
+    QFont font = before;
+    font.setPointSizeF(points);
+    QApplication::setFont(font);
+    {
+        FakeWorkbench bench;
+        const Diagnosis down{Ailment::Down, "can0 is switched off", "bring it up", "sudo ip link set can0 up"};
+        bench.links = {{{"socketcan", "can0", {}}, LinkKind::Can, "down", down.text(), false, down, false}};
+        ThemeSource theme{lightTheme(points)};
+        applyTheme(*qApp, theme.theme());
+        QScrollArea scroll;
+        scroll.setWidgetResizable(true);
+        scroll.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        auto *page = new StartPage(bench, theme);
+        page->follow();
+        scroll.setWidget(page);
+        scroll.resize(width, 700);
+        scroll.show();
+        if (qEnvironmentVariableIsSet("MOTORBENCH_PICTURES"))
+            for (const QWidget *part : page->findChildren<QWidget *>())
+                if (part->minimumSizeHint().width() > width / 2)
+                    qDebug() << part << part->minimumSizeHint() << part->accessibleName();
+        QTRY_VERIFY(page->width() <= scroll.viewport()->width());
+        QTRY_COMPARE(cutTexts(*page), QStringList());
+        const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES");
+        if (!folder.isEmpty())
+            scroll.grab().save(folder + QStringLiteral("/start-%1-%2.png").arg(points).arg(width));
+    }
+    QApplication::setFont(before);
+}
+
+MB_WINDOW_TEST(StartTest);
+#include "tst_start.moc"

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/help/helpwindow.h"
+
+#include "widgets/help/helpbrowser.h"
+#include "widgets/help/helptopics.h"
+
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QListWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace mb {
+
+HelpWindow::HelpWindow(const ThemeSource &theme, QWidget *parent)
+    : QDialog(parent)
+{
+    setObjectName(QStringLiteral("help"));
+    setWindowTitle(tr("Help"));
+    setAccessibleName(tr("Help"));
+    m_list = new QListWidget(this);
+    m_list->setAccessibleName(tr("Pages of the help"));
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_browser = new HelpBrowser(theme, this);
+    fillList();
+    auto *row = new QHBoxLayout;
+    row->addWidget(m_list);
+    row->addWidget(m_browser, 1);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    auto *column = new QVBoxLayout(this);
+    column->addLayout(row, 1);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    connect(m_list, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem *item) {
+        if (item)
+            m_browser->showPage(item->data(Qt::UserRole).toString());
+    });
+    connect(m_browser, &HelpBrowser::pageShown, this, &HelpWindow::mark);
+    const QSize room = parent ? parent->window()->size() : QSize(1280, 800);
+    resize(
+        std::min(theme.theme().u(980), room.width() * 9 / 10), std::min(theme.theme().u(700), room.height() * 9 / 10));
+}
+
+void HelpWindow::fillList()
+{
+    int widest = 0;
+    for (const HelpTopic &topic : helpTopics()) {
+        auto *item = new QListWidgetItem(topic.title, m_list);
+        item->setData(Qt::UserRole, topic.key);
+        widest = std::max(widest, m_list->fontMetrics().horizontalAdvance(topic.title));
+    }
+    const int pad = m_list->fontMetrics().height() * 2;
+    m_list->setFixedWidth(widest + pad);
+}
+
+void HelpWindow::mark(const QString &topic)
+{
+    for (int row = 0; row < m_list->count(); ++row) {
+        if (m_list->item(row)->data(Qt::UserRole).toString() == topic)
+            m_list->setCurrentRow(row);
+    }
+}
+
+void HelpWindow::showTopic(const QString &topic)
+{
+    mark(topic);
+}
+
+QString HelpWindow::topic() const
+{
+    return m_browser->topic();
+}
+
+HelpWindow &HelpWindow::open(const ThemeSource &theme, QWidget &parent, const QString &topic)
+{
+    auto *window = parent.findChild<HelpWindow *>(QString(), Qt::FindDirectChildrenOnly);
+    if (!window) {
+        window = new HelpWindow(theme, &parent);
+        window->setAttribute(Qt::WA_DeleteOnClose);
+    }
+    window->showTopic(topic);
+    window->show();
+    window->raise();
+    return *window;
+}
+
+} // namespace mb

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/theme.h"
+
+#include <QDialog>
+
+class QListWidget;
+
+namespace mb {
+
+class HelpBrowser;
+
+/// The documentation in a window of its own: pages at the left, the page at the right. Stays while one works.
+class HelpWindow : public QDialog {
+    Q_OBJECT
+public:
+    HelpWindow(const ThemeSource &theme, QWidget *parent);
+
+    void showTopic(const QString &topic);
+    [[nodiscard]] QString topic() const;
+
+    /// The one of this window, opened or raised.
+    static HelpWindow &open(const ThemeSource &theme, QWidget &parent, const QString &topic);
+
+private:
+    void fillList();
+    void mark(const QString &topic);
+
+    QListWidget *m_list = nullptr;
+    HelpBrowser *m_browser = nullptr;
+};
+
+} // namespace mb

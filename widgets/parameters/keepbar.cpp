@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/parameters/keepbar.h"
+
+#include "settings/confirmation.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/stateglyph.h"
+
+#include <QGridLayout>
+#include <QPointer>
+#include <QProgressBar>
+#include <QShortcut>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mb {
+namespace {
+
+using State = UnconfirmedView::State;
+
+QString stateText(const UnconfirmedView &view)
+{
+    switch (view.state) {
+    case State::Offered: return KeepBar::tr("left over from before: nothing goes back by itself");
+    case State::AwaitsRestart: return KeepBar::tr("30 s from when the unit has restarted with them");
+    case State::Counting: return KeepBar::tr("they go back in %1 s").arg(static_cast<int>(std::ceil(view.left)));
+    case State::AwaitsStandstill: return KeepBar::tr("they go back as soon as the motor stands");
+    }
+    return {};
+}
+
+} // namespace
+
+KeepBar::KeepBar(Workbench &workbench, const ThemeSource &theme, QWidget *parent)
+    : QFrame(parent)
+    , m_workbench(workbench)
+    , m_question(new ElidedLabel({}, this))
+    , m_values(new ElidedLabel({}, this))
+    , m_time(new QProgressBar(this))
+    , m_keep(new CommandButton(theme, tr("Keep"), this))
+    , m_back(new CommandButton(theme, Symbol::Undo, tr("Put back"), this))
+{
+    setObjectName(QStringLiteral("keepBar"));
+    setProperty("banner", QStringLiteral("caution"));
+    setTextRole(*m_question, TextRole::Emphasis);
+    setTone(*m_values, Tone::Dim);
+    m_values->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_time->setTextVisible(false);
+    m_time->setRange(0, static_cast<int>(settings::confirmTime / std::chrono::milliseconds(1)));
+    m_time->setAccessibleName(tr("Time until the values go back"));
+    m_time->setFixedHeight(theme.theme().u(8));
+    m_keep->setPrimary(true);
+    m_keep->setKeyHint(QStringLiteral("Ctrl+Return"));
+    auto *grid = new QGridLayout(this);
+    const int edge = theme.theme().u(12);
+    grid->setContentsMargins(edge, theme.theme().u(6), edge, theme.theme().u(6));
+    grid->setHorizontalSpacing(edge);
+    auto *glyph = new StateGlyph(theme, GlyphState::Waiting, this);
+    grid->addWidget(glyph, 0, 0, 2, 1);
+    grid->addWidget(m_question, 0, 1);
+    grid->addWidget(m_time, 1, 1);
+    grid->addWidget(m_values, 0, 2, 2, 1);
+    grid->addWidget(m_keep, 0, 3, 2, 1);
+    grid->addWidget(m_back, 0, 4, 2, 1);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(2, 2);
+    connect(m_keep, &QPushButton::clicked, this, &KeepBar::keep);
+    connect(m_back, &QPushButton::clicked, this, &KeepBar::putBack);
+    connect(&workbench, &Workbench::changed, this, &KeepBar::follow);
+    auto *key = new QShortcut(QKeySequence(QStringLiteral("Ctrl+Return")), this);
+    key->setContext(Qt::WindowShortcut);
+    connect(key, &QShortcut::activated, this, &KeepBar::keep);
+    hide();
+    follow();
+}
+
+QString KeepBar::question() const
+{
+    return isHidden() ? QString() : m_question->text();
+}
+
+const UnconfirmedView *KeepBar::first() const
+{
+    const auto &all = m_workbench.snapshot().unconfirmed;
+    const auto urgency = [](const UnconfirmedView &view) {
+        return view.state == State::Counting ? view.left : view.state == State::AwaitsStandstill ? -1.0 : 1e9;
+    };
+    const auto found = std::min_element(all.begin(), all.end(),
+        [&urgency](const UnconfirmedView &a, const UnconfirmedView &b) { return urgency(a) < urgency(b); });
+    return found == all.end() ? nullptr : &*found;
+}
+
+void KeepBar::follow()
+{
+    const UnconfirmedView *view = first();
+    setVisible(view != nullptr);
+    if (view)
+        showChange(*view, static_cast<int>(m_workbench.snapshot().unconfirmed.size()) - 1);
+}
+
+void KeepBar::showChange(const UnconfirmedView &view, int more)
+{
+    const DeviceView *device = m_workbench.snapshot().device(view.device);
+    m_device = view.device;
+    m_change = view.change;
+    m_question->setText(tr("Keep these values of %1? %2").arg(device ? titleOf(*device) : QString(), stateText(view)));
+    const QString values = qt(view.text).replace(QStringLiteral("->"), QStringLiteral("→"));
+    m_values->setText(more > 0 ? tr("%1 · %n more change(s) after this one", nullptr, more).arg(values) : values);
+    m_values->setToolTip(m_values->text());
+    m_time->setVisible(view.state == State::Counting || view.state == State::AwaitsRestart);
+    m_time->setValue(static_cast<int>(view.left * 1000.0));
+    setAccessibleName(m_question->text());
+    setAccessibleDescription(m_values->text());
+}
+
+void KeepBar::keep()
+{
+    if (isHidden())
+        return;
+    m_workbench.send(orders::KeepChange{m_device, m_change});
+}
+
+void KeepBar::putBack()
+{
+    if (!isHidden())
+        m_workbench.send(orders::PutBackChange{m_device, m_change});
+}
+
+} // namespace mb

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/analysisviews.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/labels.h"
+#include "widgets/plots/plotanalysis.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QMenu>
+
+namespace mb {
+namespace {
+
+constexpr std::size_t liveSamples = 1U << 15U;   ///< of a spectrum that is made twice a second
+constexpr std::size_t pausedSamples = 1U << 20U; ///< of one that is looked at
+
+AnalysedTrace analysed(const PlotBoard::Trace &trace)
+{
+    return {trace.source, trace.style.name, trace.style.unit, trace.style.look()};
+}
+
+std::pair<double, double> stretchOf(const PlotStack &stack)
+{
+    const auto [a, b] = stack.cursorsShown() ? stack.cursorKeys() : stack.view().range();
+    return std::minmax({a, b});
+}
+
+void exportCurves(CurvePlot &plot, Workbench &workbench, const QString &suffix, const QString &filter)
+{
+    auto *dialog = new QFileDialog(&plot, AgainstView::tr("Export plot"), QString(), filter);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(suffix);
+    QObject::connect(dialog, &QFileDialog::fileSelected, &plot, [&plot, &workbench](const QString &path) {
+        const auto written = plot.exportTo(path);
+        workbench.report(written ? Severity::Good : Severity::Danger, {},
+            written ? AgainstView::tr("plot written to %1").arg(path) : errorText(written.error()));
+    });
+    dialog->open();
+}
+
+} // namespace
+
+void fillExportMenu(QMenu &menu, CurvePlot &plot, Workbench &workbench)
+{
+    const auto add = [&](const QString &text, const QString &suffix, const QString &filter) {
+        menu.addAction(
+            text, &plot, [&plot, &workbench, suffix, filter] { exportCurves(plot, workbench, suffix, filter); });
+    };
+    menu.addAction(
+        AgainstView::tr("Copy picture"), &plot, [&plot] { QApplication::clipboard()->setPixmap(plot.picture()); });
+    add(AgainstView::tr("Export PNG…"), QStringLiteral("png"), AgainstView::tr("PNG picture (*.png)"));
+    add(AgainstView::tr("Export SVG…"), QStringLiteral("svg"), AgainstView::tr("SVG drawing (*.svg)"));
+    add(AgainstView::tr("Export PDF…"), QStringLiteral("pdf"), AgainstView::tr("PDF document (*.pdf)"));
+}
+
+AgainstView::AgainstView(PlotStack &stack, PlotBoard &board, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_stack(stack)
+    , m_board(board)
+    , m_plot(new CurvePlot(theme, tr("One signal against another"), this))
+    , m_across(new QComboBox(this))
+    , m_upwards(new QComboBox(this))
+{
+    m_across->setAccessibleName(tr("Signal across"));
+    m_upwards->setAccessibleName(tr("Signal upwards"));
+    auto *row = new QHBoxLayout;
+    row->setContentsMargins(theme.theme().u(12), theme.theme().u(4), theme.theme().u(12), theme.theme().u(4));
+    row->addWidget(m_upwards);
+    row->addWidget(textLabel(tr("against"), TextRole::Caption, Tone::Dim, this));
+    row->addWidget(m_across);
+    row->addStretch(1);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addLayout(row);
+    column->addWidget(m_plot, 1);
+    for (QComboBox *box : {m_across, m_upwards})
+        connect(box, qOverload<int>(&QComboBox::activated), this, [this] {
+            m_plot->setCurves({});
+            refresh();
+            m_plot->fit();
+        });
+}
+
+void AgainstView::follow()
+{
+    for (QComboBox *box : {m_across, m_upwards}) {
+        const QString before = box->currentText();
+        box->clear();
+        for (const PlotBoard::Trace &trace : m_board.traces())
+            box->addItem(trace.style.name);
+        const int other = box == m_upwards || box->count() < 2 ? 0 : 1;
+        box->setCurrentIndex(before.isEmpty() || box->findText(before) < 0 ? other : box->findText(before));
+    }
+    if (m_across->count() > 1 && m_across->currentIndex() == m_upwards->currentIndex())
+        m_across->setCurrentIndex(m_upwards->currentIndex() == 0 ? 1 : 0); // against itself it is a line
+}
+
+void AgainstView::refresh()
+{
+    const auto &traces = m_board.traces();
+    const int x = m_across->currentIndex();
+    const int y = m_upwards->currentIndex();
+    if (x < 0 || y < 0 || traces.size() <= static_cast<std::size_t>(std::max(x, y)))
+        return;
+    const PlotBoard::Trace &wide = traces[static_cast<std::size_t>(x)];
+    const PlotBoard::Trace &high = traces[static_cast<std::size_t>(y)];
+    const auto [from, to] = stretchOf(m_stack);
+    const Analysis analysis = against(analysed(wide), analysed(high), from, to);
+    m_plot->setAxes(
+        tr("%1, %2").arg(wide.style.name, wide.style.unit), tr("%1, %2").arg(high.style.name, high.style.unit), false);
+    m_plot->setWatermark(m_stack.strips().watermark());
+    m_plot->setCurves(analysis.curves);
+    m_plot->setNote((m_stack.cursorsShown() ? tr("A … B: ") : tr("what is seen: ")) + analysis.note);
+}
+
+SpectrumView::SpectrumView(PlotStack &stack, PlotBoard &board, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_stack(stack)
+    , m_board(board)
+    , m_plot(new CurvePlot(theme, tr("Spectrum"), this))
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_plot);
+    m_plot->setAxes(tr("frequency, Hz"), tr("amplitude"), true);
+}
+
+void SpectrumView::refresh()
+{
+    std::vector<AnalysedTrace> traces;
+    QStringList units;
+    for (const PlotBoard::Trace &trace : m_board.traces()) {
+        traces.push_back(analysed(trace));
+        if (!units.contains(trace.style.unit))
+            units << trace.style.unit;
+    }
+    const bool selection = m_stack.cursorsShown();
+    const auto [from, to] = stretchOf(m_stack);
+    const bool still = selection || !m_stack.view().isLive();
+    const Analysis analysis = spectra(traces, from, to, still ? pausedSamples : liveSamples);
+    m_plot->setAxes(tr("frequency, Hz"), tr("amplitude, %1").arg(units.join(QStringLiteral(", "))), true);
+    m_plot->setWatermark(m_stack.strips().watermark());
+    m_plot->setCurves(analysis.curves);
+    m_plot->setNote(
+        (selection ? tr("A … B") : tr("what is seen")) + tr(", Hann window, peak values. ") + analysis.note);
+}
+
+} // namespace mb

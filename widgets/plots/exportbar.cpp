@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/exportbar.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/plots/exportjob.h"
+#include "widgets/plots/plotdialogs.h"
+
+#include <QHBoxLayout>
+#include <QProgressBar>
+
+namespace mb {
+
+ExportBar::ExportBar(
+    Workbench &workbench, PlotStack &stack, PlotBoard &board, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_stack(stack)
+    , m_board(board)
+    , m_job(new ExportJob(this))
+    , m_progress(new QProgressBar(this))
+{
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(theme.theme().u(12), theme.theme().u(4), theme.theme().u(12), theme.theme().u(4));
+    m_progress->setRange(0, 100);
+    m_progress->setAccessibleName(tr("Progress of the export"));
+    auto *cancel = new CommandButton(theme, tr("Cancel"), this);
+    row->addWidget(textLabel(tr("Writing samples"), TextRole::Caption, Tone::Dim, this));
+    row->addWidget(m_progress, 1);
+    row->addWidget(cancel);
+    hide();
+    connect(cancel, &QPushButton::clicked, m_job, &ExportJob::cancel);
+    connect(m_job, &ExportJob::progressed, m_progress, &QProgressBar::setValue);
+    connect(m_job, &ExportJob::finished, this, &ExportBar::finished);
+}
+
+ExportPlan ExportBar::planFor(const ExportChoice &choice) const
+{
+    ExportPlan plan;
+    plan.channels = m_board.exportChannels(choice.everything);
+    plan.unixOffset = m_workbench.unixOffset();
+    plan.about = m_board.about();
+    plan.notes = m_board.notes();
+    const auto instant
+        = [](double key) { return Instant(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(key))); };
+    const bool selection = choice.range == ExportChoice::Range::Selection;
+    const auto [a, b] = selection ? m_stack.cursorKeys() : m_stack.view().range();
+    plan.from = instant(std::min(a, b));
+    plan.to = instant(std::max(a, b));
+    if (choice.range == ExportChoice::Range::Session) {
+        plan.from = plan.to = m_workbench.now();
+        for (const ExportChannel &channel : plan.channels) {
+            const auto first = channel.telemetry->first(channel.channel);
+            plan.from = first ? std::min(plan.from, first->time) : plan.from;
+        }
+    }
+    return plan;
+}
+
+void ExportBar::exportSamples(const ExportChoice &choice)
+{
+    if (!m_job->start(planFor(choice), choice.path)) {
+        m_workbench.report(Severity::Caution, {}, tr("One export at a time: %1 is being written.").arg(m_job->path()));
+        return;
+    }
+    m_progress->setValue(0);
+    show();
+    m_workbench.report(Severity::Info, {}, tr("writing %1").arg(choice.path));
+}
+
+void ExportBar::finished(const QString &path, const Result<ExportReport> &report)
+{
+    hide();
+    if (report)
+        m_workbench.report(Severity::Good, {},
+            tr("%1 written: %2 samples, %3 lost")
+                .arg(path, formatCount(static_cast<qint64>(report->samples)),
+                    formatCount(static_cast<qint64>(report->lost))));
+    else if (report.error().fault == Fault::Cancelled)
+        m_workbench.report(Severity::Info, {}, tr("export cancelled, nothing was written"));
+    else
+        m_workbench.report(Severity::Danger, {}, errorText(report.error()));
+}
+
+} // namespace mb

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/plotlayoutbook.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/plots/plotdialogs.h"
+
+#include <QMenu>
+
+namespace mb {
+namespace {
+
+constexpr std::chrono::milliseconds rememberAfter{1000};
+constexpr double firstWindow = 10.0; ///< seconds
+
+} // namespace
+
+PlotLayoutBook::PlotLayoutBook(Workbench &workbench, Selection &selection, PlotStack &stack, PlotBoard &board)
+    : m_workbench(workbench)
+    , m_selection(selection)
+    , m_stack(stack)
+    , m_board(board)
+{
+    stack.view().setWindow(firstWindow);
+    m_remember.setSingleShot(true);
+    m_remember.setInterval(rememberAfter);
+    connect(&m_remember, &QTimer::timeout, this, &PlotLayoutBook::save);
+    connect(&stack.view(), &PlotView::windowChanged, this, &PlotLayoutBook::remember);
+}
+
+PlotLayoutBook::~PlotLayoutBook()
+{
+    if (m_remember.isActive())
+        save();
+}
+
+void PlotLayoutBook::setFolder(const QString &folder)
+{
+    m_layouts = PlotLayouts(folder);
+    m_defaultsOf = {};
+    if (const auto last = m_layouts.load(PlotLayouts::lastName()))
+        apply(*last);
+}
+
+void PlotLayoutBook::save()
+{
+    m_remember.stop();
+    if (m_layouts.remembers() && m_board.isTouched() && !m_waiting)
+        (void)m_layouts.save(PlotLayouts::lastName(), current());
+}
+
+void PlotLayoutBook::follow()
+{
+    if (m_waiting)
+        applyWaiting(false);
+    else if (!m_board.isTouched())
+        takeDefaults();
+}
+
+/// The recordings go on whether or not they are shown, so a change of selection loses nothing.
+void PlotLayoutBook::takeDefaults()
+{
+    const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    const int axis = m_selection.axis();
+    const bool same = device && device->id == m_defaultsOf && axis == m_defaultsOfAxis;
+    if (!device || same || device->identity.state == DeviceState::Bootloader)
+        return;
+    m_defaultsOf = device->id;
+    m_defaultsOfAxis = axis;
+    if (const auto own = m_layouts.load(PlotLayouts::familyName(qt(device->family->key))); own && axis == 0) {
+        m_stack.view().setWindow(own->window);
+        return m_board.setTraces(tracesOf(*own, device->id), false);
+    }
+    std::vector<PlotBoard::Trace> traces;
+    for (const Signal &signal : usualSignals(*device, axis))
+        traces.push_back({signal, {}});
+    m_board.setTraces(std::move(traces), false);
+}
+
+PlotLayout PlotLayoutBook::current() const
+{
+    PlotLayout layout;
+    layout.window = m_stack.view().window();
+    for (const PlotBoard::Derived &derived : m_board.derived()) {
+        if (!derived.name.isEmpty())
+            layout.derived.push_back({derived.name, derived.unit, derived.formula});
+    }
+    for (const PlotBoard::Trace &trace : m_board.traces()) {
+        const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
+        const QString key = device ? qt(device->family->channels[trace.signal.channel.value].key) : trace.style.name;
+        layout.traces.push_back({device ? qt(device->selector) : QString(), key, trace.pane, trace.second});
+    }
+    return layout;
+}
+
+std::vector<PlotBoard::Trace> PlotLayoutBook::tracesOf(const PlotLayout &layout, DeviceId standIn) const
+{
+    std::vector<PlotBoard::Trace> traces;
+    for (const PlotLayout::Trace &wanted : layout.traces) {
+        if (wanted.device.isEmpty()) {
+            const auto &derived = m_board.derived();
+            for (std::uint16_t i = 0; i < derived.size(); ++i) {
+                if (derived[i].name == wanted.key)
+                    traces.push_back({{derivedDevice, {i}}, wanted.pane, wanted.second});
+            }
+            continue;
+        }
+        for (const DeviceView &device : m_workbench.snapshot().devices) {
+            const bool fits
+                = wanted.device == QLatin1String("*") ? device.id == standIn : qt(device.selector) == wanted.device;
+            const auto channel = fits ? device.telemetry->find(wanted.key.toStdString()) : std::nullopt;
+            if (channel)
+                traces.push_back({{device.id, *channel}, wanted.pane, wanted.second});
+        }
+    }
+    return traces;
+}
+
+void PlotLayoutBook::apply(const PlotLayout &layout)
+{
+    m_waiting = layout;
+    m_stack.view().setWindow(layout.window);
+    for (const PlotLayout::Derived &derived : layout.derived)
+        m_board.ensureDerived(derived.name, derived.unit, derived.formula);
+    applyWaiting(true);
+}
+
+/// Devices come one by one: the rest of the layout waits for them.
+void PlotLayoutBook::applyWaiting(bool first)
+{
+    auto traces = tracesOf(*m_waiting, m_selection.device());
+    const bool more = traces.size() != m_board.traces().size();
+    if (traces.size() >= m_waiting->traces.size())
+        m_waiting.reset();
+    if (first || more)
+        m_board.setTraces(std::move(traces), true);
+}
+
+void PlotLayoutBook::reset()
+{
+    m_waiting.reset();
+    m_defaultsOf = {};
+    m_layouts.remove(PlotLayouts::lastName());
+    m_stack.view().setWindow(firstWindow);
+    m_stack.view().setLive(true);
+    m_board.reset();
+    Q_EMIT wasReset();
+    m_remember.stop();
+}
+
+void PlotLayoutBook::fillMenu(QMenu &menu, QWidget &parent)
+{
+    const auto saveAs = [this, &parent] {
+        askName(parent, tr("Save layout"), {}, [this](const QString &name) {
+            if (const auto saved = m_layouts.save(name.trimmed().remove(QLatin1Char('@')), current()); !saved)
+                m_workbench.report(Severity::Danger, {}, errorText(saved.error()));
+        });
+    };
+    menu.addAction(tr("Save layout as…"), this, saveAs)->setEnabled(m_layouts.remembers());
+    addFamilyEntries(menu);
+    menu.addAction(tr("Reset"), this, &PlotLayoutBook::reset);
+    const QStringList names = m_layouts.names();
+    if (!names.isEmpty())
+        menu.addSeparator();
+    for (const QString &name : names)
+        menu.addAction(name, this, [this, name] {
+            if (const auto layout = m_layouts.load(name); layout)
+                apply(*layout);
+            else
+                m_workbench.report(Severity::Danger, {}, errorText(layout.error()));
+        });
+}
+
+void PlotLayoutBook::addFamilyEntries(QMenu &menu)
+{
+    const DeviceView *device = m_workbench.snapshot().device(m_selection.device());
+    if (!device || !m_layouts.remembers())
+        return;
+    const QString title = qt(device->family->title);
+    menu.addAction(tr("Begin like this with every %1").arg(title), this, [this, id = device->id] {
+        const DeviceView *selected = m_workbench.snapshot().device(id);
+        if (!selected)
+            return;
+        PlotLayout layout = current();
+        for (PlotLayout::Trace &trace : layout.traces) {
+            if (trace.device == qt(selected->selector))
+                trace.device = QStringLiteral("*");
+        }
+        (void)m_layouts.save(PlotLayouts::familyName(qt(selected->family->key)), layout);
+    });
+    menu.addAction(tr("Begin with the usual for every %1").arg(title), this,
+        [this, family = qt(device->family->key)] { m_layouts.remove(PlotLayouts::familyName(family)); });
+}
+
+} // namespace mb

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/tracepanel.h"
+
+#include "widgets/common/devicetext.h"
+#include "widgets/common/labels.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/plots/tracelist.h"
+
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QScrollArea>
+
+namespace mb {
+namespace {
+
+constexpr int sideWidth = 300;
+
+int decimalsOf(const TraceStyle &style)
+{
+    return style.role == TraceRole::Position || style.role == TraceRole::Velocity ? 0 : 2;
+}
+
+} // namespace
+
+TracePanel::TracePanel(
+    Workbench &workbench, PlotStack &stack, PlotBoard &board, const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_workbench(workbench)
+    , m_stack(stack)
+    , m_board(board)
+    , m_theme(theme)
+{
+    const auto u = [&theme](int size) { return theme.theme().u(size); };
+    setFixedWidth(u(sideWidth));
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    auto *head = new QHBoxLayout;
+    head->setContentsMargins(u(12), u(8), u(12), u(8));
+    head->addWidget(new SectionLabel(tr("Traces"), this));
+    head->addStretch(1);
+    head->addWidget(textLabel(tr("rate      lost"), TextRole::Caption, Tone::Dim, this));
+    column->addLayout(head);
+    column->addWidget(separatorLine(Qt::Horizontal, this));
+    buildLists();
+    auto *foot = new QHBoxLayout;
+    foot->setContentsMargins(u(12), u(6), u(12), u(8));
+    foot->addWidget(
+        textLabel(tr("L cursors · 0 fits · + − zooms · P pauses · N note"), TextRole::Caption, Tone::Dim, this));
+    column->addWidget(separatorLine(Qt::Horizontal, this));
+    column->addLayout(foot);
+    connect(&theme, &ThemeSource::changed, this, [this] { setFixedWidth(m_theme.theme().u(sideWidth)); });
+}
+
+void TracePanel::buildLists()
+{
+    auto *column = static_cast<QVBoxLayout *>(layout());
+    m_list = new TraceList(m_theme, this);
+    m_list->setProperty("transparent", true);
+    auto *scroll = new QScrollArea(this);
+    scroll->setWidget(m_list);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    column->addWidget(scroll, 3);
+    column->addWidget(separatorLine(Qt::Horizontal, this));
+    m_signals = new SignalList(m_theme, this);
+    column->addWidget(m_signals, 2);
+    connect(
+        m_signals, &SignalList::toggled, this, [this](const Signal &signal, bool on) { m_board.choose(signal, on); });
+    connect(m_signals, &SignalList::newDerivedRequested, this, &TracePanel::derivedRequested);
+    connect(m_signals, &SignalList::removeDerivedRequested, &m_board, &PlotBoard::removeDerived);
+    connect(m_list, &TraceList::removeRequested, this, [this](int id) {
+        if (const PlotBoard::Trace *trace = m_board.traceOf(id))
+            m_board.choose(Signal(trace->signal), false);
+    });
+    connect(m_list, &TraceList::menuRequested, this, &TracePanel::showMenu);
+}
+
+void TracePanel::followBoard()
+{
+    std::set<Signal> chosen;
+    for (const PlotBoard::Trace &trace : m_board.traces())
+        chosen.insert(trace.signal);
+    QStringList derived;
+    for (const PlotBoard::Derived &signal : m_board.derived())
+        derived << signal.name;
+    m_signals->setDerived(derived);
+    m_signals->setChosen(chosen);
+}
+
+QString TracePanel::statisticsOf(const PlotBoard::Trace &trace, int decimals) const
+{
+    const auto found = m_stack.readings().selection(trace.id);
+    if (!found)
+        return {};
+    QString text = tr("mean %1 · σ %2 · %3 … %4 · %5 samples")
+                       .arg(formatValue(found->mean, decimals, {}), formatSignificant(found->deviation, 3),
+                           formatValue(found->low, decimals, {}), formatValue(found->high, decimals, {}),
+                           formatCount(static_cast<qint64>(found->count)));
+    if (found->lost > 0)
+        text += tr(" · %1 lost").arg(formatCount(static_cast<qint64>(found->lost)));
+    return text;
+}
+
+void TracePanel::showRows()
+{
+    std::vector<TraceList::Row> rows;
+    for (const PlotBoard::Trace &trace : m_board.traces()) {
+        const DeviceView *device = m_workbench.snapshot().device(trace.signal.device);
+        const LinkView *link = device ? m_workbench.snapshot().link(device->link) : nullptr;
+        TraceList::Row row;
+        row.id = trace.id;
+        row.look = trace.style.look();
+        row.name = trace.style.name;
+        row.source = link ? QString::fromStdString(link->name) : device ? QString() : tr("derived");
+        row.rate = tr("%1 Hz").arg(formatNumber(trace.source->rate()));
+        row.lost = tr("%1 lost").arg(formatCount(static_cast<qint64>(trace.source->lost())));
+        row.lossy = trace.source->lossy();
+        const int decimals = decimalsOf(trace.style);
+        const auto latest = trace.source->latest();
+        row.value = latest ? formatValue(*latest, decimals, trace.style.unit) : QString(UnknownMark);
+        if (m_stack.cursorsShown()) {
+            const auto [a, b] = m_stack.cursorKeys();
+            const auto at = [&](double key) { return m_stack.readings().valueAt(trace.id, key); };
+            row.cursors = tr("A %1   B %2")
+                              .arg(formatValue(at(a), decimals, {}), formatValue(at(b), decimals, trace.style.unit));
+            row.statistics = statisticsOf(trace, decimals);
+        }
+        rows.push_back(row);
+    }
+    m_list->setRows(std::move(rows));
+}
+
+void TracePanel::showMenu(int id, const QPoint &at)
+{
+    const PlotBoard::Trace *trace = m_board.traceOf(id);
+    if (!trace)
+        return;
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    const int strip = trace->style.strip;
+    menu->addAction(tr("In a pane of its own"), this, [this, id] { m_board.moveToPane(id, m_board.paneOf(-1)); });
+    QAction *above = menu->addAction(
+        tr("Into the pane above"), this, [this, id, strip] { m_board.moveToPane(id, m_board.paneOf(strip - 1)); });
+    above->setEnabled(strip > 0);
+    menu->addAction(tr("With its unit"), this, [this, id] { m_board.moveToPane(id, {}); });
+    QAction *second = menu->addAction(
+        tr("Scale at the right"), this, [this, id, on = !trace->second] { m_board.setSecondAxis(id, on); });
+    second->setCheckable(true);
+    second->setChecked(trace->second);
+    menu->addSeparator();
+    menu->addAction(tr("Trigger on it\tT"), this, [this, id] { Q_EMIT triggerRequested(id); });
+    menu->addAction(tr("Keep all as references"), &m_board, &PlotBoard::keepReferences);
+    QAction *clear = menu->addAction(tr("Remove references"), &m_board, &PlotBoard::clearReferences);
+    clear->setEnabled(!m_board.references().empty());
+    menu->addAction(tr("Spectrum"), this, &TracePanel::spectrumRequested);
+    menu->addSeparator();
+    menu->addAction(tr("Remove the trace"), this, [this, signal = trace->signal] { m_board.choose(signal, false); });
+    menu->popup(at);
+}
+
+} // namespace mb

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/service/verdictview.h"
+
+#include "widgets/common/icons.h"
+#include "widgets/common/numberformat.h"
+
+#include <QAccessible>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+using Kind = Verdict::Kind;
+
+/// As large as asked, smaller where the width needs it.
+QFont fitted(QFont font, const QString &text, int width)
+{
+    const int wanted = QFontMetrics(font).horizontalAdvance(text);
+    if (wanted > width && wanted > 0)
+        font.setPointSizeF(std::max(font.pointSizeF() * width / wanted, 8.0));
+    return font;
+}
+
+int paintLine(QPainter &painter, const QRect &box, const QFont &font, const QColor &color, const QString &text,
+    int alignment = Qt::AlignLeft)
+{
+    painter.setFont(font);
+    painter.setPen(color);
+    const QFontMetrics metrics(font);
+    painter.drawText(QRect(box.topLeft(), QSize(box.width(), metrics.height())), alignment | Qt::AlignVCenter,
+        metrics.elidedText(text, Qt::ElideRight, box.width()));
+    return metrics.height();
+}
+
+} // namespace
+
+VerdictView::VerdictView(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    setFocusPolicy(Qt::StrongFocus);
+    connect(&theme, &ThemeSource::changed, this, qOverload<>(&QWidget::update));
+    announce();
+}
+
+QString VerdictView::wordOf(Kind kind)
+{
+    switch (kind) {
+    case Kind::Waiting: return tr("READY");
+    case Kind::Working: return tr("WORKING");
+    case Kind::Passed: return tr("PASS");
+    case Kind::Failed: return tr("FAIL");
+    case Kind::Refused: return tr("REFUSED");
+    }
+    return {};
+}
+
+void VerdictView::setVerdict(const Verdict &verdict)
+{
+    const bool spoken = verdict.kind != m_verdict.kind || verdict.unit != m_verdict.unit;
+    m_verdict = verdict;
+    update();
+    if (spoken)
+        announce();
+}
+
+void VerdictView::announce()
+{
+    setAccessibleName(wordOf(m_verdict.kind) + QLatin1Char(' ') + m_verdict.unit);
+    setAccessibleDescription(
+        QStringList{m_verdict.cause, m_verdict.remedy, m_verdict.next}.join(QLatin1Char(' ')).trimmed());
+    QAccessibleEvent event(this, QAccessible::NameChanged);
+    QAccessible::updateAccessibility(&event);
+}
+
+QSize VerdictView::minimumSizeHint() const
+{
+    return {m_theme.theme().u(520), m_theme.theme().u(300)};
+}
+
+QSize VerdictView::sizeHint() const
+{
+    return {m_theme.theme().u(840), m_theme.theme().u(360)};
+}
+
+QColor VerdictView::colour() const
+{
+    const Theme &theme = m_theme.theme();
+    switch (m_verdict.kind) {
+    case Kind::Waiting: return theme.outline;
+    case Kind::Working: return theme.accent;
+    case Kind::Passed: return theme.ok;
+    case Kind::Failed: return theme.danger;
+    case Kind::Refused: return theme.caution;
+    }
+    return theme.outline;
+}
+
+QColor VerdictView::ground() const
+{
+    const Theme &theme = m_theme.theme();
+    switch (m_verdict.kind) {
+    case Kind::Waiting: return theme.panel;
+    case Kind::Working: return theme.bannerInfo;
+    case Kind::Passed: return theme.bannerOk;
+    case Kind::Failed: return theme.bannerDanger;
+    case Kind::Refused: return theme.bannerCaution;
+    }
+    return theme.panel;
+}
+
+/// Each verdict has a shape of its own, which is told apart without its colour: tick in a circle, cross in a square, mark in a
+/// triangle, an open ring, two chevrons.
+void VerdictView::paintShape(QPainter &painter, const QRectF &box) const
+{
+    const double unit = box.width() / 12.0;
+    const auto at = [&](double x, double y) { return box.topLeft() + QPointF(x, y) * unit; };
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(colour(), unit * 0.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    QPainterPath outline;
+    QPainterPath mark;
+    switch (m_verdict.kind) {
+    case Kind::Passed:
+        outline.addEllipse(box);
+        mark.moveTo(at(3.2, 6.4));
+        mark.lineTo(at(5.2, 8.4));
+        mark.lineTo(at(8.8, 4.0));
+        break;
+    case Kind::Failed:
+        outline.addRoundedRect(box, unit, unit);
+        mark.moveTo(at(3.5, 3.5));
+        mark.lineTo(at(8.5, 8.5));
+        mark.moveTo(at(8.5, 3.5));
+        mark.lineTo(at(3.5, 8.5));
+        break;
+    case Kind::Refused:
+        outline.addPolygon(QPolygonF({at(6, 0.6), at(12, 11.4), at(0, 11.4), at(6, 0.6)}));
+        mark.moveTo(at(6, 4.2));
+        mark.lineTo(at(6, 7.4));
+        mark.moveTo(at(6, 9.3));
+        mark.lineTo(at(6, 9.4));
+        break;
+    case Kind::Waiting: outline.addEllipse(box); break;
+    case Kind::Working:
+        for (const double x : {2.0, 6.0}) {
+            mark.moveTo(at(x, 2.5));
+            mark.lineTo(at(x + 3.5, 6.0));
+            mark.lineTo(at(x, 9.5));
+        }
+        break;
+    }
+    painter.drawPath(outline);
+    painter.setPen(QPen(colour(), unit * 1.1, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawPath(mark);
+}
+
+int VerdictView::paintHead(QPainter &painter, const QRect &box) const
+{
+    const Theme &theme = m_theme.theme();
+    const int shape = std::min(theme.u(128), box.height() * 2 / 5);
+    const int gap = theme.u(40);
+    paintShape(painter, QRectF(box.left(), box.top() + theme.u(10), shape, shape));
+    const int right = theme.u(120);
+    const QRect words = box.adjusted(shape + gap, 0, -right, 0);
+    const QString word = wordOf(m_verdict.kind);
+    int height
+        = paintLine(painter, words, fitted(theme.font(TextRole::Verdict, font()), word, words.width()), colour(), word);
+    QFont unit = theme.font(TextRole::Raw, font());
+    unit.setPointSizeF(theme.bodyPointSize * 3.2);
+    height += paintLine(painter, words.adjusted(0, height, 0, 0), fitted(unit, m_verdict.unit, words.width()),
+        theme.text, m_verdict.unit);
+    QFont number = theme.font(TextRole::Title, font());
+    number.setPointSizeF(theme.bodyPointSize * 3.0);
+    const QRect side(box.right() - right, box.top() + theme.u(36), right, box.height());
+    const int below = paintLine(
+        painter, side, fitted(number, m_verdict.number, right), theme.text, m_verdict.number, Qt::AlignRight);
+    if (m_verdict.seconds > 0.0)
+        paintLine(painter, side.adjusted(0, below, 0, 0), theme.font(TextRole::Large, font()), theme.dim,
+            formatNumber(m_verdict.seconds, 1) + QChar(QChar::Nbsp) + QStringLiteral("s"), Qt::AlignRight);
+    return std::max(height, shape + theme.u(20));
+}
+
+int VerdictView::paintFacts(QPainter &painter, const QRect &box) const
+{
+    const Theme &theme = m_theme.theme();
+    const int count = static_cast<int>(m_verdict.facts.size());
+    if (count == 0)
+        return 0;
+    const int width = box.width() / std::max(count, 4);
+    int height = 0;
+    for (int i = 0; i < count; ++i) {
+        const Verdict::Fact &fact = m_verdict.facts[static_cast<std::size_t>(i)];
+        QRect cell(box.left() + i * width, box.top(), width - theme.u(12), box.height());
+        painter.setPen(QPen(theme.line, 1));
+        painter.drawLine(cell.left(), cell.top(), cell.left(), cell.top() + theme.u(56));
+        cell.adjust(theme.u(10), 0, 0, 0);
+        const QFont caption = theme.font(TextRole::Caption, font());
+        int y = paintLine(painter, cell, caption, theme.dim, fact.name);
+        y += paintLine(painter, cell.adjusted(0, y, 0, 0),
+            fitted(theme.font(TextRole::Large, font()), fact.value, cell.width()), theme.text, fact.value);
+        y += paintLine(painter, cell.adjusted(0, y, 0, 0), caption, theme.dim, fact.note);
+        height = std::max(height, y);
+    }
+    return height + theme.u(12);
+}
+
+int VerdictView::paintCause(QPainter &painter, const QRect &box) const
+{
+    const Theme &theme = m_theme.theme();
+    int y = 0;
+    for (const QString &line : {m_verdict.cause, m_verdict.remedy}) {
+        if (line.isEmpty())
+            continue;
+        QFont words = theme.font(TextRole::Title, font());
+        words.setPointSizeF(theme.bodyPointSize * (&line == &m_verdict.cause || y == 0 ? 1.8 : 1.4));
+        painter.setFont(words);
+        painter.setPen(y == 0 ? theme.text : theme.dim);
+        const QRect place = box.adjusted(0, y, 0, 0);
+        const QRect taken = QFontMetrics(words).boundingRect(place, Qt::TextWordWrap, line);
+        painter.drawText(place, Qt::TextWordWrap, line);
+        y += std::min(taken.height(), box.height()) + theme.u(6);
+    }
+    return y;
+}
+
+void VerdictView::paintProgress(QPainter &painter, const QRect &box) const
+{
+    const Theme &theme = m_theme.theme();
+    const int y = paintLine(painter, box, theme.font(TextRole::Large, font()), theme.text, m_verdict.step);
+    const QRect bar(box.left(), box.top() + y + theme.u(8), box.width(), theme.u(12));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme.line);
+    painter.drawRoundedRect(bar, theme.u(2), theme.u(2));
+    painter.setBrush(theme.accent);
+    const int done = static_cast<int>(bar.width() * std::clamp(m_verdict.share, 0.0, 1.0));
+    painter.drawRoundedRect(QRect(bar.topLeft(), QSize(done, bar.height())), theme.u(2), theme.u(2));
+}
+
+void VerdictView::paintFoot(QPainter &painter, const QRect &box) const
+{
+    const Theme &theme = m_theme.theme();
+    if (m_verdict.next.isEmpty())
+        return;
+    painter.setPen(QPen(theme.line, 1));
+    painter.drawLine(box.left(), box.top(), box.right(), box.top());
+    QFont words = theme.font(TextRole::Title, font());
+    words.setPointSizeF(theme.bodyPointSize * 2.3);
+    const QRect inner = box.adjusted(theme.u(24), theme.u(12), -theme.u(24), 0);
+    const int y = paintLine(painter, inner, fitted(words, m_verdict.next, inner.width()), theme.text, m_verdict.next);
+    paintLine(painter, inner.adjusted(0, y, 0, 0), theme.font(TextRole::Body, font()), theme.dim, m_verdict.hint);
+}
+
+void VerdictView::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const Theme &theme = m_theme.theme();
+    const int frame = theme.u(3);
+    painter.setBrush(ground());
+    painter.setPen(QPen(hasFocus() ? theme.accent : colour(), frame, Qt::SolidLine));
+    painter.drawRoundedRect(rect().adjusted(frame, frame, -frame, -frame), theme.u(4), theme.u(4));
+    const int edge = theme.u(36);
+    const int foot = m_verdict.next.isEmpty() ? 0 : theme.u(88);
+    const QRect inner = rect().adjusted(edge, theme.u(16), -edge, -foot - frame);
+    int y = paintHead(painter, inner) + theme.u(12);
+    const QRect rest = inner.adjusted(0, y, 0, 0);
+    if (m_verdict.kind == Kind::Working)
+        paintProgress(painter, rest);
+    else if (!m_verdict.cause.isEmpty())
+        paintCause(painter, rest);
+    else
+        paintFacts(painter, rest);
+    paintFoot(painter, QRect(frame, height() - foot, width() - 2 * frame, foot));
+}
+
+} // namespace mb

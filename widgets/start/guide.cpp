@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/start/guide.h"
+
+#include "tuning/verdict.h"
+#include "widgets/common/numberformat.h"
+#include "widgets/common/trialnotebook.h"
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+constexpr double tame = 0.05; ///< greatest overshoot that counts as none
+constexpr std::string_view limitSwitch = "current_limit.enabled";
+constexpr const char *simulated = "sim:";
+
+bool isOn(const DeviceView &device, std::string_view key)
+{
+    const auto index = findParameter(device.family->parameters, key);
+    if (!index || index->value >= device.parameters.size())
+        return false;
+    const ParameterStore::Entry &entry = device.parameters[index->value];
+    return entry.raw.value_or(0) != 0;
+}
+
+bool isAnyInRam(const DeviceView &device)
+{
+    return std::any_of(device.parameters.begin(), device.parameters.end(),
+        [](const ParameterStore::Entry &entry) { return entry.state == ParameterState::Ram; });
+}
+
+} // namespace
+
+Guide::Guide(Workbench &workbench, Selection &selection, Arming &arming, QObject *parent)
+    : QObject(parent)
+    , m_workbench(workbench)
+    , m_selection(selection)
+    , m_arming(arming)
+{
+    connect(&workbench, &Workbench::changed, this, &Guide::follow);
+    connect(&selection, &Selection::changed, this, &Guide::follow);
+    connect(&arming, &Arming::changed, this, &Guide::follow);
+}
+
+const DeviceView *Guide::deviceOf(const Story &story, const Snapshot &shot)
+{
+    const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), [&story](const DeviceView &device) {
+        return device.family->key == story.family && device.identity.address == story.address
+            && device.link.starts_with(simulated);
+    });
+    return found == shot.devices.end() ? nullptr : &*found;
+}
+
+const DeviceView *Guide::device() const
+{
+    return m_story ? deviceOf(*m_story, m_workbench.snapshot()) : nullptr;
+}
+
+void Guide::begin(const Story &story)
+{
+    m_story = &story;
+    m_step = 0;
+    ++m_run;
+    m_asked = false;
+    m_askedAfter = 0;
+    m_newest.reset();
+    m_overshoot.reset();
+    m_lastOvershoot.reset();
+    m_peakCurrent.reset();
+    m_wrote = false;
+    Q_EMIT changed();
+    follow();
+}
+
+void Guide::end()
+{
+    m_story = nullptr;
+    ++m_run;
+    Q_EMIT changed();
+}
+
+QString Guide::result() const
+{
+    const auto percent = [](double share) { return formatNumber(share * 100.0, 0); };
+    QStringList parts;
+    if (m_overshoot && m_lastOvershoot)
+        parts += tr("overshoot %1 % at first, %2 % now").arg(percent(*m_overshoot), percent(*m_lastOvershoot));
+    else if (m_overshoot)
+        parts += tr("overshoot %1 %").arg(percent(*m_overshoot));
+    if (m_peakCurrent)
+        parts += tr("peak current %1 A").arg(formatNumber(*m_peakCurrent, 1));
+    return parts.join(QStringLiteral(" · "));
+}
+
+void Guide::follow()
+{
+    const DeviceView *const unit = device();
+    if (!unit || isDone())
+        return;
+    watch(*unit);
+    const std::size_t before = m_step;
+    while (!isDone() && isProved(m_story->steps[m_step].proof, *unit))
+        ++m_step;
+    if (m_step != before)
+        Q_EMIT changed();
+}
+
+void Guide::watch(const DeviceView &device)
+{
+    m_wrote = m_wrote || isAnyInRam(device);
+    const OperationView *operation = m_workbench.snapshot().operation(device.id);
+    const bool ended = operation && operation->status.state != OperationStatus::State::Running;
+    if (!m_newest || (ended && operation->id.value != m_askedAfter))
+        askNotebook(device);
+}
+
+bool Guide::isProved(Proof proof, const DeviceView &device) const
+{
+    switch (proof) {
+    case Proof::Selected: return m_selection.device() == device.id;
+    case Proof::Armed: return m_arming.isArmed(device.id);
+    case Proof::Stepped: return m_overshoot.has_value();
+    case Proof::Tamed: return (m_lastOvershoot && *m_lastOvershoot <= tame);
+    case Proof::CurrentShown: return m_peakCurrent.has_value();
+    case Proof::LimitOn: return isOn(device, limitSwitch);
+    case Proof::Stored: return m_wrote && !isAnyInRam(device);
+    case Proof::Writing: {
+        const OperationView *operation = m_workbench.snapshot().operation(device.id);
+        return operation && (!operation->status.parts.empty() || operation->update.has_value());
+    }
+    case Proof::Answers: return device.identity.state != DeviceState::Bootloader && !device.identity.firmware.empty();
+    }
+    return false;
+}
+
+void Guide::askNotebook(const DeviceView &device)
+{
+    if (m_asked)
+        return;
+    m_asked = true;
+    const OperationView *operation = m_workbench.snapshot().operation(device.id);
+    const std::uint32_t after
+        = operation && operation->status.state != OperationStatus::State::Running ? operation->id.value : m_askedAfter;
+    const std::string unit = tuning::unitOf(device.identity, device.selector, true);
+    m_workbench.trials().list(unit, [this, run = m_run, after](const Result<std::vector<KeptTrial>> &trials) {
+        if (run != m_run)
+            return;
+        m_asked = false;
+        m_askedAfter = after;
+        take(trials.value_or(std::vector<KeptTrial>{}));
+    });
+}
+
+void Guide::take(const std::vector<KeptTrial> &trials)
+{
+    if (!m_newest) { // what was there before is not of this story
+        m_newest = trials.empty() ? 0 : trials.back().number;
+        follow();
+        return;
+    }
+    const QString before = result();
+    for (const KeptTrial &row : trials) {
+        const tuning::Trial &trial = row.trial;
+        if (row.number <= *m_newest || trial.reason != "done" || trial.mode != Mode::Velocity)
+            continue;
+        m_newest = row.number;
+        if (trial.metrics.peakCurrent)
+            m_peakCurrent = trial.metrics.peakCurrent;
+        if (trial.metrics.overshoot)
+            (m_overshoot ? m_lastOvershoot : m_overshoot) = trial.metrics.overshoot;
+    }
+    if (result() != before)
+        Q_EMIT changed();
+    follow();
+}
+
+} // namespace mb

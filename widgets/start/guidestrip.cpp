@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/start/guidestrip.h"
+
+#include "widgets/common/labels.h"
+#include "widgets/common/stateglyph.h"
+
+#include <QGridLayout>
+
+namespace mb {
+
+GuideStrip::GuideStrip(Guide &guide, const ThemeSource &theme, QWidget *parent)
+    : QFrame(parent)
+    , m_guide(guide)
+    , m_theme(theme)
+{
+    setObjectName(QStringLiteral("guide"));
+    setAccessibleName(tr("Guide"));
+    setStyleProperty(*this, "banner", QStringLiteral("info"));
+    build();
+    connect(&guide, &Guide::changed, this, &GuideStrip::follow);
+    follow();
+}
+
+void GuideStrip::build()
+{
+    const Theme &theme = m_theme.theme();
+    auto *grid = new QGridLayout(this);
+    grid->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
+    grid->setHorizontalSpacing(theme.u(12));
+    grid->setVerticalSpacing(theme.u(2));
+    m_glyph = new StateGlyph(m_theme, GlyphState::Busy, this);
+    m_title = textLabel({}, TextRole::Emphasis, Tone::Text, this);
+    m_steps = new ElidedLabel({}, this);
+    m_steps->setObjectName(QStringLiteral("guideSteps"));
+    setTone(*m_steps, Tone::Dim);
+    m_words = textLabel({}, TextRole::Body, Tone::Text, this);
+    m_words->setObjectName(QStringLiteral("guideWords"));
+    m_words->setWordWrap(true);
+    m_act = new CommandButton(m_theme, tr("Show me where"), this);
+    m_act->setTextVariants({tr("Show me where"), tr("Begin")});
+    m_leave = new CommandButton(m_theme, tr("Dismiss"), this);
+    m_leave->setTextVariants({tr("Dismiss"), tr("Not now"), tr("Close")});
+    grid->addWidget(m_glyph, 0, 0);
+    grid->addWidget(m_title, 0, 1);
+    grid->addWidget(m_steps, 0, 2);
+    grid->addWidget(m_words, 1, 1, 1, 2);
+    grid->addWidget(m_act, 0, 3, 2, 1, Qt::AlignVCenter);
+    grid->addWidget(m_leave, 0, 4, 2, 1, Qt::AlignVCenter);
+    grid->setColumnStretch(2, 1);
+    connect(m_act, &QPushButton::clicked, this, &GuideStrip::act);
+    connect(m_leave, &QPushButton::clicked, this, &GuideStrip::leave);
+}
+
+void GuideStrip::offer(const Story *story)
+{
+    if (m_offer == story)
+        return;
+    m_offer = story;
+    follow();
+}
+
+void GuideStrip::follow()
+{
+    const bool playing = m_guide.story();
+    setVisible(playing || m_offer);
+    if (playing)
+        showSteps();
+    else if (m_offer)
+        showOffer();
+    m_act->setPrimary(!playing);
+}
+
+void GuideStrip::showOffer()
+{
+    m_glyph->setState(GlyphState::Waiting);
+    m_title->setText(storyText(m_offer->title));
+    m_steps->clear();
+    setWords(storyText(m_offer->words) + QLatin1Char(' ')
+        + tr("Simulated: nothing real moves. A guide says each step and waits until it has happened."));
+    m_act->setText(tr("Begin"));
+    m_act->show();
+    m_leave->setText(tr("Not now"));
+}
+
+void GuideStrip::showSteps()
+{
+    const Story &story = *m_guide.story();
+    const bool done = m_guide.isDone();
+    m_glyph->setState(done ? GlyphState::Done : GlyphState::Busy);
+    m_title->setText(storyText(story.title));
+    QStringList steps;
+    for (std::size_t i = 0; i < story.steps.size(); ++i) {
+        const QString name = storyText(story.steps[i].name);
+        if (i < m_guide.step())
+            steps += tr("%1 done").arg(name);
+        else if (i == m_guide.step())
+            steps += tr("%1. %2").arg(i + 1).arg(name);
+        else
+            steps += name;
+    }
+    m_steps->setText(steps.join(QStringLiteral("  ·  ")));
+    QString words;
+    if (done)
+        words = tr("Done.");
+    else if (!m_guide.device())
+        words = tr("The simulated bench is opened; the unit answers in a moment.");
+    else
+        words = storyText(story.steps[m_guide.step()].words);
+    if (const QString result = m_guide.result(); !result.isEmpty())
+        words += QLatin1Char(' ') + tr("Measured: %1.").arg(result);
+    setWords(words);
+    m_act->setText(tr("Show me where"));
+    m_act->setVisible(!done);
+    m_leave->setText(done ? tr("Close") : tr("Dismiss"));
+}
+
+/// Whole, in as many lines as they need: the page below gives the room.
+void GuideStrip::setWords(const QString &words)
+{
+    m_words->setText(words);
+    m_words->setMinimumHeight(m_words->heightForWidth(m_words->width()));
+    setAccessibleDescription(words);
+}
+
+void GuideStrip::resizeEvent(QResizeEvent *event)
+{
+    QFrame::resizeEvent(event);
+    m_words->setMinimumHeight(m_words->heightForWidth(m_words->width()));
+}
+
+void GuideStrip::act()
+{
+    if (m_guide.story() && !m_guide.isDone())
+        Q_EMIT placeWanted(m_guide.story()->steps[m_guide.step()].place);
+    else if (m_offer)
+        Q_EMIT wanted(*m_offer);
+}
+
+void GuideStrip::leave()
+{
+    if (m_guide.story()) {
+        m_guide.end();
+        return;
+    }
+    m_offer = nullptr;
+    follow();
+    Q_EMIT refused();
+}
+
+} // namespace mb

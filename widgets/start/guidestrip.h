@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/iconbutton.h"
+#include "widgets/start/guide.h"
+
+#include <QFrame>
+
+class QLabel;
+
+namespace mb {
+
+class StateGlyph;
+
+/// A story above the pages: offered, with its steps while it is played, and what came of it at its end. Hidden otherwise.
+class GuideStrip : public QFrame {
+    Q_OBJECT
+public:
+    GuideStrip(Guide &guide, const ThemeSource &theme, QWidget *parent = nullptr);
+
+    /// Offers a story while none is played; nullptr takes the offer back.
+    void offer(const Story *story);
+
+Q_SIGNALS:
+    /// The offer was taken.
+    void wanted(const mb::Story &story);
+    /// The offer was refused: not again.
+    void refused();
+    /// Show where the present step is done.
+    void placeWanted(mb::Place place);
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void build();
+    void setWords(const QString &words);
+    void follow();
+    void showOffer();
+    void showSteps();
+    void act();
+    void leave();
+
+    Guide &m_guide;
+    const ThemeSource &m_theme;
+    const Story *m_offer = nullptr;
+    StateGlyph *m_glyph = nullptr;
+    QLabel *m_title = nullptr;
+    QLabel *m_steps = nullptr;
+    QLabel *m_words = nullptr;
+    CommandButton *m_act = nullptr;
+    CommandButton *m_leave = nullptr;
+};
+
+} // namespace mb

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/start/story.h"
+
+#include <QCoreApplication>
+
+namespace mb {
+namespace {
+
+constexpr StoryStep taming[] = {
+    {Proof::Selected, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Select"),
+        QT_TRANSLATE_NOOP("Stories", "Click DMC60C #7 in the list at the left. Everything that follows is about it.")},
+    {Proof::Armed, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
+        QT_TRANSLATE_NOOP("Stories",
+            "Hold the lamp at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, "
+            "always.")},
+    {Proof::Stepped, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
+        QT_TRANSLATE_NOOP("Stories", "Press F5: the motor steps to a speed and back, and the overshoot is measured.")},
+    {Proof::Tamed, Place::Design, QT_TRANSLATE_NOOP("Stories", "Tune"),
+        QT_TRANSLATE_NOOP("Stories",
+            "Press F6 on the page Design: the program finds gains and proves them. Tamed: a step overshoots by 5 % at "
+            "most.")},
+    {Proof::Stored, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
+        QT_TRANSLATE_NOOP("Stories",
+            "Press Ctrl+S on the page Parameters, or wait 15 s: done when the unit proves that its flash has the "
+            "gains.")},
+};
+
+constexpr StoryStep limiting[] = {
+    {Proof::Selected, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Select"),
+        QT_TRANSLATE_NOOP("Stories", "Click DMC60C #5 in the list at the left.")},
+    {Proof::LimitOn, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Limit"),
+        QT_TRANSLATE_NOOP("Stories",
+            "On the page Parameters find current_limit.enabled, switch it on, set continuous and peak to what the "
+            "motor may have, and write.")},
+    {Proof::Armed, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
+        QT_TRANSLATE_NOOP("Stories", "Hold the lamp at the top for one second (or Ctrl+Shift+F12).")},
+    {Proof::CurrentShown, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
+        QT_TRANSLATE_NOOP("Stories", "Press F5 on the page Tune: the peak current of the step stands in its table.")},
+    {Proof::Stored, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
+        QT_TRANSLATE_NOOP(
+            "Stories", "Press Ctrl+S on the page Parameters, or wait 15 s until the unit has proved it.")},
+};
+
+constexpr StoryStep reviving[] = {
+    {Proof::Selected, Place::Firmware, QT_TRANSLATE_NOOP("Stories", "Select"),
+        QT_TRANSLATE_NOOP("Stories", "Click DMC60C #9 in the list at the left. It says: in bootloader.")},
+    {Proof::Writing, Place::Firmware, QT_TRANSLATE_NOOP("Stories", "Write"),
+        QT_TRANSLATE_NOOP("Stories",
+            "The demo image is loaded on the page Firmware. Press F5 and watch the pages arrive, the last one first.")},
+    {Proof::Answers, Place::Firmware, QT_TRANSLATE_NOOP("Stories", "Prove"),
+        QT_TRANSLATE_NOOP("Stories", "Wait until the unit answers with its new version. Nothing else counts as done.")},
+};
+
+constexpr Story table[] = {
+    {"tame", QT_TRANSLATE_NOOP("Stories", "#7 overshoots: tame it in a minute"), QT_TRANSLATE_NOOP("Stories", "775pro"),
+        QT_TRANSLATE_NOOP("Stories", "4096 counts a turn · DMC60C #7"),
+        QT_TRANSLATE_NOOP("Stories", "This one overshoots by about 20 %. Find gains that do not."),
+        QT_TRANSLATE_NOOP("Stories", "velocity, set-point dashed"), 1, StoryPicture::Overshoot, "dmc60c", 7, taming},
+    {"limit", QT_TRANSLATE_NOOP("Stories", "#5 has no current limit: set one that saves it"),
+        QT_TRANSLATE_NOOP("Stories", "CIM"),
+        QT_TRANSLATE_NOOP("Stories", "load 9 × rotor inertia · 4096 counts a turn · DMC60C #5"),
+        QT_TRANSLATE_NOOP("Stories", "A stalled CIM draws more than 100 A, and nothing holds this one back. Limit it."),
+        QT_TRANSLATE_NOOP("Stories", "current, limit dashed"), 3, StoryPicture::Limit, "dmc60c", 5, limiting},
+    {"revive", QT_TRANSLATE_NOOP("Stories", "#9 has no program: bring it back"),
+        QT_TRANSLATE_NOOP("Stories", "Interrupted update"),
+        QT_TRANSLATE_NOOP("Stories", "waits in its bootloader · DMC60C #9"),
+        QT_TRANSLATE_NOOP("Stories", "Somebody cut its power while it was written. Give it firmware again."),
+        QT_TRANSLATE_NOOP("Stories", "flash pages, written from the last to the first"), 2, StoryPicture::Pages,
+        "dmc60c", 9, reviving},
+};
+
+} // namespace
+
+std::span<const Story> stories()
+{
+    return table;
+}
+
+QString storyText(const char *english)
+{
+    return QCoreApplication::translate("Stories", english);
+}
+
+} // namespace mb

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <span>
+#include <string_view>
+
+namespace mb {
+
+/// Where in the window a step is done.
+enum class Place { Overview, Parameters, Tune, Design, Firmware };
+
+/// What the drawing of a story shows.
+enum class StoryPicture { Overshoot, Limit, Pages };
+
+/// What must really have happened before a step counts as done (guide.h looks for it).
+enum class Proof {
+    Selected,     ///< the unit of the story is the one that pages show
+    Armed,        ///< and it may be moved
+    Stepped,      ///< a trial of its velocity loop ended as planned
+    Tamed,        ///< a later one overshot by 5 % at most
+    LimitOn,      ///< its current limit is in force
+    CurrentShown, ///< a trial ended as planned that tells its peak current
+    Stored,       ///< something was written, and the unit has proved that flash has it
+    Writing,      ///< its firmware is being written
+    Answers       ///< its application runs and tells its version
+};
+
+/// One step of a story. Texts are English, translated by storyText().
+struct StoryStep {
+    Proof proof = Proof::Selected;
+    Place place = Place::Overview;
+    const char *name = "";  ///< one word or two, for the list of steps
+    const char *words = ""; ///< what to do, where, with which key
+};
+
+/// Something to try on a simulated unit, from finding it to a value that stays.
+struct Story {
+    std::string_view key;
+    const char *title = "";   ///< "#7 overshoots: tame it in a minute"
+    const char *motor = "";   ///< of its card
+    const char *parts = "";   ///< load, encoder, controller
+    const char *words = "";   ///< what is wrong, and what to do about it
+    const char *caption = ""; ///< of its drawing
+    int minutes = 1;
+    StoryPicture picture = StoryPicture::Overshoot;
+    std::string_view family; ///< of the unit, on a simulated link
+    int address = 0;
+    std::span<const StoryStep> steps;
+};
+
+/// The simulated link that all of them play on.
+constexpr const char *storyLink = "sim:";
+
+[[nodiscard]] std::span<const Story> stories();
+[[nodiscard]] QString storyText(const char *english);
+
+} // namespace mb
