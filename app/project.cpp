@@ -125,7 +125,7 @@ Result<void> Project::save(const QString &folder) const
 {
     for (const char *name : {"parameters", "plots"}) {
         if (!QDir().mkpath(folder + QLatin1Char('/') + QLatin1String(name)))
-            return fail(Fault::OutOfRange, "the folder " + folder.toStdString() + " cannot be written");
+            return fail(Fault::OutOfRange, say("the folder %1 cannot be written", folder.toStdString()));
     }
     QJsonArray rows;
     for (const ProjectUnit &unit : units) {
@@ -155,13 +155,13 @@ Result<Project> Project::load(const QString &folder)
     QJsonParseError error;
     const QJsonObject object = QJsonDocument::fromJson(*bytes, &error).object();
     if (error.error != QJsonParseError::NoError)
-        return fail(Fault::OutOfRange, file.toStdString() + ": " + error.errorString().toStdString());
+        return fail(Fault::OutOfRange, say("%1: %2", file.toStdString(), error.errorString().toStdString()));
     if (object.value(QStringLiteral("project")).toInt() != projectFormat)
-        return fail(Fault::OutOfRange, file.toStdString() + " is no project of this version");
+        return fail(Fault::OutOfRange, say("%1 is no project of this version", file.toStdString()));
     Project project;
     for (const QJsonValue &link : object.value(QStringLiteral("links")).toArray()) {
         if (const auto address = LinkAddress::parse(link.toString().toStdString()); !address)
-            return fail(Fault::OutOfRange, file.toStdString() + ": " + address.error().text());
+            return fail(Fault::OutOfRange, say("%1: %2", file.toStdString(), address.error().message()));
         project.links += link.toString();
     }
     for (const QJsonValue &row : object.value(QStringLiteral("units")).toArray()) {

@@ -28,13 +28,13 @@ SessionBook::SessionBook(const QString &folder)
 Result<void> SessionBook::begin(qint64 begun)
 {
     if (!QDir().mkpath(m_folder))
-        return fail(Fault::OutOfRange, "the folder " + m_folder.toStdString() + " cannot be made");
+        return fail(Fault::OutOfRange, say("the folder %1 cannot be made", m_folder.toStdString()));
     m_file = m_folder
         + QStringLiteral("/%1-%2.json").arg(begun, 12, 10, QLatin1Char('0')).arg(QCoreApplication::applicationPid());
     m_lock = std::make_unique<QLockFile>(lockOf(m_file));
     m_lock->setStaleLockTime(0);
     if (!m_lock->tryLock())
-        return fail(Fault::OutOfRange, m_file.toStdString() + " is locked by another program");
+        return fail(Fault::OutOfRange, say("%1 is locked by another program", m_file.toStdString()));
     tidy();
     return {};
 }
@@ -62,8 +62,8 @@ std::vector<SessionBook::Entry> SessionBook::earlier() const
         if (file == m_file || isRunning(file))
             continue;
         const auto bytes = loadFile(file.toStdString(), largestSession);
-        const auto record
-            = bytes ? SessionRecord::fromJson(*bytes) : Result<SessionRecord>{fail(Fault::OutOfRange, "unreadable")};
+        const auto record = bytes ? SessionRecord::fromJson(*bytes)
+                                  : Result<SessionRecord>{fail(Fault::OutOfRange, say("unreadable"))};
         if (record && record->isWorthKeeping())
             entries.push_back({file, *record});
     }

@@ -35,7 +35,7 @@ Result<SessionRecord> SessionRecord::fromJson(const QByteArray &json)
 {
     const QJsonObject object = QJsonDocument::fromJson(json).object();
     if (object.value(QStringLiteral("session")).toInt() != sessionFormat)
-        return fail(Fault::OutOfRange, "this is no session of MotorBench");
+        return fail(Fault::OutOfRange, say("this is no session of MotorBench"));
     SessionRecord record;
     record.begun = static_cast<qint64>(object.value(QStringLiteral("begun")).toDouble());
     record.changed = static_cast<qint64>(object.value(QStringLiteral("changed")).toDouble());

@@ -158,8 +158,8 @@ Result<double> parseSlew(const Arguments &a, const SetPoint &setPoint)
     const bool goesItself = setPoint.mode == Mode::Off || setPoint.mode == Mode::Follow
         || setPoint.mode == Mode::RampPosition || setPoint.mode == Mode::RampVelocity || setPoint.relative;
     if (slew && *slew > 0.0 && goesItself)
-        return fail(Fault::Usage, "--slew means a target that this program moves",
-            "give it with duty, velocity, position, current or voltage");
+        return fail(Fault::Usage, say("--slew means a target that this program moves"),
+            say("give it with duty, velocity, position, current or voltage"));
     return slew;
 }
 

@@ -6,20 +6,20 @@ namespace mb {
 void DeviceJobs::carryOut(const orders::Identify &order, const Finished &finished)
 {
     m_context.operations.begin(
-        order.device, "Identify", [](Device &device, Progress &) { return device.identify(); }, finished);
+        order.device, say("Identify"), [](Device &device, Progress &) { return device.identify(); }, finished);
 }
 
 void DeviceJobs::carryOut(const orders::Rename &order, const Finished &finished)
 {
     m_context.operations.begin(
-        order.device, "Rename", [name = order.name](Device &device, Progress &) { return device.rename(name); },
+        order.device, say("Rename"), [name = order.name](Device &device, Progress &) { return device.rename(name); },
         finished);
 }
 
 void DeviceJobs::carryOut(const orders::Renumber &order, const Finished &finished)
 {
     m_context.operations.begin(
-        order.device, "Assign number",
+        order.device, say("Assign number"),
         [log = m_parameters.log(), address = order.address](Device &device, Progress &progress) {
             return settings::renumberKept(device, address, settings::Origin::Window, log, progress);
         },
@@ -29,7 +29,7 @@ void DeviceJobs::carryOut(const orders::Renumber &order, const Finished &finishe
 void DeviceJobs::carryOut(const orders::ClearFaults &order, const Finished &finished)
 {
     m_context.operations.begin<std::vector<FaultRecord>>(
-        order.device, "Read and clear faults", [](Device &device, Progress &) { return device.clearFaults(); },
+        order.device, say("Read and clear faults"), [](Device &device, Progress &) { return device.clearFaults(); },
         [finished](Operations::Job &, const Result<std::vector<FaultRecord>> &faults) {
             finished(faults ? Result<void>() : fail(faults.error()));
         },
@@ -39,16 +39,16 @@ void DeviceJobs::carryOut(const orders::ClearFaults &order, const Finished &fini
 void DeviceJobs::carryOut(const orders::Calibrate &order, const Finished &finished)
 {
     Device *device = m_context.session.find(order.device);
-    finished(device ? device->calibrate(order.key, order.value) : fail(Fault::Timeout, "the device is gone"));
+    finished(device ? device->calibrate(order.key, order.value) : fail(Fault::Timeout, say("the device is gone")));
 }
 
 void DeviceJobs::carryOut(const orders::SetDialect &order, const Finished &finished)
 {
     Device *device = m_context.session.find(order.device);
     if (device && m_context.session.stream(*device).isRunning())
-        finished(fail(Fault::Unsafe, "stop the motor before its dialect is changed"));
+        finished(fail(Fault::Unsafe, say("stop the motor before its dialect is changed")));
     else
-        finished(device ? device->setDialect(order.key) : fail(Fault::Timeout, "the device is gone"));
+        finished(device ? device->setDialect(order.key) : fail(Fault::Timeout, say("the device is gone")));
 }
 
 } // namespace mb

@@ -17,8 +17,7 @@ Task<settings::ParameterSnapshot> meetUnit(Device &device, settings::SettingsLog
     const int foreign = co_await std::move(noticing);
     const bool isFresh = device.link().address().isSimulated(); // a bench of this process was never left as anything
     if (foreign > 0 && !isFresh)
-        progress.log(Severity::Caution,
-            std::to_string(foreign) + " values are not what they were left as; the history has both");
+        progress.log(Severity::Caution, say("%1 values are not what they were left as; the history has both", foreign));
     co_return taken;
 }
 
@@ -41,7 +40,7 @@ void Encounters::look()
             continue;
         m_met[id] = unit;
         Operations::Job *const job = m_context.operations.begin<settings::ParameterSnapshot>(
-            id, "Take a snapshot",
+            id, say("Take a snapshot"),
             [log = m_parameters.log()](Device &found, Progress &progress) { return meetUnit(found, *log, progress); },
             [this](Operations::Job &done, const Result<settings::ParameterSnapshot> &taken) { met(done, taken); },
             [](const Result<void> &) {});
@@ -59,7 +58,8 @@ void Encounters::met(const Operations::Job &job, const Result<settings::Paramete
     if (!taken && taken.error().fault != Fault::OutOfRange) // a full disk is told once; others are tried again
         m_met.erase(job.device);
     else if (!taken)
-        m_context.log.tell(Severity::Caution, *device, "no snapshot of what was found: " + taken.error().text());
+        m_context.log.tell(
+            Severity::Caution, *device, say("no snapshot of what was found: %1", taken.error().message()));
     for (const LogLine &line : job.operation->status().log)
         m_context.log.tell(line.severity, *device, line.text);
     if (taken)

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] Session &session() { return m_session; }
     [[nodiscard]] Snapshot snapshot() const { return m_publisher.take(); }
     /// Lines for the log: severity, device, English text.
-    [[nodiscard]] Listeners<Severity, const std::string &, const std::string &> &noticed() { return m_log.noticed(); }
+    [[nodiscard]] Listeners<Severity, const std::string &, const Message &> &noticed() { return m_log.noticed(); }
     /// What goes back unless somebody keeps it.
     [[nodiscard]] ProvisionalChanges &provisional() { return m_provisional; }
     [[nodiscard]] Links &links() { return m_links; }

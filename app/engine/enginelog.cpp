@@ -7,17 +7,16 @@ namespace mb {
 
 EngineLog::EngineLog(Session &session)
     : m_session(session)
-    , m_remarked(session.remarked().add([this](const Link &link, const std::string &text) {
-        tell(Severity::Caution, link.address().shortName(), text);
-    }))
-    , m_profileTrouble(session.profileTrouble().add(
-          [this](const std::string &text) { tell(Severity::Danger, std::string(), text); }))
-    , m_memoryTrouble(session.memoryTrouble().add(
-          [this](const std::string &text) { tell(Severity::Caution, std::string(), text); }))
+    , m_remarked(session.remarked().add(
+          [this](const Link &link, const Message &text) { tell(Severity::Caution, link.address().shortName(), text); }))
+    , m_profileTrouble(
+          session.profileTrouble().add([this](const Message &text) { tell(Severity::Danger, std::string(), text); }))
+    , m_memoryTrouble(
+          session.memoryTrouble().add([this](const Message &text) { tell(Severity::Caution, std::string(), text); }))
 {
 }
 
-void EngineLog::tell(Severity severity, DeviceId device, const std::string &text) const
+void EngineLog::tell(Severity severity, DeviceId device, const Message &text) const
 {
     if (const Device *found = m_session.find(device))
         tell(severity, *found, text);

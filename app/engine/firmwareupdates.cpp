@@ -6,9 +6,12 @@
 
 namespace mb {
 namespace {
-
-constexpr const char *updateTitle = "Update firmware";
 constexpr Duration transcriptLimit = std::chrono::seconds(30);
+
+Message updateTitle()
+{
+    return say("Update firmware");
+}
 
 /// One story after another, which may fail.
 template <class T> Task<T> after(Task<void> first, Task<T> then)
@@ -20,7 +23,7 @@ template <class T> Task<T> after(Task<void> first, Task<T> then)
 UpdateReport reportOf(const Error &error)
 {
     return {error.fault == Fault::Cancelled ? UpdateOutcome::Cancelled : UpdateOutcome::Failed, {}, {}, 0, 0, false,
-        error.text(), error.fault};
+        error.detail, error.help(), error.fault};
 }
 
 } // namespace
@@ -36,17 +39,17 @@ FirmwareUpdates::FirmwareUpdates(const EngineContext &context, const ParameterJo
 void FirmwareUpdates::carryOut(const orders::UpdateFirmware &order, const Finished &finished)
 {
     const Finished refused = [this, id = order.device, finished](const Result<void> &result) {
-        m_context.log.tell(Severity::Caution, id, result.error().text());
+        m_context.log.tell(Severity::Caution, id, result.error().message());
         finished(result);
     };
     const Device *device = m_context.session.find(order.device);
     if (const Device *other = device ? updatedBeside(*device) : nullptr)
         return refused(fail(Fault::Unsafe,
-            "one update a bus: " + m_context.log.labelOf(*other) + " is being written; nothing was sent"));
+            say("one update a bus: %1 is being written; nothing was sent", m_context.log.labelOf(*other))));
     m_context.operations.begin<UpdateReport>(
-        order.device, updateTitle,
+        order.device, updateTitle(),
         [this, image = order.image, options = order.options](Device &unit, Progress &progress) {
-            unit.setBusy("firmware update");
+            unit.setBusy(say("firmware update"));
             return after<UpdateReport>(m_parameters.keepBefore(unit, settings::Occasion::Update, progress),
                 unit.family().update(unit, *image, options, progress));
         },
@@ -63,7 +66,7 @@ void FirmwareUpdates::ended(Operations::Job &job, const Result<UpdateReport> &re
     if (Device *device = m_context.session.find(job.device)) {
         device->setBusy({});
         saveTranscript(job, *device);
-        m_context.log.tell(good ? Severity::Good : Severity::Danger, *device, "firmware: " + report.evidence);
+        m_context.log.tell(good ? Severity::Good : Severity::Danger, *device, say("firmware: %1", report.summary()));
         m_scans.scan(device->link());
     }
     if (!result)
@@ -78,7 +81,7 @@ const Device *FirmwareUpdates::updatedBeside(const Device &device) const
     for (const Operations::Job &job : m_context.operations.jobs()) {
         const Device *other = m_context.session.find(job.device);
         if (other && other != &device && &other->link() == &device.link() && job.operation->isRunning()
-            && job.operation->status().title == updateTitle)
+            && job.operation->status().title == updateTitle())
             return other;
     }
     return nullptr;
@@ -94,10 +97,10 @@ void FirmwareUpdates::saveTranscript(const Operations::Job &job, const Device &d
     m_files.spawn<std::string>(
         keep(std::move(transcript)), [this, label = m_context.log.labelOf(device)](const Result<std::string> &path) {
             if (path)
-                m_context.log.tell(Severity::Info, label, "the transcript of the update is in " + *path);
+                m_context.log.tell(Severity::Info, label, say("the transcript of the update is in %1", *path));
             else
-                m_context.log.tell(
-                    Severity::Caution, label, "the transcript of the update is not kept: " + path.error().text());
+                m_context.log.tell(Severity::Caution, label,
+                    say("the transcript of the update is not kept: %1", path.error().message()));
         });
 }
 
@@ -111,7 +114,7 @@ Task<std::string> FirmwareUpdates::keep(Transcript transcript)
         [transcript = std::move(transcript)] { return save(transcript); }, WhenLate::Finish);
     const Result<std::string> saved = co_await std::move(saving).attempt();
     if (!saved && saved.error().fault == Fault::Timeout)
-        co_return fail(Fault::Timeout, "the disk has not taken " + path + " for 30 s");
+        co_return fail(Fault::Timeout, say("the disk has not taken %1 for 30 s", path));
     co_return saved;
 }
 

@@ -64,7 +64,7 @@ Task<void> Links::openAll(std::vector<LinkAddress> addresses)
 
 void Links::couldNotOpen(const LinkAddress &address, const Error &error)
 {
-    m_context.log.tell(Severity::Danger, address.shortName(), error.text());
+    m_context.log.tell(Severity::Danger, address.shortName(), error.message());
     m_awaited.add(address);
     m_failed[address.text()] = diagnose(error);
 }
@@ -87,7 +87,7 @@ Task<void> Links::openReturned(LinkAddress address)
     auto opening = m_context.session.openLinkSoon(address);
     Link *const link = co_await std::move(opening);
     opened(*link);
-    m_context.log.tell(Severity::Good, address.shortName(), "is there");
+    m_context.log.tell(Severity::Good, address.shortName(), say("is there"));
     m_scans.scan(*link);
     co_return {};
 }
@@ -96,7 +96,7 @@ void Links::carryOut(const orders::CloseLink &order, const Finished &finished)
 {
     m_awaited.forget(order.link);
     m_failed.erase(order.link);
-    end(order.link, fail(Fault::Cancelled, order.link + " was closed before it was open"));
+    end(order.link, fail(Fault::Cancelled, say("%1 was closed before it was open", order.link)));
     const auto parsed = LinkAddress::parse(order.link);
     if (Link *link = parsed ? m_context.session.findLink(*parsed) : nullptr) {
         m_closedByHand.insert(order.link);
@@ -155,7 +155,7 @@ void Links::welcomeReturned()
         if (open == m_open.end() || !open->second.wasLost || link->state() != LinkState::Open)
             continue;
         open->second.wasLost = false;
-        m_context.log.tell(Severity::Good, link->address().shortName(), "is back");
+        m_context.log.tell(Severity::Good, link->address().shortName(), say("is back"));
         if (!m_context.operations.hasOn(*link)) // an update that waited for it must be alone with its unit
             m_scans.scan(*link);
     }
@@ -220,7 +220,7 @@ void Links::carryOut(const orders::SendFrame &order, const Finished &finished)
         if (open->address().text() == order.link && open->kind() == LinkKind::Can)
             return finished(static_cast<CanLink *>(open)->send(order.frame));
     }
-    finished(fail(Fault::LinkLost, "the link is not open"));
+    finished(fail(Fault::LinkLost, say("the link is not open")));
 }
 
 } // namespace mb

@@ -32,10 +32,10 @@ void Motion::carryOut(const orders::StartMotion &order, const Finished &finished
 {
     Device *device = m_context.session.find(order.device);
     if (!device)
-        return finished(fail(Fault::Timeout, "the device is gone"));
+        return finished(fail(Fault::Timeout, say("the device is gone")));
     SetPointStream &stream = m_context.session.stream(*device);
     m_streams[order.device] = stream.changed().add([this, id = order.device] { streamChanged(id); });
-    if (const std::string caution = device->caution(order.setPoint); !caution.empty())
+    if (const Message caution = device->caution(order.setPoint); !caution.empty())
         m_context.log.tell(Severity::Caution, *device, caution);
     finished(stream.start(order.setPoint, order.lease, order.glide));
 }
@@ -48,9 +48,8 @@ void Motion::streamChanged(DeviceId id)
     const SetPointStream &stream = m_context.session.stream(*device);
     if (!stream.isRunning() && stream.end() != SetPointStream::End::Stopped)
         m_context.log.tell(Severity::Danger, *device,
-            "stopped: "
-                + (stream.end() == SetPointStream::End::LeaseExpired ? "the window did not respond in time"
-                                                                     : stream.reason()));
+            stream.end() == SetPointStream::End::LeaseExpired ? say("stopped: the window did not respond in time")
+                                                              : say("stopped: %1", stream.reason()));
 }
 
 void Motion::carryOut(const orders::UpdateMotion &order, const Finished &finished)
@@ -58,7 +57,7 @@ void Motion::carryOut(const orders::UpdateMotion &order, const Finished &finishe
     if (Device *device = m_context.session.find(order.device))
         finished(m_context.session.stream(*device).update(order.setPoint, order.glide));
     else
-        finished(fail(Fault::Timeout, "the device is gone"));
+        finished(fail(Fault::Timeout, say("the device is gone")));
 }
 
 void Motion::carryOut(const orders::RenewMotion &order, const Finished &finished)
@@ -79,7 +78,7 @@ void Motion::carryOut(const orders::StopMotion &order, const Finished &finished)
 void Motion::carryOut(const orders::ReleaseMoves &order, const Finished &finished)
 {
     Device *device = m_context.session.find(order.device);
-    finished(device ? m_context.session.releaseMoves(*device) : fail(Fault::Timeout, "the device is gone"));
+    finished(device ? m_context.session.releaseMoves(*device) : fail(Fault::Timeout, say("the device is gone")));
 }
 
 /// A set-point that goes on would start it again.
@@ -88,14 +87,14 @@ void Motion::carryOut(const orders::ZeroPosition &order, const Finished &finishe
     if (Device *device = m_context.session.find(order.device))
         m_context.session.stream(*device).stop();
     m_context.operations.begin(
-        order.device, "Count from 0", [](Device &device, Progress &) { return device.zeroPosition(); }, finished);
+        order.device, say("Count from 0"), [](Device &device, Progress &) { return device.zeroPosition(); }, finished);
 }
 
 void Motion::carryOut(const orders::DismissStops &, const Finished &finished)
 {
     m_context.session.dismissStops();
     m_context.log.tell(Severity::Info, std::string(),
-        QT_TRANSLATE_NOOP("table", "the motors that were not seen to stand were looked at; their stops are dismissed"));
+        say("the motors that were not seen to stand were looked at; their stops are dismissed"));
     finished({});
 }
 
@@ -107,24 +106,21 @@ void Motion::followStop(const Device &device)
         if (!stop.isForMotion())
             break;
         m_context.log.tell(Severity::Danger, device,
-            QT_TRANSLATE_NOOP("table",
-                "the stop could not be sent, and is the first thing that goes out when the line is back; cut its "
+            say("the stop could not be sent, and is the first thing that goes out when the line is back; cut its "
                 "power"));
         break;
     case StopState::Unconfirmed:
-        m_context.log.tell(Severity::Danger, device,
-            QT_TRANSLATE_NOOP("table", "was not seen to stop: the motor may still turn, cut its power"));
+        m_context.log.tell(
+            Severity::Danger, device, say("was not seen to stop: the motor may still turn, cut its power"));
         break;
     case StopState::ByWatchdog:
-        m_context.log.tell(Severity::Caution, device,
-            QT_TRANSLATE_NOOP("table", "gave no sign after the stop; its own watchdog switches it off"));
+        m_context.log.tell(
+            Severity::Caution, device, say("gave no sign after the stop; its own watchdog switches it off"));
         break;
-    case StopState::Silent:
-        m_context.log.tell(Severity::Caution, device, QT_TRANSLATE_NOOP("table", "gave no sign after the stop"));
-        break;
+    case StopState::Silent: m_context.log.tell(Severity::Caution, device, say("gave no sign after the stop")); break;
     case StopState::Seen:
         if (m_mayTurn.erase(m_context.session.idOf(device)) > 0)
-            m_context.log.tell(Severity::Good, device, QT_TRANSLATE_NOOP("table", "was seen to stand"));
+            m_context.log.tell(Severity::Good, device, say("was seen to stand"));
         break;
     case StopState::None:
     case StopState::Stopping: break;
@@ -137,17 +133,15 @@ void Motion::guardianActed(const std::string &name, MotionGuard::Verdict verdict
 {
     switch (verdict) {
     case MotionGuard::Verdict::Confirmed:
-        m_context.log.tell(Severity::Good, name, QT_TRANSLATE_NOOP("table", "the guardian has stopped the motor"));
+        m_context.log.tell(Severity::Good, name, say("the guardian has stopped the motor"));
         break;
     case MotionGuard::Verdict::Sent:
         m_context.log.tell(Severity::Caution, name,
-            QT_TRANSLATE_NOOP("table",
-                "the guardian has sent the stop, which nothing on this link confirms; look whether the motor stands"));
+            say("the guardian has sent the stop, which nothing on this link confirms; look whether the motor stands"));
         break;
     case MotionGuard::Verdict::Failed:
         m_context.log.tell(Severity::Danger, name,
-            QT_TRANSLATE_NOOP(
-                "table", "the guardian tried in vain to stop the motor; it may still turn: cut its power"));
+            say("the guardian tried in vain to stop the motor; it may still turn: cut its power"));
         break;
     }
 }

@@ -26,27 +26,27 @@ Result<Device *> Operations::freeDevice(DeviceId id)
 {
     Device *device = m_session.find(id);
     if (!device)
-        return fail(Fault::Timeout, "the device is gone");
+        return fail(Fault::Timeout, say("the device is gone"));
     makeWay(id);
     if (has(id))
-        return fail(Fault::Unsafe, "the device is busy with something else");
+        return fail(Fault::Unsafe, say("the device is busy with something else"));
     return device;
 }
 
-Operations::Job &Operations::add(DeviceId device, const char *title)
+Operations::Job &Operations::add(DeviceId device, const Message &title)
 {
     prune();
     return m_jobs.emplace_back(Job{
         OperationId{++m_last}, device, std::make_unique<Operation>(m_clock, title), std::nullopt, false, {}, false});
 }
 
-Operations::Job *Operations::begin(DeviceId id, const char *title, const Make<void> &make, const Finished &finished)
+Operations::Job *Operations::begin(DeviceId id, const Message &title, const Make<void> &make, const Finished &finished)
 {
     return begin<void>(
         id, title, make,
-        [this, id, title = std::string(title), finished](Job &, const Result<void> &result) {
+        [this, id, title, finished](Job &, const Result<void> &result) {
             if (!result)
-                m_log.tell(Severity::Danger, id, title + ": " + result.error().text());
+                m_log.tell(Severity::Danger, id, say("%1: %2", title, result.error().message()));
             finished(result);
         },
         finished);
@@ -104,7 +104,7 @@ void Operations::makeWay(DeviceId device)
 {
     for (Job &job : m_jobs) {
         if (job.device == device && job.yields && isRunning(job))
-            job.operation->dismiss({Fault::Cancelled, "made way for an order"});
+            job.operation->dismiss({Fault::Cancelled, say("made way for an order")});
     }
 }
 
@@ -122,7 +122,7 @@ void Operations::forget(const Link &link)
         if (&device->link() != &link)
             continue;
         const DeviceId id = m_session.idOf(*device);
-        dismiss(id, {Fault::LinkLost, "the device is gone"});
+        dismiss(id, {Fault::LinkLost, say("the device is gone")});
         std::erase_if(m_jobs, [id](const Job &job) { return job.device == id; });
     }
 }

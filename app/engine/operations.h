@@ -32,10 +32,10 @@ public:
     /// Starts a job that has the device for itself; refuses when another one has it, and yields nullptr. The maker runs at
     /// once.
     template <class T>
-    Job *begin(DeviceId device, const char *title, const Make<T> &make, std::function<void(Job &, Result<T>)> finished,
-        const Finished &refused);
+    Job *begin(DeviceId device, const Message &title, const Make<T> &make,
+        std::function<void(Job &, Result<T>)> finished, const Finished &refused);
     /// The same where nothing comes of it but that it went well, or a line in the log.
-    Job *begin(DeviceId device, const char *title, const Make<void> &make, const Finished &finished);
+    Job *begin(DeviceId device, const Message &title, const Make<void> &make, const Finished &finished);
     void carryOut(const orders::CancelOperation &order, const Finished &finished);
 
     [[nodiscard]] bool has(DeviceId device) const;
@@ -56,7 +56,7 @@ public:
 
 private:
     [[nodiscard]] Result<Device *> freeDevice(DeviceId device);
-    Job &add(DeviceId device, const char *title);
+    Job &add(DeviceId device, const Message &title);
     void makeWay(DeviceId device);
     void dismiss(DeviceId device, const Error &error);
     void prune();
@@ -69,7 +69,7 @@ private:
 };
 
 template <class T>
-Operations::Job *Operations::begin(DeviceId id, const char *title, const Make<T> &make,
+Operations::Job *Operations::begin(DeviceId id, const Message &title, const Make<T> &make,
     std::function<void(Job &, Result<T>)> finished, const Finished &refused)
 {
     const Result<Device *> device = freeDevice(id);

@@ -60,7 +60,7 @@ void OwedBook::lookUp(const Device &device)
 void OwedBook::compare(DeviceId id, const std::string &unit)
 {
     m_context.operations.begin<Owed>(
-        id, "Look for gains that are owed",
+        id, say("Look for gains that are owed"),
         [this](Device &device, Progress &) { return tuning::lookForOwed(device, *m_journal); },
         [this, id](Operations::Job &, const Result<Owed> &owed) {
             if (owed && !owed->empty())
@@ -89,16 +89,16 @@ void OwedBook::carryOut(const orders::PayGains &order, const Finished &finished)
     const auto found = std::find_if(
         all.begin(), all.end(), [&order](const tuning::OwedGains &owed) { return owed.trial == order.trial; });
     if (found == all.end())
-        return finished(fail(Fault::OutOfRange, "this trial owes nothing to the unit"));
+        return finished(fail(Fault::OutOfRange, say("this trial owes nothing to the unit")));
     m_context.operations.begin(
-        order.device, "Put gains back",
+        order.device, say("Put gains back"),
         [this, owed = *found](Device &device, Progress &) { return tuning::payOwed(device, *m_journal, owed); },
         [this, order, finished](const Result<void> &result) {
             if (result) {
                 end(order.device, order.trial);
                 lookAgain(order.device);
                 m_context.log.tell(Severity::Good, order.device,
-                    "the gains that trial #" + std::to_string(order.trial) + " had changed are put back");
+                    say("the gains that trial #%1 had changed are put back", order.trial));
             }
             finished(result);
         });
@@ -109,7 +109,7 @@ void OwedBook::carryOut(const orders::DismissGains &order, const Finished &finis
     if (!m_journal)
         return finished({});
     m_context.operations.begin(
-        order.device, "Keep the gains of a trial",
+        order.device, say("Keep the gains of a trial"),
         [this, trial = order.trial](Device &, Progress &) { return settle(*m_journal, trial); },
         [this, order, finished](const Result<void> &result) {
             if (result)

@@ -32,21 +32,20 @@ void tellChanges(const EngineLog &log, const Device &device, const std::vector<P
         const Parameter &row = device.family().parameters[outcome.index.value];
         const auto &old = before.size() > outcome.index.value ? before[outcome.index.value].raw : std::nullopt;
         log.tell(Severity::Info, device,
-            std::string(row.key) + ": " + (old ? toText(row, *old) : "?") + " -> " + toText(row, *outcome.raw));
+            say("%1: %2 -> %3", row.key, old ? toText(row, *old) : std::string("?"), toText(row, *outcome.raw)));
     }
 }
 
 /// Of writes that all went well: what is known of them.
-std::string proofOf(const Outcomes &outcomes)
+Message proofOf(const Outcomes &outcomes)
 {
     const auto blind = std::count_if(
         outcomes.begin(), outcomes.end(), [](const TransferOutcome &outcome) { return !outcome.verified; });
-    const std::string all = std::to_string(outcomes.size());
     if (blind == 0)
-        return all + " written, read back and equal";
+        return say("%1 written, read back and equal", outcomes.size());
     if (static_cast<std::size_t>(blind) == outcomes.size())
-        return all + " written; they cannot be read back";
-    return all + " written; " + std::to_string(blind) + " of them cannot be read back";
+        return say("%1 written; they cannot be read back", outcomes.size());
+    return say("%1 written; %2 of them cannot be read back", outcomes.size(), blind);
 }
 
 } // namespace
@@ -54,7 +53,7 @@ std::string proofOf(const Outcomes &outcomes)
 void ParameterJobs::carryOut(const orders::ReadParameters &order, const Finished &finished)
 {
     m_context.operations.begin<Outcomes>(
-        order.device, "Read parameters",
+        order.device, say("Read parameters"),
         [](Device &device, Progress &progress) { return mb::readParameters(device, readable(device), progress); },
         [this, finished](Operations::Job &job, const Result<Outcomes> &outcomes) { finished(tellRead(job, outcomes)); },
         finished);
@@ -72,9 +71,9 @@ Result<void> ParameterJobs::tellRead(Operations::Job &job, const Result<Outcomes
     if (device) {
         const auto missing = readable(*device).size() - outcomes->size() + static_cast<std::size_t>(failed);
         if (missing > 0)
-            m_context.log.tell(Severity::Caution, *device, std::to_string(missing) + " parameters gave no answer");
+            m_context.log.tell(Severity::Caution, *device, say("%1 parameters gave no answer", missing));
         else
-            job.operation->log(Severity::Good, "all " + std::to_string(outcomes->size()) + " read");
+            job.operation->log(Severity::Good, say("all %1 read", outcomes->size()));
     }
     return silent == outcomes->end() ? Result<void>() : fail(silent->raw.error());
 }
@@ -82,13 +81,13 @@ Result<void> ParameterJobs::tellRead(Operations::Job &job, const Result<Outcomes
 void ParameterJobs::carryOut(const orders::StoreParameters &order, const Finished &finished)
 {
     m_context.operations.begin<bool>(
-        order.device, "Store to flash", [](Device &device, Progress &progress) { return device.store(progress); },
+        order.device, say("Store to flash"), [](Device &device, Progress &progress) { return device.store(progress); },
         [this, finished](Operations::Job &job, const Result<bool> &proved) {
             if (proved)
                 m_context.log.tell(*proved ? Severity::Good : Severity::Caution, job.device,
-                    *proved ? "stored, the flash sequence number advanced" : "stored, not verifiable");
+                    *proved ? say("stored, the flash sequence number advanced") : say("stored, not verifiable"));
             else
-                m_context.log.tell(Severity::Danger, job.device, proved.error().text());
+                m_context.log.tell(Severity::Danger, job.device, proved.error().message());
             finished(proved ? Result<void>() : fail(proved.error()));
         },
         finished);
@@ -97,11 +96,11 @@ void ParameterJobs::carryOut(const orders::StoreParameters &order, const Finishe
 void ParameterJobs::carryOut(const orders::RewriteSettings &order, const Finished &finished)
 {
     m_context.operations.begin(
-        order.device, "Write settings again",
+        order.device, say("Write settings again"),
         [this](Device &device, Progress &progress) { return rewrite(device, m_settings, progress); },
         [this, id = order.device, finished](const Result<void> &result) {
             if (result)
-                m_context.log.tell(Severity::Good, id, "the settings that the reset took are written again");
+                m_context.log.tell(Severity::Good, id, say("the settings that the reset took are written again"));
             finished(result);
         });
 }
@@ -112,7 +111,7 @@ Task<void> ParameterJobs::keepBefore(Device &device, settings::Occasion occasion
         co_return {};
     auto taking = settings::takeSnapshot(device, occasion, {}, *m_settings, progress);
     if (const auto taken = co_await std::move(taking).attempt(); !taken)
-        progress.log(Severity::Caution, "no snapshot of what was there: " + taken.error().text());
+        progress.log(Severity::Caution, say("no snapshot of what was there: %1", taken.error().message()));
     co_return {};
 }
 
@@ -149,7 +148,7 @@ void ParameterJobs::write(
     if (const Device *device = m_context.session.find(id))
         before.assign(device->parameters().entries().begin(), device->parameters().entries().end());
     m_context.operations.begin<Outcomes>(
-        id, "Write parameters",
+        id, say("Write parameters"),
         [this, changes, purpose](
             Device &device, Progress &progress) { return writeWhole(device, changes, purpose, progress); },
         [this, id, finished, before](Operations::Job &, const Result<Outcomes> &outcomes) {
@@ -173,16 +172,16 @@ Result<void> ParameterJobs::tellWritten(
     if (device && result)
         m_context.log.tell(Severity::Good, *device, proofOf(*outcomes));
     else if (device)
-        m_context.log.tell(Severity::Danger, *device, result.error().text());
+        m_context.log.tell(Severity::Danger, *device, result.error().message());
     return result;
 }
 
 void ParameterJobs::carryOut(const orders::UndoWrite &order, const Finished &finished)
 {
     if (!m_settings)
-        return finished(fail(Fault::Unsupported, "no history is kept here"));
+        return finished(fail(Fault::Unsupported, say("no history is kept here")));
     m_context.operations.begin<settings::SettingsChange>(
-        order.device, order.again ? "Do a write again" : "Undo a write",
+        order.device, order.again ? say("Do a write again") : say("Undo a write"),
         [this, again = order.again](Device &device, Progress &progress) {
             return again ? settings::redo(device, settings::Origin::Window, *m_settings, progress)
                          : settings::undo(device, settings::Origin::Window, *m_settings, progress);
@@ -191,9 +190,10 @@ void ParameterJobs::carryOut(const orders::UndoWrite &order, const Finished &fin
             m_provisional.look(job.device, false);
             if (const Device *device = m_context.session.find(job.device); device && change)
                 m_context.log.tell(Severity::Good, *device,
-                    (again ? "written again: " : "undone: ") + settings::textOf(device->family(), *change));
+                    again ? say("written again: %1", settings::textOf(device->family(), *change))
+                          : say("undone: %1", settings::textOf(device->family(), *change)));
             else if (device)
-                m_context.log.tell(Severity::Danger, *device, change.error().text());
+                m_context.log.tell(Severity::Danger, *device, change.error().message());
             finished(change ? Result<void>() : fail(change.error()));
         },
         finished);
@@ -202,19 +202,18 @@ void ParameterJobs::carryOut(const orders::UndoWrite &order, const Finished &fin
 void ParameterJobs::carryOut(const orders::TakeSnapshot &order, const Finished &finished)
 {
     if (!m_settings)
-        return finished(fail(Fault::Unsupported, "no snapshots are kept here"));
+        return finished(fail(Fault::Unsupported, say("no snapshots are kept here")));
     m_context.operations.begin<settings::ParameterSnapshot>(
-        order.device, "Take a snapshot",
+        order.device, say("Take a snapshot"),
         [this, name = order.name](Device &device, Progress &progress) {
             return settings::takeSnapshot(device, settings::Occasion::Hand, name, *m_settings, progress);
         },
         [this, finished](Operations::Job &job, const Result<settings::ParameterSnapshot> &taken) {
             if (taken)
                 m_context.log.tell(Severity::Good, job.device,
-                    "snapshot " + std::to_string(taken->number) + ", " + taken->name + ": "
-                        + std::to_string(taken->count) + " values");
+                    say("snapshot %1, %2: %3 values", taken->number, taken->name, taken->count));
             else
-                m_context.log.tell(Severity::Danger, job.device, "no snapshot: " + taken.error().text());
+                m_context.log.tell(Severity::Danger, job.device, say("no snapshot: %1", taken.error().message()));
             finished(taken ? Result<void>() : fail(taken.error()));
         },
         finished);

@@ -111,12 +111,12 @@ void ProvisionalChanges::carryOut(const orders::KeepChange &order, const Finishe
     Entry *entry = find(order.device, order.change);
     const Device *device = m_context.session.find(order.device);
     if (!entry || !device || !m_log)
-        return finished(fail(Fault::OutOfRange, "this change waits for nobody"));
+        return finished(fail(Fault::OutOfRange, say("this change waits for nobody")));
     entry->confirmation.reset(); // somebody has decided, whatever the disk does
     m_asking.spawn<void>(
         settings::keepChange(*device, order.change, *m_log), [this, order, finished](const Result<void> &kept) {
             if (!kept)
-                m_context.log.tell(Severity::Caution, order.device, kept.error().text());
+                m_context.log.tell(Severity::Caution, order.device, kept.error().message());
             if (Entry *decided = find(order.device, order.change); decided && kept)
                 m_entries.remove_if([decided](const Entry &other) { return &other == decided; });
             finished(kept);
@@ -127,14 +127,15 @@ void ProvisionalChanges::carryOut(const orders::PutBackChange &order, const Fini
 {
     const Entry *entry = find(order.device, order.change);
     if (!entry || !m_log)
-        return finished(fail(Fault::OutOfRange, "this change waits for nobody"));
+        return finished(fail(Fault::OutOfRange, say("this change waits for nobody")));
     m_context.operations.begin(
-        order.device, "Put values back",
+        order.device, say("Put values back"),
         [log = m_log, wanted = entry->change](
             Device &device, Progress &progress) { return settings::putBack(device, wanted, *log, progress); },
         [this, id = order.device, finished](const Result<void> &result) {
             m_context.log.tell(result ? Severity::Good : Severity::Danger, id,
-                result ? "the values are put back" : "the values are not put back: " + result.error().text());
+                result ? say("the values are put back")
+                       : say("the values are not put back: %1", result.error().message()));
             look(id, false);
             finished(result);
         });

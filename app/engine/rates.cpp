@@ -31,11 +31,11 @@ void Rates::set(const Place &place, double hertz, const Finished &finished)
         return;
     }
     m_context.operations.begin<void>(
-        place.first, "Set telemetry rate",
+        place.first, say("Set telemetry rate"),
         [channel = place.second, hertz](Device &device, Progress &) { return device.setRate(channel, hertz); },
         [this, id = place.first, finished](Operations::Job &, const Result<void> &result) {
             if (!result && result.error().fault != Fault::Unsupported) // then it stays as it is
-                m_context.log.tell(Severity::Caution, id, "Set telemetry rate: " + result.error().text());
+                m_context.log.tell(Severity::Caution, id, say("Set telemetry rate: %1", result.error().message()));
             finished(result);
         },
         finished);

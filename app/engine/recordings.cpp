@@ -122,12 +122,13 @@ Result<void> Recordings::mayRecord(const std::string &link) const
 {
     const Link *const open = linkUnder(link);
     if (!open)
-        return fail(Fault::LinkLost, "the link is not open");
+        return fail(Fault::LinkLost, say("the link is not open"));
     if (open->kind() != LinkKind::Can)
-        return fail(Fault::Unsupported, open->address().shortName() + " is no CAN link", "only those are recorded");
+        return fail(
+            Fault::Unsupported, say("%1 is no CAN link", open->address().shortName()), "only those are recorded");
     const auto kept = m_kept.find(open);
     if (kept != m_kept.end() && kept->second.recorder && !kept->second.recorder->state().finished)
-        return fail(Fault::Unsafe, open->address().shortName() + " is being recorded already");
+        return fail(Fault::Unsafe, say("%1 is being recorded already", open->address().shortName()));
     return {};
 }
 
@@ -140,7 +141,7 @@ Task<std::unique_ptr<BackgroundFile>> Recordings::makeFile(std::string path)
         WhenLate::Drop);
     auto made = co_await std::move(making).attempt();
     if (!made && made.error().fault == Fault::Timeout)
-        co_return fail(Fault::LinkLost, "the disk has not made " + path + " within 10 s", "name another folder");
+        co_return fail(Fault::LinkLost, say("the disk has not made %1 within 10 s", path), say("name another folder"));
     co_return std::move(made);
 }
 
@@ -151,15 +152,14 @@ void Recordings::recorderChanged(Link &link)
     if (std::exchange(kept.toldOfEnd, true))
         return;
     const std::string name = link.address().shortName();
-    const std::string frames = std::to_string(state.frames) + " frames";
     if (!state.problem.empty()) {
         kept.recorder->stop();
-        m_context.log.tell(Severity::Danger, name, "the recording has ended: " + state.problem);
+        m_context.log.tell(Severity::Danger, name, say("the recording has ended: %1", state.problem));
     } else if (state.lost > 0)
         m_context.log.tell(
-            Severity::Caution, name, frames + " recorded, " + std::to_string(state.lost) + " are missing");
+            Severity::Caution, name, say("%1 frames recorded, %2 are missing", state.frames, state.lost));
     else
-        m_context.log.tell(Severity::Good, name, frames + " recorded, none is missing");
+        m_context.log.tell(Severity::Good, name, say("%1 frames recorded, none is missing", state.frames));
 }
 
 void Recordings::carryOut(const orders::StopRecording &order, const Finished &finished)
@@ -175,12 +175,12 @@ void Recordings::carryOut(const orders::SteerReplay &order, const Finished &fini
     Link *const open = linkUnder(order.link);
     ReplayLink *const replay = open ? Session::replayOf(*open) : nullptr;
     if (!open)
-        return finished(fail(Fault::LinkLost, "the link is not open"));
+        return finished(fail(Fault::LinkLost, say("the link is not open")));
     if (!replay)
-        return finished(fail(Fault::Unsupported, open->address().shortName() + " is no recording"));
+        return finished(fail(Fault::Unsupported, say("%1 is no recording", open->address().shortName())));
     const Result<void> done = steer(*open, *replay, order.order);
     if (!done)
-        m_context.log.tell(Severity::Danger, open->address().shortName(), done.error().text());
+        m_context.log.tell(Severity::Danger, open->address().shortName(), done.error().message());
     finished(done);
 }
 

@@ -12,13 +12,13 @@ void RollCall::look()
         Presence &presence = entry->second;
         presence.name = m_context.log.labelOf(*device);
         if (isNew)
-            m_context.log.tell(Severity::Info, presence.name, "found on " + device->link().address().shortName());
+            m_context.log.tell(Severity::Info, presence.name, say("found on %1", device->link().address().shortName()));
         hear(*device, presence);
     }
     for (auto entry = m_present.begin(); entry != m_present.end();) {
         const bool gone = !m_context.session.find(entry->first);
         if (gone)
-            m_context.log.tell(Severity::Caution, entry->second.name, "is gone");
+            m_context.log.tell(Severity::Caution, entry->second.name, say("is gone"));
         entry = gone ? m_present.erase(entry) : std::next(entry);
     }
 }
@@ -27,11 +27,11 @@ void RollCall::hear(const Device &device, Presence &presence)
 {
     if (device.liveness().heard) {
         if (presence.lost)
-            m_context.log.tell(Severity::Good, presence.name, "answers again");
+            m_context.log.tell(Severity::Good, presence.name, say("answers again"));
         presence.heard = true;
         presence.lost = false;
     } else if (presence.heard && device.busy().empty() && !m_context.operations.has(m_context.session.idOf(device))) {
-        m_context.log.tell(Severity::Caution, presence.name, "does not answer any more");
+        m_context.log.tell(Severity::Caution, presence.name, say("does not answer any more"));
         m_trials.forgetDirection(device);
         presence.heard = false;
         presence.lost = true;
@@ -45,12 +45,12 @@ void RollCall::refreshRestarted()
         if (!device->liveness().restarted || !device->liveness().heard || m_context.operations.has(id)
             || device->link().address().isRecording())
             continue;
-        m_context.log.tell(
-            Severity::Caution, *device, "the unit restarted: what is volatile was lost, its parameters are read again");
+        m_context.log.tell(Severity::Caution, *device,
+            say("the unit restarted: what is volatile was lost, its parameters are read again"));
         device->parameters().forgetAll();
         m_encounters.forget(id);
         m_context.operations.begin(
-            id, "Look at the restarted unit", [](Device &unit, Progress &) { return unit.refresh(); },
+            id, say("Look at the restarted unit"), [](Device &unit, Progress &) { return unit.refresh(); },
             [this, id](const Result<void> &result) {
                 if (result)
                     m_parameters.carryOut(orders::ReadParameters{id}, [](const Result<void> &) {});

@@ -39,7 +39,7 @@ void Scans::scan(Link &link, ScanExtent extent)
     m_last = m_context.clock.now();
     ScanOptions options;
     options.extent = extent;
-    options.progress = [&round](const std::string &step, int done, int total) {
+    options.progress = [&round](const Message &step, int done, int total) {
         round.step = step;
         round.done = done;
         round.total = total;
@@ -54,7 +54,7 @@ void Scans::ended(Link &link, const Result<std::vector<Device *>> &devices)
     end(m_rounds[&link]);
     m_last = m_context.clock.now();
     if (!devices)
-        m_context.log.tell(Severity::Caution, link.address().shortName(), devices.error().text());
+        m_context.log.tell(Severity::Caution, link.address().shortName(), devices.error().message());
     probeSilent(link);
     m_recordings.playWhenKnown(link);
 }
@@ -65,7 +65,7 @@ void Scans::end(Round &round)
     if (round.task)
         round.task->clear();
     round.running = false;
-    round.step.clear();
+    round.step = {};
     round.done = 0;
     round.total = 0;
 }
@@ -133,7 +133,7 @@ void Scans::carryOut(const orders::ScanEverything &order, const Finished &finish
 {
     Link *const link = linkUnder(order.link);
     if (!link)
-        return finished(fail(Fault::LinkLost, "the link is not open"));
+        return finished(fail(Fault::LinkLost, say("the link is not open")));
     end(m_rounds[link]);
     scan(*link, ScanExtent::Everything);
     finished({});
@@ -144,7 +144,7 @@ void Scans::carryOut(const orders::CancelScan &order, const Finished &finished)
     if (Link *link = linkUnder(order.link); link && m_rounds[link].running) {
         end(m_rounds[link]);
         m_context.log.tell(
-            Severity::Info, link->address().shortName(), "the search was cancelled; what it found stays");
+            Severity::Info, link->address().shortName(), say("the search was cancelled; what it found stays"));
     }
     finished({});
 }

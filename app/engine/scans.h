@@ -31,7 +31,7 @@ public:
 private:
     struct Round {
         bool running = false;
-        std::string step;
+        Message step;
         int done = 0;
         int total = 0;
         std::unique_ptr<Scope> task; ///< last: uses everything above

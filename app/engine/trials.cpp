@@ -45,9 +45,9 @@ Task<void> runOf(
     co_return {};
 }
 
-std::string nameOf(const Trial &trial)
+Message nameOf(const Trial &trial)
 {
-    return trial.number ? "trial #" + std::to_string(*trial.number) : std::string("a trial that is not kept");
+    return trial.number ? say("trial #%1", *trial.number) : say("a trial that is not kept");
 }
 
 } // namespace
@@ -56,17 +56,17 @@ void Trials::carryOut(const orders::RunExperiment &order, const Finished &finish
 {
     Device *device = m_context.session.find(order.device);
     if (!device)
-        return finished(fail(Fault::Timeout, "the device is gone"));
+        return finished(fail(Fault::Timeout, say("the device is gone")));
     const std::span<const Experiment> known = device->family().experiments;
     const auto found = std::find_if(
         known.begin(), known.end(), [&order](const Experiment &candidate) { return candidate.key == order.key; });
     if (found == known.end())
-        return finished(fail(Fault::Unsupported, "this device has no experiment '" + order.key + "'"));
+        return finished(fail(Fault::Unsupported, say("this device has no experiment '%1'", order.key)));
     SetPointStream &stream = m_context.session.stream(*device);
     if (stream.isRunning())
-        return finished(fail(Fault::Unsafe, "stop the motor before an experiment begins"));
+        return finished(fail(Fault::Unsafe, say("stop the motor before an experiment begins")));
     Operations::Job *const job = m_context.operations.begin(
-        order.device, found->title.data(),
+        order.device, Message::label(found->title),
         [&stream, &experiment = *found, options = order.options](
             Device &unit, Progress &progress) { return runOf(unit, stream, experiment, options, progress); },
         finished);
@@ -79,7 +79,7 @@ template <class T> void Trials::run(DeviceId id, const Story<T> &story, const st
 {
     const Finished refused = [finished](const Result<void> &result) { finished(fail(result.error())); };
     if (Device *device = m_context.session.find(id); device && m_context.session.stream(*device).isRunning())
-        return refused(fail(Fault::Unsafe, "stop the motor before an experiment begins"));
+        return refused(fail(Fault::Unsafe, say("stop the motor before an experiment begins")));
     const auto interruption = std::make_shared<tuning::Interruption>();
     Operations::Job *const job = m_context.operations.begin<T>(
         id, story.title,
@@ -87,10 +87,10 @@ template <class T> void Trials::run(DeviceId id, const Story<T> &story, const st
             return keeping(
                 interruption, run(device, m_context.session.stream(device), surroundings(progress, *interruption)));
         },
-        [this, judge = story.judge, finished](Operations::Job &done, Result<T> result) {
+        [this, notableOf = story.notableOf, finished](Operations::Job &done, Result<T> result) {
             ended(done);
-            const Verdict told
-                = result ? judge(*result) : Verdict{Severity::Danger, "no experiment: " + result.error().text()};
+            const Verdict told = result ? notableOf(*result)
+                                        : Verdict{Severity::Danger, say("no experiment: %1", result.error().message())};
             m_context.log.tell(told.severity, done.device, told.text);
             finished(std::move(result));
         },
@@ -102,16 +102,16 @@ template <class T> void Trials::run(DeviceId id, const Story<T> &story, const st
 void Trials::carryOut(const orders::RunTrial &order, const std::function<void(Result<Trial>)> &finished)
 {
     Story<Trial> story;
-    story.title = "Experiment";
+    story.title = say("Experiment");
     story.run = [plan = order.plan, measured = order.measured](
                     Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
         around.measured = measured;
         return tuning::runExperiment(device, stream, plan, std::move(around));
     };
-    story.judge = [](const Trial &trial) {
+    story.notableOf = [](const Trial &trial) {
         return trial.reason == "done"
-            ? Verdict{Severity::Good, nameOf(trial) + " is done"}
-            : Verdict{Severity::Danger, nameOf(trial) + " was stopped: " + trial.reason + ", " + trial.detail};
+            ? Verdict{Severity::Good, say("%1 is done", nameOf(trial))}
+            : Verdict{Severity::Danger, say("%1 was stopped: %2, %3", nameOf(trial), trial.reason, trial.detail)};
     };
     run(order.device, story, finished);
 }
@@ -120,15 +120,15 @@ void Trials::carryOut(const orders::RunTuning &order, const std::function<void(R
 {
     using tuning::TuneResult;
     Story<tuning::TuneReport> story;
-    story.title = "Autotune";
+    story.title = say("Autotune");
     story.run = [this, plan = order.plan](
                     Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
         return tuneKept(device, plan, m_parameters.log(), tuning::autotune(device, stream, plan, std::move(around)));
     };
-    story.judge = [](const tuning::TuneReport &report) {
+    story.notableOf = [](const tuning::TuneReport &report) {
         const bool good = report.result == TuneResult::Kept || report.result == TuneResult::Proposed;
         return Verdict{good ? Severity::Good : Severity::Danger,
-            "tuning " + std::string(toString(report.result)) + ": " + report.evidence};
+            say("tuning %1: %2", Message::label(toString(report.result)), report.evidence)};
     };
     run(order.device, story, finished);
 }
@@ -137,14 +137,14 @@ void Trials::carryOut(
     const orders::RunSweep &order, const std::function<void(Result<tuning::FrequencyResponse>)> &finished)
 {
     Story<tuning::FrequencyResponse> story;
-    story.title = "Frequency response";
+    story.title = say("Frequency response");
     story.run = [plan = order.plan, plant = order.plant](
                     Device &device, SetPointStream &stream, tuning::ExperimentSurroundings around) {
         return tuning::measureFrequencyResponse(device, stream, plan, plant, std::move(around));
     };
-    story.judge = [](const tuning::FrequencyResponse &response) {
+    story.notableOf = [](const tuning::FrequencyResponse &response) {
         return Verdict{response.stopReason.empty() ? Severity::Good : Severity::Danger,
-            "frequency response: " + response.evidence};
+            say("frequency response: %1", response.evidence)};
     };
     run(order.device, story, finished);
 }
@@ -155,7 +155,7 @@ tuning::ExperimentSurroundings Trials::surroundings(Progress &progress, tuning::
     around.journal = m_journal;
     around.directions = &m_directions;
     around.interruption = &interruption;
-    around.note = [&progress](const std::string &text) { progress.log(Severity::Caution, text); };
+    around.note = [&progress](const Message &text) { progress.log(Severity::Caution, text); };
     return around;
 }
 

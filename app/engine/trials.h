@@ -34,12 +34,12 @@ private:
     /// What is told of an experiment that has ended.
     struct Verdict {
         Severity severity;
-        std::string text;
+        Message text;
     };
     template <class T> struct Story {
-        const char *title;
+        Message title;
         std::function<Task<T>(Device &, SetPointStream &, tuning::ExperimentSurroundings)> run;
-        std::function<Verdict(const T &)> judge;
+        std::function<Verdict(const T &)> notableOf;
     };
     template <class T> void run(DeviceId device, const Story<T> &story, const std::function<void(Result<T>)> &finished);
     [[nodiscard]] tuning::ExperimentSurroundings surroundings(Progress &progress, tuning::Interruption &interruption);

@@ -124,7 +124,7 @@ Task<void> keepChange(const Device &device, std::int64_t number, SettingsLog &lo
 Task<void> putBack(Device &device, SettingsChange change, SettingsLog &log, Progress &progress)
 {
     if (!isSeenStill(device))
-        co_return fail(Fault::Unsafe, "the motor is not seen to stand", "stop it, then put the values back");
+        co_return fail(Fault::Unsafe, say("the motor is not seen to stand"), say("stop it, then put the values back"));
     std::vector<ParameterChange> writes;
     for (const ValueChange &value : toConfirm(device.family(), change.values))
         writes.push_back({*findParameter(device.family().parameters, value.key), *value.before});

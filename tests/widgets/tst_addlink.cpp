@@ -26,12 +26,12 @@ QString s(const char *text)
 
 std::vector<LinkListing> listings()
 {
-    const Diagnosis down{Ailment::Down, "can0 is switched off", "bring it up", "sudo ip link set can0 up"};
-    return {{{"socketcan", "can0", {}}, LinkKind::Can, "down", down.text(), false, down, false},
-        {{"socketcan", "can1", {}}, LinkKind::Can, "up", "gs_usb, 1 Mbit/s", true, {}, false},
+    const Diagnosis down{Ailment::Down, say("can0 is switched off"), say("bring it up"), "sudo ip link set can0 up"};
+    return {{{"socketcan", "can0", {}}, LinkKind::Can, "down", down.message(), false, down, false},
+        {{"socketcan", "can1", {}}, LinkKind::Can, "up", Message::verbatim("gs_usb, 1 Mbit/s"), true, {}, false},
         {{"serial", "/dev/ttyUSB0", {}}, LinkKind::Serial, "available",
-            "FTDI FT232R USB UART, serial number A50285BI, 0403:6001", true, {}, false},
-        {{"spidev", "/dev/spidev0.0", {}}, LinkKind::Spi, "available", "", true, {}, false}};
+            Message::verbatim("FTDI FT232R USB UART, serial number A50285BI, 0403:6001"), true, {}, false},
+        {{"spidev", "/dev/spidev0.0", {}}, LinkKind::Spi, "available", {}, true, {}, false}};
 }
 
 struct DialogBench {

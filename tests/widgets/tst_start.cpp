@@ -166,7 +166,7 @@ void StartTest::anInterruptedStepIsNone()
     bench.arming.arm(bench.seven().id);
     KeptTrial cut = stepOf(bench.seven(), 1, 0.0);
     cut.trial.reason = "interrupted";
-    cut.trial.detail = heldAt;
+    cut.trial.detail = Message::verbatim(heldAt);
     bench.workbench.book.kept = {cut};
     bench.workbench.shot.operations = {ended(1, bench.seven().id)};
     bench.settle();
@@ -296,8 +296,9 @@ void StartTest::nothingIsCutAtTwiceTheFont()
     QApplication::setFont(font);
     {
         FakeWorkbench bench;
-        const Diagnosis down{Ailment::Down, "can0 is switched off", "bring it up", "sudo ip link set can0 up"};
-        bench.links = {{{"socketcan", "can0", {}}, LinkKind::Can, "down", down.text(), false, down, false}};
+        const Diagnosis down{
+            Ailment::Down, say("can0 is switched off"), say("bring it up"), "sudo ip link set can0 up"};
+        bench.links = {{{"socketcan", "can0", {}}, LinkKind::Can, "down", down.message(), false, down, false}};
         ThemeSource theme{lightTheme(points)};
         applyTheme(*qApp, theme.theme());
         QScrollArea scroll;

@@ -154,7 +154,8 @@ void AddLinkDialog::choose(const QTreeWidgetItem *)
 void AddLinkDialog::compose()
 {
     const LinkChoice *choice = current();
-    auto address = choice ? LinkAddress::parse(choice->address) : Result<LinkAddress>{fail(Fault::OutOfRange, "")};
+    auto address
+        = choice ? LinkAddress::parse(choice->address) : Result<LinkAddress>{fail(Fault::OutOfRange, Message())};
     if (address)
         address->options = m_options->options();
     m_address->setText(address ? qt(address->text()) : QString());

@@ -46,9 +46,9 @@ LinkChoice choiceOf(const LinkListing &listing)
     choice.address = listing.link.path.empty() ? std::string() : listing.link.text();
     const QString path = qt(listing.link.shortName());
     const bool told = listing.openable && choice.kind == LinkChoice::Kind::Serial && !listing.detail.empty();
-    choice.name = told ? LinkChoices::tr("%1 · %2").arg(path, qt(listing.detail)) : path;
+    choice.name = told ? LinkChoices::tr("%1 · %2").arg(path, messageText(listing.detail)) : path;
     choice.state = stateWord(listing.state);
-    choice.words = tableText(listing.detail);
+    choice.words = messageText(listing.detail);
     choice.command = qt(listing.diagnosis.command);
     choice.openable = listing.openable;
     return choice;
