@@ -11893,5 +11893,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>wrong checksum</source>
         <translation>falsche Prüfsumme</translation>
     </message>
+    <message>
+        <source>the order was dropped: what it was for has ended</source>
+        <translation>der Auftrag wurde verworfen: Was er betraf, ist beendet</translation>
+    </message>
 </context>
 </TS>

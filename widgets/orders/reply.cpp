@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/orders/reply.h"
 
+#include <QtGlobal>
+
 #include <utility>
 
 namespace mb {
@@ -12,7 +14,10 @@ struct Reply::Owed {
     }
     Owed(const Owed &) = delete;
     Owed &operator=(const Owed &) = delete;
-    ~Owed() { give(fail(Fault::Cancelled, "the order was dropped: what it was for has ended")); }
+    ~Owed()
+    {
+        give(fail(Fault::Cancelled, QT_TRANSLATE_NOOP("table", "the order was dropped: what it was for has ended")));
+    }
 
     void give(Result<Answer> answer)
     {
