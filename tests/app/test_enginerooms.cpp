@@ -3,6 +3,7 @@
 #include "app/engine/devicejobs.h"
 #include "app/engine/rates.h"
 #include "app/engine/scans.h"
+#include "app/engine/snapshotpublisher.h"
 #include "async/virtualclock.h"
 #include "model/registry.h"
 
@@ -140,6 +141,47 @@ TEST_F(EngineRooms, AScanIsShownWhileItRunsAndEndsWhenItIsCancelled)
     EXPECT_EQ(answers[2].error().fault, Fault::LinkLost);
     EXPECT_NE(
         std::find(lines.begin(), lines.end(), "sim:can: the search was cancelled; what it found stays"), lines.end());
+}
+
+TEST_F(EngineRooms, AnOperationIsPublishedAgainOnlyWhenItHasChanged)
+{
+    Links links(context, motion, recordings, scans, false);
+    SnapshotPublisher publisher(context, links);
+    std::vector<Result<void>> answers;
+    Progress *progress = nullptr;
+    operations.begin(
+        id(5), "First",
+        [&progress](Device &unit, Progress &seen) {
+            progress = &seen;
+            return unit.identify();
+        },
+        into(answers));
+    operations.begin(
+        id(7), "Second", [](Device &unit, Progress &) { return unit.identify(); }, into(answers));
+    Snapshot shown = merged({}, publisher.changes());
+    ASSERT_EQ(shown.operations.size(), 2U);
+    const SnapshotChanges none = publisher.changes();
+    EXPECT_TRUE(none.snapshot.operations.empty());
+    EXPECT_EQ(none.operations.size(), 2U);
+    shown = merged(std::move(shown), none);
+    EXPECT_EQ(shown.operations.size(), 2U) << "what has not changed is still shown";
+    progress->log(Severity::Info, "one line");
+    SnapshotChanges one = publisher.changes();
+    ASSERT_EQ(one.snapshot.operations.size(), 1U);
+    shown = merged(std::move(shown), std::move(one));
+    const Snapshot whole = publisher.take();
+    ASSERT_EQ(shown.operations.size(), whole.operations.size());
+    for (std::size_t i = 0; i < whole.operations.size(); ++i) {
+        EXPECT_EQ(shown.operations[i].id, whole.operations[i].id) << "oldest first";
+        EXPECT_EQ(shown.operations[i].status.log.size(), whole.operations[i].status.log.size());
+        EXPECT_EQ(shown.operations[i].status.title, whole.operations[i].status.title);
+    }
+    ASSERT_TRUE(clock.runUntil([&] { return answers.size() == 2; }, 20s));
+    shown = merged(std::move(shown), publisher.changes());
+    for (const OperationView &view : shown.operations)
+        EXPECT_EQ(view.status.state, OperationStatus::State::Done);
+    operations.forget(*link);
+    EXPECT_TRUE(merged(std::move(shown), publisher.changes()).operations.empty());
 }
 
 TEST_F(EngineRooms, AStopReachesEveryMotorAndEndsWhatMoves)
