@@ -88,7 +88,7 @@ struct Engine::Room {
         tick.startIn(snapshotPeriod, [this] { publish(); });
         if (engine.m_snapshotUnderWay.exchange(true))
             return;
-        auto picture = std::make_shared<Picture>(Picture{core.snapshot(), core.links().listings(), core.owedGains()});
+        auto picture = std::make_shared<Picture>(Picture{core.changes(), core.links().listings(), core.owedGains()});
         engine.m_toWindow.post([to = &engine, picture] { to->takePicture(std::move(*picture)); });
     }
 
@@ -194,7 +194,7 @@ void Engine::deliver(Order order, Reply::Finished finished)
 
 void Engine::takePicture(Picture picture)
 {
-    m_snapshot = std::move(picture.snapshot);
+    m_snapshot = merged(std::move(m_snapshot), std::move(picture.changes));
     m_listings = std::move(picture.listings);
     m_owedGains = std::move(picture.owedGains);
     m_snapshotUnderWay = false;

@@ -49,7 +49,7 @@ private:
     void deliver(Order order, Reply::Finished finished) override;
     /// What the window knows of the engine, taken at one moment.
     struct Picture {
-        Snapshot snapshot;
+        SnapshotChanges changes;
         std::vector<LinkListing> listings;
         std::map<DeviceId, std::vector<tuning::OwedGains>> owedGains;
     };

@@ -15097,5 +15097,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>a temporary file for %1 cannot be written: %2</source>
         <translation>eine temporäre Datei für %1 lässt sich nicht schreiben: %2</translation>
     </message>
+    <message>
+        <source>the order was dropped: what it was for has ended</source>
+        <translation>der Auftrag wurde verworfen: Was er betraf, ist beendet</translation>
+    </message>
 </context>
 </TS>

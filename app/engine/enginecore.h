@@ -34,6 +34,8 @@ public:
 
     [[nodiscard]] Session &session() { return m_session; }
     [[nodiscard]] Snapshot snapshot() const { return m_publisher.take(); }
+    /// For the one who shows them (SnapshotPublisher).
+    [[nodiscard]] SnapshotChanges changes() { return m_publisher.changes(); }
     /// Lines for the log: severity, device, English text.
     [[nodiscard]] Listeners<Severity, const std::string &, const Message &> &noticed() { return m_log.noticed(); }
     /// What goes back unless somebody keeps it.

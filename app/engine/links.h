@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/awaitedports.h"
+#include "app/engine/awaitedports.h"
 #include "app/engine/scans.h"
 #include "transport/linkcatalog.h"
 

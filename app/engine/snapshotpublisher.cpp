@@ -12,9 +12,14 @@ bool inOrder(const DeviceView &a, const DeviceView &b)
         && (a.family == b.family ? a.identity.address < b.identity.address : a.family->key < b.family->key);
 }
 
+OperationView showing(const Operations::Job &job)
+{
+    return {job.id, job.device, job.operation->status(), job.update};
+}
+
 } // namespace
 
-Snapshot SnapshotPublisher::take() const
+Snapshot SnapshotPublisher::withoutOperations() const
 {
     Session &session = m_context.session;
     Snapshot shot;
@@ -28,11 +33,52 @@ Snapshot SnapshotPublisher::take() const
     }
     shot.unconfirmed = m_provisional.views();
     std::stable_sort(shot.devices.begin(), shot.devices.end(), inOrder);
-    for (const Operations::Job &job : m_context.operations.jobs())
-        shot.operations.push_back({job.id, job.device, job.operation->status(), job.update});
     for (const OwedStop &owed : session.owedStops())
         shot.owedStops.push_back(owed.device);
     return shot;
+}
+
+Snapshot SnapshotPublisher::take() const
+{
+    Snapshot shot = withoutOperations();
+    for (const Operations::Job &job : m_context.operations.jobs())
+        shot.operations.push_back(showing(job));
+    return shot;
+}
+
+SnapshotChanges SnapshotPublisher::changes()
+{
+    SnapshotChanges changes{withoutOperations(), {}};
+    std::map<OperationId, std::uint64_t> shown;
+    for (const Operations::Job &job : m_context.operations.jobs()) {
+        const std::uint64_t revision = job.operation->revision();
+        const auto before = m_shown.find(job.id);
+        if (before == m_shown.end() || before->second != revision)
+            changes.snapshot.operations.push_back(showing(job));
+        changes.operations.push_back(job.id);
+        shown[job.id] = revision;
+    }
+    m_shown = std::move(shown);
+    return changes;
+}
+
+Snapshot merged(Snapshot before, SnapshotChanges changes)
+{
+    std::vector<OperationView> operations;
+    const auto takeFrom = [&operations](std::vector<OperationView> &views, OperationId id) {
+        const auto found
+            = std::find_if(views.begin(), views.end(), [id](const OperationView &view) { return view.id == id; });
+        if (found == views.end())
+            return false;
+        operations.push_back(std::move(*found));
+        return true;
+    };
+    for (const OperationId id : changes.operations) {
+        if (!takeFrom(changes.snapshot.operations, id))
+            takeFrom(before.operations, id);
+    }
+    changes.snapshot.operations = std::move(operations);
+    return std::move(changes.snapshot);
 }
 
 } // namespace mb

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/orders/reply.h"
 
+#include <QtGlobal>
+
 #include <utility>
 
 namespace mb {

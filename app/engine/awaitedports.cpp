@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/awaitedports.h"
+#include "app/engine/awaitedports.h"
 
 #include <filesystem>
 

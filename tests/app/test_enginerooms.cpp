@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Rooms of the engine by themselves, without EngineCore: each needs a session, a log and the operations.
+#include "app/engine/devicejobs.h"
+#include "app/engine/rates.h"
+#include "app/engine/scans.h"
+#include "app/engine/snapshotpublisher.h"
+#include "async/virtualclock.h"
+#include "model/registry.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+class EngineRooms : public testing::Test {
+protected:
+    EngineRooms()
+    {
+        link = session.openLink(*LinkAddress::parse("sim:can")).value();
+        recordings.follow(*link);
+        scans.scan(*link);
+        (void)clock.runUntil([this] { return !isScanning(); }, 10s);
+    }
+    [[nodiscard]] bool isScanning() const
+    {
+        LinkView view;
+        scans.describe(*link, view);
+        return view.scanning;
+    }
+    [[nodiscard]] Device &device(int address) const
+    {
+        const auto all = session.devices();
+        return **std::find_if(
+            all.begin(), all.end(), [address](const Device *one) { return one->identity().address == address; });
+    }
+    [[nodiscard]] DeviceId id(int address) const { return session.idOf(device(address)); }
+    [[nodiscard]] ChannelIndex velocity() const { return *device(5).telemetry()->find("velocity"); }
+    [[nodiscard]] Finished into(std::vector<Result<void>> &answers) const
+    {
+        return [&answers](Result<void> result) { answers.push_back(std::move(result)); };
+    }
+
+    VirtualClock clock;
+    Session session{clock, families()};
+    EngineLog log{session};
+    std::vector<std::string> lines;
+    Subscription noticed = log.noticed().add(
+        [this](Severity, const std::string &who, const std::string &text) { lines.push_back(who + ": " + text); });
+    Operations operations{clock, session, log};
+    EngineContext context{clock, session, log, operations};
+    Motion motion{context, nullptr};
+    Recordings recordings{context, motion};
+    Scans scans{context, recordings};
+    Link *link = nullptr;
+};
+
+TEST_F(EngineRooms, ARateForADeviceThatIsBusyIsSetOnceItIsFreeAndAnsweredThen)
+{
+    Rates rates(context);
+    DeviceJobs jobs(context);
+    std::vector<Result<void>> blinked;
+    std::vector<Result<void>> first;
+    std::vector<Result<void>> second;
+    jobs.carryOut(orders::Identify{id(5)}, into(blinked));
+    ASSERT_TRUE(operations.has(id(5)));
+    rates.carryOut(orders::SetRate{id(5), velocity(), 50.0}, into(first));
+    rates.carryOut(orders::SetRate{id(5), velocity(), 100.0}, into(second));
+    clock.advance(1ms);
+    EXPECT_TRUE(first.empty() && second.empty());
+    ASSERT_TRUE(clock.runUntil([&] { return !first.empty() && !second.empty(); }, 20s));
+    EXPECT_EQ(blinked.size(), 1U);
+    EXPECT_TRUE(first.front() && second.front());
+    clock.advance(3s);
+    EXPECT_NEAR(device(5).telemetry()->rate(velocity()), 100.0, 10.0) << "what was asked for last";
+    EXPECT_EQ(first.size() + second.size(), 2U);
+}
+
+TEST_F(EngineRooms, ARestoredRateIsWhatWasAskedForBefore)
+{
+    Rates rates(context);
+    std::vector<Result<void>> answers;
+    rates.carryOut(orders::SetRate{id(5), velocity(), 100.0}, into(answers));
+    ASSERT_TRUE(clock.runUntil([&] { return !operations.has(id(5)); }, 20s));
+    operations.begin(
+        id(5), "An experiment", [this](Device &unit, Progress &) { return unit.setRate(velocity(), 10.0); },
+        into(answers));
+    ASSERT_TRUE(clock.runUntil([&] { return answers.size() == 2; }, 20s));
+    rates.restore(id(5));
+    ASSERT_TRUE(operations.has(id(5)));
+    clock.advance(5s);
+    EXPECT_NEAR(device(5).telemetry()->rate(velocity()), 100.0, 10.0);
+}
+
+TEST_F(EngineRooms, ADeviceHasOneJobAtATimeAndWhoIsRefusedIsTold)
+{
+    DeviceJobs jobs(context);
+    std::vector<Result<void>> first;
+    std::vector<Result<void>> refused;
+    std::vector<Result<void>> elsewhere;
+    jobs.carryOut(orders::Identify{id(5)}, into(first));
+    jobs.carryOut(orders::Rename{id(5), "intake"}, into(refused));
+    jobs.carryOut(orders::Identify{id(7)}, into(elsewhere));
+    ASSERT_EQ(refused.size(), 1U);
+    EXPECT_EQ(refused.front().error().fault, Fault::Unsafe);
+    ASSERT_TRUE(clock.runUntil([&] { return !first.empty() && !elsewhere.empty(); }, 20s));
+    EXPECT_TRUE(first.front() && elsewhere.front());
+    EXPECT_EQ(operations.jobs().size(), 2U);
+}
+
+TEST_F(EngineRooms, WhatBeganByItselfMakesWayForAnOrder)
+{
+    DeviceJobs jobs(context);
+    std::vector<Result<void>> byItself;
+    std::vector<Result<void>> ordered;
+    auto *job = operations.begin(
+        id(5), "Look", [](Device &unit, Progress &) { return unit.identify(); }, into(byItself));
+    ASSERT_TRUE(job);
+    job->yields = true;
+    jobs.carryOut(orders::Identify{id(5)}, into(ordered));
+    ASSERT_EQ(byItself.size(), 1U);
+    EXPECT_EQ(byItself.front().error().fault, Fault::Cancelled);
+    ASSERT_TRUE(clock.runUntil([&] { return !ordered.empty(); }, 20s));
+    EXPECT_TRUE(ordered.front());
+}
+
+TEST_F(EngineRooms, AScanIsShownWhileItRunsAndEndsWhenItIsCancelled)
+{
+    std::vector<Result<void>> answers;
+    EXPECT_FALSE(isScanning());
+    scans.carryOut(orders::ScanEverything{"sim:can"}, into(answers));
+    EXPECT_TRUE(isScanning());
+    scans.carryOut(orders::CancelScan{"sim:can"}, into(answers));
+    EXPECT_FALSE(isScanning());
+    scans.carryOut(orders::ScanEverything{"sim:spi"}, into(answers));
+    ASSERT_EQ(answers.size(), 3U);
+    EXPECT_TRUE(answers[0] && answers[1]);
+    EXPECT_EQ(answers[2].error().fault, Fault::LinkLost);
+    EXPECT_NE(
+        std::find(lines.begin(), lines.end(), "sim:can: the search was cancelled; what it found stays"), lines.end());
+}
+
+TEST_F(EngineRooms, AnOperationIsPublishedAgainOnlyWhenItHasChanged)
+{
+    Links links(context, motion, recordings, scans, false);
+    SnapshotPublisher publisher(context, links);
+    std::vector<Result<void>> answers;
+    Progress *progress = nullptr;
+    operations.begin(
+        id(5), "First",
+        [&progress](Device &unit, Progress &seen) {
+            progress = &seen;
+            return unit.identify();
+        },
+        into(answers));
+    operations.begin(
+        id(7), "Second", [](Device &unit, Progress &) { return unit.identify(); }, into(answers));
+    Snapshot shown = merged({}, publisher.changes());
+    ASSERT_EQ(shown.operations.size(), 2U);
+    const SnapshotChanges none = publisher.changes();
+    EXPECT_TRUE(none.snapshot.operations.empty());
+    EXPECT_EQ(none.operations.size(), 2U);
+    shown = merged(std::move(shown), none);
+    EXPECT_EQ(shown.operations.size(), 2U) << "what has not changed is still shown";
+    progress->log(Severity::Info, "one line");
+    SnapshotChanges one = publisher.changes();
+    ASSERT_EQ(one.snapshot.operations.size(), 1U);
+    shown = merged(std::move(shown), std::move(one));
+    const Snapshot whole = publisher.take();
+    ASSERT_EQ(shown.operations.size(), whole.operations.size());
+    for (std::size_t i = 0; i < whole.operations.size(); ++i) {
+        EXPECT_EQ(shown.operations[i].id, whole.operations[i].id) << "oldest first";
+        EXPECT_EQ(shown.operations[i].status.log.size(), whole.operations[i].status.log.size());
+        EXPECT_EQ(shown.operations[i].status.title, whole.operations[i].status.title);
+    }
+    ASSERT_TRUE(clock.runUntil([&] { return answers.size() == 2; }, 20s));
+    shown = merged(std::move(shown), publisher.changes());
+    for (const OperationView &view : shown.operations)
+        EXPECT_EQ(view.status.state, OperationStatus::State::Done);
+    operations.forget(*link);
+    EXPECT_TRUE(merged(std::move(shown), publisher.changes()).operations.empty());
+}
+
+TEST_F(EngineRooms, AStopReachesEveryMotorAndEndsWhatMoves)
+{
+    std::vector<Result<void>> answers;
+    SetPoint half;
+    half.mode = Mode::Duty;
+    half.target = 0.3;
+    motion.carryOut(orders::StartMotion{id(5), half, 60s}, into(answers));
+    clock.advance(1s);
+    ASSERT_TRUE(device(5).liveness().moving);
+    motion.stopAll(StopCause::User);
+    EXPECT_FALSE(session.stream(device(5)).isRunning());
+    EXPECT_TRUE(clock.runUntil([&] { return device(5).stopping().state() == StopState::Seen; }, 5s));
+}
+
+} // namespace
+} // namespace mb
