@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/helpdesk.h"
 
-#include "app/mainwindow.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/help/helptopics.h"
 #include "widgets/help/helpwindow.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/pageid.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/workbench.h"
@@ -11,7 +12,6 @@ class QDialog;
 
 namespace mb {
 
-enum class PageId;
 class HelpWindow;
 
 /// Opens the help where it is asked for: the `?` beside the tabs, F1 and `?` in dialogs. Knows which page of the help belongs

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/pageid.h"
 #include "app/settings.h"
 #include "widgets/common/selection.h"
 #include "widgets/common/theme.h"
@@ -29,9 +30,6 @@ class LiveStateBar;
 class PageKeys;
 class PageTabs;
 class WindowMenu;
-
-/// The pages, in the order of their tabs.
-enum class PageId { Overview, Parameters, Tune, Design, Plots, Firmware, Bus, Log, Reports };
 
 /// The one window: header with links, lamp and STOP; devices at the left; pages; inspector at the right; status bar.
 /// Composes, decides nothing about devices.

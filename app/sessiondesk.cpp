@@ -9,7 +9,7 @@
 #include "app/welcome.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
-#include "widgets/start/startpage.h"
+#include "widgets/connection/startpage.h"
 
 #include <QBoxLayout>
 #include <QCoreApplication>

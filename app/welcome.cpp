@@ -5,11 +5,14 @@
 #include "app/helpdesk.h"
 #include "app/mainwindow.h"
 #include "app/settings.h"
+#include "model/registry.h"
+#include "widgets/common/devicetext.h"
 #include "widgets/connection/overviewpage.h"
+#include "widgets/connection/startpage.h"
 #include "widgets/firmware/firmwarepage.h"
+#include "widgets/help/helptopics.h"
 #include "widgets/start/guide.h"
 #include "widgets/start/guidestrip.h"
-#include "widgets/start/startpage.h"
 
 #include <QBoxLayout>
 #include <QFileDialog>
@@ -18,8 +21,6 @@
 
 namespace mb {
 namespace {
-
-constexpr const char *demoImage = ":/firmware/dmc60c-demo.hex";
 
 PageId pageOf(Place place)
 {
@@ -57,7 +58,7 @@ void Welcome::connectStart()
     connect(m_start, &StartPage::storyWanted, this, &Welcome::begin);
     connect(m_start, &StartPage::keysWanted, &m_window, &MainWindow::listKeys);
     connect(m_start, &StartPage::guidesWanted, this,
-        [this] { (void)m_window.help().open(QStringLiteral("hardware/dmc60c")); });
+        [this] { (void)m_window.help().open(hardwareTopic(families().front()->key)); });
     connect(m_shelf, &FirmwareShelf::changed, this, [this] { m_start->setFirmware(m_shelf->rows()); });
     connect(m_start, &StartPage::firmwareWanted, this, [this](int row) {
         m_window.showPage(PageId::Firmware);
@@ -102,12 +103,15 @@ void Welcome::show(Place place)
         m_window.selection().select(device->id);
     m_window.showPage(pageOf(place));
     if (place == Place::Firmware)
-        qobject_cast<FirmwarePage *>(m_window.page(PageId::Firmware))->loadImage(QLatin1String(demoImage));
+        qobject_cast<FirmwarePage *>(m_window.page(PageId::Firmware))
+            ->loadImage(QStringLiteral(":/firmware/") + qt(storyFamily()->demo->image));
 }
 
 /// On the overview of a simulated bench that somebody sees for the first time.
 void Welcome::offer()
 {
+    if (stories().empty())
+        return;
     const Story &story = stories().front();
     const bool here = Guide::deviceOf(story, m_workbench.snapshot());
     const bool asked = m_settings.isDismissed(QStringLiteral("story"));

@@ -11,7 +11,7 @@
 #include "app/welcome.h"
 #include "support/fakeworkbench.h"
 #include "support/windowtests.h"
-#include "widgets/start/startpage.h"
+#include "widgets/connection/startpage.h"
 
 #include <QFile>
 #include <QPlainTextEdit>

@@ -8,12 +8,12 @@
 #include "support/windowtests.h"
 #include "widgets/connection/addlinkdialog.h"
 #include "widgets/connection/overviewpage.h"
+#include "widgets/connection/startpage.h"
 #include "widgets/control/tunepage.h"
 #include "widgets/firmware/firmwarepage.h"
 #include "widgets/help/helpwindow.h"
 #include "widgets/start/guide.h"
 #include "widgets/start/guidestrip.h"
-#include "widgets/start/startpage.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>

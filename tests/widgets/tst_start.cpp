@@ -5,9 +5,9 @@
 #include "tunebench.h"
 #include "tuning/verdict.h"
 #include "widgets/connection/firstselection.h"
+#include "widgets/connection/startpage.h"
 #include "widgets/start/guide.h"
 #include "widgets/start/guidestrip.h"
-#include "widgets/start/startpage.h"
 #include "widgets/start/storycard.h"
 
 #include <QLabel>
@@ -210,7 +210,7 @@ void StartTest::everyStepSaysWhatToDo()
     GuideBench bench;
     ThemeSource theme{darkTheme()};
     for (const Story &story : stories()) {
-        QVERIFY(Guide::deviceOf(story, bench.workbench.shot) || story.address == 9);
+        QVERIFY(Guide::deviceOf(story, bench.workbench.shot) || story.unit == &DemoUnits::inBootloader);
         for (const StoryStep &step : story.steps) {
             QVERIFY(QString::fromUtf8(step.words).size() > 20);
             QVERIFY(!QString::fromUtf8(step.name).isEmpty());

@@ -81,12 +81,12 @@ std::vector<LinkChoice> linkChoices(const std::vector<LinkListing> &listings, co
     choices.push_back(recording);
     choices.push_back(simulated("", LinkChoices::tr("The whole simulated bench"),
         LinkChoices::tr("Controllers of all four families with real bus timing; nothing real can move.")));
-    choices.push_back(simulated(
-        "can", LinkChoices::tr("Simulated CAN bus"), LinkChoices::tr("Three DMC60C and three Abstract DC Drives.")));
-    choices.push_back(simulated(
-        "serial", LinkChoices::tr("Simulated serial line"), LinkChoices::tr("Two Supermodified, dialects D1 and D3.")));
-    choices.push_back(simulated(
-        "spi", LinkChoices::tr("Simulated SPI board"), LinkChoices::tr("A QuadQuad2Drv with four geared motors.")));
+    choices.push_back(simulated("can", LinkChoices::tr("Simulated CAN bus"),
+        LinkChoices::tr("Controllers that share one bus, at its real speed.")));
+    choices.push_back(simulated("serial", LinkChoices::tr("Simulated serial line"),
+        LinkChoices::tr("Controllers on one line, in two dialects.")));
+    choices.push_back(
+        simulated("spi", LinkChoices::tr("Simulated SPI board"), LinkChoices::tr("A board with four geared motors.")));
     for (LinkChoice &choice : choices)
         choice.isOpen = !choice.address.empty() && std::find(open.begin(), open.end(), choice.address) != open.end();
     std::stable_sort(choices.begin(), choices.end(),

@@ -8,7 +8,7 @@
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/devicecard.h"
 #include "widgets/connection/doctorcard.h"
-#include "widgets/start/startpage.h"
+#include "widgets/connection/startpage.h"
 
 #include <QGridLayout>
 #include <QScrollArea>

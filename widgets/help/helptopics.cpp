@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/help/helptopics.h"
 
+#include "model/family.h"
+#include "model/registry.h"
+
 #include <QCoreApplication>
 #include <QFile>
 
@@ -15,16 +18,18 @@ struct HelpTitles {
 
 std::vector<HelpTopic> helpTopics()
 {
-    return {{QStringLiteral("first-hour"), HelpTitles::tr("First hour")},
+    std::vector<HelpTopic> topics{{QStringLiteral("first-hour"), HelpTitles::tr("First hour")},
         {QStringLiteral("connecting"), HelpTitles::tr("Connecting")},
         {QStringLiteral("tuning"), HelpTitles::tr("Tuning by itself")},
         {QStringLiteral("plots"), HelpTitles::tr("Plots")}, {QStringLiteral("service"), HelpTitles::tr("Service")},
         {QStringLiteral("safety"), HelpTitles::tr("Safety")}, {QStringLiteral("files"), HelpTitles::tr("Files")},
-        {QStringLiteral("troubleshooting"), HelpTitles::tr("Troubleshooting")},
-        {QStringLiteral("hardware/dmc60c"), HelpTitles::tr("Hardware: DMC60C")},
-        {QStringLiteral("hardware/supermodified"), HelpTitles::tr("Hardware: Supermodified")},
-        {QStringLiteral("hardware/abstractdc"), HelpTitles::tr("Hardware: Abstract DC Drive")},
-        {QStringLiteral("hardware/quadquad2drv"), HelpTitles::tr("Hardware: QuadQuad2Drv")}};
+        {QStringLiteral("troubleshooting"), HelpTitles::tr("Troubleshooting")}};
+    for (const Family *family : families()) {
+        const QString title = QString::fromUtf8(family->title.data(), static_cast<int>(family->title.size()));
+        if (const QString key = hardwareTopic(family->key); !key.isEmpty())
+            topics.push_back({key, HelpTitles::tr("Hardware: %1").arg(title)});
+    }
+    return topics;
 }
 
 QString hardwareTopic(std::string_view family)

@@ -11,8 +11,17 @@ namespace mb {
 namespace {
 
 constexpr double tame = 0.05; ///< greatest overshoot that counts as none
-constexpr std::string_view limitSwitch = "current_limit.enabled";
 constexpr const char *simulated = "sim:";
+
+/// Of a limit that bounds its current: its own switch.
+std::string_view currentSwitch(const Family &family)
+{
+    const auto limits = family.trials ? family.trials->limits : std::span<const DeviceLimit>();
+    const auto found = std::find_if(limits.begin(), limits.end(), [](const DeviceLimit &limit) {
+        return limit.bounds == DeviceLimit::Bounds::Current && !limit.enabled.empty();
+    });
+    return found == limits.end() ? std::string_view() : found->enabled;
+}
 
 bool isOn(const DeviceView &device, std::string_view key)
 {
@@ -45,7 +54,7 @@ Guide::Guide(Workbench &workbench, Selection &selection, Arming &arming, QObject
 const DeviceView *Guide::deviceOf(const Story &story, const Snapshot &shot)
 {
     const auto found = std::find_if(shot.devices.begin(), shot.devices.end(), [&story](const DeviceView &device) {
-        return device.family->key == story.family && device.identity.address == story.address
+        return device.family == storyFamily() && device.identity.address == device.family->demo->*story.unit
             && device.link.starts_with(simulated);
     });
     return found == shot.devices.end() ? nullptr : &*found;
@@ -122,7 +131,7 @@ bool Guide::isProved(Proof proof, const DeviceView &device) const
     case Proof::Stepped: return m_overshoot.has_value();
     case Proof::Tamed: return (m_lastOvershoot && *m_lastOvershoot <= tame);
     case Proof::CurrentShown: return m_peakCurrent.has_value();
-    case Proof::LimitOn: return isOn(device, limitSwitch);
+    case Proof::LimitOn: return isOn(device, currentSwitch(*device.family));
     case Proof::Stored: return m_wrote && !isAnyInRam(device);
     case Proof::Writing: {
         const OperationView *operation = m_workbench.snapshot().operation(device.id);

@@ -73,9 +73,9 @@ void GuideStrip::follow()
 void GuideStrip::showOffer()
 {
     m_glyph->setState(GlyphState::Waiting);
-    m_title->setText(storyText(m_offer->title));
+    m_title->setText(storyText(*m_offer, m_offer->title));
     m_steps->clear();
-    setWords(storyText(m_offer->words) + QLatin1Char(' ')
+    setWords(storyText(*m_offer, m_offer->words) + QLatin1Char(' ')
         + tr("Simulated: nothing real moves. A guide says each step and waits until it has happened."));
     m_act->setText(tr("Begin"));
     m_act->show();
@@ -87,10 +87,10 @@ void GuideStrip::showSteps()
     const Story &story = *m_guide.story();
     const bool done = m_guide.isDone();
     m_glyph->setState(done ? GlyphState::Done : GlyphState::Busy);
-    m_title->setText(storyText(story.title));
+    m_title->setText(storyText(story, story.title));
     QStringList steps;
     for (std::size_t i = 0; i < story.steps.size(); ++i) {
-        const QString name = storyText(story.steps[i].name);
+        const QString name = storyText(story, story.steps[i].name);
         if (i < m_guide.step())
             steps += tr("%1 done").arg(name);
         else if (i == m_guide.step())
@@ -105,7 +105,7 @@ void GuideStrip::showSteps()
     else if (!m_guide.device())
         words = tr("The simulated bench is opened; the unit answers in a moment.");
     else
-        words = storyText(story.steps[m_guide.step()].words);
+        words = storyText(story, story.steps[m_guide.step()].words);
     if (const QString result = m_guide.result(); !result.isEmpty())
         words += QLatin1Char(' ') + tr("Measured: %1.").arg(result);
     setWords(words);

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/start/story.h"
 
+#include "model/registry.h"
+
 #include <QCoreApplication>
+
+#include <algorithm>
 
 namespace mb {
 namespace {
 
 constexpr StoryStep taming[] = {
     {Proof::Selected, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Select"),
-        QT_TRANSLATE_NOOP("Stories", "Click DMC60C #7 in the list at the left. Everything that follows is about it.")},
+        QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left. Everything that follows is about it.")},
     {Proof::Armed, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
         QT_TRANSLATE_NOOP("Stories",
             "Hold the lamp at the top, SAFE, for one second (or Ctrl+Shift+F12). Nothing moves before. Esc stops, "
@@ -27,11 +31,11 @@ constexpr StoryStep taming[] = {
 
 constexpr StoryStep limiting[] = {
     {Proof::Selected, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Select"),
-        QT_TRANSLATE_NOOP("Stories", "Click DMC60C #5 in the list at the left.")},
+        QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left.")},
     {Proof::LimitOn, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Limit"),
         QT_TRANSLATE_NOOP("Stories",
-            "On the page Parameters find current_limit.enabled, switch it on, set continuous and peak to what the "
-            "motor may have, and write.")},
+            "On the page Parameters switch the current limit on (search: current_limit), set it to what the motor "
+            "may have, and write.")},
     {Proof::Armed, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Arm"),
         QT_TRANSLATE_NOOP("Stories", "Hold the lamp at the top for one second (or Ctrl+Shift+F12).")},
     {Proof::CurrentShown, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
@@ -43,7 +47,7 @@ constexpr StoryStep limiting[] = {
 
 constexpr StoryStep reviving[] = {
     {Proof::Selected, Place::Firmware, QT_TRANSLATE_NOOP("Stories", "Select"),
-        QT_TRANSLATE_NOOP("Stories", "Click DMC60C #9 in the list at the left. It says: in bootloader.")},
+        QT_TRANSLATE_NOOP("Stories", "Click %1 in the list at the left. It says: in bootloader.")},
     {Proof::Writing, Place::Firmware, QT_TRANSLATE_NOOP("Stories", "Write"),
         QT_TRANSLATE_NOOP("Stories",
             "The demo image is loaded on the page Firmware. Press F5 and watch the pages arrive, the last one first.")},
@@ -52,33 +56,46 @@ constexpr StoryStep reviving[] = {
 };
 
 constexpr Story table[] = {
-    {"tame", QT_TRANSLATE_NOOP("Stories", "#7 overshoots: tame it in a minute"), QT_TRANSLATE_NOOP("Stories", "775pro"),
-        QT_TRANSLATE_NOOP("Stories", "4096 counts a turn · DMC60C #7"),
+    {"tame", QT_TRANSLATE_NOOP("Stories", "%1 overshoots: tame it in a minute"), QT_TRANSLATE_NOOP("Stories", "775pro"),
+        QT_TRANSLATE_NOOP("Stories", "4096 counts a turn · %1"),
         QT_TRANSLATE_NOOP("Stories", "This one overshoots by about 20 %. Find gains that do not."),
-        QT_TRANSLATE_NOOP("Stories", "velocity, set-point dashed"), 1, StoryPicture::Overshoot, "dmc60c", 7, taming},
-    {"limit", QT_TRANSLATE_NOOP("Stories", "#5 has no current limit: set one that saves it"),
+        QT_TRANSLATE_NOOP("Stories", "velocity, set-point dashed"), 1, StoryPicture::Overshoot,
+        &DemoUnits::overshooting, taming},
+    {"limit", QT_TRANSLATE_NOOP("Stories", "%1 has no current limit: set one that saves it"),
         QT_TRANSLATE_NOOP("Stories", "CIM"),
-        QT_TRANSLATE_NOOP("Stories", "load 9 × rotor inertia · 4096 counts a turn · DMC60C #5"),
+        QT_TRANSLATE_NOOP("Stories", "load 9 × rotor inertia · 4096 counts a turn · %1"),
         QT_TRANSLATE_NOOP("Stories", "A stalled CIM draws more than 100 A, and nothing holds this one back. Limit it."),
-        QT_TRANSLATE_NOOP("Stories", "current, limit dashed"), 3, StoryPicture::Limit, "dmc60c", 5, limiting},
-    {"revive", QT_TRANSLATE_NOOP("Stories", "#9 has no program: bring it back"),
+        QT_TRANSLATE_NOOP("Stories", "current, limit dashed"), 3, StoryPicture::Limit, &DemoUnits::tuned, limiting},
+    {"revive", QT_TRANSLATE_NOOP("Stories", "%1 has no program: bring it back"),
         QT_TRANSLATE_NOOP("Stories", "Interrupted update"),
-        QT_TRANSLATE_NOOP("Stories", "waits in its bootloader · DMC60C #9"),
+        QT_TRANSLATE_NOOP("Stories", "waits in its bootloader · %1"),
         QT_TRANSLATE_NOOP("Stories", "Somebody cut its power while it was written. Give it firmware again."),
         QT_TRANSLATE_NOOP("Stories", "flash pages, written from the last to the first"), 2, StoryPicture::Pages,
-        "dmc60c", 9, reviving},
+        &DemoUnits::inBootloader, reviving},
 };
 
 } // namespace
 
-std::span<const Story> stories()
+const Family *storyFamily()
 {
-    return table;
+    const auto all = families();
+    const auto found = std::find_if(all.begin(), all.end(), [](const Family *family) { return family->demo; });
+    return found == all.end() ? nullptr : *found;
 }
 
-QString storyText(const char *english)
+std::span<const Story> stories()
 {
-    return QCoreApplication::translate("Stories", english);
+    return storyFamily() ? std::span<const Story>(table) : std::span<const Story>();
+}
+
+QString storyText(const Story &story, const char *english)
+{
+    const QString text = QCoreApplication::translate("Stories", english);
+    const Family *family = storyFamily();
+    if (!family || !text.contains(QLatin1String("%1")))
+        return text;
+    const QString title = QString::fromUtf8(family->title.data(), static_cast<int>(family->title.size()));
+    return text.arg(QStringLiteral("%1 #%2").arg(title).arg(family->demo->*story.unit));
 }
 
 } // namespace mb

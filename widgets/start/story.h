@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "model/family.h"
+
 #include <QString>
 
 #include <span>
@@ -27,7 +29,7 @@ enum class Proof {
     Answers       ///< its application runs and tells its version
 };
 
-/// One step of a story. Texts are English, translated by storyText().
+/// One step of a story. Texts are English, translated by storyText(); %1 in them is the title of its unit.
 struct StoryStep {
     Proof proof = Proof::Selected;
     Place place = Place::Overview;
@@ -38,15 +40,14 @@ struct StoryStep {
 /// Something to try on a simulated unit, from finding it to a value that stays.
 struct Story {
     std::string_view key;
-    const char *title = "";   ///< "#7 overshoots: tame it in a minute"
+    const char *title = "";   ///< "%1 overshoots: tame it in a minute"
     const char *motor = "";   ///< of its card
     const char *parts = "";   ///< load, encoder, controller
     const char *words = "";   ///< what is wrong, and what to do about it
     const char *caption = ""; ///< of its drawing
     int minutes = 1;
     StoryPicture picture = StoryPicture::Overshoot;
-    std::string_view family; ///< of the unit, on a simulated link
-    int address = 0;
+    int DemoUnits::*unit = &DemoUnits::tuned; ///< on a simulated link
     std::span<const StoryStep> steps;
 };
 
@@ -54,6 +55,8 @@ struct Story {
 constexpr const char *storyLink = "sim:";
 
 [[nodiscard]] std::span<const Story> stories();
-[[nodiscard]] QString storyText(const char *english);
+/// The family whose simulated units they play on; nullptr: no family of this build has such units, and there are no stories.
+[[nodiscard]] const Family *storyFamily();
+[[nodiscard]] QString storyText(const Story &story, const char *english);
 
 } // namespace mb

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/start/startpage.h"
+#include "widgets/connection/startpage.h"
 
 #include "widgets/common/iconbutton.h"
 #include "widgets/connection/doctorcard.h"
