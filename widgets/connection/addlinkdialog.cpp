@@ -33,14 +33,14 @@ AddLinkDialog::AddLinkDialog(const std::vector<LinkChoice> &choices, const Theme
     row->addWidget(buildDetail(theme), 2);
     column->addLayout(row, 1);
     buildFoot(*column, theme);
-    buildList(choices);
+    buildList(choices, theme);
     const QSize room = parent ? parent->window()->size() : QSize(1280, 800);
     resize(
         std::min(theme.theme().u(780), room.width() * 9 / 10), std::min(theme.theme().u(520), room.height() * 9 / 10));
 }
 
 /// A branch for each kind, also where it is empty: that nothing is there is an answer.
-void AddLinkDialog::buildList(const std::vector<LinkChoice> &choices)
+void AddLinkDialog::buildList(const std::vector<LinkChoice> &choices, const ThemeSource &theme)
 {
     m_list->setObjectName(QStringLiteral("linkList"));
     m_list->setAccessibleName(tr("Links that can be added"));
@@ -51,11 +51,14 @@ void AddLinkDialog::buildList(const std::vector<LinkChoice> &choices)
     m_list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
     m_list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
     QTreeWidgetItem *first = nullptr;
+    const QSize row(0, theme.theme().u(28));
     using Kind = LinkChoice::Kind;
     for (const Kind kind : {Kind::Can, Kind::Serial, Kind::Spi, Kind::Recording, Kind::Simulated}) {
         auto *branch = new QTreeWidgetItem(m_list, {kindTitle(kind)});
         branch->setFlags(Qt::ItemIsEnabled);
         branch->setFirstColumnSpanned(true);
+        branch->setFont(0, theme.theme().font(TextRole::Emphasis, font()));
+        branch->setSizeHint(0, row);
         for (std::size_t i = 0; i < choices.size(); ++i) {
             const LinkChoice &choice = choices[i];
             if (choice.kind != kind)
@@ -63,6 +66,7 @@ void AddLinkDialog::buildList(const std::vector<LinkChoice> &choices)
             auto *item = new QTreeWidgetItem(branch, {choice.name, choice.isOpen ? tr("open") : choice.state});
             item->setData(0, Qt::UserRole, static_cast<int>(i));
             item->setToolTip(0, choice.name);
+            item->setSizeHint(0, row);
             if (!first && choice.openable && !choice.isOpen && kind != Kind::Recording)
                 first = item;
         }

@@ -35,7 +35,7 @@ Q_SIGNALS:
     void helpWanted();
 
 private:
-    void buildList(const std::vector<LinkChoice> &choices);
+    void buildList(const std::vector<LinkChoice> &choices, const ThemeSource &theme);
     [[nodiscard]] QWidget *buildDetail(const ThemeSource &theme);
     void buildFoot(QVBoxLayout &column, const ThemeSource &theme);
     void choose(const QTreeWidgetItem *item);

@@ -36,7 +36,7 @@ LinkOptions::LinkOptions(QWidget *parent)
     setObjectName(QStringLiteral("linkOptions"));
     m_form = new QFormLayout(this);
     m_form->setContentsMargins(0, 0, 0, 0);
-    m_form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+    m_form->setRowWrapPolicy(QFormLayout::WrapAllRows);
     buildSerial();
     buildSpi();
     buildSimulated();

@@ -3,8 +3,10 @@
 
 #include <QDesktopServices>
 #include <QFile>
+#include <QFontDatabase>
 #include <QImage>
 #include <QPainter>
+#include <QResizeEvent>
 #include <QScrollBar>
 #include <QSvgRenderer>
 #include <QTextBlock>
@@ -12,6 +14,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace mb {
 namespace {
@@ -57,6 +60,8 @@ void HelpBrowser::fill()
     document()->setBaseUrl(QUrl(QStringLiteral("qrc") + pathOf(m_topic)));
     document()->setMarkdown(QString::fromUtf8(file.readAll()), QTextDocument::MarkdownDialectGitHub);
     dressTables();
+    dressCode();
+    moveCursor(QTextCursor::Start);
 }
 
 /// As the tables of the program: lines between the rows, room around the words.
@@ -78,6 +83,38 @@ void HelpBrowser::dressTables()
         format.setBottomMargin(theme.u(8));
         table->setFormat(format);
     }
+}
+
+/// Commands and names of the wire in the font for such things.
+void HelpBrowser::dressCode()
+{
+    QTextCharFormat code;
+    code.setFontFamily(QFontDatabase::systemFont(QFontDatabase::FixedFont).family());
+    std::vector<std::pair<int, int>> places;
+    for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+        for (auto part = block.begin(); !part.atEnd(); ++part) {
+            const QTextFragment words = part.fragment();
+            if (words.charFormat().fontFixedPitch())
+                places.emplace_back(words.position(), words.position() + words.length());
+        }
+    }
+    for (const auto &[from, to] : places) {
+        QTextCursor cursor(document());
+        cursor.setPosition(from);
+        cursor.setPosition(to, QTextCursor::KeepAnchor);
+        cursor.mergeCharFormat(code);
+    }
+}
+
+/// Drawings are as wide as the page.
+void HelpBrowser::resizeEvent(QResizeEvent *event)
+{
+    QTextBrowser::resizeEvent(event);
+    if (event->size().width() == event->oldSize().width() || m_topic.isEmpty())
+        return;
+    const int place = verticalScrollBar()->value();
+    fill();
+    verticalScrollBar()->setValue(place);
 }
 
 void HelpBrowser::follow(const QUrl &link)

@@ -23,11 +23,13 @@ Q_SIGNALS:
 
 protected:
     QVariant loadResource(int type, const QUrl &name) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void follow(const QUrl &link);
     void fill();
     void dressTables();
+    void dressCode();
     [[nodiscard]] QImage drawing(const QString &path) const;
 
     const ThemeSource &m_theme;

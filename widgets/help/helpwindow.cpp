@@ -23,7 +23,7 @@ HelpWindow::HelpWindow(const ThemeSource &theme, QWidget *parent)
     m_list->setAccessibleName(tr("Pages of the help"));
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_browser = new HelpBrowser(theme, this);
-    fillList();
+    fillList(theme.theme());
     auto *row = new QHBoxLayout;
     row->addWidget(m_list);
     row->addWidget(m_browser, 1);
@@ -42,12 +42,13 @@ HelpWindow::HelpWindow(const ThemeSource &theme, QWidget *parent)
         std::min(theme.theme().u(980), room.width() * 9 / 10), std::min(theme.theme().u(700), room.height() * 9 / 10));
 }
 
-void HelpWindow::fillList()
+void HelpWindow::fillList(const Theme &theme)
 {
     int widest = 0;
     for (const HelpTopic &topic : helpTopics()) {
         auto *item = new QListWidgetItem(topic.title, m_list);
         item->setData(Qt::UserRole, topic.key);
+        item->setSizeHint({0, theme.u(28)});
         widest = std::max(widest, m_list->fontMetrics().horizontalAdvance(topic.title));
     }
     const int pad = m_list->fontMetrics().height() * 2;

@@ -24,7 +24,7 @@ public:
     static HelpWindow &open(const ThemeSource &theme, QWidget &parent, const QString &topic);
 
 private:
-    void fillList();
+    void fillList(const Theme &theme);
     void mark(const QString &topic);
 
     QListWidget *m_list = nullptr;
