@@ -43,11 +43,13 @@ Welcome::Welcome(MainWindow &window, Workbench &workbench, const ThemeSource &th
     , m_settings(settings)
     , m_start(&qobject_cast<OverviewPage *>(window.page(PageId::Overview))->start())
     , m_guide(new Guide(workbench, window.selection(), window.arming(), this))
-    , m_strip(new GuideStrip(*m_guide, theme, window.centralWidget()))
+    , m_offer(new GuideStrip(GuideStrip::Shows::Offers, *m_guide, theme, window.page(PageId::Overview)))
+    , m_strip(new GuideStrip(GuideStrip::Shows::Steps, *m_guide, theme, window.centralWidget()))
     , m_shelf(new FirmwareShelf(settings.firmwareFolder(), this))
 {
     auto *column = static_cast<QBoxLayout *>(window.centralWidget()->layout());
     column->insertWidget(column->count() - 1, m_strip); // above the pages, below what is said of the device
+    qobject_cast<OverviewPage *>(window.page(PageId::Overview))->addOffer(m_offer);
     connectStart();
     connectStrip();
     connect(&workbench, &Workbench::changed, this, &Welcome::offer);
@@ -79,9 +81,9 @@ void Welcome::connectStart()
 
 void Welcome::connectStrip()
 {
-    connect(m_strip, &GuideStrip::wanted, this, &Welcome::begin);
+    connect(m_offer, &GuideStrip::wanted, this, &Welcome::begin);
     connect(m_strip, &GuideStrip::placeWanted, this, &Welcome::show);
-    connect(m_strip, &GuideStrip::refused, this, [this] { m_settings.dismiss(QStringLiteral("story")); });
+    connect(m_offer, &GuideStrip::refused, this, [this] { m_settings.dismiss(QStringLiteral("story")); });
 }
 
 void Welcome::begin(const Story &story)
@@ -115,7 +117,7 @@ void Welcome::offer()
     const Story &story = stories().front();
     const bool here = Guide::deviceOf(story, m_workbench.snapshot());
     const bool asked = m_settings.isDismissed(QStringLiteral("story"));
-    m_strip->offer(here && !asked && m_window.shownPage() == PageId::Overview ? &story : nullptr);
+    m_offer->offer(here && !asked ? &story : nullptr);
 }
 
 } // namespace mb

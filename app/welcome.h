@@ -38,6 +38,7 @@ private:
     Settings &m_settings;
     StartPage *m_start = nullptr;
     Guide *m_guide = nullptr;
+    GuideStrip *m_offer = nullptr; ///< on the overview, where it moves nothing else
     GuideStrip *m_strip = nullptr;
     FirmwareShelf *m_shelf = nullptr;
 };

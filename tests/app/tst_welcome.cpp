@@ -44,6 +44,11 @@ QPushButton *buttonOf(const QWidget &parent, const QString &text)
     return nullptr;
 }
 
+GuideStrip &stripOf(MainWindow &window, const char *name)
+{
+    return *window.findChild<GuideStrip *>(QLatin1String(name));
+}
+
 } // namespace
 
 class WelcomeTest : public QObject {
@@ -72,7 +77,7 @@ void WelcomeTest::theDemoBeginsOnAUnitThatCanBeTuned()
 void WelcomeTest::theOfferStandsOnTheOverviewOnly()
 {
     WindowBench bench;
-    auto &strip = bench.part<GuideStrip>();
+    auto &strip = stripOf(bench.window(), "guideOffer");
     QTRY_VERIFY_WITH_TIMEOUT(bench.isFound() && strip.isVisible(), patience);
     keepWindow(bench, QStringLiteral("offer"));
     bench.window().showPage(PageId::Tune);
@@ -88,9 +93,12 @@ void WelcomeTest::theOfferStandsOnTheOverviewOnly()
 void WelcomeTest::aStoryIsPlayedToItsEnd()
 {
     WindowBench bench;
-    auto &strip = bench.part<GuideStrip>();
-    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound() && strip.isVisible(), patience);
-    buttonOf(strip, QStringLiteral("Begin"))->click();
+    auto &offer = stripOf(bench.window(), "guideOffer");
+    auto &strip = stripOf(bench.window(), "guide");
+    QTRY_VERIFY_WITH_TIMEOUT(bench.isFound() && offer.isVisible(), patience);
+    QVERIFY(!strip.isVisible());
+    buttonOf(offer, QStringLiteral("Begin"))->click();
+    QVERIFY(strip.isVisible() && !offer.isVisible());
     Guide &guide = bench.part<Welcome>().guide();
     QVERIFY(guide.story());
     buttonOf(strip, QStringLiteral("Show me where"))->click(); // selects the unit, and shows its page
@@ -135,7 +143,7 @@ void WelcomeTest::aStoryOfTheStartPageOpensTheBench()
     card->findChild<QPushButton *>()->click();
     Guide &guide = window.findChild<Welcome *>()->guide();
     QTRY_VERIFY_WITH_TIMEOUT(guide.device(), patience);
-    auto *strip = window.findChild<GuideStrip *>();
+    auto *strip = &stripOf(window, "guide");
     buttonOf(*strip, QStringLiteral("Show me where"))->click();
     QCOMPARE(window.shownPage(), PageId::Firmware);
     QTRY_COMPARE_WITH_TIMEOUT(guide.step(), std::size_t(1), patience);

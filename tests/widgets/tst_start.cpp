@@ -177,7 +177,7 @@ void StartTest::aStoryThatIsDismissedLeavesNothing()
 {
     GuideBench bench;
     ThemeSource theme{darkTheme()};
-    GuideStrip strip(bench.guide, theme);
+    GuideStrip strip(GuideStrip::Shows::Steps, bench.guide, theme);
     QVERIFY(!strip.isVisibleTo(nullptr));
     bench.guide.begin(taming());
     QVERIFY(strip.isVisibleTo(nullptr));
@@ -191,7 +191,7 @@ void StartTest::theOfferIsMadeOnceAndNotInTheMiddleOfAStory()
 {
     GuideBench bench;
     ThemeSource theme{darkTheme()};
-    GuideStrip strip(bench.guide, theme);
+    GuideStrip strip(GuideStrip::Shows::Offers, bench.guide, theme);
     QSignalSpy refused(&strip, &GuideStrip::refused);
     QSignalSpy wanted(&strip, &GuideStrip::wanted);
     strip.offer(&taming());
@@ -200,6 +200,9 @@ void StartTest::theOfferIsMadeOnceAndNotInTheMiddleOfAStory()
     QCOMPARE(buttons.at(0)->text(), QStringLiteral("Begin"));
     buttons.at(0)->click();
     QCOMPARE(wanted.count(), 1);
+    bench.guide.begin(taming());
+    QVERIFY(!strip.isVisibleTo(nullptr));
+    bench.guide.end();
     buttons.at(1)->click();
     QCOMPARE(refused.count(), 1);
     QVERIFY(!strip.isVisibleTo(nullptr));
@@ -216,7 +219,7 @@ void StartTest::everyStepSaysWhatToDo()
             QVERIFY(!QString::fromUtf8(step.name).isEmpty());
         }
     }
-    GuideStrip strip(bench.guide, theme);
+    GuideStrip strip(GuideStrip::Shows::Steps, bench.guide, theme);
     bench.guide.begin(taming());
     const auto *words = strip.findChild<QLabel *>(QStringLiteral("guideWords"));
     QVERIFY(words->text().contains(QStringLiteral("#7")));

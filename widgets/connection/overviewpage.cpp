@@ -66,6 +66,11 @@ void OverviewPage::buildCards()
     m_states->addWidget(scroll);
 }
 
+void OverviewPage::addOffer(QWidget *offer)
+{
+    static_cast<QVBoxLayout *>(m_canvas->layout())->insertWidget(0, offer);
+}
+
 void OverviewPage::buildEmpty()
 {
     auto *scroll = new QScrollArea(m_states);

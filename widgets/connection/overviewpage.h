@@ -29,6 +29,8 @@ public:
 
     /// What is shown while no link is open.
     [[nodiscard]] StartPage &start() { return *m_start; }
+    /// Above the cards; the page takes it.
+    void addOffer(QWidget *offer);
 
 Q_SIGNALS:
     void simulateRequested();

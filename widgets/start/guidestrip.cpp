@@ -8,12 +8,13 @@
 
 namespace mb {
 
-GuideStrip::GuideStrip(Guide &guide, const ThemeSource &theme, QWidget *parent)
+GuideStrip::GuideStrip(Shows shows, Guide &guide, const ThemeSource &theme, QWidget *parent)
     : QFrame(parent)
+    , m_shows(shows)
     , m_guide(guide)
     , m_theme(theme)
 {
-    setObjectName(QStringLiteral("guide"));
+    setObjectName(shows == Shows::Offers ? QStringLiteral("guideOffer") : QStringLiteral("guide"));
     setAccessibleName(tr("Guide"));
     setStyleProperty(*this, "banner", QStringLiteral("info"));
     build();
@@ -61,11 +62,12 @@ void GuideStrip::offer(const Story *story)
 
 void GuideStrip::follow()
 {
-    const bool playing = m_guide.story();
-    setVisible(playing || m_offer);
+    const bool playing = m_shows == Shows::Steps && m_guide.story();
+    const bool offering = m_shows == Shows::Offers && m_offer && !m_guide.story();
+    setVisible(playing || offering);
     if (playing)
         showSteps();
-    else if (m_offer)
+    else if (offering)
         showOffer();
     m_act->setPrimary(!playing);
 }
@@ -130,7 +132,7 @@ void GuideStrip::resizeEvent(QResizeEvent *event)
 
 void GuideStrip::act()
 {
-    if (m_guide.story() && !m_guide.isDone())
+    if (m_shows == Shows::Steps && m_guide.story() && !m_guide.isDone())
         Q_EMIT placeWanted(m_guide.story()->steps[m_guide.step()].place);
     else if (m_offer)
         Q_EMIT wanted(*m_offer);
@@ -138,7 +140,7 @@ void GuideStrip::act()
 
 void GuideStrip::leave()
 {
-    if (m_guide.story()) {
+    if (m_shows == Shows::Steps) {
         m_guide.end();
         return;
     }

@@ -12,11 +12,13 @@ namespace mb {
 
 class StateGlyph;
 
-/// A story above the pages: offered, with its steps while it is played, and what came of it at its end. Hidden otherwise.
+/// A story in a strip: offered on a page, or with its steps above the pages while it is played, and what came of it at its end.
+/// Hidden otherwise.
 class GuideStrip : public QFrame {
     Q_OBJECT
 public:
-    GuideStrip(Guide &guide, const ThemeSource &theme, QWidget *parent = nullptr);
+    enum class Shows { Offers, Steps };
+    GuideStrip(Shows shows, Guide &guide, const ThemeSource &theme, QWidget *parent = nullptr);
 
     /// Offers a story while none is played; nullptr takes the offer back.
     void offer(const Story *story);
@@ -41,6 +43,7 @@ private:
     void act();
     void leave();
 
+    Shows m_shows;
     Guide &m_guide;
     const ThemeSource &m_theme;
     const Story *m_offer = nullptr;
