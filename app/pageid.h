@@ -4,6 +4,6 @@
 namespace mb {
 
 /// The pages, in the order of their tabs.
-enum class PageId { Overview, Parameters, Tune, Design, Plots, Firmware, Bus, Log };
+enum class PageId { Overview, Parameters, Tune, Design, Plots, Firmware, Bus, Log, Reports };
 
 } // namespace mb
