@@ -3,6 +3,7 @@
 
 #include "app/folders/userfolders.h"
 #include "app/projectdesk.h"
+#include "app/servicedoor.h"
 #include "app/sessiondesk.h"
 #include "app/tour.h"
 #include "app/welcome.h"
@@ -170,6 +171,9 @@ Application::~Application() = default;
 void Application::makeWindow()
 {
     m_window = std::make_unique<MainWindow>(*m_engine, *m_theme, m_settings);
+    if (!m_service)
+        m_service = new ServiceDoor(*m_engine); // belongs to the engine
+    m_window->setService(*m_service);
     setUpPlots();
     setUpLimits();
     setUpStart();

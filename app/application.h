@@ -16,6 +16,7 @@ namespace mb {
 
 class Recorder;
 class SessionDesk;
+class ServiceDoor;
 class Tour;
 
 /// What the command line asked for.
@@ -68,6 +69,7 @@ private:
     Settings m_settings;
     std::unique_ptr<ThemeSource> m_theme;
     std::unique_ptr<Engine> m_engine;
+    ServiceDoor *m_service = nullptr;        ///< belongs to the engine
     EnvelopeBook m_limits;                   ///< of experiments
     std::unique_ptr<SessionDesk> m_sessions; ///< none in a demo
     std::unique_ptr<MainWindow> m_window;

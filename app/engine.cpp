@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine.h"
 
+#include "app/engine/serviceroom.h"
 #include "app/folders/account.h"
 #include "app/folders/userfolders.h"
 #include "app/guardian/client/guardianclient.h"
@@ -16,6 +17,7 @@
 #include <QDir>
 #include <QSocketNotifier>
 #include <QStandardPaths>
+#include <QSysInfo>
 #include <QThread>
 
 namespace mb {
@@ -43,7 +45,9 @@ struct Engine::Room {
         , workers(owner.m_toEngine)
         , journal(owner.m_store, owner.m_toEngine)
         , settingsLog(owner.m_store, owner.m_toEngine)
+        , serviceJournal(owner.m_store, owner.m_toEngine)
         , core(clock, families, opensByItself, &guardian)
+        , service(core, {serviceJournal, &settingsLog, &journal, QSysInfo::machineHostName().toStdString()})
         , sleepGuard(core.session(), clock, inhibitor)
         , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
         , watch(clock)
@@ -64,6 +68,11 @@ struct Engine::Room {
         core.setSettingsLog(&settingsLog);
         core.session().keepHistoriesIn(store);
         core.session().setStopGate(&engine.m_stopLane.isPressed());
+        followedService = service.changed().add([this] { serviceChanged = true; });
+        followedUnits = service.unitEnded().add([this](const service::Visit &visit) {
+            if (unitEnded)
+                engine.m_toWindow.post([told = unitEnded, visit] { told(visit); });
+        });
         changed = core.session().changed().add([this] { engine.m_stopLane.follow(core.session()); });
         plugged = watch.changed().add([this] { look(); });
         look();
@@ -86,6 +95,8 @@ struct Engine::Room {
     void publish()
     {
         tick.startIn(snapshotPeriod, [this] { publish(); });
+        if (serviceViewed && std::exchange(serviceChanged, false))
+            engine.m_toWindow.post([viewed = serviceViewed, view = service.view()] { viewed(view); });
         if (engine.m_snapshotUnderWay.exchange(true))
             return;
         auto picture = std::make_shared<Picture>(Picture{core.changes(), core.links().listings(), core.owedGains()});
@@ -110,7 +121,12 @@ struct Engine::Room {
     WorkerThreads workers;
     StoredJournal journal;
     StoredSettings settingsLog;
+    StoredService serviceJournal;
     EngineCore core;
+    ServiceRoom service;
+    bool serviceChanged = false;
+    std::function<void(const ServiceView &)> serviceViewed; ///< called in the window's thread
+    std::function<void(const service::Visit &)> unitEnded;
     bool isListing = false;
     LogindInhibitor inhibitor;
     SleepGuard sleepGuard;
@@ -122,6 +138,8 @@ struct Engine::Room {
     Subscription mayBeSuspended;
     Subscription plugged;
     Subscription changed;
+    Subscription followedService;
+    Subscription followedUnits;
 };
 
 /// The engine thread: its body is the room's event loop.
@@ -178,6 +196,24 @@ void Engine::post(std::function<void(EngineCore &)> work)
     m_toEngine.post([this, work = std::move(work)] { work(m_room->core); });
 }
 
+void Engine::askService(std::function<Result<void>(ServiceRoom &)> work, std::function<void(Result<void>)> finished)
+{
+    m_toEngine.post([this, work = std::move(work), finished = std::move(finished)] {
+        const Result<void> result = work(m_room->service);
+        if (finished)
+            m_toWindow.post([finished, result] { finished(result); });
+    });
+}
+
+void Engine::followService(
+    std::function<void(const ServiceView &)> viewed, std::function<void(const service::Visit &)> ended)
+{
+    m_toEngine.post([this, viewed = std::move(viewed), ended = std::move(ended)] {
+        m_room->serviceViewed = viewed;
+        m_room->unitEnded = ended;
+    });
+}
+
 /// Whatever becomes of it, its answer comes back through the window's mailbox.
 void Engine::deliver(Order order, Reply::Finished finished)
 {
@@ -228,6 +264,7 @@ void Engine::stopAll(StopCause cause)
         m_room->core.stopAll(cause);
         if (cause == StopCause::User)
             m_stopLane.served();
+        cause == StopCause::User ? m_room->service.stop() : m_room->service.arm(false);
     });
 }
 

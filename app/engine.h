@@ -15,6 +15,9 @@ class QSocketNotifier;
 
 namespace mb {
 
+class ServiceRoom;
+struct ServiceView;
+
 /// The door between the two threads, and the only one. Orders are posted to the engine thread's mailbox; snapshots, notices
 /// and results come back through the window's. At most one snapshot is under way, so a window that hangs is not buried.
 class Engine final : public Workbench {
@@ -38,6 +41,12 @@ public:
     void stopAll(StopCause cause) override;
     void report(Severity severity, const QString &device, const QString &text) override;
     [[nodiscard]] const std::vector<Notice> &notices() const override { return m_notices; }
+
+    /// The service of units: `work` runs on the engine thread, `finished` hears of it here.
+    void askService(std::function<Result<void>(ServiceRoom &)> work, std::function<void(Result<void>)> finished);
+    /// From now on, here: every view that is another, at most 30 times a second, and every unit that has ended.
+    void followService(
+        std::function<void(const ServiceView &)> viewed, std::function<void(const service::Visit &)> ended);
 
     /// Runs `work` on the engine thread. For tests that disturb a simulated device.
     void post(std::function<void(EngineCore &)> work);

@@ -7,7 +7,9 @@
 #include "app/footprint.h"
 #include "app/helpdesk.h"
 #include "app/linkchips.h"
+#include "app/productionface.h"
 #include "app/windowmenu.h"
+#include "model/registry.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/commandpalette.h"
 #include "widgets/common/devicetext.h"
@@ -32,6 +34,7 @@
 #include "widgets/parameters/parameterspage.h"
 #include "widgets/plots/plotspage.h"
 #include "widgets/report/reportspage.h"
+#include "widgets/service/productionpage.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -194,7 +197,10 @@ void MainWindow::buildPages()
     column->addWidget(m_states);
     column->addWidget(m_pages, 1);
     column->addWidget(new KeepBar(m_workbench, m_theme, central));
-    setCentralWidget(central);
+    m_faces = new QStackedWidget(this);
+    m_faces->addWidget(central);
+    setCentralWidget(m_faces);
+    m_faces->setMinimumSize(1, 1);
     central->setMinimumSize(1, 1); // as the docks
     addPage(tr("Overview"), [this](QWidget *parent) { return makeOverview(parent); });
     addPage(tr("Parameters"),
@@ -211,6 +217,13 @@ void MainWindow::buildPages()
     addPage(tr("Reports"), [this](QWidget *parent) { return new ReportsPage(m_workbench, m_theme, parent); });
     connect(m_tabs, &QTabBar::currentChanged, this, &MainWindow::followPages);
     connect(m_banners, &BannerStack::allRequested, this, [this] { showPage(PageId::Log); });
+}
+
+void MainWindow::setService(ServiceDesk &desk)
+{
+    auto *bench = new ProductionPage(desk, m_workbench, families(), m_theme, m_faces);
+    m_production = new ProductionFace(*this, *m_faces, *bench, {m_devices, m_inspector});
+    connect(bench, &ProductionPage::leaveRequested, m_production, [this] { m_production->show(false); });
 }
 
 QWidget *MainWindow::makeOverview(QWidget *parent)
@@ -271,6 +284,8 @@ void MainWindow::buildActions()
         {QKeySequence(QStringLiteral("Ctrl+Shift+F12"))}, tr("held for 1 s: arms; let go early it does nothing"));
     qApp->installEventFilter(new ArmKey(m_header->lamp(), *this));
     m_keys->add({Qt::Key_F1}, tr("shows these keys; once more, the help for this page"), [this] { listKeys(); });
+    m_keys->add({Qt::Key_F11}, tr("production: unit after unit, full screen; and back"),
+        [this] { m_production ? m_production->show(!m_production->isShown()) : void(); });
     for (int i = 0; i < m_tabs->count(); ++i) {
         const QKeySequence key(QStringLiteral("Ctrl+%1").arg(i + 1));
         m_keys->add({key}, tr("shows page %1").arg(m_tabs->tabText(i)), [this, i] { m_tabs->setCurrentIndex(i); });

@@ -29,6 +29,8 @@ class HelpDesk;
 class LiveStateBar;
 class PageKeys;
 class PageTabs;
+class ProductionFace;
+class ServiceDesk;
 class WindowMenu;
 
 /// The one window: header with links, lamp and STOP; devices at the left; pages; inspector at the right; status bar.
@@ -47,6 +49,9 @@ public:
     [[nodiscard]] QWidget *page(PageId id);
     void showPage(PageId id);
     [[nodiscard]] PageId shownPage() const;
+    /// Production (F11) is there with it. The desk outlives the window.
+    void setService(ServiceDesk &desk);
+    [[nodiscard]] ProductionFace *production() const { return m_production; }
     /// A recording, as the menu opens it.
     void openFile(const QString &path);
     /// Every key, in a window of its own.
@@ -106,6 +111,8 @@ private:
     DeviceLine *m_line = nullptr;
     LiveStateBar *m_states = nullptr;
     QStackedWidget *m_pages = nullptr;
+    QStackedWidget *m_faces = nullptr; ///< the pages, or production
+    ProductionFace *m_production = nullptr;
     std::vector<std::function<QWidget *(QWidget *)>> m_makers; ///< by place in m_pages
     QLabel *m_message = nullptr;
     QLabel *m_footprint = nullptr;

@@ -3,6 +3,8 @@
 
 #include "async/event.h"
 
+#include <QSysInfo>
+
 #include <memory>
 #include <optional>
 
@@ -62,7 +64,8 @@ void TrialStore::run()
             auto opened = Database::open(m_path);
             if (opened) {
                 database = std::move(*opened);
-                books.reset(new Books{{*database, m_clock}, {*database, m_clock, m_person}});
+                books.reset(new Books{{*database, m_clock}, {*database, m_clock, m_person},
+                    {*database, m_clock, QSysInfo::machineHostName().toStdString(), m_person}});
             } else {
                 failure = opened.error();
             }
@@ -128,6 +131,29 @@ Task<std::vector<tuning::OwedGains>> StoredJournal::owedTo(std::string unit)
 {
     return ask<std::vector<tuning::OwedGains>>(
         m_store, m_home, [unit = std::move(unit)](Books &books) { return books.trials.owedTo(unit); });
+}
+
+Task<service::Visit> StoredService::open(service::Visit visit)
+{
+    return ask<service::Visit>(
+        m_store, m_home, [visit = std::move(visit)](Books &books) { return books.service.open(visit); });
+}
+
+Task<service::Visit> StoredService::write(service::Visit visit)
+{
+    return ask<service::Visit>(
+        m_store, m_home, [visit = std::move(visit)](Books &books) { return books.service.write(visit); });
+}
+
+Task<std::vector<service::Visit>> StoredService::visits(service::VisitFilter filter)
+{
+    return ask<std::vector<service::Visit>>(
+        m_store, m_home, [filter = std::move(filter)](Books &books) { return books.service.visits(filter); });
+}
+
+Task<int> StoredService::number(service::NumberWish wish)
+{
+    return ask<int>(m_store, m_home, [wish = std::move(wish)](Books &books) { return books.service.number(wish); });
 }
 
 Task<settings::ParameterSnapshot> StoredSettings::keep(settings::ParameterSnapshot snapshot)

@@ -3,6 +3,7 @@
 
 #include "async/clock.h"
 #include "async/mailbox.h"
+#include "storage/servicebook.h"
 #include "storage/settingsbook.h"
 #include "storage/trialbook.h"
 
@@ -15,10 +16,11 @@
 
 namespace mb {
 
-/// What the user's file keeps: trials and tunings, snapshots and writes.
+/// What the user's file keeps: trials and tunings, snapshots and writes, what was done to which unit.
 struct Books {
     TrialBook trials;
     SettingsBook settings;
+    ServiceBook service;
 };
 
 /// The user's file in a thread of its own, so that no disk ever holds up engine or window. The file is opened with the
@@ -77,6 +79,24 @@ public:
     [[nodiscard]] Task<void> complete(std::int64_t number, tuning::Trial trial) override;
     [[nodiscard]] Task<void> keepTuning(tuning::TuneReport report) override;
     [[nodiscard]] Task<std::vector<tuning::OwedGains>> owedTo(std::string unit) override;
+
+private:
+    TrialStore &m_store;
+    Mailbox &m_home;
+};
+
+/// The journal of service, in the same way.
+class StoredService final : public service::ServiceJournal {
+public:
+    StoredService(TrialStore &store, Mailbox &home)
+        : m_store(store)
+        , m_home(home)
+    {
+    }
+    [[nodiscard]] Task<service::Visit> open(service::Visit visit) override;
+    [[nodiscard]] Task<service::Visit> write(service::Visit visit) override;
+    [[nodiscard]] Task<std::vector<service::Visit>> visits(service::VisitFilter filter) override;
+    [[nodiscard]] Task<int> number(service::NumberWish wish) override;
 
 private:
     TrialStore &m_store;

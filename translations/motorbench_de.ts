@@ -1681,6 +1681,97 @@
     </message>
 </context>
 <context>
+    <name>mb::BenchText</name>
+    <message>
+        <source>%1 … %2</source>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>%1 equal</source>
+        <translation>%1 gleich</translation>
+    </message>
+    <message>
+        <source>unusual, %1</source>
+        <translation>ungewöhnlich, %1</translation>
+    </message>
+    <message>
+        <source>Connect a unit</source>
+        <translation>Gerät anschließen</translation>
+    </message>
+    <message>
+        <source>It starts by itself when it answers on %1.</source>
+        <translation>Es beginnt von selbst, sobald es auf %1 antwortet.</translation>
+    </message>
+    <message>
+        <source>Open a recipe, then Start</source>
+        <translation>Rezept öffnen, dann Start</translation>
+    </message>
+    <message>
+        <source>The motor turns in a moment</source>
+        <translation>Der Motor dreht gleich</translation>
+    </message>
+    <message>
+        <source>Safe to unplug</source>
+        <translation>Trennen erlaubt</translation>
+    </message>
+    <message>
+        <source>Do not unplug</source>
+        <translation>Nicht trennen</translation>
+    </message>
+    <message>
+        <source>Unplug, connect next</source>
+        <translation>Abziehen, nächstes anschließen</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>failed · %1</source>
+        <translation>Fehler · %1</translation>
+    </message>
+    <message>
+        <source>refused · %1</source>
+        <translation>abgelehnt · %1</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>duty at most %1</source>
+        <translation>Tastgrad höchstens %1</translation>
+    </message>
+    <message>
+        <source>speed at most %1 counts/s</source>
+        <translation>Geschwindigkeit höchstens %1 counts/s</translation>
+    </message>
+    <message>
+        <source>travel at most %1 counts</source>
+        <translation>Weg höchstens %1 counts</translation>
+    </message>
+</context>
+<context>
     <name>mb::BodePlot</name>
     <message>
         <source>unstable</source>
@@ -4374,6 +4465,10 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <source>shows these keys; once more, the help for this page</source>
         <translation>zeigt diese Tasten; noch einmal, die Hilfe zu dieser Seite</translation>
     </message>
+    <message>
+        <source>production: unit after unit, full screen; and back</source>
+        <translation>Produktion: Gerät um Gerät, ganzer Bildschirm; und zurück</translation>
+    </message>
 </context>
 <context>
     <name>mb::MetricsPanel</name>
@@ -5689,6 +5784,125 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>Open the folder: %1</source>
         <translation>Den Ordner öffnen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>mb::ProductionPage</name>
+    <message>
+        <source>Production</source>
+        <translation>Produktion</translation>
+    </message>
+    <message>
+        <source>No recipe yet</source>
+        <translation>Noch kein Rezept</translation>
+    </message>
+    <message>
+        <source>Link that units are put on</source>
+        <translation>Verbindung, an die Geräte kommen</translation>
+    </message>
+    <message>
+        <source>Open recipe…</source>
+        <translation>Rezept öffnen …</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Hold to arm self-tests</source>
+        <translation>Halten: Selbsttests scharf</translation>
+    </message>
+    <message>
+        <source>Leave</source>
+        <translation>Verlassen</translation>
+    </message>
+    <message>
+        <source>Last ten units</source>
+        <translation>Letzte zehn Geräte</translation>
+    </message>
+    <message>
+        <source>Last ten units, newest first</source>
+        <translation>Letzte zehn Geräte, neueste zuerst</translation>
+    </message>
+    <message>
+        <source>Serial number, scanned or typed</source>
+        <translation>Seriennummer, gescannt oder getippt</translation>
+    </message>
+    <message>
+        <source>Scan or type a serial number</source>
+        <translation>Seriennummer scannen oder tippen</translation>
+    </message>
+    <message>
+        <source>F5 test again · F8 set aside · F2 serial number · F11 leave · Esc stops every motor</source>
+        <translation>F5 nochmals prüfen · F8 beiseite · F2 Seriennummer · F11 verlassen · Esc hält jeden Motor an</translation>
+    </message>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Sound with every verdict</source>
+        <translation>Ton zu jedem Urteil</translation>
+    </message>
+    <message>
+        <source>tests the last unit again</source>
+        <translation>prüft das letzte Gerät noch einmal</translation>
+    </message>
+    <message>
+        <source>sets it aside, ready for the next</source>
+        <translation>legt es beiseite, bereit für das nächste</translation>
+    </message>
+    <message>
+        <source>goes to the serial number</source>
+        <translation>geht zur Seriennummer</translation>
+    </message>
+    <message>
+        <source>Open recipe</source>
+        <translation>Rezept öffnen</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json);;All files (*)</source>
+        <translation>Rezepte (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>firmware %1</source>
+        <translation>Firmware %1</translation>
+    </message>
+    <message>
+        <source>%1 parameters</source>
+        <translation>%1 Parameter</translation>
+    </message>
+    <message>
+        <source>next free number from %1</source>
+        <translation>nächste freie Nummer ab %1</translation>
+    </message>
+    <message>
+        <source>The self-test turns the motor: %1</source>
+        <translation>Der Selbsttest dreht den Motor: %1</translation>
+    </message>
+    <message>
+        <source>not started: open a link first</source>
+        <translation>nicht gestartet: erst eine Verbindung öffnen</translation>
+    </message>
+    <message>
+        <source>not started: open a recipe first</source>
+        <translation>nicht gestartet: erst ein Rezept öffnen</translation>
+    </message>
+    <message>
+        <source>no unit here has the serial number %1</source>
+        <translation>kein Gerät hier hat die Seriennummer %1</translation>
+    </message>
+    <message>
+        <source>%1 passed   %2 failed   %3 refused   mean %4</source>
+        <translation>%1 gut   %2 Fehler   %3 abgelehnt   Mittel %4</translation>
+    </message>
+    <message>
+        <source>ARMED, hold to disarm</source>
+        <translation>SCHARF, halten: sichern</translation>
     </message>
 </context>
 <context>

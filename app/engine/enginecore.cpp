@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/enginecore.h"
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -66,6 +68,29 @@ void EngineCore::carryOut(const Order &order, const Reply &reply)
                 m_provisional, m_rates, m_owed, m_trials, m_firmware);
         },
         order);
+}
+
+Link *EngineCore::linkAt(const std::string &address) const
+{
+    const auto links = m_session.links();
+    const auto found = std::find_if(
+        links.begin(), links.end(), [&address](const Link *link) { return link->address().text() == address; });
+    return found == links.end() ? nullptr : *found;
+}
+
+Link *EngineCore::lend(const std::string &address)
+{
+    Link *link = linkAt(address);
+    if (!link || link->state() != LinkState::Open || !m_operations.lend(*link))
+        return nullptr;
+    m_scans.forget(*link);
+    return link;
+}
+
+void EngineCore::takeBack(const std::string &address)
+{
+    if (const Link *link = linkAt(address))
+        m_operations.takeBack(*link);
 }
 
 void EngineCore::setBackground(Background *background)

@@ -41,6 +41,9 @@ public:
     /// What goes back unless somebody keeps it.
     [[nodiscard]] ProvisionalChanges &provisional() { return m_provisional; }
     [[nodiscard]] Links &links() { return m_links; }
+    /// An open link for whoever serves units there (Operations::lend); nullptr: it is not there, or busy.
+    [[nodiscard]] Link *lend(const std::string &address);
+    void takeBack(const std::string &address);
     /// What earlier experiments owe to units that are here; it is looked for when a unit has told who it is.
     [[nodiscard]] const std::map<DeviceId, std::vector<tuning::OwedGains>> &owedGains() const { return m_owed.owed(); }
 
@@ -54,6 +57,7 @@ public:
     void keepTranscripts(std::string folder) { m_firmware.keepTranscripts(std::move(folder)); }
 
 private:
+    [[nodiscard]] Link *linkAt(const std::string &address) const;
     void look();
 
     Session m_session;

@@ -27,6 +27,8 @@ Result<Device *> Operations::freeDevice(DeviceId id)
     Device *device = m_session.find(id);
     if (!device)
         return fail(Fault::Timeout, say("the device is gone"));
+    if (isLent(device->link()))
+        return fail(Fault::Unsafe, say("units are served on this link"));
     makeWay(id);
     if (has(id))
         return fail(Fault::Unsafe, say("the device is busy with something else"));
@@ -63,8 +65,23 @@ void Operations::carryOut(const orders::CancelOperation &order, const Finished &
     finished({});
 }
 
+bool Operations::lend(const Link &link)
+{
+    for (const Device *device : m_session.devices()) {
+        if (&device->link() == &link)
+            makeWay(m_session.idOf(*device));
+    }
+    const bool isFree = !hasOn(link);
+    if (isFree)
+        m_lent.insert(&link);
+    return isFree;
+}
+
 bool Operations::has(DeviceId device) const
 {
+    const Device *found = m_lent.empty() ? nullptr : m_session.find(device);
+    if (found && isLent(found->link()))
+        return true;
     return std::any_of(
         m_jobs.begin(), m_jobs.end(), [device](const Job &job) { return job.device == device && isRunning(job); });
 }
@@ -78,6 +95,8 @@ bool Operations::hasOn(const Link &link) const
 
 bool Operations::isAnyRunning() const
 {
+    if (!m_lent.empty())
+        return true;
     return std::any_of(m_jobs.begin(), m_jobs.end(), isRunning);
 }
 
@@ -118,6 +137,7 @@ void Operations::dismiss(DeviceId device, const Error &error)
 
 void Operations::forget(const Link &link)
 {
+    m_lent.erase(&link);
     for (const Device *device : m_session.devices()) {
         if (&device->link() != &link)
             continue;

@@ -10,6 +10,7 @@
 #include <list>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace mb {
 
@@ -38,6 +39,11 @@ public:
     Job *begin(DeviceId device, const Message &title, const Make<void> &make, const Finished &finished);
     void carryOut(const orders::CancelOperation &order, const Finished &finished);
 
+    /// Lends a link to whoever serves units there: no job begins on its devices until it is given back, and each counts as
+    /// one that has a job. False where one runs that nobody began but a person.
+    [[nodiscard]] bool lend(const Link &link);
+    void takeBack(const Link &link) { m_lent.erase(&link); }
+    [[nodiscard]] bool isLent(const Link &link) const { return m_lent.count(&link) > 0; }
     [[nodiscard]] bool has(DeviceId device) const;
     [[nodiscard]] bool hasOn(const Link &link) const;
     [[nodiscard]] bool isAnyRunning() const;
@@ -65,6 +71,7 @@ private:
     Session &m_session;
     EngineLog &m_log;
     std::list<Job> m_jobs;
+    std::set<const Link *> m_lent;
     std::uint32_t m_last = 0;
 };
 

@@ -45,7 +45,8 @@ void OwedBook::lookUp(const Device &device)
 {
     const DeviceId id = m_context.session.idOf(device);
     const bool ready = m_journal && device.family().trials && device.liveness().heard
-        && device.identity().state == DeviceState::Online && !device.link().address().isRecording();
+        && device.identity().state == DeviceState::Online && !device.link().address().isRecording()
+        && !m_context.operations.has(id);
     const std::string unit = tuning::unitOf(device);
     if (!ready || m_lookedFor[id] == unit)
         return;

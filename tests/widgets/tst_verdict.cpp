@@ -84,7 +84,7 @@ void TestVerdict::everyVerdictHasAShapeOfItsOwnWithoutColour()
                 int different = 0;
                 for (std::size_t i = 0; i < first.size(); ++i)
                     different += first[i] != second[i] ? 1 : 0;
-                QVERIFY2(different > 1000, qPrintable(QString::number(different)));
+                QVERIFY2(different > 500, qPrintable(QString::number(different)));
             }
         }
     }

@@ -2,6 +2,7 @@
 #include "widgets/control/tunepage.h"
 
 #include "widgets/common/calmwheel.h"
+#include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"

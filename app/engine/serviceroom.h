@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/engine/enginecore.h"
+#include "async/sleep.h"
+#include "widgets/service/servicedesk.h"
+
+namespace mb {
+
+/// Units that are served in the engine's session: the queue, and who may let their motors turn. The link is lent to it, so that
+/// the engine asks nothing there meanwhile. Knows no thread; thread of the session.
+class ServiceRoom final : private service::MotionPermit {
+public:
+    struct Surroundings {
+        service::ServiceJournal &journal;
+        settings::SettingsLog *settings = nullptr;
+        tuning::ExperimentJournal *trials = nullptr;
+        std::string station;
+    };
+    ServiceRoom(EngineCore &core, Surroundings surroundings);
+    ~ServiceRoom() override;
+
+    /// As ServiceDesk::begin(). Timeout when the link is not there.
+    [[nodiscard]] Result<void> begin(const ServiceDesk::Plan &plan);
+    void pause(bool on);
+    void skip(std::uint32_t row);
+    void retry(std::uint32_t row);
+    void finish();
+    void arm(bool on);
+    void renew();
+    /// Motors of units stop with all others; nothing is armed any more, and the queue ends.
+    void stop();
+    [[nodiscard]] ServiceView view() const;
+
+    [[nodiscard]] Listeners<> &changed() { return m_changed; }
+    [[nodiscard]] Listeners<const service::Visit &> &unitEnded() { return m_unitEnded; }
+
+    /// Words and sound before a motor turns.
+    static constexpr Duration announcement = std::chrono::seconds(3);
+    /// Without a unit so long, nothing is armed any more.
+    static constexpr Duration armedTime = std::chrono::minutes(5);
+
+private:
+    [[nodiscard]] Task<void> beforeMotion(const Device &device, const service::SelfTest &test) override;
+    void ended(const service::Visit &visit);
+    void restartArmedTime();
+    void leave();
+
+    EngineCore &m_core;
+    Surroundings m_around;
+    std::string m_link;
+    bool m_armed = false;
+    bool m_announces = false;
+    std::string m_trouble;
+    Listeners<> m_changed;
+    Listeners<const service::Visit &> m_unitEnded;
+    Timer m_armedUntil;
+    std::unique_ptr<service::ServiceQueue> m_queue;
+    Subscription m_queueChanged;
+    Subscription m_queueEnded;
+    Subscription m_visitEnded;
+    Subscription m_stopped;
+};
+
+} // namespace mb

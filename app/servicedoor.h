@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/engine.h"
+#include "widgets/service/servicedesk.h"
+
+namespace mb {
+
+/// The service of units in the engine's thread, as the window sees it.
+class ServiceDoor final : public ServiceDesk {
+    Q_OBJECT
+public:
+    explicit ServiceDoor(Engine &engine);
+
+    [[nodiscard]] const ServiceView &view() const override { return m_view; }
+    void begin(const Plan &plan, Finished finished) override;
+    void pause(bool on) override;
+    void skip(std::uint32_t row) override;
+    void retry(std::uint32_t row) override;
+    void finish() override;
+    void arm(bool on) override;
+    void renew() override;
+
+private:
+    ServiceView m_view;
+    Engine &m_engine;
+};
+
+} // namespace mb

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Production: unit after unit without a click, PASS or FAIL with cause and remedy, arming, a scanner as keyboard.
+#include "model/registry.h"
+#include "support/fakeworkbench.h"
+#include "support/windowtests.h"
+#include "widgets/monitor/holdbutton.h"
+#include "widgets/service/productionpage.h"
+#include "widgets/service/verdictof.h"
+
+#include <QFile>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+QString s(const char *text)
+{
+    return QString::fromUtf8(text);
+}
+
+class FakeDesk final : public ServiceDesk {
+public:
+    [[nodiscard]] const ServiceView &view() const override { return shown; }
+    void begin(const Plan &plan, Finished) override { begun.push_back(plan); }
+    void pause(bool) override { }
+    void skip(std::uint32_t) override { }
+    void retry(std::uint32_t row) override { retried.push_back(row); }
+    void finish() override { ++finished; }
+    void arm(bool on) override { armed.push_back(on); }
+    void renew() override { ++renewed; }
+
+    ServiceView shown;
+    std::vector<Plan> begun;
+    std::vector<std::uint32_t> retried;
+    std::vector<bool> armed;
+    int finished = 0;
+    int renewed = 0;
+};
+
+service::QueueRow rowOf(std::uint32_t id, service::RowState state, const char *serial)
+{
+    service::QueueRow row;
+    row.id = id;
+    row.state = state;
+    row.visit.serial = serial;
+    row.visit.time = 1000.0 + id;
+    row.visit.seconds = 21.6;
+    row.visit.from = "1.23";
+    row.visit.to = "1.25";
+    row.visit.parameters = 55;
+    return row;
+}
+
+struct Bench {
+    FakeDesk desk;
+    FakeWorkbench workbench;
+    ThemeSource theme{darkTheme()};
+    QTemporaryDir folder;
+    std::unique_ptr<ProductionPage> page;
+
+    Bench()
+    {
+        LinkView link;
+        link.address = "sim:can";
+        link.name = "sim:can";
+        link.state = LinkState::Open;
+        workbench.shot.links.push_back(link);
+        page = std::make_unique<ProductionPage>(desk, workbench, families(), theme, nullptr);
+        page->setSound(false);
+        page->resize(1280, 748);
+        page->show();
+        QApplication::setActiveWindow(page.get());
+    }
+    [[nodiscard]] bool open(const QByteArray &recipe)
+    {
+        QFile file(folder.filePath(s("recipe.json")));
+        return file.open(QIODevice::WriteOnly) && file.write(recipe) > 0 && (file.close(), true)
+            && page->openRecipe(file.fileName());
+    }
+    void show(std::vector<service::QueueRow> rows, bool running = true)
+    {
+        desk.shown.running = running;
+        desk.shown.link = "sim:can";
+        desk.shown.rows = std::move(rows);
+        Q_EMIT desk.changed();
+    }
+};
+
+const QByteArray plain = R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c"})";
+const QByteArray moving
+    = R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c","test":{"loop":"velocity","to":1500,
+"limits":{"travel":5000,"speed":2000,"duty":0.3},"accept":{"overshoot":0.4}}})";
+
+} // namespace
+
+class TestProduction : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void oneClickServesUnitAfterUnit();
+    void theVerdictIsTheUnitThatRunsOrEndedLast();
+    void aFailureSaysCauseAndRemedyAndCanBeTestedAgain();
+    void whatIsSetAsideMakesRoom();
+    void armingShowsFirstWhatWillMove();
+    void leavingDisarms();
+    void aScannerIsAKeyboard();
+    void aMistakeInARecipeIsSaidWithItsLine();
+};
+
+void TestProduction::oneClickServesUnitAfterUnit()
+{
+    Bench bench;
+    bench.page->start();
+    QVERIFY(bench.desk.begun.empty()); // without a recipe
+    QVERIFY(bench.open(plain));
+    bench.page->start();
+    QCOMPARE(bench.desk.begun.size(), 1U);
+    QCOMPARE(bench.desk.begun.front().link, std::string("sim:can"));
+    QCOMPARE(bench.desk.begun.front().units, std::optional(0)); // as they are put on, until it is ended
+    QCOMPARE(bench.desk.begun.front().matter->recipe.name, std::string("drive-base rev C"));
+}
+
+void TestProduction::theVerdictIsTheUnitThatRunsOrEndedLast()
+{
+    Bench bench;
+    QCOMPARE(bench.page->verdict().verdict().kind, Verdict::Kind::Waiting);
+    auto working = rowOf(1, service::RowState::Running, "A1");
+    working.what = "Page 12";
+    working.done = 12;
+    working.total = 30;
+    bench.show({working});
+    QCOMPARE(bench.page->verdict().verdict().kind, Verdict::Kind::Working);
+    QCOMPARE(bench.page->verdict().verdict().share, 0.4);
+    auto passed = rowOf(1, service::RowState::Passed, "A1");
+    passed.visit.number = 36;
+    bench.show({passed});
+    const Verdict &verdict = bench.page->verdict().verdict();
+    QCOMPARE(verdict.kind, Verdict::Kind::Passed);
+    QCOMPARE(verdict.unit, s("A1"));
+    QCOMPARE(verdict.number, s("#36"));
+    QCOMPARE(verdict.facts.front().value, s("1.23 → 1.25"));
+    QVERIFY(!verdict.next.isEmpty());
+    bench.show({passed, rowOf(2, service::RowState::Running, "B2")});
+    QCOMPARE(bench.page->verdict().verdict().unit, s("B2"));
+    auto *units = bench.page->findChild<QListWidget *>();
+    QCOMPARE(units->count(), 2);
+    QVERIFY(units->item(0)->text().startsWith(s("B2"))); // newest first
+}
+
+void TestProduction::aFailureSaysCauseAndRemedyAndCanBeTestedAgain()
+{
+    Bench bench;
+    auto failed = rowOf(7, service::RowState::Failed, "A1");
+    failed.visit.cause = "friction 0.61 V, at most 0.4";
+    failed.visit.remedy = "free the shaft";
+    bench.show({failed});
+    const Verdict &verdict = bench.page->verdict().verdict();
+    QCOMPARE(verdict.kind, Verdict::Kind::Failed);
+    QVERIFY(verdict.cause.contains(s("0.61")));
+    QVERIFY(!verdict.remedy.isEmpty());
+    QTest::keyClick(bench.page.get(), Qt::Key_F5);
+    QCOMPARE(bench.desk.retried, std::vector<std::uint32_t>{7});
+}
+
+void TestProduction::whatIsSetAsideMakesRoom()
+{
+    Bench bench;
+    bench.show({rowOf(7, service::RowState::Failed, "A1")});
+    QTest::keyClick(bench.page.get(), Qt::Key_F8);
+    QCOMPARE(bench.page->verdict().verdict().kind, Verdict::Kind::Waiting);
+    bench.show({rowOf(7, service::RowState::Failed, "A1"), rowOf(8, service::RowState::Passed, "B2")});
+    QCOMPARE(bench.page->verdict().verdict().unit, s("B2"));
+}
+
+void TestProduction::armingShowsFirstWhatWillMove()
+{
+    Bench bench;
+    QVERIFY(bench.open(plain));
+    QVERIFY(bench.page->armButton().isHidden()); // nothing moves
+    QVERIFY2(
+        bench.open(moving), qPrintable(bench.workbench.lines.empty() ? QString() : bench.workbench.lines.back().text));
+    QVERIFY(!bench.page->armButton().isHidden());
+    QVERIFY(bench.page->armButton().isHoldNeeded());
+    bool said = false;
+    for (const auto *label : bench.page->findChildren<QLabel *>())
+        said = said || (label->text().contains(s("0.3")) && label->text().contains(s("5")));
+    QVERIFY(said);
+    bench.show({});
+    Q_EMIT bench.page->armButton().activated();
+    QCOMPARE(bench.desk.armed, std::vector<bool>{true});
+    bench.desk.shown.armed = true;
+    Q_EMIT bench.desk.changed();
+    QTRY_VERIFY(bench.desk.renewed > 1);
+    Q_EMIT bench.page->armButton().activated();
+    QCOMPARE(bench.desk.armed, (std::vector<bool>{true, false}));
+}
+
+void TestProduction::leavingDisarms()
+{
+    Bench bench;
+    bench.page->hide();
+    QCOMPARE(bench.desk.armed, std::vector<bool>{false});
+}
+
+void TestProduction::aScannerIsAKeyboard()
+{
+    Bench bench;
+    bench.show(
+        {rowOf(3, service::RowState::Failed, "2103343A7B2E"), rowOf(4, service::RowState::Skipped, "2103343A7B2F")});
+    bench.page->setFocus();
+    QTest::keyClicks(bench.page.get(), s("2"));
+    auto *serial = bench.page->findChild<QLineEdit *>();
+    QCOMPARE(serial->text(), s("2"));
+    QTest::keyClicks(serial, s("103343A7B2F"));
+    QTest::keyClick(serial, Qt::Key_Return);
+    QCOMPARE(bench.desk.retried, std::vector<std::uint32_t>{4});
+    QVERIFY(serial->text().isEmpty());
+}
+
+void TestProduction::aMistakeInARecipeIsSaidWithItsLine()
+{
+    Bench bench;
+    QVERIFY(!bench.open("{\"recipe\":1,\n\"name\":\"x\",\n\"colour\":3}"));
+    QVERIFY2(bench.workbench.lines.back().text.contains(s("3")), qPrintable(bench.workbench.lines.back().text));
+}
+
+MB_WINDOW_TEST(TestProduction);
+#include "tst_production.moc"

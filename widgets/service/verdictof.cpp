@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/service/verdictof.h"
+
+#include "model/setpoint.h"
+#include "widgets/common/devicetext.h"
+#include "widgets/common/numberformat.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace mb {
+namespace {
+
+using service::QueueRow;
+using service::RowState;
+
+struct BenchText {
+    Q_DECLARE_TR_FUNCTIONS(mb::BenchText)
+};
+
+constexpr std::size_t mostFacts = 6;
+
+bool hasEnded(RowState state)
+{
+    return state == RowState::Passed || state == RowState::Failed || state == RowState::Refused;
+}
+
+QString boundsOf(const service::TestValue &value)
+{
+    if (!value.high)
+        return {};
+    return value.low ? BenchText::tr("%1 … %2").arg(formatSignificant(*value.low, 3), formatSignificant(*value.high, 3))
+                     : BenchText::tr("at most %1").arg(formatSignificant(*value.high, 3));
+}
+
+std::vector<Verdict::Fact> factsOf(const service::Visit &visit)
+{
+    std::vector<Verdict::Fact> facts;
+    if (!visit.from.empty() || !visit.to.empty())
+        facts.push_back({BenchText::tr("firmware"),
+            visit.from == visit.to || visit.to.empty() ? qt(visit.from)
+                                                       : qt(visit.from) + QStringLiteral(" → ") + qt(visit.to),
+            {}});
+    if (visit.parameters)
+        facts.push_back({BenchText::tr("parameters"), BenchText::tr("%1 equal").arg(*visit.parameters), {}});
+    for (const service::TestValue &value : visit.test)
+        facts.push_back({qt(value.key), value.value ? formatSignificant(*value.value, 3) : QString(UnknownMark),
+            value.unusual ? BenchText::tr("unusual, %1").arg(boundsOf(value)) : boundsOf(value)});
+    if (facts.size() > mostFacts)
+        facts.resize(mostFacts);
+    return facts;
+}
+
+Verdict::Kind kindOf(RowState state)
+{
+    switch (state) {
+    case RowState::Passed: return Verdict::Kind::Passed;
+    case RowState::Failed: return Verdict::Kind::Failed;
+    case RowState::Refused: return Verdict::Kind::Refused;
+    case RowState::Running: return Verdict::Kind::Working;
+    case RowState::Waiting:
+    case RowState::Skipped: break;
+    }
+    return Verdict::Kind::Waiting;
+}
+
+Verdict waiting(const ServiceView &view)
+{
+    Verdict verdict;
+    if (!view.trouble.empty()) {
+        verdict.kind = Verdict::Kind::Refused;
+        verdict.cause = tableText(view.trouble);
+    } else if (view.running) {
+        verdict.next = BenchText::tr("Connect a unit");
+        verdict.hint = BenchText::tr("It starts by itself when it answers on %1.").arg(qt(view.link));
+    } else {
+        verdict.next = BenchText::tr("Open a recipe, then Start");
+    }
+    return verdict;
+}
+
+const QueueRow *running(const ServiceView &view)
+{
+    const auto found = std::find_if(
+        view.rows.begin(), view.rows.end(), [](const QueueRow &row) { return row.state == RowState::Running; });
+    return found == view.rows.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+const QueueRow *lastEnded(const ServiceView &view, const std::vector<std::uint32_t> &setAside)
+{
+    if (running(view))
+        return nullptr;
+    const QueueRow *last = nullptr;
+    for (const QueueRow &row : view.rows) {
+        const bool seen = std::find(setAside.begin(), setAside.end(), row.id) != setAside.end();
+        if (hasEnded(row.state) && !seen
+            && (!last || row.visit.time + row.visit.seconds >= last->visit.time + last->visit.seconds))
+            last = &row;
+    }
+    return last;
+}
+
+QString nameOf(const QueueRow &row)
+{
+    return row.visit.serial.empty() ? qt(row.visit.device) : qt(row.visit.serial);
+}
+
+Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &setAside)
+{
+    const QueueRow *row = running(view);
+    if (!row)
+        row = lastEnded(view, setAside);
+    if (!row)
+        return waiting(view);
+    Verdict verdict;
+    verdict.kind = kindOf(row->state);
+    verdict.unit = nameOf(*row);
+    verdict.number = row->visit.number ? QStringLiteral("#%1").arg(*row->visit.number) : QString();
+    verdict.seconds = row->visit.seconds;
+    verdict.facts = factsOf(row->visit);
+    if (verdict.kind == Verdict::Kind::Working) {
+        verdict.step = view.announces ? BenchText::tr("The motor turns in a moment") : tableText(row->what);
+        verdict.share = row->total > 0 ? static_cast<double>(row->done) / row->total : 0.0;
+        verdict.next = row->mayInterrupt ? BenchText::tr("Safe to unplug") : BenchText::tr("Do not unplug");
+        return verdict;
+    }
+    verdict.cause = tableText(row->visit.cause);
+    verdict.remedy = tableText(row->visit.remedy);
+    if (!view.running)
+        return verdict;
+    verdict.next = BenchText::tr("Unplug, connect next");
+    verdict.hint = BenchText::tr("It starts by itself when it answers on %1.").arg(qt(view.link));
+    return verdict;
+}
+
+QString lineOf(const QueueRow &row)
+{
+    const service::Visit &visit = row.visit;
+    switch (row.state) {
+    case RowState::Passed: {
+        const QString versions = visit.from == visit.to || visit.to.empty()
+            ? qt(visit.from)
+            : qt(visit.from) + QStringLiteral(" → ") + qt(visit.to);
+        return BenchText::tr("passed") + (versions.isEmpty() ? QString() : QStringLiteral(" · ") + versions);
+    }
+    case RowState::Failed: return BenchText::tr("failed · %1").arg(tableText(visit.cause));
+    case RowState::Refused: return BenchText::tr("refused · %1").arg(tableText(visit.cause));
+    case RowState::Running: return tableText(row.what);
+    case RowState::Skipped: return BenchText::tr("left out");
+    case RowState::Waiting: return BenchText::tr("waiting");
+    }
+    return {};
+}
+
+std::optional<double> meanSeconds(const ServiceView &view)
+{
+    double sum = 0.0;
+    int count = 0;
+    for (const QueueRow &row : view.rows) {
+        if (row.state != RowState::Passed)
+            continue;
+        sum += row.visit.seconds;
+        ++count;
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+QString motionOf(const service::SelfTest &test)
+{
+    const QString unit = QLatin1Char(' ') + qt(unitOf(test.loop));
+    QStringList words{BenchText::tr("%1 to %2").arg(modeText(test.loop), formatSignificant(test.to, 4) + unit)};
+    if (test.limits.duty)
+        words << BenchText::tr("duty at most %1").arg(formatSignificant(*test.limits.duty, 2));
+    if (test.limits.speed)
+        words << BenchText::tr("speed at most %1 counts/s").arg(formatSignificant(*test.limits.speed, 4));
+    if (test.limits.travel)
+        words << BenchText::tr("travel at most %1 counts").arg(formatSignificant(*test.limits.travel, 4));
+    return words.join(QStringLiteral(", "));
+}
+
+} // namespace mb

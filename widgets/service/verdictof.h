@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/service/servicedesk.h"
+#include "widgets/service/verdictview.h"
+
+namespace mb {
+
+/// What the bench shows large: the unit that is being served, else the one that ended last, else that it is ready.
+/// `setAside`: rows whose verdict somebody has seen.
+[[nodiscard]] Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &setAside);
+/// The row that ended last and nobody has set aside; nullptr without one, and while another unit is being served.
+[[nodiscard]] const service::QueueRow *lastEnded(const ServiceView &view, const std::vector<std::uint32_t> &setAside);
+/// One line of the list of units: "passed · 1.23 → 1.25", or why not.
+[[nodiscard]] QString lineOf(const service::QueueRow &row);
+/// Serial number, or where it stands.
+[[nodiscard]] QString nameOf(const service::QueueRow &row);
+/// Mean seconds of the units that passed; nothing without one.
+[[nodiscard]] std::optional<double> meanSeconds(const ServiceView &view);
+/// "velocity 0 → 1500 counts/s, at most 0.3 duty, 2000 counts/s, 500 counts": what a self-test makes a motor do.
+[[nodiscard]] QString motionOf(const service::SelfTest &test);
+
+} // namespace mb
