@@ -11,7 +11,7 @@ pkg_check_modules(MOSQUITTO REQUIRED IMPORTED_TARGET libmosquitto) # `watch --to
 
 find_package(Qt5 5.15 REQUIRED COMPONENTS Core Gui Widgets PrintSupport Svg Sql SerialPort SerialBus DBus LinguistTools)
 set_package_properties(Qt5 PROPERTIES TYPE REQUIRED
-  PURPOSE "Core: JSON, descriptors in an event loop. Widgets, Svg: the window. Sql: the notebook. SerialPort, SerialBus: links. LinguistTools: translations")
+  PURPOSE "Core: JSON, descriptors in an event loop. Widgets, Svg: the window. Sql: the notebook (driver QSQLITE), a journal that stations share (driver QPSQL, package libqt5sql5-psql, asked for when it is wanted). SerialPort, SerialBus: links. LinguistTools: translations")
 find_package(QCustomPlot REQUIRED) # needs Qt5 PrintSupport found before it
 set_package_properties(QCustomPlot PROPERTIES TYPE REQUIRED PURPOSE "Axes, layers and export of the plots")
 find_package(tl-expected CONFIG REQUIRED)

@@ -136,7 +136,7 @@ LAYERS = [
     ("devices/model/", ("async", "wire", "transport", "model"), True),
     ("devices/recording/", ("async", "wire", "transport", "model", "recording"), True),
     ("devices/tuning/", ("async", "wire", "transport", "model", "tuning"), True),
-    ("devices/report/", ("async", "wire", "transport", "model", "tuning", "report"), True),
+    ("devices/report/", ("async", "wire", "transport", "model", "tuning", "service", "report"), True),
     ("devices/settings/", ("async", "wire", "transport", "model", "tuning", "settings"), True),
     ("devices/service/", ("async", "wire", "transport", "model", "tuning", "settings", "service"), True),
     ("devices/storage/", ("async", "wire", "transport", "model", "tuning", "report", "settings", "service", "storage"), True),

@@ -6793,6 +6793,109 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>%1 of %2 differ from their default and are set in bold.</source>
         <translation>%1 von %2 weichen von ihrer Vorgabe ab und sind fett gesetzt.</translation>
     </message>
+    <message>
+        <source>Labels</source>
+        <translation>Etiketten</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simuliert</translation>
+    </message>
+    <message>
+        <source>Firmware %1</source>
+        <translation>Firmware %1</translation>
+    </message>
+    <message>
+        <source>Resistance R, Ω</source>
+        <translation>Widerstand R, Ω</translation>
+    </message>
+    <message>
+        <source>Friction, V</source>
+        <translation>Reibung, V</translation>
+    </message>
+    <message>
+        <source>Gain 1/Ke, counts/s per V</source>
+        <translation>Verstärkung 1/Ke, counts/s je V</translation>
+    </message>
+    <message>
+        <source>Encoder counts both ways</source>
+        <translation>Encoder zählt in beide Richtungen</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>Self-test</source>
+        <translation>Selbsttest</translation>
+    </message>
+    <message>
+        <source>Limits</source>
+        <translation>Grenzen</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Änderung</translation>
+    </message>
+    <message>
+        <source>%1 since %2</source>
+        <translation>%1 seit %2</translation>
+    </message>
+    <message>
+        <source>PASS</source>
+        <translation>BESTANDEN</translation>
+    </message>
+    <message>
+        <source>FAIL</source>
+        <translation>FEHLER</translation>
+    </message>
+    <message>
+        <source>Not finished</source>
+        <translation>Nicht beendet</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Rezept</translation>
+    </message>
+    <message>
+        <source>Served</source>
+        <translation>Bearbeitet</translation>
+    </message>
+    <message>
+        <source>Number given</source>
+        <translation>Vergebene Nummer</translation>
+    </message>
+    <message>
+        <source>Parameters of the recipe</source>
+        <translation>Parameter des Rezepts</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n in the unit, read back</source>
+        <translation>
+            <numerusform>%n im Gerät, zurückgelesen</numerusform>
+            <numerusform>%n im Gerät, zurückgelesen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Service</source>
+        <translation>Service</translation>
+    </message>
+    <message>
+        <source>Cause or note</source>
+        <translation>Ursache oder Notiz</translation>
+    </message>
+    <message>
+        <source>Every service of this unit</source>
+        <translation>Jeder Service dieses Geräts</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>

@@ -79,6 +79,16 @@
     </message>
 </context>
 <context>
+    <name>mb::ReportText</name>
+    <message numerus="yes">
+        <source>%n in the unit, read back</source>
+        <translation>
+            <numerusform>%n in the unit, read back</numerusform>
+            <numerusform>%n in the unit, read back</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::TimelineList</name>
     <message numerus="yes">
         <source>%n differ from A</source>

@@ -118,6 +118,7 @@ std::string valuesOfVerbs(std::span<const Family *const> families)
         + " ;;\n    get|set)\n        case \"$device\" in\n        \"\") " + anyLink + " ;;\n"
         + caseOfFamilies(families, Words::keys, "        ")
         + "        esac ;;\n    restore|flash) if [ -n \"$device\" ]; then " + assign("FILES") + "; else " + anyLink
+        + "; fi ;;\n    service) if [ -z \"$device\" ]; then " + assign("FILES") + "; else " + anyLink
         + "; fi ;;\n    *) [ -z \"$device\" ] && " + anyLink + " ;;\n    esac\n";
 }
 
@@ -231,7 +232,7 @@ std::string forFish(std::span<const Family *const> families)
         onDevice("' -l channel -x -a '" + Words::channels(*family));
         onDevice("' -l mode -x -a '" + Words::modes(*family));
     }
-    for (const char *verb : {"restore", "flash", "decode", "plot"})
+    for (const char *verb : {"restore", "flash", "decode", "plot", "service"})
         text += "complete -c motorbenchctl -n '__fish_seen_subcommand_from " + std::string(verb) + "' -F\n";
     return text;
 }

@@ -102,6 +102,7 @@ Result<Report> gather(Console &console, ReportWish wish, std::optional<ReportUni
         unit->tunings = std::move(found.tunings);
         unit->trials = std::move(found.trials);
         unit->history = std::move(found.history);
+        unit->visits = std::move(found.visits);
         found = std::move(*unit);
     }
     Report report;

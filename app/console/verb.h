@@ -46,6 +46,8 @@ struct Verb {
 [[nodiscard]] Job declareStep(CLI::App &arguments);
 [[nodiscard]] Job declareTune(CLI::App &arguments);
 [[nodiscard]] Job declareTrials(CLI::App &arguments);
+[[nodiscard]] Job declareService(CLI::App &arguments);
+[[nodiscard]] Job declareJournal(CLI::App &arguments);
 [[nodiscard]] Job declareReport(CLI::App &arguments);
 
 } // namespace mb::console

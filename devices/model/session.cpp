@@ -316,7 +316,8 @@ Device &Session::adopt(Link &link, const Family &family, const Identity &identit
     Entry *match = nullptr;
     for (Entry &entry : m_devices) {
         Device &device = *entry.device;
-        if (&device.link() != &link || &device.family() != &family || device.identity().address != identity.address)
+        if (&device.link() != &link || device.family().key != family.key
+            || device.identity().address != identity.address)
             continue;
         if (device.identity().session == identity.session) {
             match = &entry;

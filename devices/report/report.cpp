@@ -6,8 +6,10 @@
 #include "report/trialsection.h"
 #include "report/tuningsection.h"
 #include "report/unitsection.h"
+#include "report/visitsection.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -47,6 +49,7 @@ QString unitHtml(const ReportUnit &unit, const Report &report, bool first)
     if (unit.simulated)
         html += demoBanner();
     html += identityHtml(unit, report);
+    html += lastVisitHtml(unit);
     bool onFirstPage = true;
     const auto newPage = [&onFirstPage](const QString &section) {
         const QString placed
@@ -60,9 +63,10 @@ QString unitHtml(const ReportUnit &unit, const Report &report, bool first)
         html += newPage(trialHtml(trial, unit, report));
     if (const QString history = historyHtml(unit); !history.isEmpty())
         html += history; // which goes on where there is room
+    html += visitsHtml(unit);
     if (const QString parameters = parametersHtml(unit, report); !parameters.isEmpty())
         html += newPage(parameters);
-    if (unit.tunings.empty() && unit.trials.empty() && unit.history.empty())
+    if (unit.tunings.empty() && unit.trials.empty() && unit.history.empty() && unit.visits.empty())
         html += paragraph(ReportText::tr("There are no trials of this unit in the notebook."), "dim");
     return html;
 }
@@ -87,6 +91,31 @@ QString htmlOf(const Report &report)
         + QStringLiteral("</style></head>\n<body>\n");
     for (const ReportUnit &unit : report.units)
         html += unitHtml(unit, report, &unit == &report.units.front());
+    return html + QStringLiteral("</body></html>\n");
+}
+
+QString labelHtmlOf(const Report &report)
+{
+    QString html = QStringLiteral("<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>")
+        + ReportText::tr("Labels")
+        + QStringLiteral("</title>\n<style>@page { size: 62mm 29mm; margin: 2mm } "
+                         "body { font-family: sans-serif; font-size: 9pt; margin: 0 } "
+                         "p { margin: 0 } .big { font-size: 14pt }</style></head>\n<body>\n");
+    bool first = true;
+    for (const ReportUnit &unit : report.units) {
+        if (unit.visits.empty())
+            continue;
+        const service::Visit &visit = unit.visits.back();
+        html += std::exchange(first, false) ? QStringLiteral("<div>\n")
+                                            : QStringLiteral("<div style=\"page-break-before: always\">\n");
+        html += paragraph(strong(escaped(nameOf(unit))) + QStringLiteral(" ")
+                + escaped(unit.simulated ? ReportText::tr("simulated") : QString()),
+            "big");
+        html += paragraph(escaped(visit.serial.empty() ? visit.unit : visit.serial));
+        html += paragraph(ReportText::tr("Firmware %1").arg(escaped(visit.to.empty() ? visit.from : visit.to)));
+        html += paragraph(resultHtml(visit.outcome) + QStringLiteral(" ") + timeText(visit.time))
+            + QStringLiteral("</div>\n");
+    }
     return html + QStringLiteral("</body></html>\n");
 }
 

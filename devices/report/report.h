@@ -10,4 +10,7 @@ namespace mb {
 /// of its units is.
 [[nodiscard]] QString htmlOf(const Report &report);
 
+/// A label of 62 × 29 mm for each unit that was served: name, number, serial number, firmware, result and day. The same rules.
+[[nodiscard]] QString labelHtmlOf(const Report &report);
+
 } // namespace mb

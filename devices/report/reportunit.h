@@ -3,6 +3,7 @@
 
 #include "model/identity.h"
 #include "model/parameterstore.h"
+#include "service/visit.h"
 #include "tuning/kepttrial.h"
 #include "tuning/kepttuning.h"
 
@@ -27,6 +28,7 @@ struct ReportUnit {
     std::vector<KeptTuning> tunings;               ///< in full, the trials of their proof with signals
     std::vector<KeptTrial> trials;                 ///< in full, with signals
     std::vector<KeptTrial> history;                ///< every trial of the unit, one line each
+    std::vector<service::Visit> visits;            ///< every service of it, oldest first
 };
 
 /// What a report is to be about: trials by number, or all that matters of one unit (Trial::unit).

@@ -58,7 +58,7 @@ struct SelfTest {
     std::vector<Acceptance> accept;
 };
 
-/// What is done to every unit, as its file says (docs/service.md). A value.
+/// What is done to every unit, as its file says (docs/recipes.md). A value.
 struct Recipe {
     std::string name;
     const Family *family = nullptr;

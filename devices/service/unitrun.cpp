@@ -154,8 +154,9 @@ Task<std::string> UnitRun::look()
     co_await std::move(meeting);
     auto looking = preflight(m_device, m_around.matter, m_progress);
     co_await std::move(looking);
-    if (m_device.identity().serial != m_visit.serial)
-        co_return fail(Fault::Refused, say("this is another unit by now, number %1", m_device.identity().serial),
+    const std::string &serial = m_device.identity().serial;
+    if (!serial.empty() && !m_visit.serial.empty() && serial != m_visit.serial)
+        co_return fail(Fault::Refused, say("this is another unit by now, number %1", serial),
             say("look for units again"));
     co_return m_device.identity().firmware.empty() ? std::string("no version is told")
                                                    : "firmware " + m_device.identity().firmware;
@@ -304,6 +305,8 @@ Task<int> UnitRun::reserve()
         const Result<int> number = co_await std::move(asking).attempt();
         if (number || number.error().fault != Fault::Timeout)
             co_return number;
+        if (m_around.experiments.interruption && m_around.experiments.interruption->isRequested())
+            co_return fail(Fault::Cancelled, say("stopped while it waited for a number"));
         m_progress.step(say("no number: server silent"), 0, 0);
         Sleep waiting(m_device.clock(), numberAgain);
         co_await waiting;

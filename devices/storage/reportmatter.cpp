@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/reportmatter.h"
 
+#include "storage/visittable.h"
+
 #include "model/family.h"
 
 #include <algorithm>
@@ -47,6 +49,12 @@ Result<void> fill(TrialBook &book, ReportUnit &unit, const ReportWish &wish)
     if (!history)
         return fail(history.error());
     unit.history = std::move(*history);
+    service::VisitFilter served;
+    served.unit = unit.unit;
+    if (auto visits = getVisits(book.database(), served)) { // a file that is read only may be older than they are
+        for (KeptVisit &kept : *visits)
+            unit.visits.push_back(std::move(kept.visit));
+    }
     auto tunings = book.tuningsOf(unit.unit);
     if (!tunings)
         return fail(tunings.error());

@@ -37,6 +37,7 @@ public:
     [[nodiscard]] Result<void> setStar(std::int64_t number, bool star);
     [[nodiscard]] Result<void> setNote(std::int64_t number, const std::string &note);
     [[nodiscard]] Result<void> remove(std::int64_t number);
+    [[nodiscard]] Database &database() const { return m_database; }
 
 private:
     [[nodiscard]] Result<std::vector<KeptTrial>> read(const std::string &where, const QVariantList &values);

@@ -10,7 +10,7 @@ namespace mb::dmc60c::simulation {
 namespace {
 
 constexpr std::size_t fifoFrames = 24;
-constexpr std::uint32_t pdid = (productDmc60c << 20U) | 0x00103U;
+constexpr std::uint32_t edition = 0x00103U; ///< pdid bits 19…0
 constexpr auto halfMillisecond = std::chrono::microseconds(500);
 
 std::uint32_t messageOf(const CanFrame &frame)
@@ -136,7 +136,7 @@ void Unit::sendEnumeration()
     }
     std::array<std::uint8_t, 6> first{};
     writeU16le(first, 0, m_session);
-    writeU32le(first, 2, pdid);
+    writeU32le(first, 2, (m_options.product << 20U) | edition);
     std::array<std::uint8_t, 8> second{};
     writeU16le(second, 0, m_session);
     writeU16le(

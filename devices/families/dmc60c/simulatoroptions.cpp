@@ -28,6 +28,13 @@ bool setFirmware(UnitOptions &options, std::string_view text)
     return options.firmware != noApplication;
 }
 
+bool setProduct(UnitOptions &options, std::string_view text)
+{
+    const auto product = wholeFrom<std::uint32_t>(text, 16);
+    options.product = product.value_or(0);
+    return product && *product > 0 && *product <= 0xFFFU;
+}
+
 bool setText(std::string &out, std::string_view text, std::size_t longest)
 {
     out = text;
@@ -51,6 +58,7 @@ constexpr std::array optionTable{
     Option{"session", setSession},
     Option{"name", [](UnitOptions &o, std::string_view text) { return setText(o.name, text, maxNameLength); }},
     Option{"firmware", setFirmware},
+    Option{"product", setProduct},
     Option{"state", [](UnitOptions &o, std::string_view text) { return takeWord(text, states, o.inBootloader); }},
     Option{"crc", [](UnitOptions &o, std::string_view text) { return takeWord(text, crcs, o.crc); }},
     Option{"velocity", [](UnitOptions &o, std::string_view text) { return takeWord(text, windows, o.velocity); }},

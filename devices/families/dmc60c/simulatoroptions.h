@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "families/dmc60c/protocol.h"
 #include "families/dmc60c/simulatorcontrol.h"
 #include "families/dmc60c/simulatorflash.h"
 #include "model/simulator.h"
@@ -22,6 +23,7 @@ struct UnitOptions {
     std::string serial;
     std::string name = "DMC60C";
     std::optional<std::uint16_t> session;
+    std::uint32_t product = productDmc60c;
     std::uint16_t firmware = 0x0117;
     bool inBootloader = false;
     CrcVariant crc = CrcVariant::A;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/table.h"
+#include "app/console/target.h"
+#include "app/console/verb.h"
+#include "app/folders/account.h"
+#include "app/folders/userfolders.h"
+#include "storage/servicebook.h"
+#include "storage/visitjson.h"
+#include "wire/number.h"
+
+#include <QDateTime>
+
+#include <cmath>
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+struct Arguments {
+    std::string since;
+    std::string serial;
+    std::string file;
+};
+
+/// Unix seconds, or a date with or without a time of day.
+Result<std::optional<double>> parseTime(const std::string &text)
+{
+    if (text.empty())
+        return std::optional<double>();
+    if (const auto seconds = numberFrom(text))
+        return std::optional<double>(*seconds);
+    const QDateTime time = QDateTime::fromString(qt(text), Qt::ISODate);
+    if (time.isValid())
+        return std::optional<double>(static_cast<double>(time.toMSecsSinceEpoch()) * 1e-3);
+    return fail(Fault::Usage, "--since: '" + text + "' is no time",
+        "such as 2026-03-01, 2026-03-01T14:30:00, or seconds since 1970");
+}
+
+void print(Console &console, const std::vector<service::Visit> &visits)
+{
+    Table table({"TIME", "SERIAL", "DEVICE", "RESULT", "STEP", "FROM", "TO", "RECIPE", "STATION", "CAUSE", "NOTE"});
+    for (const service::Visit &v : visits)
+        table.add({QDateTime::fromMSecsSinceEpoch(std::llround(v.time * 1e3)).toString(Qt::ISODate).toStdString(),
+            v.serial.empty() ? v.unit : v.serial, v.device, std::string(toString(v.outcome)),
+            std::string(toString(v.step)), v.from, v.to, v.recipe, v.station, v.cause, v.note});
+    table.print(console.out());
+}
+
+Task<int> journal(Console &console, Arguments a)
+{
+    const auto since = parseTime(a.since);
+    if (!since)
+        co_return fail(since.error());
+    if (!a.file.empty() && !a.file.ends_with(".csv"))
+        co_return fail(Fault::Usage, "--export: '" + a.file + "' does not end with .csv", "the journal is a table");
+    auto database = Database::open(databaseFile());
+    if (!database)
+        co_return fail(database.error());
+    if (!(*database)->remark().empty())
+        complain((*database)->remark());
+    ServiceBook book(**database, console.clock(), {}, accountName());
+    service::VisitFilter filter;
+    filter.since = *since;
+    filter.serial = a.serial;
+    const auto visits = book.list(filter);
+    if (!visits)
+        co_return fail(visits.error());
+    if (!a.file.empty()) {
+        if (auto saved = exportVisits(a.file, *visits); !saved)
+            co_return fail(saved.error());
+        console.note(std::to_string(visits->size()) + " entries in " + a.file);
+    }
+    if (console.json())
+        console.out().json({{QStringLiteral("entries"), visitRows(*visits)}});
+    else
+        print(console, *visits);
+    co_return exitDone;
+}
+
+} // namespace
+
+Job declareJournal(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("--since", a->since, "A date, a date and time, or seconds since 1970");
+    arguments.add_option("--serial", a->serial, "One unit only");
+    arguments.add_option("--export", a->file, "Write them to a table, too: .csv");
+    return [a](Console &console) { return journal(console, *a); };
+}
+
+} // namespace mb::console

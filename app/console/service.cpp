@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/console/linkrows.h"
+#include "app/console/servicedesk.h"
+#include "app/console/target.h"
+#include "app/console/verb.h"
+#include "async/sleep.h"
+#include "storage/visitjson.h"
+
+#include <QSysInfo>
+
+#include <algorithm>
+#include <cmath>
+#include <list>
+#include <memory>
+
+namespace mb::console {
+namespace {
+
+constexpr Duration leaseRenewal = std::chrono::milliseconds(100);
+constexpr int mostUnits = 100'000;
+
+struct Arguments {
+    std::string recipe;
+    std::vector<std::string> links;
+    std::string units;
+    bool resume = false;
+    std::string station;
+    std::string journal;
+};
+
+struct Plan {
+    service::RecipeMatter matter;
+    std::vector<LinkAddress> links;
+    std::optional<int> units;
+};
+
+bool serves(const Family &family, LinkKind kind)
+{
+    return std::find(family.links.begin(), family.links.end(), kind) != family.links.end();
+}
+
+/// Those that were named; else the CAN interfaces that are up, as scan has it.
+Result<std::vector<LinkAddress>> linksOf(const Console &console, const Arguments &a, const Family &family)
+{
+    const auto named = parseLinks(console, a.links);
+    if (!named)
+        return fail(named.error());
+    std::vector<LinkAddress> links;
+    for (const LinkAddress &link : *named) {
+        if (serves(family, kindOf(link)))
+            links.push_back(link);
+        else if (!link.isSimulated())
+            return fail(Fault::Usage, std::string(family.key) + " is not found on " + link.text(),
+                "name a link of the kind " + std::string(toString(family.links.front())));
+    }
+    if (a.links.empty()) {
+        for (const LinkListing &listing : allLinks(console)) {
+            if (listing.link.scheme == "socketcan" && listing.openable && serves(family, LinkKind::Can))
+                links.push_back(listing.link);
+        }
+    }
+    if (links.empty())
+        return fail(Fault::Usage, "there is no link on which a " + std::string(family.key) + " could be found",
+            "name one, such as socketcan:can0");
+    return links;
+}
+
+Result<Plan> check(const Console &console, const Arguments &a)
+{
+    auto matter = service::loadRecipe(a.recipe, console.families());
+    if (!matter)
+        return fail(matter.error().fault, matter.error().detail,
+            matter.error().remedy.empty() ? "mend the recipe" : matter.error().remedy);
+    Plan plan{std::move(*matter), {}, {}};
+    auto links = linksOf(console, a, *plan.matter.recipe.family);
+    if (!links)
+        return fail(links.error());
+    plan.links = std::move(*links);
+    if (!a.units.empty()) {
+        const auto units = parseInteger("--units", a.units, 1, mostUnits);
+        if (!units)
+            return fail(units.error());
+        plan.units = *units;
+    }
+    return plan;
+}
+
+std::string textOf(const service::Visit &visit)
+{
+    std::string text = std::string(toString(visit.outcome)) + "  " + (visit.serial.empty() ? visit.unit : visit.serial)
+        + "  " + visit.device;
+    if (!visit.to.empty())
+        text += "  " + (visit.from.empty() ? "?" : visit.from) + " → " + visit.to;
+    text += "  " + numberText(std::round(visit.seconds * 10.0) / 10.0) + " s";
+    if (!visit.cause.empty())
+        text += "  at " + std::string(toString(visit.step)) + ": " + visit.cause
+            + (visit.remedy.empty() ? "" : "; " + visit.remedy);
+    return text;
+}
+
+/// One queue from its start to its summary.
+class Service {
+public:
+    Service(Console &console, ServiceDesk &desk, const Plan &plan, service::QueueOptions options)
+        : m_console(console)
+        , m_permit(console)
+        , m_queue(console.clock(), plan.matter, {desk.journal(), &desk.settings(), &desk.trials(), &m_permit, {}},
+              std::move(options))
+        , m_progress(console)
+        , m_renewal(console.clock())
+        , m_begun(console.clock().now())
+    {
+        m_subscriptions.push_back(m_queue.changed().add([this] { showProgress(); }));
+        m_subscriptions.push_back(m_queue.unitEnded().add([this](const service::Visit &visit) { print(visit); }));
+        m_subscriptions.push_back(m_queue.ended().add([this] { m_ended.set(); }));
+        m_subscriptions.push_back(m_console.interrupted().add([this] { interrupt(); }));
+    }
+    [[nodiscard]] Task<int> run(std::vector<LinkAddress> links)
+    {
+        for (const LinkAddress &address : links) {
+            Stage &stage = m_stages.emplace_back(m_console, address);
+            auto opening = stage.session().openLinkSoon(address);
+            Link *const link = co_await std::move(opening);
+            link->setPatience(m_console.options().patience);
+            m_queue.addBus(stage.session(), *link);
+        }
+        m_console.begin();
+        renew();
+        m_queue.start();
+        co_await m_ended.wait();
+        m_renewal.stop();
+        summarize();
+        co_return verdict();
+    }
+
+private:
+    void renew()
+    {
+        m_queue.renewLease();
+        m_renewal.startIn(leaseRenewal, [this] { renew(); });
+    }
+    void interrupt()
+    {
+        m_console.note("motors stop; what must not be cut is brought to its end, and --resume goes on after that");
+        m_queue.stop();
+        m_isInterrupted = true;
+    }
+    void showProgress()
+    {
+        for (const service::QueueRow &row : m_queue.rows()) {
+            if (row.state == service::RowState::Running && !row.what.empty())
+                m_progress.step(row.visit.serial + ' ' + std::string(toString(row.visit.step)) + ": " + row.what,
+                    row.done, row.total);
+        }
+    }
+    void print(const service::Visit &visit)
+    {
+        m_isUnconfirmed = m_isUnconfirmed || visit.cause.find("was not confirmed") != std::string::npos;
+        if (m_console.json())
+            m_console.out().json(visitLine(visit));
+        else
+            m_console.out().line(textOf(visit));
+    }
+    void summarize()
+    {
+        const service::QueueCounts counts = m_queue.counts();
+        const double seconds = std::round(secondsOf(m_console.clock().now() - m_begun) * 1e3) / 1e3;
+        if (m_console.json())
+            m_console.out().json({{QStringLiteral("summary"),
+                QJsonObject{{QStringLiteral("passed"), counts.passed}, {QStringLiteral("failed"), counts.failed},
+                    {QStringLiteral("refused"), counts.refused}, {QStringLiteral("seconds"), seconds}}}});
+        else
+            m_console.out().line(std::to_string(counts.passed) + " passed, " + std::to_string(counts.failed)
+                + " failed, " + std::to_string(counts.refused) + " refused, " + numberText(seconds) + " s");
+    }
+    [[nodiscard]] Result<int> verdict() const
+    {
+        const service::QueueCounts counts = m_queue.counts();
+        if (m_isUnconfirmed)
+            return fail(Fault::Unsafe, "the stop of a motor was not confirmed", "see that it stands");
+        if (m_queue.trouble())
+            return fail(*m_queue.trouble());
+        if (m_isInterrupted)
+            return fail(Fault::Cancelled, "cancelled before all units were done", "run it again with --resume");
+        if (counts.ended() == 0)
+            return fail(Fault::Timeout, "no " + std::string(m_queue.matter().recipe.family->key) + " answers",
+                "check power and cable; 'motorbenchctl scan' lists what answers");
+        if (counts.failed + counts.refused > 0)
+            return fail(Fault::Refused,
+                std::to_string(counts.failed) + " of " + std::to_string(counts.ended()) + " units failed, "
+                    + std::to_string(counts.refused) + " were refused",
+                "their lines say why; 'motorbenchctl journal' has them, too");
+        return exitDone;
+    }
+
+    Console &m_console;
+    SpokenPermit m_permit;
+    std::list<Stage> m_stages;
+    service::ServiceQueue m_queue;
+    ProgressLine m_progress;
+    Timer m_renewal;
+    const Instant m_begun;
+    Event m_ended;
+    bool m_isInterrupted = false;
+    bool m_isUnconfirmed = false;
+    std::vector<Subscription> m_subscriptions;
+};
+
+Task<int> serve(Console &console, Arguments a)
+{
+    const auto plan = check(console, a);
+    if (!plan)
+        co_return fail(plan.error());
+    const std::string station = a.station.empty() ? QSysInfo::machineHostName().toStdString() : a.station;
+    const auto desk = ServiceDesk::open(console, station, a.journal);
+    if (!desk)
+        co_return fail(desk.error());
+    service::QueueOptions options;
+    options.station = station;
+    options.units = plan->units;
+    const auto last = (*desk)->book().lastRun(plan->matter.recipe.name);
+    if (a.resume)
+        options.run = last.value_or(std::string());
+    if (a.resume && options.run.empty())
+        console.note("there is nothing to resume: this station has not run this recipe yet");
+    Result<int> ran;
+    {
+        Service running(console, **desk, *plan, std::move(options));
+        auto working = running.run(plan->links);
+        ran = co_await std::move(working).attempt();
+        Sleep leaving(console.clock(), Duration::zero()); // a session is never ended from inside its own work
+        co_await leaving;
+    }
+    auto handing = (*desk)->handOver();
+    co_await std::move(handing);
+    co_return ran;
+}
+
+} // namespace
+
+Job declareService(CLI::App &arguments)
+{
+    const auto a = std::make_shared<Arguments>();
+    arguments.add_option("recipe", a->recipe, "What is done to every unit: a JSON file")->required();
+    arguments.add_option("link", a->links, "Where the units are; every CAN interface that is up otherwise");
+    arguments.add_option(
+        "--units", a->units, "Wait for so many units, one after the other; what is there now otherwise");
+    arguments.add_flag("--resume", a->resume, "Go on with the last run of this recipe, which was cut off");
+    arguments.add_option(
+        "--station", a->station, "The name of this place in the journal; that of the computer otherwise");
+    arguments.add_option("--journal", a->journal, "Share the journal: postgresql://USER@HOST/DB");
+    return [a](Console &console) { return serve(console, *a); };
+}
+
+} // namespace mb::console

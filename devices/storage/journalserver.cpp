@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/journalserver.h"
+
+#include "model/qttext.h"
+#include "storage/schema.h"
+#include "storage/servicebook.h"
+
+#include <QSqlQuery>
+
+namespace mb {
+namespace {
+
+constexpr int newest = 1; ///< version of the tables on a server: journalSchema()
+
+/// Two stations may come at the same moment: one of them makes the tables.
+Result<void> makeTables(SqlConnection &sql)
+{
+    return sql.transact([&sql]() -> Result<void> {
+        auto done = sql.run("SELECT pg_advisory_xact_lock(7733101)");
+        if (done)
+            done = sql.run("CREATE TABLE IF NOT EXISTS motorbench_schema (version BIGINT NOT NULL)");
+        int version = 0;
+        if (done)
+            done = sql.run("SELECT version FROM motorbench_schema", {},
+                [&version](const QSqlQuery &row) { version = row.value(0).toInt(); });
+        if (!done || version == newest)
+            return done;
+        if (version > newest)
+            return fail(Fault::OutOfRange, "the journal on the server was made by a newer version of this program",
+                "use that one");
+        for (const QString &statement :
+            QString::fromUtf8(journalSchema()).split(QStringLiteral(";\n"), Qt::SkipEmptyParts)) {
+            if (done && !statement.trimmed().isEmpty())
+                done = sql.run(statement.toUtf8().constData());
+        }
+        return done ? sql.run("INSERT INTO motorbench_schema (version) VALUES (1)") : done;
+    });
+}
+
+} // namespace
+
+Result<JournalServer> JournalServer::parse(const std::string &url)
+{
+    auto address = ServerAddress::parse(url);
+    if (!address)
+        return fail(address.error());
+    return JournalServer(std::move(*address));
+}
+
+Result<void> JournalServer::prepare() const
+{
+    const auto connection = ServerConnection::open(m_address);
+    if (!connection)
+        return fail(connection.error());
+    return makeTables(**connection);
+}
+
+Result<void> JournalServer::deliver(const std::vector<KeptVisit> &visits) const
+{
+    const auto connection = ServerConnection::open(m_address);
+    if (!connection)
+        return fail(connection.error());
+    if (auto made = makeTables(**connection); !made)
+        return made;
+    return putVisits(**connection, visits);
+}
+
+Result<std::vector<KeptVisit>> JournalServer::visits(const service::VisitFilter &filter) const
+{
+    const auto connection = ServerConnection::open(m_address);
+    if (!connection)
+        return fail(connection.error());
+    if (auto made = makeTables(**connection); !made)
+        return fail(made.error());
+    return getVisits(**connection, filter);
+}
+
+Result<NumberBlock> JournalServer::take(
+    const std::string &token, const service::NumberWish &wish, const std::string &station, double time) const
+{
+    const auto connection = ServerConnection::open(m_address);
+    if (!connection)
+        return fail(connection.error());
+    if (auto made = makeTables(**connection); !made)
+        return fail(made.error());
+    return takeBlock(**connection, token, wish, numbersInBlock, station, time);
+}
+
+} // namespace mb

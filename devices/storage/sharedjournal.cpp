@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "storage/sharedjournal.h"
+
+#include "model/qttext.h"
+
+#include <QSqlQuery>
+#include <QUuid>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto lane = "journal-server";
+constexpr Duration serverLimit = 12s; ///< of a call, whatever hangs
+constexpr Duration againAfter = 5s;
+constexpr int batchSize = 50;
+
+} // namespace
+
+using service::NumberWish;
+using service::Visit;
+
+SharedJournal::SharedJournal(ServiceBook &book, JournalServer server, Clock &clock, Background *background)
+    : m_book(book)
+    , m_server(std::move(server))
+    , m_clock(clock)
+    , m_background(background)
+    , m_again(clock)
+    , m_scope(clock)
+{
+    deliverSoon();
+}
+
+Task<Visit> SharedJournal::open(Visit visit)
+{
+    auto opening = m_book.open(std::move(visit));
+    Visit opened = co_await std::move(opening);
+    deliverSoon();
+    co_return opened;
+}
+
+Task<Visit> SharedJournal::write(Visit visit)
+{
+    auto writing = m_book.write(std::move(visit));
+    Visit written = co_await std::move(writing);
+    deliverSoon();
+    co_return written;
+}
+
+Task<std::vector<Visit>> SharedJournal::visits(service::VisitFilter filter)
+{
+    return m_book.visits(std::move(filter));
+}
+
+void SharedJournal::deliverSoon()
+{
+    m_isBehind = true;
+    if (m_isDelivering)
+        return;
+    m_isDelivering = true;
+    m_scope.spawn<void>(deliver(), [this](Result<void> delivered) {
+        m_isDelivering = false;
+        m_trouble = delivered ? Error{} : delivered.error();
+        m_changed.notify();
+        if (!delivered)
+            m_again.startIn(againAfter, [this] { deliverSoon(); });
+        else if (m_isBehind)
+            deliverSoon();
+    });
+}
+
+Task<void> SharedJournal::deliver()
+{
+    for (;;) {
+        m_isBehind = false;
+        const auto batch = undelivered(m_book.database(), batchSize);
+        if (!batch)
+            co_return fail(batch.error());
+        if (batch->empty())
+            co_return {};
+        auto delivering = deliverBatch(*batch);
+        co_await std::move(delivering);
+        if (auto marked = markDelivered(m_book.database(), *batch); !marked)
+            co_return fail(marked.error());
+        m_changed.notify();
+    }
+}
+
+Task<void> SharedJournal::deliverBatch(std::vector<KeptVisit> batch)
+{
+    if (!m_background)
+        co_return m_server.deliver(batch);
+    auto working = inBackground<bool>(
+        *m_background, m_clock, lane, serverLimit,
+        [server = m_server, batch = std::move(batch)]() -> Result<bool> {
+            if (auto delivered = server.deliver(batch); !delivered)
+                return fail(delivered.error());
+            return true;
+        },
+        WhenLate::Finish);
+    const Result<bool> delivered = co_await std::move(working).attempt();
+    if (!delivered)
+        co_return fail(delivered.error());
+    co_return {};
+}
+
+/// What is asked for is written down before: an answer that was lost is asked for again by the same name.
+Result<std::string> SharedJournal::tokenFor(const std::string &scope)
+{
+    SqlConnection &sql = m_book.database();
+    std::string token;
+    auto read = sql.run("SELECT token FROM service_block WHERE scope = ? AND last < first", {qt(scope)},
+        [&token](const QSqlQuery &row) { token = row.value(0).toString().toStdString(); });
+    if (!read)
+        return fail(read.error());
+    if (!token.empty())
+        return token;
+    token = QUuid::createUuid().toString(QUuid::WithoutBraces).toStdString();
+    auto kept
+        = sql.run("INSERT INTO service_block (token, scope, first, last, station, time) VALUES (?, ?, 1, 0, ?, ?)",
+            {qt(token), qt(scope), qt(m_book.station()), m_book.now()});
+    if (!kept)
+        return fail(kept.error());
+    return token;
+}
+
+Task<NumberBlock> SharedJournal::take(std::string token, NumberWish wish)
+{
+    if (!m_background)
+        co_return m_server.take(token, wish, m_book.station(), m_book.now());
+    auto working = inBackground<NumberBlock>(
+        *m_background, m_clock, lane, serverLimit,
+        [server = m_server, token, wish, station = m_book.station(), time = m_book.now()] {
+            return server.take(token, wish, station, time);
+        },
+        WhenLate::Finish);
+    co_return co_await std::move(working).attempt();
+}
+
+Task<int> SharedJournal::number(NumberWish wish)
+{
+    SqlConnection &sql = m_book.database();
+    for (;;) {
+        const auto given = giveNumber(sql, wish);
+        if (!given)
+            co_return fail(given.error());
+        if (*given)
+            co_return **given;
+        const auto token = tokenFor(wish.scope);
+        if (!token)
+            co_return fail(token.error());
+        auto taking = take(*token, wish);
+        const Result<NumberBlock> block = co_await std::move(taking).attempt();
+        if (!block)
+            co_return fail(block.error());
+        auto kept = keepBlock(sql, wish.scope, *block); // again after a cut: the token is still asked for then
+        if (kept)
+            kept = sql.run("UPDATE service_block SET first = ?, last = ? WHERE token = ?",
+                {block->first, block->last, qt(*token)});
+        if (!kept)
+            co_return fail(kept.error());
+    }
+}
+
+int SharedJournal::waiting() const
+{
+    return countUndelivered(m_book.database()).value_or(0);
+}
+
+} // namespace mb

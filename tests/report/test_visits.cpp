@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/report.h"
+#include "report/visitsection.h"
+
+#include <gtest/gtest.h>
+
+namespace mb {
+namespace {
+
+using service::Outcome;
+using service::Visit;
+
+Visit visitOf(double time, double friction, Outcome outcome)
+{
+    Visit visit;
+    visit.id = std::to_string(time);
+    visit.time = time;
+    visit.recipe = "drive-base <rev C>";
+    visit.station = "bench 1";
+    visit.person = "anna";
+    visit.serial = "2103343A7B2E";
+    visit.unit = "dmc60c 2103343A7B2E";
+    visit.from = "1.23";
+    visit.to = "1.25";
+    visit.number = 36;
+    visit.parameters = 55;
+    visit.outcome = outcome;
+    visit.test = {{"friction", friction, 0.1, 0.4, friction <= 0.4}, {"encoder", 1.0, 1.0, 1.0}};
+    return visit;
+}
+
+Report reportOf(std::vector<Visit> visits)
+{
+    Report report;
+    report.program = "MotorBench";
+    ReportUnit unit;
+    unit.identity.family = "dmc60c";
+    unit.identity.address = 36;
+    unit.identity.serial = "2103343A7B2E";
+    unit.visits = std::move(visits);
+    report.units.push_back(std::move(unit));
+    return report;
+}
+
+TEST(ServiceCard, ComparesWithTheLastVisit)
+{
+    EXPECT_EQ(changeText(0.33, 0.24), QStringLiteral("+38 %"));
+    EXPECT_EQ(changeText(0.12, 0.24), QString(QChar(0x2212)) + QStringLiteral("50 %"));
+    EXPECT_EQ(changeText(0.12, std::nullopt), QString());
+    const QString html
+        = htmlOf(reportOf({visitOf(1e9, 0.24, Outcome::Passed), visitOf(1.01e9, 0.331, Outcome::Passed)}));
+    EXPECT_TRUE(html.contains(QStringLiteral("+38 % since 2001-09-0"))) << html.toStdString();
+    EXPECT_TRUE(html.contains(QStringLiteral("PASS")));
+    EXPECT_TRUE(html.contains(QStringLiteral("1.23 → 1.25")));
+    EXPECT_TRUE(html.contains(QStringLiteral("drive-base &lt;rev C&gt;")));
+    EXPECT_TRUE(html.contains(QStringLiteral("Every service of this unit")));
+}
+
+TEST(ServiceCard, AFailureHasItsCause)
+{
+    Visit failed = visitOf(1e9, 0.61, Outcome::Failed);
+    failed.cause = "friction is 0.61, limits 0.1 … 0.4";
+    failed.remedy = "free the shaft";
+    const QString html = htmlOf(reportOf({failed}));
+    EXPECT_TRUE(html.contains(QStringLiteral("FAIL")));
+    EXPECT_TRUE(html.contains(QStringLiteral("friction is 0.61, limits 0.1 … 0.4; free the shaft")));
+    EXPECT_FALSE(html.contains(QStringLiteral("Every service")));
+    EXPECT_FALSE(htmlOf(reportOf({})).contains(QStringLiteral("Service")));
+}
+
+TEST(ServiceCard, HasALabel)
+{
+    const QString label = labelHtmlOf(reportOf({visitOf(1e9, 0.24, Outcome::Passed)}));
+    for (const char *const part : {"62mm 29mm", "36", "2103343A7B2E", "1.25", "PASS"})
+        EXPECT_TRUE(label.contains(QLatin1String(part))) << part;
+    EXPECT_FALSE(labelHtmlOf(reportOf({})).contains(QStringLiteral("<div")));
+}
+
+} // namespace
+} // namespace mb

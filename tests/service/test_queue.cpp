@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Queues of simulated DMC60C in virtual time: one unit, fifty with trouble of every kind, and a cut at every write of the journal.
+#include "servicebench.h"
+
+#include <cstdio>
+
+namespace mb::service {
+namespace {
+
+using namespace std::chrono_literals;
+using test::QueueRun;
+using test::ServiceBooks;
+using test::UnitRack;
+
+const QByteArray recipeText = R"({"recipe":1,"name":"drive-base rev C","family":"dmc60c",
+"firmware":{"file":"demo.hex"},
+"parameters":{"file":"base_c.json"},
+"number":{"first":10},
+"test":{"loop":"velocity","to":8000,"time":0.8,
+"limits":{"travel":400000,"speed":40000,"duty":0.9,"current":60},
+"accept":{"settle":0.9,"sse":0.05,"friction":[0.01,1.2],"resistance":[0.02,0.5],"encoder":true}}})";
+/// Without the figures of the motor, for tests of the order of things.
+const QByteArray shortText = R"({"recipe":1,"name":"short","family":"dmc60c",
+"firmware":{"file":"demo.hex"},"parameters":{"file":"base_c.json"},"number":{"first":10},
+"test":{"loop":"velocity","to":8000,"time":0.5,
+"limits":{"travel":400000,"speed":40000,"duty":0.9,"current":60},"accept":{"settle":0.9}}})";
+
+class ServiceQueues : public testing::Test {
+protected:
+    RecipeMatter load(UnitRack &rack, const QByteArray &text = recipeText)
+    {
+        books.emplace(rack.clock);
+        books->write("recipe.json", text);
+        QFile::copy(QString::fromStdString(inSourceTree("resources/firmware/dmc60c-demo.hex")),
+            QString::fromStdString(books->path("demo.hex")));
+        books->write("base_c.json", R"({"family":"dmc60c","parameters":{
+"slot1.d":{"raw":77},"current_limit.peak_duration":{"raw":120}}})");
+        auto matter = loadRecipe(books->path("recipe.json"), rack.list());
+        EXPECT_TRUE(matter) << (matter ? "" : matter.error().text());
+        return matter ? *matter : RecipeMatter{};
+    }
+    static void print(const std::vector<Visit> &visits)
+    {
+        for (const Visit &v : visits)
+            std::printf("  %s %s at %s, %s -> %s, number %d, %.1f s: %s | %s\n", v.serial.c_str(),
+                std::string(toString(v.outcome)).c_str(), std::string(toString(v.step)).c_str(), v.from.c_str(),
+                v.to.c_str(), v.number.value_or(-1), v.seconds, v.cause.c_str(), v.remedy.c_str());
+    }
+    std::optional<ServiceBooks> books;
+};
+
+TEST_F(ServiceQueues, OneUnitGoesThroughEveryStep)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001,firmware=1.23"});
+    QueueRun run(rack, *books, load(rack));
+    ASSERT_TRUE(run.run());
+    const auto visits = books->visits();
+    print(visits);
+    ASSERT_EQ(visits.size(), 1U);
+    const Visit &visit = visits[0];
+    EXPECT_EQ(visit.outcome, Outcome::Passed);
+    EXPECT_EQ(visit.from, "1.23");
+    EXPECT_EQ(visit.to, "1.25");
+    EXPECT_EQ(visit.number, 10);
+    EXPECT_EQ(visit.device, "sim:can/dmc60c:10");
+    EXPECT_EQ(visit.parameters, 2);
+    EXPECT_TRUE(visit.snapshot);
+    EXPECT_TRUE(visit.trial);
+    EXPECT_EQ(visit.test.size(), 5U);
+    EXPECT_EQ(run.permit.count, 1);
+    EXPECT_EQ(run.queue.counts().passed, 1);
+    std::vector<std::string> order;
+    double update = 0.0;
+    for (std::size_t i = 0; i < visit.steps.size(); ++i) {
+        if (visit.steps[i].ended)
+            order.emplace_back(toString(visit.steps[i].step));
+        if (visit.steps[i].ended && visit.steps[i].step == Step::Firmware)
+            update = visit.steps[i].time - visit.steps[i - 1].time;
+    }
+    EXPECT_EQ(order,
+        (std::vector<std::string>{
+            "preflight", "backup", "firmware", "parameters", "self-test", "number", "proof", "done"}));
+    std::printf("one unit: update %.1f s and %.1f s for the rest\n", update, visit.seconds - update);
+    EXPECT_LE(visit.seconds - update, 25.0);
+    rack.putOn(std::nullopt); // what was proved is in its flash
+    rack.clock.advance(1s);
+    rack.putOn(0);
+    rack.clock.advance(1s);
+    const auto found = test::run(rack.clock, rack.session->scan(*rack.link));
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->size(), 1U);
+    EXPECT_EQ(found->front()->identity().address, 10);
+}
+
+TEST_F(ServiceQueues, ADuplicateIsRefusedInItsRowsAndTheRestGoesOn)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001,session=0x1111", "dmc60c:5,serial=210334000002,session=0x2222",
+        "dmc60c:7,serial=210334000003,product=601", "dmc60c:8,serial=210334000004,state=bootloader"});
+    QueueRun run(rack, *books, load(rack, shortText));
+    ASSERT_TRUE(run.run());
+    print(books->visits());
+    EXPECT_EQ(run.queue.counts().refused, 3);
+    EXPECT_EQ(run.queue.counts().passed, 1); // also the one that waited in its bootloader
+    const auto rows = run.queue.rows();
+    ASSERT_EQ(rows.size(), 4U);
+    for (const QueueRow &row : rows) {
+        if (row.state == RowState::Refused) {
+            EXPECT_FALSE(row.visit.cause.empty());
+        }
+    }
+}
+
+TEST_F(ServiceQueues, PauseSkipAndRetry)
+{
+    UnitRack rack({"dmc60c:5,serial=210334000001", "dmc60c:6,serial=210334000002",
+        "dmc60c:7,serial=210334000003,fault=encoder-reversed"});
+    QueueRun run(rack, *books, load(rack, shortText));
+    run.queue.start();
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.rows().size() == 3; }, 10s));
+    run.queue.skip(run.queue.rows()[1].id);
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.rows()[0].state == RowState::Running; }, 10s));
+    run.queue.pause();
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.queue.isPaused(); }, 2min));
+    EXPECT_EQ(run.queue.counts().ended(), 1);
+    rack.clock.advance(20s);
+    EXPECT_EQ(run.queue.counts().ended(), 1);
+    run.queue.resume();
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 2min));
+    EXPECT_EQ(run.queue.rows()[1].state, RowState::Skipped);
+    EXPECT_EQ(run.queue.rows()[2].state, RowState::Failed) << run.queue.rows()[2].visit.cause;
+    EXPECT_FALSE(run.queue.rows()[2].visit.number); // a failed unit uses up no number
+    run.isEnded = false;
+    run.queue.retry(run.queue.rows()[1].id);
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 2min));
+    EXPECT_EQ(run.queue.counts().passed, 2);
+    EXPECT_EQ(run.queue.rows()[1].visit.number, 11);
+    run.isEnded = false;
+    run.queue.retryFailed();
+    ASSERT_TRUE(rack.clock.runUntil([&] { return run.isEnded; }, 2min));
+    EXPECT_EQ(run.queue.counts().failed, 1);
+    EXPECT_EQ(run.queue.rows()[2].tries, 2);
+    EXPECT_EQ(books->visits().size(), 4U);
+}
+
+/// Puts units on one after the other, as a person does: the next when a unit has ended.
+class Operator {
+public:
+    Operator(UnitRack &rack, std::vector<std::vector<std::size_t>> turns, ServiceQueue &queue)
+        : m_rack(rack)
+        , m_turns(std::move(turns))
+        , m_timer(rack.clock)
+        , m_ended(queue.unitEnded().add([this](const Visit &) {
+            if (++m_endedNow >= m_current.size()) // the other one of two that were put on together may follow
+                m_timer.startIn(200ms, [this] { next(); });
+        }))
+    {
+        next();
+    }
+
+private:
+    void next()
+    {
+        m_endedNow = 0;
+        for (const std::size_t place : m_current)
+            m_rack.unit(place).setPowered(false);
+        if (m_at >= m_turns.size())
+            return;
+        m_current = m_turns[m_at++];
+        for (const std::size_t place : m_current)
+            m_rack.unit(place).setPowered(true);
+    }
+    UnitRack &m_rack;
+    std::vector<std::vector<std::size_t>> m_turns;
+    Timer m_timer;
+    Subscription m_ended;
+    std::vector<std::size_t> m_current;
+    std::size_t m_at = 0;
+    std::size_t m_endedNow = 0;
+};
+
+/// Trouble of every kind, by the place of the unit.
+std::string troubleOf(int place)
+{
+    switch (place) {
+    case 3: return ",fault=power-page@18";
+    case 7: return ",product=601";
+    case 11: return ",fault=encoder-dead@0";
+    case 15: return ",fault=encoder-reversed";
+    case 19: return ",motor=n20,load=5"; // self-test out of limits
+    case 23: return ",state=bootloader";
+    case 27: return ",session=0x7001"; // put on together with the next, under one number
+    case 28: return ",session=0x7002";
+    case 31: return ",fault=drop@40,fault=drop@90,fault=corrupt@140";
+    case 35: return ",fault=silent@900";
+    case 39: return ",fault=stall@0";
+    case 43: return ",fault=delay@60:120";
+    default: return {};
+    }
+}
+
+TEST_F(ServiceQueues, FiftyUnitsOneAfterTheOtherTwelveOfThemInTrouble)
+{
+    std::vector<std::string> units;
+    std::vector<std::string> names;
+    std::vector<std::vector<std::size_t>> turns;
+    for (int i = 0; i < 50; ++i) {
+        char serial[16];
+        std::snprintf(serial, sizeof serial, "2103340%05d", i);
+        names.emplace_back(serial);
+        units.push_back("dmc60c:5,serial=" + std::string(serial) + ",firmware=1.23" + troubleOf(i));
+        if (i == 28)
+            turns.back().push_back(28);
+        else
+            turns.push_back({static_cast<std::size_t>(i)});
+    }
+    UnitRack rack(units);
+    rack.putOn(std::nullopt);
+    const RecipeMatter matter = load(rack);
+    QueueOptions options;
+    options.units = 50;
+    QueueRun run(rack, *books, matter, options);
+    const Operator anna(rack, turns, run.queue);
+    ASSERT_TRUE(run.run(2h));
+    const auto visits = books->visits();
+    print(visits);
+    const QueueCounts counts = run.queue.counts();
+    std::printf("fifty units: %d passed, %d failed, %d refused in %.0f s\n", counts.passed, counts.failed,
+        counts.refused, std::chrono::duration<double>(rack.clock.now().time_since_epoch()).count());
+    EXPECT_EQ(counts.passed, 42);
+    EXPECT_EQ(counts.failed, 5);
+    EXPECT_EQ(counts.refused, 3);
+    ASSERT_EQ(visits.size(), 50U);
+    std::set<std::string> serials;
+    std::set<int> numbers;
+    for (const Visit &visit : visits) {
+        EXPECT_NE(visit.outcome, Outcome::Open);
+        serials.insert(visit.serial);
+        if (visit.number) {
+            EXPECT_TRUE(numbers.insert(*visit.number).second) << *visit.number;
+        }
+        if (visit.outcome != Outcome::Passed) {
+            EXPECT_FALSE(visit.cause.empty()) << visit.serial;
+            EXPECT_FALSE(visit.number) << visit.serial;
+        }
+    }
+    EXPECT_EQ(serials.size(), 50U);
+    EXPECT_EQ(numbers.size(), 42U);
+    EXPECT_EQ(*numbers.begin(), 10);
+    EXPECT_EQ(*numbers.rbegin(), 51);
+    int reached = 0;
+    for (std::size_t i = 0; i < units.size(); ++i) { // every unit can be reached afterwards
+        rack.putOn(std::nullopt);
+        rack.clock.advance(1s);
+        rack.unit(i).setPowered(true);
+        rack.clock.advance(1s);
+        const auto found = test::run(rack.clock, rack.session->scan(*rack.link));
+        reached += found && found->size() == 1 && found->front()->identity().serial == names[i] ? 1 : 0;
+    }
+    EXPECT_EQ(reached, 49) << "all but the one that falls silent after so many frames by itself";
+}
+
+/// Lets a number of writes through; the next either is not done, or is and nobody hears of it: the program has died.
+class DyingJournal final : public ServiceJournal {
+public:
+    DyingJournal(ServiceJournal &journal, int lives, bool writesLast)
+        : m_journal(journal)
+        , m_lives(lives)
+        , m_writesLast(writesLast)
+    {
+    }
+    [[nodiscard]] Task<Visit> open(Visit visit) override { return through(m_journal.open(std::move(visit))); }
+    [[nodiscard]] Task<Visit> write(Visit visit) override { return through(m_journal.write(std::move(visit))); }
+    [[nodiscard]] Task<std::vector<Visit>> visits(VisitFilter filter) override
+    {
+        return m_journal.visits(std::move(filter));
+    }
+    [[nodiscard]] Task<int> number(NumberWish wish) override { return through(m_journal.number(std::move(wish))); }
+    bool isDead = false;
+
+private:
+    template <class T> Task<T> through(Task<T> writing)
+    {
+        const bool last = --m_lives < 0;
+        if (last && !m_writesLast) {
+            isDead = true;
+            co_await m_never.wait();
+        }
+        Result<T> written = co_await std::move(writing).attempt();
+        if (last) {
+            isDead = true;
+            co_await m_never.wait();
+        }
+        co_return written;
+    }
+    ServiceJournal &m_journal;
+    int m_lives;
+    bool m_writesLast;
+    Event m_never;
+};
+
+class Cuts : public ServiceQueues {
+protected:
+    /// A good unit and one that is refused, a cut at the write of this number, and then a resumed queue; false when there are not so many writes.
+    bool cutAt(int lives, bool writesLast)
+    {
+        UnitRack rack({"dmc60c:5,serial=210334000001,firmware=1.23", "dmc60c:6,serial=210334000002,product=601"});
+        std::vector<double> flashed;
+        const Subscription events = rack.unit(0).events().add([&flashed](const SimulatorEvent &event) {
+            if (event.what == "page-written" && event.value == 0.0)
+                flashed.push_back(event.value);
+        });
+        const RecipeMatter matter = load(rack, shortText);
+        std::string runName;
+        bool died = false;
+        {
+            DyingJournal dying(*books->journal, lives, writesLast);
+            QueueRun run(rack, *books, matter, {}, &dying);
+            run.queue.start();
+            rack.clock.runUntil([&] { return run.isEnded || dying.isDead; }, 5min);
+            died = dying.isDead;
+            runName = run.queue.run();
+        }
+        rack.clock.advance(2s); // whoever comes back takes his time
+        if (died) {
+            books->open();
+            QueueOptions options;
+            options.run = runName;
+            QueueRun again(rack, *books, matter, options);
+            EXPECT_TRUE(again.run(10min)) << "cut " << lives;
+            EXPECT_EQ(again.queue.counts().passed, 1) << "cut " << lives << writesLast;
+            EXPECT_EQ(again.queue.counts().refused, 1) << "cut " << lives << writesLast;
+        }
+        const auto visits = books->visits();
+        if (visits.size() != 2 || testing::Test::HasFailure())
+            print(visits);
+        EXPECT_EQ(visits.size(), 2U) << "cut " << lives << writesLast;
+        std::set<int> numbers;
+        for (const Visit &visit : visits) {
+            EXPECT_EQ(visit.outcome, visit.serial == "210334000001" ? Outcome::Passed : Outcome::Refused);
+            EXPECT_EQ(visit.from, "1.23");
+            if (visit.number)
+                numbers.insert(*visit.number);
+        }
+        EXPECT_EQ(numbers, (std::set<int>{10})) << "cut " << lives << writesLast;
+        EXPECT_EQ(flashed.size(), 1U) << "the firmware is written once, cut " << lives << writesLast;
+        rack.clock.advance(1s);
+        const auto found = test::run(rack.clock, rack.session->scan(*rack.link));
+        EXPECT_TRUE(found && found->size() == 2U);
+        return died;
+    }
+};
+
+TEST_F(Cuts, AtEveryWriteOfTheJournalTheQueueGoesOnAndNothingIsDoneTwice)
+{
+    int cuts = 0;
+    for (const bool writesLast : {false, true}) {
+        for (int lives = 0; cutAt(lives, writesLast) && !HasFailure(); ++lives)
+            ++cuts;
+    }
+    std::printf("cut at %d writes of the journal, resumed each time\n", cuts);
+    EXPECT_GE(cuts, 36);
+}
+
+} // namespace
+} // namespace mb::service

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tables of the journal in a file and on a real server; stations that share one, and lose it.
+#include "postgresserver.h"
+#include "servicebench.h"
+#include "storage/serverconnection.h"
+#include "storage/sharedjournal.h"
+
+#include <cstdio>
+#include <map>
+#include <thread>
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+using service::NumberWish;
+using service::Outcome;
+using service::Step;
+using service::Visit;
+using service::VisitFilter;
+using test::PostgresServer;
+
+Visit visitOf(const std::string &id, double time)
+{
+    Visit visit;
+    visit.id = id;
+    visit.run = "run";
+    visit.time = time;
+    visit.station = "bench 1";
+    visit.recipe = "it's \"rev C\" \\ ü";
+    visit.unit = "dmc60c " + id;
+    visit.serial = id;
+    visit.step = Step::Test;
+    visit.outcome = Outcome::Failed;
+    visit.from = "1.23";
+    visit.parameters = 55;
+    visit.test = {{"settle", 0.25, std::nullopt, 0.6}, {"friction", std::nullopt, 0.1, 0.4, false, true}};
+    visit.trial = std::int64_t{1} << 40;
+    visit.seconds = 21.625;
+    visit.cause = "line one\nline two";
+    visit.steps = {{Step::Preflight, time, false, {}}, {Step::Preflight, time + 1.0, true, "firmware 1.23"}};
+    return visit;
+}
+
+/// The same for a file and for a server.
+class JournalTables : public testing::TestWithParam<const char *> {
+protected:
+    void SetUp() override
+    {
+        test::needCoreApplication();
+        if (std::string_view(GetParam()) == "SQLite") {
+            auto opened = Database::open(folder.path().toStdString() + "/motorbench.db");
+            ASSERT_TRUE(opened);
+            sql = std::move(*opened);
+            return;
+        }
+        server.emplace();
+        if (!server->isInstalled())
+            GTEST_SKIP() << "postgresql is not installed";
+        ASSERT_TRUE(server->start());
+        const auto shared = JournalServer::parse(server->url());
+        ASSERT_TRUE(shared);
+        const auto prepared = shared->prepare();
+        ASSERT_TRUE(prepared) << prepared.error().text();
+        EXPECT_TRUE(shared->prepare()); // once more changes nothing
+        auto opened = ServerConnection::open(*ServerAddress::parse(server->url()));
+        ASSERT_TRUE(opened) << opened.error().text();
+        sql = std::move(*opened);
+    }
+    QTemporaryDir folder;
+    std::optional<PostgresServer> server;
+    std::unique_ptr<SqlConnection> sql;
+};
+
+TEST_P(JournalTables, KeepEverythingOfAVisitAndAnOlderWriteChangesNothing)
+{
+    const Visit first = visitOf("A", 100.0);
+    ASSERT_TRUE(putVisits(*sql, {{first, 2}, {visitOf("B", 200.0), 1}}));
+    const auto kept = getVisit(*sql, "A");
+    ASSERT_TRUE(kept) << kept.error().text();
+    EXPECT_EQ(kept->visit, first);
+    EXPECT_EQ(kept->revision, 2);
+    Visit later = first;
+    later.outcome = Outcome::Passed;
+    later.number = 12;
+    later.steps.push_back({Step::Done, 130.0, true, "passed"});
+    ASSERT_TRUE(putVisits(*sql, {{later, 3}}));
+    ASSERT_TRUE(putVisits(*sql, {{later, 3}}));
+    ASSERT_TRUE(putVisits(*sql, {{first, 2}})); // a delivery that was late
+    EXPECT_EQ(getVisit(*sql, "A")->visit, later);
+    EXPECT_EQ(getVisits(*sql, {})->size(), 2U);
+    VisitFilter filter;
+    filter.since = 150.0;
+    EXPECT_EQ(getVisits(*sql, filter)->front().visit.id, "B");
+    filter = {};
+    filter.outcome = Outcome::Passed;
+    filter.recipe = later.recipe;
+    filter.serial = "A";
+    EXPECT_EQ(getVisits(*sql, filter)->size(), 1U);
+    EXPECT_EQ(*countUndelivered(*sql), 2);
+    ASSERT_TRUE(markDelivered(*sql, {{later, 2}}));
+    EXPECT_EQ(*countUndelivered(*sql), 2); // it was written again meanwhile
+    ASSERT_TRUE(markDelivered(*sql, {{later, 3}}));
+    EXPECT_EQ(undelivered(*sql, 10)->front().visit.id, "B");
+}
+
+TEST_P(JournalTables, ABlockIsTakenOnceAndTheSameQuestionHasTheSameAnswer)
+{
+    const NumberWish wish{"dmc60c rev C", "u", "v", 10, 21, {}};
+    const auto block = takeBlock(*sql, "one", wish, 5, "bench 1", 1.0);
+    ASSERT_TRUE(block) << block.error().text();
+    EXPECT_EQ(std::pair(block->first, block->last), std::pair(10, 14));
+    EXPECT_EQ(takeBlock(*sql, "one", wish, 5, "bench 1", 1.0)->first, 10);
+    EXPECT_EQ(takeBlock(*sql, "two", wish, 5, "bench 2", 1.0)->first, 15);
+    const auto last = takeBlock(*sql, "three", wish, 5, "bench 2", 1.0);
+    EXPECT_EQ(std::pair(last->first, last->last), std::pair(20, 21));
+    const auto none = takeBlock(*sql, "four", wish, 5, "bench 2", 1.0);
+    ASSERT_FALSE(none);
+    EXPECT_TRUE(none.error().detail.starts_with(service::numbersUsedUp));
+    EXPECT_FALSE(takeBlock(*sql, "four", wish, 5, "bench 2", 1.0));
+    EXPECT_TRUE(takeBlock(*sql, "five", {"another", "u", "v", 1, 63, {}}, 5, "bench 2", 1.0));
+}
+
+TEST_P(JournalTables, ANumberIsOneUnitsForGood)
+{
+    ASSERT_TRUE(keepBlock(*sql, "s", {10, 12}));
+    EXPECT_EQ(*giveNumber(*sql, {"s", "a", "v", 1, 63, {10}}), 11); // 10 is connected
+    EXPECT_EQ(*giveNumber(*sql, {"s", "b", "v", 1, 63, {}}), 10);
+    EXPECT_EQ(*giveNumber(*sql, {"s", "a", "w", 1, 63, {}}), 11); // the same unit again
+    EXPECT_EQ(*giveNumber(*sql, {"s", "c", "v", 1, 63, {}}), 12);
+    EXPECT_EQ(*giveNumber(*sql, {"s", "d", "v", 1, 63, {}}), std::nullopt);
+    ASSERT_TRUE(keepBlock(*sql, "s", {10, 13}));
+    EXPECT_EQ(*giveNumber(*sql, {"s", "d", "v", 1, 63, {}}), 13);
+}
+
+INSTANTIATE_TEST_SUITE_P(On, JournalTables, testing::Values("SQLite", "PostgreSQL"),
+    [](const auto &each) { return std::string(each.param); });
+
+TEST(JournalServers, HaveAnAddress)
+{
+    EXPECT_TRUE(JournalServer::parse("postgresql://anna@bench-db/journal"));
+    EXPECT_TRUE(JournalServer::parse("postgresql://bench-db:5433/journal"));
+    for (const char *const bad : {"", "mysql://a@b/c", "postgresql://", "postgresql://host", "postgresql://a@/db",
+             "postgresql://a@host:0/db", "postgresql://host/"})
+        EXPECT_FALSE(JournalServer::parse(bad)) << bad;
+}
+
+/// A station with a file of its own.
+struct Station {
+    Station(VirtualClock &time, const std::string &name, const std::string &url)
+        : clock(time)
+        , books(time)
+        , book(*books.database, time, name, "anna")
+        , journal(book, *JournalServer::parse(url), time, nullptr)
+    {
+    }
+    /// One unit from its beginning to its number and its end; nothing where it has to wait for a number.
+    std::optional<int> serve(const std::string &unit)
+    {
+        Visit visit;
+        visit.run = "run";
+        visit.recipe = "rev C";
+        visit.unit = unit;
+        Visit opened = *test::run(clock, journal.open(visit));
+        const auto number = test::run(clock, journal.number({"dmc60c rev C", unit, opened.id, 10, 63, {}}));
+        opened.outcome = number ? Outcome::Passed : Outcome::Failed;
+        opened.number = number ? std::optional(*number) : std::nullopt;
+        if (!number) {
+            EXPECT_EQ(number.error().fault, Fault::Timeout) << number.error().text();
+        }
+        EXPECT_TRUE(test::run(clock, journal.write(opened)));
+        clock.advance(1s);
+        ++written;
+        return opened.number;
+    }
+    VirtualClock &clock;
+    test::ServiceBooks books;
+    ServiceBook book;
+    SharedJournal journal;
+    int written = 0;
+};
+
+TEST(Stations, ShareAJournalThroughLossOfItsServer)
+{
+    test::needCoreApplication();
+    PostgresServer server;
+    if (!server.isInstalled())
+        GTEST_SKIP() << "postgresql is not installed";
+    ASSERT_TRUE(server.start());
+    VirtualClock clock;
+    Station one(clock, "bench 1", server.url());
+    Station two(clock, "bench 2", server.url());
+    std::map<int, int> given;
+    int waited = 0;
+    const auto serve = [&](Station &station, const std::string &unit) {
+        const auto number = station.serve(unit);
+        if (number)
+            ++given[*number];
+        else
+            ++waited;
+    };
+    for (int i = 0; i < 8; ++i) {
+        serve(one, "a" + std::to_string(i));
+        serve(two, "b" + std::to_string(i));
+    }
+    EXPECT_EQ(waited, 0);
+    EXPECT_EQ(one.journal.waiting() + two.journal.waiting(), 0);
+    server.stop();
+    for (int i = 8; i < 14; ++i) { // each has two numbers of its block left
+        serve(one, "a" + std::to_string(i));
+        serve(two, "b" + std::to_string(i));
+    }
+    EXPECT_EQ(waited, 8);
+    EXPECT_EQ(one.journal.waiting(), 6);
+    EXPECT_EQ(two.journal.waiting(), 6);
+    EXPECT_FALSE(one.journal.trouble().detail.empty());
+    ASSERT_TRUE(server.start());
+    clock.advance(6s); // by itself
+    EXPECT_EQ(one.journal.waiting() + two.journal.waiting(), 0);
+    for (int i = 10; i < 14; ++i) {
+        serve(one, "a" + std::to_string(i));
+        serve(two, "b" + std::to_string(i));
+    }
+    const auto all = JournalServer::parse(server.url())->visits({});
+    ASSERT_TRUE(all) << all.error().text();
+    std::map<std::string, int> rows;
+    for (const KeptVisit &kept : *all)
+        ++rows[kept.visit.id];
+    int twice = 0;
+    for (const auto &[number, count] : given)
+        twice += count > 1 ? 1 : 0;
+    const int lost = one.written + two.written - static_cast<int>(rows.size());
+    const int doubled = static_cast<int>(all->size() - rows.size());
+    std::printf("two stations: %d entries, %d lost, %d twice; %zu numbers, %d given twice\n", one.written + two.written,
+        lost, doubled, given.size(), twice);
+    EXPECT_EQ(lost, 0);
+    EXPECT_EQ(doubled, 0);
+    EXPECT_EQ(twice, 0);
+    EXPECT_EQ(given.size(), 28U);
+}
+
+TEST(Stations, AtOnceNeverGetTheSameNumbers)
+{
+    test::needCoreApplication();
+    PostgresServer server;
+    if (!server.isInstalled())
+        GTEST_SKIP() << "postgresql is not installed";
+    ASSERT_TRUE(server.start());
+    const JournalServer shared = *JournalServer::parse(server.url());
+    std::vector<std::vector<NumberBlock>> blocks(4);
+    std::vector<std::thread> stations;
+    for (std::size_t s = 0; s < blocks.size(); ++s)
+        stations.emplace_back([&shared, &mine = blocks[s], s] {
+            for (int i = 0; i < 10; ++i) {
+                const auto block = shared.take(std::to_string(s) + '/' + std::to_string(i),
+                    {"scope", "u", "v", 1, 10'000, {}}, "bench " + std::to_string(s), 1.0);
+                if (block)
+                    mine.push_back(*block);
+            }
+        });
+    for (std::thread &station : stations)
+        station.join();
+    std::set<int> firsts;
+    std::size_t count = 0;
+    for (const auto &mine : blocks) {
+        count += mine.size();
+        for (const NumberBlock &block : mine)
+            firsts.insert(block.first);
+    }
+    EXPECT_EQ(count, 40U);
+    EXPECT_EQ(firsts.size(), 40U);
+}
+
+} // namespace
+} // namespace mb
