@@ -642,20 +642,8 @@
         <translation>Fehler suchen</translation>
     </message>
     <message>
-        <source>Hardware: DMC60C</source>
-        <translation>Hardware: DMC60C</translation>
-    </message>
-    <message>
-        <source>Hardware: Supermodified</source>
-        <translation>Hardware: Supermodified</translation>
-    </message>
-    <message>
-        <source>Hardware: Abstract DC Drive</source>
-        <translation>Hardware: Abstract DC Drive</translation>
-    </message>
-    <message>
-        <source>Hardware: QuadQuad2Drv</source>
-        <translation>Hardware: QuadQuad2Drv</translation>
+        <source>Hardware: %1</source>
+        <translation>Hardware: %1</translation>
     </message>
 </context>
 <context>
@@ -724,24 +712,12 @@
         <translation>Simulierter CAN-Bus</translation>
     </message>
     <message>
-        <source>Three DMC60C and three Abstract DC Drives.</source>
-        <translation>Drei DMC60C und drei Abstract DC Drives.</translation>
-    </message>
-    <message>
         <source>Simulated serial line</source>
         <translation>Simulierte serielle Leitung</translation>
     </message>
     <message>
-        <source>Two Supermodified, dialects D1 and D3.</source>
-        <translation>Zwei Supermodified, Dialekte D1 und D3.</translation>
-    </message>
-    <message>
         <source>Simulated SPI board</source>
         <translation>Simulierte SPI-Platine</translation>
-    </message>
-    <message>
-        <source>A QuadQuad2Drv with four geared motors.</source>
-        <translation>Ein QuadQuad2Drv mit vier Getriebemotoren.</translation>
     </message>
     <message>
         <source>CAN interfaces</source>
@@ -762,6 +738,18 @@
     <message>
         <source>Without hardware</source>
         <translation>Ohne Hardware</translation>
+    </message>
+    <message>
+        <source>Controllers that share one bus, at its real speed.</source>
+        <translation>Regler an einem Bus, in seiner echten Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Controllers on one line, in two dialects.</source>
+        <translation>Regler an einer Leitung, in zwei Dialekten.</translation>
+    </message>
+    <message>
+        <source>A board with four geared motors.</source>
+        <translation>Eine Platine mit vier Getriebemotoren.</translation>
     </message>
 </context>
 <context>
@@ -1011,10 +999,6 @@
         <translation>Auswählen</translation>
     </message>
     <message>
-        <source>Click DMC60C #7 in the list at the left. Everything that follows is about it.</source>
-        <translation>DMC60C #7 links in der Liste anklicken. Um ihn geht es ab jetzt.</translation>
-    </message>
-    <message>
         <source>Arm</source>
         <translation>Scharf schalten</translation>
     </message>
@@ -1047,16 +1031,8 @@
         <translation>Strg+S auf der Seite Parameter, oder 15 s warten: fertig, wenn das Gerät beweist, dass die Werte im Flash sind.</translation>
     </message>
     <message>
-        <source>Click DMC60C #5 in the list at the left.</source>
-        <translation>DMC60C #5 links in der Liste anklicken.</translation>
-    </message>
-    <message>
         <source>Limit</source>
         <translation>Begrenzen</translation>
-    </message>
-    <message>
-        <source>On the page Parameters find current_limit.enabled, switch it on, set continuous and peak to what the motor may have, and write.</source>
-        <translation>Auf der Seite Parameter current_limit.enabled suchen und einschalten, Dauer- und Spitzenstrom auf das setzen, was der Motor darf, und schreiben.</translation>
     </message>
     <message>
         <source>Hold the lamp at the top for one second (or Ctrl+Shift+F12).</source>
@@ -1069,10 +1045,6 @@
     <message>
         <source>Press Ctrl+S on the page Parameters, or wait 15 s until the unit has proved it.</source>
         <translation>Strg+S auf der Seite Parameter, oder 15 s warten, bis das Gerät es bewiesen hat.</translation>
-    </message>
-    <message>
-        <source>Click DMC60C #9 in the list at the left. It says: in bootloader.</source>
-        <translation>DMC60C #9 links in der Liste anklicken. Dort steht: im Bootloader.</translation>
     </message>
     <message>
         <source>Write</source>
@@ -1091,16 +1063,8 @@
         <translation>Warten, bis das Gerät mit der neuen Version antwortet. Nur das zählt als fertig.</translation>
     </message>
     <message>
-        <source>#7 overshoots: tame it in a minute</source>
-        <translation>#7 schwingt über: in einer Minute gezähmt</translation>
-    </message>
-    <message>
         <source>775pro</source>
         <translation>775pro</translation>
-    </message>
-    <message>
-        <source>4096 counts a turn · DMC60C #7</source>
-        <translation>4096 Schritte je Umdrehung · DMC60C #7</translation>
     </message>
     <message>
         <source>This one overshoots by about 20 %. Find gains that do not.</source>
@@ -1111,16 +1075,8 @@
         <translation>Geschwindigkeit, Sollwert gestrichelt</translation>
     </message>
     <message>
-        <source>#5 has no current limit: set one that saves it</source>
-        <translation>#5 hat keine Stromgrenze: eine setzen, die ihn rettet</translation>
-    </message>
-    <message>
         <source>CIM</source>
         <translation>CIM</translation>
-    </message>
-    <message>
-        <source>load 9 × rotor inertia · 4096 counts a turn · DMC60C #5</source>
-        <translation>Last 9 × Rotorträgheit · 4096 Schritte je Umdrehung · DMC60C #5</translation>
     </message>
     <message>
         <source>A stalled CIM draws more than 100 A, and nothing holds this one back. Limit it.</source>
@@ -1131,16 +1087,8 @@
         <translation>Strom, Grenze gestrichelt</translation>
     </message>
     <message>
-        <source>#9 has no program: bring it back</source>
-        <translation>#9 hat kein Programm: zurückholen</translation>
-    </message>
-    <message>
         <source>Interrupted update</source>
         <translation>Abgebrochenes Update</translation>
-    </message>
-    <message>
-        <source>waits in its bootloader · DMC60C #9</source>
-        <translation>wartet im Bootloader · DMC60C #9</translation>
     </message>
     <message>
         <source>Somebody cut its power while it was written. Give it firmware again.</source>
@@ -1149,6 +1097,46 @@
     <message>
         <source>flash pages, written from the last to the first</source>
         <translation>Flash-Seiten, von der letzten zur ersten geschrieben</translation>
+    </message>
+    <message>
+        <source>Click %1 in the list at the left. Everything that follows is about it.</source>
+        <translation>%1 links in der Liste anklicken. Um ihn geht es ab jetzt.</translation>
+    </message>
+    <message>
+        <source>Click %1 in the list at the left.</source>
+        <translation>%1 links in der Liste anklicken.</translation>
+    </message>
+    <message>
+        <source>On the page Parameters switch the current limit on (search: current_limit), set it to what the motor may have, and write.</source>
+        <translation>Auf der Seite Parameter die Stromgrenze einschalten (suchen: current_limit), auf das setzen, was der Motor darf, und schreiben.</translation>
+    </message>
+    <message>
+        <source>Click %1 in the list at the left. It says: in bootloader.</source>
+        <translation>%1 links in der Liste anklicken. Dort steht: im Bootloader.</translation>
+    </message>
+    <message>
+        <source>%1 overshoots: tame it in a minute</source>
+        <translation>%1 schwingt über: in einer Minute gezähmt</translation>
+    </message>
+    <message>
+        <source>4096 counts a turn · %1</source>
+        <translation>4096 Schritte je Umdrehung · %1</translation>
+    </message>
+    <message>
+        <source>%1 has no current limit: set one that saves it</source>
+        <translation>%1 hat keine Stromgrenze: eine setzen, die ihn rettet</translation>
+    </message>
+    <message>
+        <source>load 9 × rotor inertia · 4096 counts a turn · %1</source>
+        <translation>Last 9 × Rotorträgheit · 4096 Schritte je Umdrehung · %1</translation>
+    </message>
+    <message>
+        <source>%1 has no program: bring it back</source>
+        <translation>%1 hat kein Programm: zurückholen</translation>
+    </message>
+    <message>
+        <source>waits in its bootloader · %1</source>
+        <translation>wartet im Bootloader · %1</translation>
     </message>
 </context>
 <context>
@@ -4440,22 +4428,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     <message>
         <source>held for 1 s: arms; let go early it does nothing</source>
         <translation>1 s gehalten: schaltet scharf; zu früh losgelassen geschieht nichts</translation>
-    </message>
-    <message>
-        <source>lost</source>
-        <translation>verloren</translation>
-    </message>
-    <message>
-        <source>%1: %2 frames received, %3 sent, %4 dropped, %5 errors</source>
-        <translation>%1: %2 Frames empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
-    </message>
-    <message>
-        <source>%1: %2 bytes received, %3 sent, %4 dropped, %5 errors</source>
-        <translation>%1: %2 Bytes empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
-    </message>
-    <message>
-        <source>REC %1</source>
-        <translation>REC %1</translation>
     </message>
     <message>
         <source>Reports</source>
@@ -15415,8 +15387,116 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>eine temporäre Datei für %1 lässt sich nicht schreiben: %2</translation>
     </message>
     <message>
-        <source>the order was dropped: what it was for has ended</source>
-        <translation>der Auftrag wurde verworfen: Was er betraf, ist beendet</translation>
+        <source>%1 does not answer: %2</source>
+        <translation>%1 antwortet nicht: %2</translation>
+    </message>
+    <message>
+        <source>%1 is locked by another program</source>
+        <translation>%1 ist von einem anderen Programm gesperrt</translation>
+    </message>
+    <message>
+        <source>%1 is no project of this version</source>
+        <translation>%1 ist kein Projekt dieser Version</translation>
+    </message>
+    <message>
+        <source>%1 is no recording</source>
+        <translation>%1 ist keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no journal that stations share</source>
+        <translation>&apos;%1&apos; ist kein Journal, das Stationen sich teilen</translation>
+    </message>
+    <message>
+        <source>Put values back</source>
+        <translation>Werte zurückstellen</translation>
+    </message>
+    <message>
+        <source>end that first</source>
+        <translation>das zuerst beenden</translation>
+    </message>
+    <message>
+        <source>hold Arm on the page, then test again</source>
+        <translation>„Scharf schalten“ auf der Seite halten, dann noch einmal prüfen</translation>
+    </message>
+    <message>
+        <source>install %1</source>
+        <translation>%1 installieren</translation>
+    </message>
+    <message>
+        <source>open it first</source>
+        <translation>sie zuerst öffnen</translation>
+    </message>
+    <message>
+        <source>see that the server runs; entries wait here until it does</source>
+        <translation>nachsehen, ob der Server läuft; Einträge warten hier, bis er es tut</translation>
+    </message>
+    <message>
+        <source>self-tests are not armed</source>
+        <translation>Selbsttests sind nicht scharf geschaltet</translation>
+    </message>
+    <message>
+        <source>stop it, then put the values back</source>
+        <translation>ihn anhalten, dann die Werte zurückstellen</translation>
+    </message>
+    <message>
+        <source>stopped while it waited for a number</source>
+        <translation>angehalten, während auf eine Nummer gewartet wurde</translation>
+    </message>
+    <message>
+        <source>such as %1</source>
+        <translation>etwa %1</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be made</source>
+        <translation>der Ordner %1 lässt sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be written</source>
+        <translation>in den Ordner %1 lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>the journal on the server was made by a newer version of this program</source>
+        <translation>das Journal auf dem Server stammt von einer neueren Version dieses Programms</translation>
+    </message>
+    <message>
+        <source>the journal&apos;s server: %1</source>
+        <translation>der Server des Journals: %1</translation>
+    </message>
+    <message>
+        <source>the motor is not seen to stand</source>
+        <translation>es ist nicht zu sehen, dass der Motor steht</translation>
+    </message>
+    <message>
+        <source>the values are not put back: %1</source>
+        <translation>die Werte sind nicht zurückgestellt: %1</translation>
+    </message>
+    <message>
+        <source>the values are put back</source>
+        <translation>die Werte sind zurückgestellt</translation>
+    </message>
+    <message>
+        <source>this change waits for nobody</source>
+        <translation>diese Änderung wartet auf niemanden</translation>
+    </message>
+    <message>
+        <source>this computer has no driver for PostgreSQL</source>
+        <translation>dieser Rechner hat keinen Treiber für PostgreSQL</translation>
+    </message>
+    <message>
+        <source>this is no session of MotorBench</source>
+        <translation>das ist keine Sitzung von MotorBench</translation>
+    </message>
+    <message>
+        <source>units are served already</source>
+        <translation>es werden schon Geräte bedient</translation>
+    </message>
+    <message>
+        <source>units are served on this link</source>
+        <translation>an dieser Verbindung werden Geräte bedient</translation>
+    </message>
+    <message>
+        <source>unreadable</source>
+        <translation>nicht lesbar</translation>
     </message>
 </context>
 </TS>

@@ -59,6 +59,16 @@
     </message>
 </context>
 <context>
+    <name>mb::ReportText</name>
+    <message numerus="yes">
+        <source>%n in the unit, read back</source>
+        <translation>
+            <numerusform>%n in the unit, read back</numerusform>
+            <numerusform>%n in the unit, read back</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::SessionDesk</name>
     <message numerus="yes">
         <source>%n unit(s)</source>
@@ -75,16 +85,6 @@
         <translation>
             <numerusform>about %n min</numerusform>
             <numerusform>about %n min</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>mb::ReportText</name>
-    <message numerus="yes">
-        <source>%n in the unit, read back</source>
-        <translation>
-            <numerusform>%n in the unit, read back</numerusform>
-            <numerusform>%n in the unit, read back</numerusform>
         </translation>
     </message>
 </context>

@@ -32,8 +32,8 @@ Result<std::optional<double>> parseTime(const std::string &text)
     const QDateTime time = QDateTime::fromString(qt(text), Qt::ISODate);
     if (time.isValid())
         return std::optional<double>(static_cast<double>(time.toMSecsSinceEpoch()) * 1e-3);
-    return fail(Fault::Usage, "--since: '" + text + "' is no time",
-        "such as 2026-03-01, 2026-03-01T14:30:00, or seconds since 1970");
+    return fail(Fault::Usage, say("--since: '%1' is no time", text),
+        say("such as 2026-03-01, 2026-03-01T14:30:00, or seconds since 1970"));
 }
 
 void print(Console &console, const std::vector<service::Visit> &visits)
@@ -52,7 +52,8 @@ Task<int> journal(Console &console, Arguments a)
     if (!since)
         co_return fail(since.error());
     if (!a.file.empty() && !a.file.ends_with(".csv"))
-        co_return fail(Fault::Usage, "--export: '" + a.file + "' does not end with .csv", "the journal is a table");
+        co_return fail(
+            Fault::Usage, say("--export: '%1' does not end with .csv", a.file), say("the journal is a table"));
     auto database = Database::open(databaseFile());
     if (!database)
         co_return fail(database.error());

@@ -50,8 +50,8 @@ Result<std::vector<LinkAddress>> linksOf(const Console &console, const Arguments
         if (serves(family, kindOf(link)))
             links.push_back(link);
         else if (!link.isSimulated())
-            return fail(Fault::Usage, std::string(family.key) + " is not found on " + link.text(),
-                "name a link of the kind " + std::string(toString(family.links.front())));
+            return fail(Fault::Usage, say("%1 is not found on %2", family.key, link.text()),
+                say("name a link of the kind %1", toString(family.links.front())));
     }
     if (a.links.empty()) {
         for (const LinkListing &listing : allLinks(console)) {
@@ -60,8 +60,8 @@ Result<std::vector<LinkAddress>> linksOf(const Console &console, const Arguments
         }
     }
     if (links.empty())
-        return fail(Fault::Usage, "there is no link on which a " + std::string(family.key) + " could be found",
-            "name one, such as socketcan:can0");
+        return fail(Fault::Usage, say("there is no link on which a %1 could be found", family.key),
+            say("name one, such as %1", "socketcan:can0"));
     return links;
 }
 
@@ -70,7 +70,7 @@ Result<Plan> check(const Console &console, const Arguments &a)
     auto matter = service::loadRecipe(a.recipe, console.families());
     if (!matter)
         return fail(matter.error().fault, matter.error().detail,
-            matter.error().remedy.empty() ? "mend the recipe" : matter.error().remedy);
+            matter.error().remedy.empty() ? say("mend the recipe") : matter.error().remedy);
     Plan plan{std::move(*matter), {}, {}};
     auto links = linksOf(console, a, *plan.matter.recipe.family);
     if (!links)
@@ -149,8 +149,8 @@ private:
     {
         for (const service::QueueRow &row : m_queue.rows()) {
             if (row.state == service::RowState::Running && !row.what.empty())
-                m_progress.step(row.visit.serial + ' ' + std::string(toString(row.visit.step)) + ": " + row.what,
-                    row.done, row.total);
+                m_progress.step(
+                    say("%1 %2: %3", row.visit.serial, toString(row.visit.step), row.what), row.done, row.total);
         }
     }
     void print(const service::Visit &visit)
@@ -177,18 +177,18 @@ private:
     {
         const service::QueueCounts counts = m_queue.counts();
         if (m_isUnconfirmed)
-            return fail(Fault::Unsafe, "the stop of a motor was not confirmed", "see that it stands");
+            return fail(Fault::Unsafe, say("the stop of a motor was not confirmed"), say("see that it stands"));
         if (m_queue.trouble())
             return fail(*m_queue.trouble());
         if (m_isInterrupted)
-            return fail(Fault::Cancelled, "cancelled before all units were done", "run it again with --resume");
+            return fail(
+                Fault::Cancelled, say("cancelled before all units were done"), say("run it again with --resume"));
         if (counts.ended() == 0)
-            return fail(Fault::Timeout, "no " + std::string(m_queue.matter().recipe.family->key) + " answers",
-                "check power and cable; 'motorbenchctl scan' lists what answers");
+            return fail(Fault::Timeout, say("no %1 answers", m_queue.matter().recipe.family->key),
+                say("check power and cable; 'motorbenchctl scan' lists what answers"));
         if (counts.failed + counts.refused > 0)
             return fail(Fault::Refused,
-                std::to_string(counts.failed) + " of " + std::to_string(counts.ended()) + " units failed, "
-                    + std::to_string(counts.refused) + " were refused",
+                say("%1 of %2 units failed, %3 were refused", counts.failed, counts.ended(), counts.refused),
                 "their lines say why; 'motorbenchctl journal' has them, too");
         return exitDone;
     }

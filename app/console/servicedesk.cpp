@@ -49,8 +49,8 @@ Result<std::unique_ptr<ServiceDesk>> ServiceDesk::open(
     if (!(*opened)->remark().empty())
         complain((*opened)->remark());
     if ((*opened)->isReadOnly())
-        return fail(Fault::OutOfRange, databaseFile() + " cannot be written, so nothing would be in the journal",
-            "check the rights of the file and its folder");
+        return fail(Fault::OutOfRange, say("%1 cannot be written, so nothing would be in the journal", databaseFile()),
+            say("check the rights of the file and its folder"));
     std::unique_ptr<ServiceDesk> desk(new ServiceDesk(console, std::move(*opened), station));
     if (server)
         desk->share(std::move(*server));

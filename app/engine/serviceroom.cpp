@@ -18,10 +18,10 @@ ServiceRoom::~ServiceRoom()
 Result<void> ServiceRoom::begin(const ServiceDesk::Plan &plan)
 {
     if (m_queue && m_queue->isRunning())
-        return fail(Fault::Unsafe, "units are served already", "end that first");
+        return fail(Fault::Unsafe, say("units are served already"), say("end that first"));
     Link *link = m_core.lend(plan.link);
     if (!link)
-        return fail(Fault::Timeout, "the link is not open", "open it first");
+        return fail(Fault::Timeout, say("the link is not open"), say("open it first"));
     leave(); // gives back what was lent before
     link = m_core.lend(plan.link);
     m_link = plan.link;
@@ -123,8 +123,9 @@ void ServiceRoom::ended(const service::Visit &visit)
 /// Three seconds in which everybody is told, and somebody can still say no.
 Task<void> ServiceRoom::beforeMotion(const Device &, const service::SelfTest &)
 {
-    const auto refusal
-        = [] { return fail(Fault::Unsafe, "self-tests are not armed", "hold Arm on the page, then test again"); };
+    const auto refusal = [] {
+        return fail(Fault::Unsafe, say("self-tests are not armed"), say("hold Arm on the page, then test again"));
+    };
     if (!m_armed)
         co_return refusal();
     m_announces = true;

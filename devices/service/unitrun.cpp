@@ -156,8 +156,8 @@ Task<std::string> UnitRun::look()
     co_await std::move(looking);
     const std::string &serial = m_device.identity().serial;
     if (!serial.empty() && !m_visit.serial.empty() && serial != m_visit.serial)
-        co_return fail(Fault::Refused, say("this is another unit by now, number %1", serial),
-            say("look for units again"));
+        co_return fail(
+            Fault::Refused, say("this is another unit by now, number %1", serial), say("look for units again"));
     co_return m_device.identity().firmware.empty() ? std::string("no version is told")
                                                    : "firmware " + m_device.identity().firmware;
 }

@@ -26,8 +26,8 @@ Result<void> makeTables(SqlConnection &sql)
         if (!done || version == newest)
             return done;
         if (version > newest)
-            return fail(Fault::OutOfRange, "the journal on the server was made by a newer version of this program",
-                "use that one");
+            return fail(Fault::OutOfRange, say("the journal on the server was made by a newer version of this program"),
+                say("use that one"));
         for (const QString &statement :
             QString::fromUtf8(journalSchema()).split(QStringLiteral(";\n"), Qt::SkipEmptyParts)) {
             if (done && !statement.trimmed().isEmpty())

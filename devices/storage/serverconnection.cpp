@@ -19,7 +19,8 @@ constexpr std::string_view scheme = "postgresql://";
 
 tl::unexpected<Error> badUrl(const std::string &text)
 {
-    return fail(Fault::Usage, '\'' + text + "' is no journal that stations share", "such as postgresql://USER@HOST/DB");
+    return fail(Fault::Usage, say("'%1' is no journal that stations share", text),
+        say("such as %1", "postgresql://USER@HOST/DB"));
 }
 
 } // namespace
@@ -73,7 +74,8 @@ Result<std::unique_ptr<ServerConnection>> ServerConnection::open(const ServerAdd
 {
     static std::atomic<int> count{0};
     if (!QSqlDatabase::isDriverAvailable(driver))
-        return fail(Fault::Unsupported, "this computer has no driver for PostgreSQL", "install libqt5sql5-psql");
+        return fail(Fault::Unsupported, say("this computer has no driver for PostgreSQL"),
+            say("install %1", "libqt5sql5-psql"));
     std::unique_ptr<ServerConnection> made(new ServerConnection("motorbench-server-" + std::to_string(++count)));
     QSqlDatabase database = QSqlDatabase::addDatabase(driver, qt(made->m_name));
     database.setHostName(qt(server.host));
@@ -83,8 +85,8 @@ Result<std::unique_ptr<ServerConnection>> ServerConnection::open(const ServerAdd
     database.setConnectOptions(QStringLiteral("connect_timeout=2;tcp_user_timeout=5000"));
     if (!database.open())
         return fail(Fault::Timeout,
-            server.url + " does not answer: " + database.lastError().databaseText().trimmed().toStdString(),
-            "see that the server runs; entries wait here until it does");
+            say("%1 does not answer: %2", server.url, database.lastError().databaseText().trimmed().toStdString()),
+            say("see that the server runs; entries wait here until it does"));
     for (const char *const setting : {"SET client_min_messages TO WARNING", "SET statement_timeout = 5000",
              "SET lock_timeout = 3000", "SET synchronous_commit = on"}) {
         if (auto set = made->run(setting); !set)
@@ -110,7 +112,7 @@ Result<void> ServerConnection::run(const char *statement, const QVariantList &va
         const std::string code = query.lastError().nativeErrorCode().toStdString();
         const bool silent = code.empty() || code.starts_with("08") || code.starts_with("57");
         return fail(silent ? Fault::Timeout : Fault::OutOfRange,
-            "the journal's server: " + query.lastError().databaseText().trimmed().toStdString());
+            say("the journal's server: %1", query.lastError().databaseText().trimmed().toStdString()));
     }
     m_changed = query.numRowsAffected();
     return {};
