@@ -4351,22 +4351,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>1 s gehalten: schaltet scharf; zu früh losgelassen geschieht nichts</translation>
     </message>
     <message>
-        <source>lost</source>
-        <translation>verloren</translation>
-    </message>
-    <message>
-        <source>%1: %2 frames received, %3 sent, %4 dropped, %5 errors</source>
-        <translation>%1: %2 Frames empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
-    </message>
-    <message>
-        <source>%1: %2 bytes received, %3 sent, %4 dropped, %5 errors</source>
-        <translation>%1: %2 Bytes empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
-    </message>
-    <message>
-        <source>REC %1</source>
-        <translation>REC %1</translation>
-    </message>
-    <message>
         <source>Reports</source>
         <translation>Berichte</translation>
     </message>
@@ -15096,6 +15080,58 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>a temporary file for %1 cannot be written: %2</source>
         <translation>eine temporäre Datei für %1 lässt sich nicht schreiben: %2</translation>
+    </message>
+    <message>
+        <source>%1 is locked by another program</source>
+        <translation>%1 ist von einem anderen Programm gesperrt</translation>
+    </message>
+    <message>
+        <source>%1 is no project of this version</source>
+        <translation>%1 ist kein Projekt dieser Version</translation>
+    </message>
+    <message>
+        <source>%1 is no recording</source>
+        <translation>%1 ist keine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Put values back</source>
+        <translation>Werte zurückschreiben</translation>
+    </message>
+    <message>
+        <source>stop it, then put the values back</source>
+        <translation>halten Sie ihn an, dann schreiben Sie die Werte zurück</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be made</source>
+        <translation>der Ordner %1 kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>the folder %1 cannot be written</source>
+        <translation>in den Ordner %1 kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the motor is not seen to stand</source>
+        <translation>es ist nicht zu sehen, dass der Motor steht</translation>
+    </message>
+    <message>
+        <source>the values are not put back: %1</source>
+        <translation>die Werte sind nicht zurückgeschrieben: %1</translation>
+    </message>
+    <message>
+        <source>the values are put back</source>
+        <translation>die Werte sind zurückgeschrieben</translation>
+    </message>
+    <message>
+        <source>this change waits for nobody</source>
+        <translation>diese Änderung wartet auf niemanden</translation>
+    </message>
+    <message>
+        <source>this is no session of MotorBench</source>
+        <translation>das ist keine Sitzung von MotorBench</translation>
+    </message>
+    <message>
+        <source>unreadable</source>
+        <translation>unlesbar</translation>
     </message>
 </context>
 </TS>
