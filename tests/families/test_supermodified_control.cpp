@@ -302,6 +302,35 @@ TEST_F(SupermodifiedNode, WhatAnotherMasterTellsAnotherNodeIsNoReasonToDoubtThis
     EXPECT_TRUE(toldAnywhere("55 AA 00 02 1A 00 1A")) << "for everybody";
 }
 
+TEST_F(SupermodifiedNode, SetPointsBeforeAndBehindAStopAreNoOneLine)
+{
+    order(setPoint(Mode::Velocity, 500.0), 200ms);
+    device->stop();
+    bench.clock.advance(500ms);
+    order(setPoint(Mode::Velocity, 600.0), 200ms);
+    device->telemetry()->commit();
+    const ChannelIndex channel = *device->telemetry()->find("setpoint");
+    ASSERT_EQ(device->telemetry()->size(channel), 2U);
+    EXPECT_EQ(device->telemetry()->gaps(channel, Instant{}, bench.clock.now()).size(), 1U);
+    EXPECT_EQ(device->telemetry()->lost(channel), 0U);
+    device->stop();
+}
+
+TEST(SupermodifiedControl, ALineIsNotDrivenAnyMoreByADeviceThatIsGone)
+{
+    Bench bench;
+    bench.add("supermodified:4");
+    bench.add("supermodified:5");
+    std::unique_ptr<Device> driven = bench.connect(4);
+    const std::unique_ptr<Device> other = bench.connect(5);
+    EXPECT_FALSE(static_cast<Controller &>(*other).isLineDriving());
+    ASSERT_TRUE(driven->command(setPoint(Mode::Velocity, 500.0)));
+    bench.clock.advance(300ms);
+    EXPECT_TRUE(static_cast<Controller &>(*other).isLineDriving()) << "no update now";
+    driven.reset();
+    EXPECT_FALSE(static_cast<Controller &>(*other).isLineDriving());
+}
+
 TEST(SupermodifiedControl, ASampleThatIsLostIsCountedOnItsOwnChannelsOnly)
 {
     // What one poll asks for, by the place of its channels in the table.
