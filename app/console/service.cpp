@@ -189,7 +189,7 @@ private:
         if (counts.failed + counts.refused > 0)
             return fail(Fault::Refused,
                 say("%1 of %2 units failed, %3 were refused", counts.failed, counts.ended(), counts.refused),
-                "their lines say why; 'motorbenchctl journal' has them, too");
+                say("their lines say why; 'motorbenchctl journal' has them, too"));
         return exitDone;
     }
 

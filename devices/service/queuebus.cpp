@@ -329,7 +329,7 @@ ServiceSurroundings ServiceQueue::Bus::surroundings(Row &row, Telling &telling)
 Task<Visit> ServiceQueue::Bus::perform(Row &row, Device &device, Visit visit)
 {
     m_interruption = std::make_unique<tuning::Interruption>();
-    m_operation = std::make_unique<Operation>(m_session.clockOf(m_link), "service");
+    m_operation = std::make_unique<Operation>(m_session.clockOf(m_link), say("service"));
     m_wantsSkip = false;
     m_queue.m_directions.forget(device.selector()); // another motor may hang on it
     m_stream = &m_session.stream(device);

@@ -91,12 +91,12 @@ std::string textOf(const Family &family, const SettingsChange &change)
         const auto index = findParameter(family.parameters, value.key);
         if (value.proof == Proof::Refused)
             continue;
-        const auto say
+        const auto written
             = [&](std::int64_t raw) { // what is no parameter, such as the number on the bus, is a bare number
                   return index ? toText(family.parameters[index->value], raw) : std::to_string(raw);
               };
-        text += (text.empty() ? "" : ", ") + value.key + ": " + (value.before ? say(*value.before) : "?") + " -> "
-            + say(value.after);
+        text += (text.empty() ? "" : ", ") + value.key + ": " + (value.before ? written(*value.before) : "?") + " -> "
+            + written(value.after);
     }
     return text;
 }

@@ -32,13 +32,13 @@ bool isIn(const std::vector<std::int64_t> &numbers, std::int64_t number)
 /// Of each loop the last one.
 template <class Item, class Place> std::vector<Item> newestOf(const std::vector<Item> &items, const Place &placeOf)
 {
-    std::vector<Item> newest;
+    std::vector<Item> last;
     for (auto item = items.rbegin(); item != items.rend(); ++item) {
         const auto same = [&](const Item &other) { return placeOf(other) == placeOf(*item); };
-        if (std::none_of(newest.begin(), newest.end(), same))
-            newest.push_back(*item);
+        if (std::none_of(last.begin(), last.end(), same))
+            last.push_back(*item);
     }
-    return newest;
+    return last;
 }
 
 /// History, and what of it stands in full: what was asked for, or the newest of each loop.
