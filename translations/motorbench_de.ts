@@ -15498,5 +15498,9 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>unreadable</source>
         <translation>nicht lesbar</translation>
     </message>
+    <message>
+        <source>service</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 </TS>

@@ -232,7 +232,7 @@ bool AutotuneRun::calmDown()
     note(joined(m_quicker, say("now the calm ones")));
     m_plan.aim = Aim::Calm;
     m_report.result = TuneResult::Refused;
-    m_report.evidence.clear();
+    m_report.evidence = {};
     m_report.proof.clear();
     choose(*calm);
     return true;
