@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/sessionbook.h"
 
-#include "model/parameterfile.h"
+#include "model/filebytes.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -20,7 +20,7 @@ KNOWN_UNITS = [
     {"widgets/control/tunekeys", "widgets/control/tunepage"},
     {"widgets/monitor/framefilter", "widgets/monitor/framefilterparser"},
 ]
-KNOWN_FOLDERS = []
+KNOWN_FOLDERS = [{"app", "app/engine"}, {"widgets/connection", "widgets/start"}]
 
 
 def includes(path, text, paths):

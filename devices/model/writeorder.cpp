@@ -10,14 +10,6 @@
 namespace mb {
 namespace {
 
-/// p, i or d; 0 for everything else.
-char gainOf(std::string_view key)
-{
-    const auto dot = key.rfind('.');
-    const std::string_view last = dot == std::string_view::npos ? key : key.substr(dot + 1);
-    return last == "p" || last == "i" || last == "d" ? last.front() : '\0';
-}
-
 bool switchesOff(const Parameter &parameter, const StagedChange &change)
 {
     return parameter.key.ends_with("disabled") ? change.to != 0 : change.to == 0;
@@ -32,9 +24,7 @@ bool isSwitch(const Parameter &parameter)
 
 bool isLimit(const Parameter &parameter)
 {
-    const bool named = parameter.key.find("limit.") != std::string_view::npos
-        || parameter.key.find("max_") != std::string_view::npos;
-    return named && gainOf(parameter.key) == '\0' && !parameter.key.ends_with("normally_closed");
+    return parameter.role == Role::Limit;
 }
 
 bool widensLimit(const Parameter &parameter, const StagedChange &change)
@@ -49,10 +39,10 @@ int writeRank(const Parameter &parameter, const StagedChange &change)
     if (parameter.nature == Nature::Live)
         return 11;
     const bool raised = !change.from || std::abs(change.to) > std::abs(*change.from);
-    switch (gainOf(parameter.key)) {
-    case 'p': return raised ? 9 : 3;
-    case 'i': return raised ? 10 : 2;
-    case 'd': return raised ? 4 : 8;
+    switch (parameter.role) {
+    case Role::Proportional: return raised ? 9 : 3;
+    case Role::Integral: return raised ? 10 : 2;
+    case Role::Derivative: return raised ? 4 : 8;
     default: break;
     }
     if (!isLimit(parameter))

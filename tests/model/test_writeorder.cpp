@@ -11,10 +11,11 @@
 namespace mb {
 namespace {
 
-Parameter row(const char *key, WireType type = WireType::Int32, Nature nature = Nature::Setting)
+Parameter row(const char *key, Role role, WireType type = WireType::Int32, Nature nature = Nature::Setting)
 {
     Parameter p;
     p.key = key;
+    p.role = role;
     p.type = type;
     p.nature = nature;
     p.minimum = -1000.0;
@@ -24,9 +25,10 @@ Parameter row(const char *key, WireType type = WireType::Int32, Nature nature = 
 
 enum Row : std::uint16_t { Threshold, Enabled, SwitchOff, P, I, D, Name, Position, Rows };
 
-const std::array<Parameter, Rows> table{row("limit.current"), row("limit.enabled", WireType::Boolean),
-    row("limit.forward.disabled", WireType::Boolean), row("velocity.p"), row("velocity.i"), row("velocity.d"),
-    row("input.period"), row("position", WireType::Int32, Nature::Live)};
+const std::array<Parameter, Rows> table{row("limit.current", Role::Limit),
+    row("limit.enabled", Role::Limit, WireType::Boolean), row("limit.forward.disabled", Role::Limit, WireType::Boolean),
+    row("velocity.p", Role::Proportional), row("velocity.i", Role::Integral), row("velocity.d", Role::Derivative),
+    row("input.period", Role::None), row("position", Role::None, WireType::Int32, Nature::Live)};
 
 /// The more of it, the livelier; what does not matter is 0.
 std::int64_t lively(std::uint16_t index, std::int64_t raw)

@@ -108,9 +108,9 @@ constexpr Parameter ofUnit(Parameter row)
 // One row per line, whatever its length.
 // clang-format off
 constexpr std::array<Parameter, 55> table {{
-    as(Role::Limit, toggle("limit.forward.switch.normally_closed", 1, true, limitSwitches, QT_TRANSLATE_NOOP("table", "Forward switch is normally closed"), contactHelp)),
+    toggle("limit.forward.switch.normally_closed", 1, true, limitSwitches, QT_TRANSLATE_NOOP("table", "Forward switch is normally closed"), contactHelp),
     as(Role::Limit, toggle("limit.forward.switch.disabled", 2, true, limitSwitches, QT_TRANSLATE_NOOP("table", "Forward switch disabled"), disableHelp)),
-    as(Role::Limit, toggle("limit.reverse.switch.normally_closed", 3, true, limitSwitches, QT_TRANSLATE_NOOP("table", "Reverse switch is normally closed"), contactHelp)),
+    toggle("limit.reverse.switch.normally_closed", 3, true, limitSwitches, QT_TRANSLATE_NOOP("table", "Reverse switch is normally closed"), contactHelp),
     as(Role::Limit, toggle("limit.reverse.switch.disabled", 4, true, limitSwitches, QT_TRANSLATE_NOOP("table", "Reverse switch disabled"), disableHelp)),
     as(Role::Limit, integer("limit.forward.soft.threshold", 5, WireType::Int32, "counts", intLow, intHigh, 0.0, softLimits, QT_TRANSLATE_NOOP("table", "Forward soft limit"), QT_TRANSLATE_NOOP("table", "At or above this position forward output is blocked, if enabled."))),
     as(Role::Limit, toggle("limit.forward.soft.enabled", 6, true, softLimits, QT_TRANSLATE_NOOP("table", "Forward soft limit enabled"), QT_TRANSLATE_NOOP("table", "On switches the limit ON: the sense is the opposite of the switches' Disabled."))),
