@@ -8,6 +8,7 @@
 #include "widgets/service/verdictof.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -57,14 +58,14 @@ service::QueueRow rowOf(std::uint32_t id, service::RowState state, const char *s
     return row;
 }
 
-struct Bench {
+struct ProductionBench {
     FakeDesk desk;
     FakeWorkbench workbench;
     ThemeSource theme{darkTheme()};
     QTemporaryDir folder;
     std::unique_ptr<ProductionPage> page;
 
-    Bench()
+    ProductionBench()
     {
         LinkView link;
         link.address = "sim:can";
@@ -114,7 +115,7 @@ private Q_SLOTS:
 
 void TestProduction::oneClickServesUnitAfterUnit()
 {
-    Bench bench;
+    ProductionBench bench;
     bench.page->start();
     QVERIFY(bench.desk.begun.empty()); // without a recipe
     QVERIFY(bench.open(plain));
@@ -127,7 +128,7 @@ void TestProduction::oneClickServesUnitAfterUnit()
 
 void TestProduction::theVerdictIsTheUnitThatRunsOrEndedLast()
 {
-    Bench bench;
+    ProductionBench bench;
     QCOMPARE(bench.page->verdict().verdict().kind, Verdict::Kind::Waiting);
     auto working = rowOf(1, service::RowState::Running, "A1");
     working.what = "Page 12";
@@ -154,7 +155,7 @@ void TestProduction::theVerdictIsTheUnitThatRunsOrEndedLast()
 
 void TestProduction::aFailureSaysCauseAndRemedyAndCanBeTestedAgain()
 {
-    Bench bench;
+    ProductionBench bench;
     auto failed = rowOf(7, service::RowState::Failed, "A1");
     failed.visit.cause = "friction 0.61 V, at most 0.4";
     failed.visit.remedy = "free the shaft";
@@ -169,7 +170,7 @@ void TestProduction::aFailureSaysCauseAndRemedyAndCanBeTestedAgain()
 
 void TestProduction::whatIsSetAsideMakesRoom()
 {
-    Bench bench;
+    ProductionBench bench;
     bench.show({rowOf(7, service::RowState::Failed, "A1")});
     QTest::keyClick(bench.page.get(), Qt::Key_F8);
     QCOMPARE(bench.page->verdict().verdict().kind, Verdict::Kind::Waiting);
@@ -179,7 +180,7 @@ void TestProduction::whatIsSetAsideMakesRoom()
 
 void TestProduction::armingShowsFirstWhatWillMove()
 {
-    Bench bench;
+    ProductionBench bench;
     QVERIFY(bench.open(plain));
     QVERIFY(bench.page->armButton().isHidden()); // nothing moves
     QVERIFY2(
@@ -202,14 +203,14 @@ void TestProduction::armingShowsFirstWhatWillMove()
 
 void TestProduction::leavingDisarms()
 {
-    Bench bench;
+    ProductionBench bench;
     bench.page->hide();
     QCOMPARE(bench.desk.armed, std::vector<bool>{false});
 }
 
 void TestProduction::aScannerIsAKeyboard()
 {
-    Bench bench;
+    ProductionBench bench;
     bench.show(
         {rowOf(3, service::RowState::Failed, "2103343A7B2E"), rowOf(4, service::RowState::Skipped, "2103343A7B2F")});
     bench.page->setFocus();
@@ -224,7 +225,7 @@ void TestProduction::aScannerIsAKeyboard()
 
 void TestProduction::aMistakeInARecipeIsSaidWithItsLine()
 {
-    Bench bench;
+    ProductionBench bench;
     QVERIFY(!bench.open("{\"recipe\":1,\n\"name\":\"x\",\n\"colour\":3}"));
     QVERIFY2(bench.workbench.lines.back().text.contains(s("3")), qPrintable(bench.workbench.lines.back().text));
 }

@@ -122,7 +122,7 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
     verdict.seconds = row->visit.seconds;
     verdict.facts = factsOf(row->visit);
     if (verdict.kind == Verdict::Kind::Working) {
-        verdict.step = view.announces ? BenchText::tr("The motor turns in a moment") : tableText(row->what);
+        verdict.step = view.announces ? BenchText::tr("The motor turns in a moment") : messageText(row->what);
         verdict.share = row->total > 0 ? static_cast<double>(row->done) / row->total : 0.0;
         verdict.next = row->mayInterrupt ? BenchText::tr("Safe to unplug") : BenchText::tr("Do not unplug");
         return verdict;
@@ -148,7 +148,7 @@ QString lineOf(const QueueRow &row)
     }
     case RowState::Failed: return BenchText::tr("failed · %1").arg(tableText(visit.cause));
     case RowState::Refused: return BenchText::tr("refused · %1").arg(tableText(visit.cause));
-    case RowState::Running: return tableText(row.what);
+    case RowState::Running: return messageText(row.what);
     case RowState::Skipped: return BenchText::tr("left out");
     case RowState::Waiting: return BenchText::tr("waiting");
     }
