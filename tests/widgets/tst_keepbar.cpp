@@ -14,13 +14,13 @@ using namespace mb::test;
 
 namespace {
 
-struct Bench {
+struct KeepBench {
     FakeWorkbench workbench;
     ThemeSource theme{darkTheme()};
     QWidget window;
     KeepBar bar{workbench, theme, &window};
 
-    Bench()
+    KeepBench()
     {
         window.resize(1200, 80);
         bar.resize(1200, 60);
@@ -48,7 +48,7 @@ private Q_SLOTS:
 
 void TestKeepBar::thereIsNoneWhileNothingWaits()
 {
-    Bench bench;
+    KeepBench bench;
     QVERIFY(bench.bar.isHidden());
     bench.wait(4, UnconfirmedView::State::Counting, 18.0);
     QVERIFY(!bench.bar.isHidden());
@@ -59,7 +59,7 @@ void TestKeepBar::thereIsNoneWhileNothingWaits()
 
 void TestKeepBar::theTimeIsSaidAndShown()
 {
-    Bench bench;
+    KeepBench bench;
     bench.wait(4, UnconfirmedView::State::Counting, 17.4);
     QVERIFY2(bench.bar.question().contains(QStringLiteral("18 s")), qPrintable(bench.bar.question()));
     auto *time = bench.bar.findChild<QProgressBar *>();
@@ -71,7 +71,7 @@ void TestKeepBar::theTimeIsSaidAndShown()
 
 void TestKeepBar::keepAndPutBackAreOrders()
 {
-    Bench bench;
+    KeepBench bench;
     bench.wait(4, UnconfirmedView::State::Counting, 17.4);
     for (auto *button : bench.bar.findChildren<QPushButton *>())
         button->click();
@@ -86,7 +86,7 @@ void TestKeepBar::keepAndPutBackAreOrders()
 
 void TestKeepBar::whatGoesFirstIsAskedFirst()
 {
-    Bench bench;
+    KeepBench bench;
     bench.wait(4, UnconfirmedView::State::Offered, 0.0);
     bench.wait(6, UnconfirmedView::State::Counting, 20.0);
     bench.wait(5, UnconfirmedView::State::Counting, 10.0);
@@ -96,7 +96,7 @@ void TestKeepBar::whatGoesFirstIsAskedFirst()
 
 void TestKeepBar::theKeyKeepsOnlyWhatIsAsked()
 {
-    Bench bench;
+    KeepBench bench;
     QTest::keyClick(&bench.window, Qt::Key_Return, Qt::ControlModifier);
     QVERIFY(bench.workbench.given<orders::KeepChange>().empty());
     bench.wait(4, UnconfirmedView::State::AwaitsStandstill, 0.0);

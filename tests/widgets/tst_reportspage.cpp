@@ -2,6 +2,7 @@
 // What can be handed out about the units that are here: listed, searched, looked at, written.
 #include "support/windowtests.h"
 #include "tunebench.h"
+#include "tuning/verdict.h"
 #include "widgets/report/reportorder.h"
 #include "widgets/report/reportspage.h"
 
@@ -17,12 +18,12 @@ using namespace mb::test;
 
 namespace {
 
-struct Bench {
+struct ReportBench {
     FakeWorkbench workbench;
     ThemeSource theme{darkTheme()};
     std::unique_ptr<ReportsPage> page;
 
-    Bench()
+    ReportBench()
     {
         workbench.shot.devices.push_back(tunableDrive(std::make_shared<Telemetry>(dmc60c().channels), 1, 5));
         workbench.device(0).selector = "sim:can/dmc60c:5";
@@ -60,7 +61,7 @@ private Q_SLOTS:
 
 void TestReportsPage::unitsAndTheirTrialsAreListed()
 {
-    Bench bench;
+    ReportBench bench;
     QTRY_COMPARE(bench.page->list().count(), 2);
     QVERIFY(bench.page->list().item(0)->text().contains(QStringLiteral("2103343A79F2")));
     QVERIFY(bench.page->list().item(1)->text().contains(QStringLiteral("#17")));
@@ -68,7 +69,7 @@ void TestReportsPage::unitsAndTheirTrialsAreListed()
 
 void TestReportsPage::theSearchLeavesWhatItNames()
 {
-    Bench bench;
+    ReportBench bench;
     QTRY_COMPARE(bench.page->list().count(), 2);
     bench.page->findChild<QLineEdit *>()->setText(QStringLiteral("GEARBOX"));
     QCOMPARE(bench.page->list().count(), 1);
@@ -77,14 +78,14 @@ void TestReportsPage::theSearchLeavesWhatItNames()
 
 void TestReportsPage::whatIsChosenIsLookedAt()
 {
-    Bench bench;
+    ReportBench bench;
     QTRY_VERIFY2(bench.page->previewText().contains(QStringLiteral("2103343A79F2")),
         qPrintable(bench.page->previewText().left(400)));
 }
 
 void TestReportsPage::itIsWrittenAsItIsLookedAt()
 {
-    Bench bench;
+    ReportBench bench;
     QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("card.html"));
     QTRY_COMPARE(bench.page->list().count(), 2);
