@@ -55,13 +55,15 @@ protected:
     Motion motion{context, nullptr};
     Recordings recordings{context, motion};
     Scans scans{context, recordings};
+    ProvisionalChanges provisional{context};
+    ParameterJobs parameters{context, provisional};
+    DeviceJobs jobs{context, parameters};
     Link *link = nullptr;
 };
 
 TEST_F(EngineRooms, ARateForADeviceThatIsBusyIsSetOnceItIsFreeAndAnsweredThen)
 {
     Rates rates(context);
-    DeviceJobs jobs(context);
     std::vector<Result<void>> blinked;
     std::vector<Result<void>> first;
     std::vector<Result<void>> second;
@@ -97,7 +99,6 @@ TEST_F(EngineRooms, ARestoredRateIsWhatWasAskedForBefore)
 
 TEST_F(EngineRooms, ADeviceHasOneJobAtATimeAndWhoIsRefusedIsTold)
 {
-    DeviceJobs jobs(context);
     std::vector<Result<void>> first;
     std::vector<Result<void>> refused;
     std::vector<Result<void>> elsewhere;
@@ -113,7 +114,6 @@ TEST_F(EngineRooms, ADeviceHasOneJobAtATimeAndWhoIsRefusedIsTold)
 
 TEST_F(EngineRooms, WhatBeganByItselfMakesWayForAnOrder)
 {
-    DeviceJobs jobs(context);
     std::vector<Result<void>> byItself;
     std::vector<Result<void>> ordered;
     auto *job = operations.begin(
@@ -146,7 +146,7 @@ TEST_F(EngineRooms, AScanIsShownWhileItRunsAndEndsWhenItIsCancelled)
 TEST_F(EngineRooms, AnOperationIsPublishedAgainOnlyWhenItHasChanged)
 {
     Links links(context, motion, recordings, scans, false);
-    SnapshotPublisher publisher(context, links);
+    SnapshotPublisher publisher(context, links, provisional);
     std::vector<Result<void>> answers;
     Progress *progress = nullptr;
     operations.begin(
@@ -190,7 +190,7 @@ TEST_F(EngineRooms, AStopReachesEveryMotorAndEndsWhatMoves)
     SetPoint half;
     half.mode = Mode::Duty;
     half.target = 0.3;
-    motion.carryOut(orders::StartMotion{id(5), half, 60s}, into(answers));
+    motion.carryOut(orders::StartMotion{id(5), half, 60s, {}}, into(answers));
     clock.advance(1s);
     ASSERT_TRUE(device(5).liveness().moving);
     motion.stopAll(StopCause::User);
