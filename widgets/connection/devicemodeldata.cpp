@@ -37,7 +37,8 @@ QVariant DeviceModel::linkData(const LinkView &link, int role) const
     case Qt::DisplayRole:
     case Qt::AccessibleTextRole: return QString::fromStdString(link.name);
     case Qt::ToolTipRole:
-        return QString::fromStdString(link.reason.empty() ? link.address : link.address + '\n' + link.reason);
+        return QString::fromStdString(link.address)
+            + (link.reason.empty() ? QString() : QLatin1Char('\n') + messageText(link.reason));
     case LineRole:
         if (link.state == LinkState::Lost)
             return tr("lost");
