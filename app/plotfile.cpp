@@ -71,7 +71,8 @@ int plotFile(const Options &options)
     const QByteArray picture = suffix == QLatin1String("png") ? pngOf(stack.plot().picture(size, pictureScale))
                                                               : stack.exporter().pictureAs(suffix);
     if (picture.isEmpty())
-        return refuse({Fault::OutOfRange, say("%1 cannot be painted", options.out.toStdString()), say("choose a smaller --size")},
+        return refuse(
+            {Fault::OutOfRange, say("%1 cannot be painted", options.out.toStdString()), say("choose a smaller --size")},
             options.json);
     if (const auto saved = saveFile(options.out.toStdString(), picture); !saved)
         return refuse(saved.error(), options.json);

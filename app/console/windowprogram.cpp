@@ -23,8 +23,7 @@ Error becomeWindow(std::vector<std::string> words)
     ::setenv("QT_LOGGING_RULES", "*.warning=false", 1); // what the toolkit grumbles about is no word of ours
     Signals::release();
     ::execv(program.c_str(), pointers.data());
-    return {
-        Fault::OutOfRange, say("%1 cannot be run: %2", program, std::strerror(errno)),
+    return {Fault::OutOfRange, say("%1 cannot be run: %2", program, std::strerror(errno)),
         say("both programs must be in one folder")};
 }
 

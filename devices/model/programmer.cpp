@@ -24,7 +24,9 @@ Result<std::unique_ptr<QTemporaryFile>> hexFileFor(const FirmwareImage &image, s
     const std::string text = toIntelHex(image);
     const auto size = static_cast<qint64>(text.size());
     if (!file->open() || file->write(text.data(), size) != size || !file->flush())
-        return fail(Fault::LinkLost, say("a temporary file for %1 cannot be written: %2", program, file->errorString().toStdString()), say("make room in %1", QDir::tempPath().toStdString()));
+        return fail(Fault::LinkLost,
+            say("a temporary file for %1 cannot be written: %2", program, file->errorString().toStdString()),
+            say("make room in %1", QDir::tempPath().toStdString()));
     return file;
 }
 
@@ -37,7 +39,8 @@ Task<ExternalProgram::Exit> runProgrammer(Clock &clock, ExternalProgram::Command
     for (;;) {
         const auto piece = co_await program.next(programPatience);
         if (!piece)
-            co_return fail(piece.error().fault, say("%1 said nothing for a minute and was ended", command.program), remedy);
+            co_return fail(
+                piece.error().fault, say("%1 said nothing for a minute and was ended", command.program), remedy);
         if (!*piece)
             break;
         take(**piece);

@@ -20,8 +20,8 @@ namespace mb {
 
 /// Runs a program to its end and hands over everything it prints; whole lines go to the log too, but empty ones. LinkLost when
 /// it cannot be started; Timeout, with `remedy`, when it says nothing for a minute, and then it is ended. `take` outlives the task.
-[[nodiscard]] Task<ExternalProgram::Exit> runProgrammer(Clock &clock, ExternalProgram::Command command,
-    Message remedy, std::function<void(const ExternalProgram::Piece &)> take, Progress &progress);
+[[nodiscard]] Task<ExternalProgram::Exit> runProgrammer(Clock &clock, ExternalProgram::Command command, Message remedy,
+    std::function<void(const ExternalProgram::Piece &)> take, Progress &progress);
 
 /// Whether the device answers again: asked every 500 ms, ten times. LinkLost.
 [[nodiscard]] Task<bool> answersAgain(Device &device);

@@ -30,8 +30,7 @@ template <class Options, std::size_t N>
         if (row == table.end())
             return fail(Fault::OutOfRange, say("%1 has no option '%2'", what, key));
         if (!row->set(options, value))
-            return fail(
-                Fault::OutOfRange, say("'%1' is no value for the option '%2' of %3", value, key, what));
+            return fail(Fault::OutOfRange, say("'%1' is no value for the option '%2' of %3", value, key, what));
     }
     return {};
 }

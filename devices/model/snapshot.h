@@ -58,7 +58,7 @@ struct DeviceView {
     std::string link; ///< address of its link
     Liveness liveness;
     LiveStates states; ///< by the rows of family->states
-    Message busy; ///< what it does now
+    Message busy;      ///< what it does now
     MotionView motion;
     std::shared_ptr<const Telemetry> telemetry;
     std::vector<double> rates;                     ///< samples per second, in table order of the channels
@@ -67,10 +67,10 @@ struct DeviceView {
     DeviceProfile profile;
     Message mayNotMove; ///< empty when it may be driven
     StopState stop = StopState::None;
-    bool stopsMotion = false;    ///< somebody knew of a motion when it was told to stop (DeviceStop::isForMotion)
-    bool mayTurn = false;        ///< nobody has seen it stand, and nothing of its own stops it
-    Message mayNotBeStopped; ///< why STOP leaves it out; empty: it does not
-    bool keepsMove = false;      ///< a buffered move that has not begun
+    bool stopsMotion = false; ///< somebody knew of a motion when it was told to stop (DeviceStop::isForMotion)
+    bool mayTurn = false;     ///< nobody has seen it stand, and nothing of its own stops it
+    Message mayNotBeStopped;  ///< why STOP leaves it out; empty: it does not
+    bool keepsMove = false;   ///< a buffered move that has not begun
 };
 
 struct OperationId {

@@ -15,8 +15,8 @@ namespace mb {
 struct LinkListing {
     LinkAddress link; ///< without a path where it stands for "none of this kind"
     LinkKind kind = LinkKind::Can;
-    std::string state;  ///< "up", "down", "bus-off", "no-permission", "absent", "available"
-    Message detail;     ///< what it is, or why it cannot be opened and what helps, in one clause
+    std::string state; ///< "up", "down", "bus-off", "no-permission", "absent", "available"
+    Message detail;    ///< what it is, or why it cannot be opened and what helps, in one clause
     bool openable = false;
     Diagnosis diagnosis{};   ///< of one that is not openable; `detail` is its text
     bool listenable = false; ///< a CAN controller that can listen without disturbing the bus

@@ -26,11 +26,12 @@ bool heardSince(const BusHealth &health, Instant time)
 
 Diagnosis nobodyAcknowledges(const LinkSymptoms &link)
 {
-    Message remedy = link.bitrate > 0 ? say("switch the devices on, check the cable and that two 120 Ω resistors end the "
-                                            "bus, and that every device has the bit rate %1",
-                                            bitrateText(link.bitrate))
-                                      : say("switch the devices on, check the cable and that two 120 Ω resistors end the "
-                                            "bus, and that every device has the bit rate of this interface");
+    Message remedy = link.bitrate > 0
+        ? say("switch the devices on, check the cable and that two 120 Ω resistors end the "
+              "bus, and that every device has the bit rate %1",
+            bitrateText(link.bitrate))
+        : say("switch the devices on, check the cable and that two 120 Ω resistors end the "
+              "bus, and that every device has the bit rate of this interface");
     return {Ailment::NobodyAcknowledges, say("nobody acknowledges what %1 sends", link.name), std::move(remedy), {}};
 }
 
@@ -38,12 +39,13 @@ Diagnosis wrongBitrate(const LinkSymptoms &link, bool listenable)
 {
     const Message cause = link.bitrate > 0
         ? say("only disturbed frames arrive on %1, the bus has another bit rate than %2", link.name,
-              bitrateText(link.bitrate))
+            bitrateText(link.bitrate))
         : say("only disturbed frames arrive on %1, the bus has another bit rate", link.name);
     if (listenable)
         return {Ailment::WrongBitrate, cause, say("find it by listening only"), findBitrateCommand(link.name)};
     return {Ailment::WrongBitrate, cause,
-        say("this interface cannot listen without disturbing the bus, so ask who set it up; usual are 1 Mbit/s, 500, 250 "
+        say("this interface cannot listen without disturbing the bus, so ask who set it up; usual are 1 Mbit/s, 500, "
+            "250 "
             "and 125 kbit/s"),
         "sudo ip link set " + link.name + " down; " + bringUpCommand(link.name, true, 500'000)};
 }
@@ -88,8 +90,7 @@ Diagnosis lostLink(const LinkSymptoms &link, const std::optional<Diagnosis> &int
     if (link.kind == LinkKind::Can && link.health.state == BusState::BusOff) {
         if (link.scheme == "socketcan")
             return busOff(link.name);
-        return {
-            Ailment::BusOff, say("%1 is bus-off", link.name),
+        return {Ailment::BusOff, say("%1 is bus-off", link.name),
             say("check wiring, termination and bit rate, then reconnect"), {}};
     }
     if (link.scheme == "socketcan" && !interface)
@@ -158,8 +159,8 @@ Diagnosis diagnose(const CanInterface &interface)
     const std::string &name = interface.name;
     if (!interface.up) {
         const bool needsBitrate = interface.kind == CanInterface::Kind::Controller && interface.bitrate == 0;
-        return {
-            Ailment::Down, say("%1 is switched off", name), say("bring it up"), bringUpCommand(name, needsBitrate, usualBitrate)};
+        return {Ailment::Down, say("%1 is switched off", name), say("bring it up"),
+            bringUpCommand(name, needsBitrate, usualBitrate)};
     }
     if (interface.state == BusState::BusOff && !interface.restarts)
         return busOff(name);

@@ -37,7 +37,7 @@ struct ExperimentSurroundings {
     ExperimentJournal *journal = nullptr; ///< nullptr: nothing is kept, and gains are written with Keep::Always only
     DirectionBook *directions = nullptr;  ///< of this run of the program
     Interruption *interruption = nullptr;
-    double rate = 0.0;                             ///< samples per second to ask for; 0: what its family says
+    double rate = 0.0;                         ///< samples per second to ask for; 0: what its family says
     std::function<void(const Message &)> note; ///< a line for people
     /// When a hold has ended, before the way back: the trial with what is measured so far. The motor still runs.
     std::function<void(const Trial &)> measured;

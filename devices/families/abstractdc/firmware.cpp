@@ -36,11 +36,11 @@ Task<openocd::Reading> program(Clock &clock, openocd::Job job, std::vector<int> 
             progress.part(page, state);
     };
     if (!ExternalProgram::locate("openocd"))
-        co_return fail(Fault::LinkLost, say("openocd is not installed"), say("install it with"), "sudo apt install openocd");
+        co_return fail(
+            Fault::LinkLost, say("openocd is not installed"), say("install it with"), "sudo apt install openocd");
     openocd::Reading reading;
     const auto show = [&reading, &progress] {
-        progress.step(
-            titleOf(reading.stage()), static_cast<int>(reading.stage()), static_cast<int>(Stage::Over));
+        progress.step(titleOf(reading.stage()), static_cast<int>(reading.stage()), static_cast<int>(Stage::Over));
     };
     const auto take = [&](const ExternalProgram::Piece &piece) {
         const Stage before = reading.stage();
@@ -68,7 +68,8 @@ Result<void> preflight(const Device &device, const FirmwareImage &image, const U
     if (device.liveness().moving)
         return fail(Fault::Unsafe, say("its motor moves"), say("stop it first"));
     if (options.eraseSettings && touchesSettings(image))
-        return fail(Fault::OutOfRange, say("the image itself writes the settings pages"), say("leave out erasing them"));
+        return fail(
+            Fault::OutOfRange, say("the image itself writes the settings pages"), say("leave out erasing them"));
     return {};
 }
 
@@ -78,20 +79,25 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
 {
     const auto &segments = image.segments();
     if (segments.empty() || segments.front().first < flashBegin || segments.back().last >= flashEnd)
-        return fail(Fault::OutOfRange, say("this is no program for the drive: it has bytes outside the flash of an STM32, 0x08000000 … 0x081FFFFF"));
+        return fail(Fault::OutOfRange,
+            say("this is no program for the drive: it has bytes outside the flash of an STM32, 0x08000000 … "
+                "0x081FFFFF"));
     std::array<std::uint8_t, 8> vectors{};
     image.overlay(flashBegin, vectors);
     const std::uint32_t stack = readU32le(vectors, 0);
     const std::uint32_t reset = readU32le(vectors, 4);
     if (image.byteCount(flashBegin, flashBegin + 7) != vectors.size() || (stack >> 24U) != 0x20U || (reset & 1U) == 0
         || !image.has(reset & ~1U))
-        return fail(Fault::OutOfRange, say("this is no program for the drive: there are no vectors of an STM32 at 0x08000000. Make the Intel HEX file with: arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf"));
+        return fail(Fault::OutOfRange,
+            say("this is no program for the drive: there are no vectors of an STM32 at 0x08000000. Make the Intel HEX "
+                "file with: arm-none-eabi-objcopy -O ihex abstract_DC_drive.elf"));
     ImageSummary summary;
     for (std::uint32_t page = flashBegin; page <= segments.back().last; page += pageSize) {
         if (image.hasAny(page, page + pageSize - 1))
             summary.parts.push_back(static_cast<int>((page - flashBegin) / pageSize));
     }
-    summary.notes.emplace_back(say("The drive tells no version: the programmer's own verify and the drive's answer prove the update."));
+    summary.notes.emplace_back(
+        say("The drive tells no version: the programmer's own verify and the drive's answer prove the update."));
     if (touchesSettings(image))
         summary.notes.emplace_back(say("The image writes the settings pages: stored gains are replaced."));
     return summary;
@@ -117,7 +123,8 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     job->file = (*file)->fileName().toStdString();
     job->eraseSettings = options.eraseSettings;
     if (options.eraseSettings)
-        progress.log(Severity::Caution, say("the gains stored in the drive are erased; all its loops do nothing until they are written again"));
+        progress.log(Severity::Caution,
+            say("the gains stored in the drive are erased; all its loops do nothing until they are written again"));
     device.stop();
     auto programming = program(device.clock(), *job, summary->parts, progress);
     const openocd::Reading reading = co_await std::move(programming);
@@ -129,7 +136,10 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     report.pages = static_cast<int>(summary->parts.size());
     report.outcome = answered ? UpdateOutcome::Done : UpdateOutcome::Failed;
     report.verified = answered;
-    report.evidence = answered ? say("OpenOCD verified the flash, and the drive answers again") : say("OpenOCD verified the flash, but nothing answers as %1; the new firmware may have another offset or bit rate: scan again", device.selector());
+    report.evidence = answered ? say("OpenOCD verified the flash, and the drive answers again")
+                               : say("OpenOCD verified the flash, but nothing answers as %1; the new firmware may have "
+                                     "another offset or bit rate: scan again",
+                                   device.selector());
     if (!answered)
         report.fault = Fault::Timeout;
     co_return report;

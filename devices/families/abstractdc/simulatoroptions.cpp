@@ -42,8 +42,7 @@ std::int32_t raw(double gain)
 Result<UnitOptions> UnitOptions::parse(const SimulatedUnit &unit)
 {
     if (unit.address < 0 || unit.address > maxOffset)
-        return fail(
-            Fault::OutOfRange, say("an Abstract DC Drive has an offset from 0 to 99, not %1", unit.address));
+        return fail(Fault::OutOfRange, say("an Abstract DC Drive has an offset from 0 to 99, not %1", unit.address));
     UnitOptions options;
     options.offset = unit.address;
     options.motor = motorByName("25d");

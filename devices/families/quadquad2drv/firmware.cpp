@@ -79,7 +79,8 @@ Result<ImageSummary> inspect(const FirmwareImage &image)
     if (image.lines().empty())
         return fail(Fault::OutOfRange, say("the file has no lines to send"));
     ImageSummary summary;
-    summary.notes.push_back(say("%1 lines, %2 bytes; the file does not name its version", image.lines().size(), image.byteCount()));
+    summary.notes.push_back(
+        say("%1 lines, %2 bytes; the file does not name its version", image.lines().size(), image.byteCount()));
     return summary;
 }
 

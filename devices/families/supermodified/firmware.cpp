@@ -103,8 +103,8 @@ Task<Attempt> runOnce(Clock &clock, avrdude::Job job, Progress &progress)
         co_return Attempt{std::move(reading), {}, true};
     Error error = reading.failure(job);
     if (reading.hasBegun())
-        error.remedy = joined(error.remedy,
-            say("the controller may hold half a program, and runs again once an update has succeeded"));
+        error.remedy = joined(
+            error.remedy, say("the controller may hold half a program, and runs again once an update has succeeded"));
     const bool hasBegun = reading.hasBegun();
     co_return Attempt{{}, std::move(error), hasBegun};
 }
@@ -113,7 +113,8 @@ Task<Attempt> runOnce(Clock &clock, avrdude::Job job, Progress &progress)
 Task<avrdude::Reading> program(Clock &clock, avrdude::Job job, Progress &progress)
 {
     if (!ExternalProgram::locate("avrdude"))
-        co_return fail(Fault::LinkLost, say("avrdude is not installed"), say("install it with"), "sudo apt install avrdude");
+        co_return fail(
+            Fault::LinkLost, say("avrdude is not installed"), say("install it with"), "sudo apt install avrdude");
     if (!job.isBootloader()) {
         auto run = runOnce(clock, job, progress);
         Attempt attempt = co_await std::move(run);
@@ -141,7 +142,8 @@ Result<void> preflight(const Controller &device, const FirmwareImage &image, con
     if (auto summary = inspect(image); !summary)
         return fail(summary.error());
     if (job.isBootloader() && image.hasAny(avrdude::bootloaderStart, avrdude::flashSize - 1))
-        return fail(Fault::OutOfRange, say("this image holds a bootloader too, which cannot write itself"), say("use a programmer on the pins"));
+        return fail(Fault::OutOfRange, say("this image holds a bootloader too, which cannot write itself"),
+            say("use a programmer on the pins"));
     if (device.isLineDriving())
         return fail(Fault::Unsafe, say("a motor is driven on this line"), say("stop it first"));
     return {};
@@ -154,13 +156,15 @@ UpdateReport reportOf(const Device &device, const FirmwareImage &image, bool ans
     report.verified = answered;
     report.outcome = answered ? UpdateOutcome::Done : UpdateOutcome::Failed;
     if (answered) {
-        report.evidence = say("avrdude read back all %1 bytes and they are equal; the controller answers again, dialect %2",
-            image.byteCount(), device.identity().dialect);
+        report.evidence
+            = say("avrdude read back all %1 bytes and they are equal; the controller answers again, dialect %2",
+                image.byteCount(), device.identity().dialect);
     } else {
         report.fault = Fault::Timeout;
-        report.evidence = say("avrdude read back all %1 bytes and they are equal, but the controller does not answer; cut its "
-                              "power for a moment, and scan: a new firmware may have another rate or node id",
-            image.byteCount());
+        report.evidence
+            = say("avrdude read back all %1 bytes and they are equal, but the controller does not answer; cut its "
+                  "power for a moment, and scan: a new firmware may have another rate or node id",
+                image.byteCount());
     }
     return report;
 }
@@ -170,17 +174,22 @@ UpdateReport reportOf(const Device &device, const FirmwareImage &image, bool ans
 Result<ImageSummary> inspect(const FirmwareImage &image)
 {
     if (image.segments().empty() || image.segments().back().last >= avrdude::flashSize)
-        return fail(Fault::OutOfRange, say("this is no program for the controller: it has bytes outside the 32 KiB of an ATmega328P"));
+        return fail(Fault::OutOfRange,
+            say("this is no program for the controller: it has bytes outside the 32 KiB of an ATmega328P"));
     if (!hasVectors(image))
-        return fail(Fault::OutOfRange, say("this is no program for the controller: it does not begin with a jump of an AVR at address 0"));
+        return fail(Fault::OutOfRange,
+            say("this is no program for the controller: it does not begin with a jump of an AVR at address 0"));
     ImageSummary summary;
     for (std::uint32_t page = 0; page < avrdude::flashSize; page += pageSize) {
         if (image.hasAny(page, page + pageSize - 1))
             summary.parts.push_back(static_cast<int>(page / pageSize));
     }
-    summary.notes.emplace_back(say("The controller tells no version: the programmer's own verify and the controller's answer prove the update."));
-    summary.notes.emplace_back(say("A programmer on the pins erases the chip first, the stored settings and the serial bootloader with it: save the parameters before. The bootloader keeps both."));
-    summary.notes.emplace_back(say("The serial bootloader listens for a moment after power-up only: restart the controller when the update begins."));
+    summary.notes.emplace_back(say(
+        "The controller tells no version: the programmer's own verify and the controller's answer prove the update."));
+    summary.notes.emplace_back(say("A programmer on the pins erases the chip first, the stored settings and the serial "
+                                   "bootloader with it: save the parameters before. The bootloader keeps both."));
+    summary.notes.emplace_back(say("The serial bootloader listens for a moment after power-up only: restart the "
+                                   "controller when the update begins."));
     if (image.hasAny(avrdude::bootloaderStart, avrdude::flashSize - 1))
         summary.notes.emplace_back(say("The image holds a bootloader too, so it needs a programmer on the pins."));
     return summary;
@@ -193,7 +202,8 @@ Task<UpdateReport> update(Device &device, const FirmwareImage &image, UpdateOpti
     if (!job)
         co_return fail(job.error());
     if (!options.target.empty())
-        co_return fail(Fault::OutOfRange, say("a Supermodified has one kind of microcontroller"), say("leave out --target"));
+        co_return fail(
+            Fault::OutOfRange, say("a Supermodified has one kind of microcontroller"), say("leave out --target"));
     if (auto ready = preflight(controller, image, *job); !ready)
         co_return fail(ready.error());
     if (options.dryRun) {
