@@ -125,7 +125,7 @@ Result<void> Recordings::mayRecord(const std::string &link) const
         return fail(Fault::LinkLost, say("the link is not open"));
     if (open->kind() != LinkKind::Can)
         return fail(
-            Fault::Unsupported, say("%1 is no CAN link", open->address().shortName()), "only those are recorded");
+            Fault::Unsupported, say("%1 is no CAN link", open->address().shortName()), say("only those are recorded"));
     const auto kept = m_kept.find(open);
     if (kept != m_kept.end() && kept->second.recorder && !kept->second.recorder->state().finished)
         return fail(Fault::Unsafe, say("%1 is being recorded already", open->address().shortName()));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "async/clock.h"
+#include "async/message.h"
 #include "model/trialtraits.h"
 #include "tuning/watchers.h"
 

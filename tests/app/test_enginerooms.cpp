@@ -48,8 +48,9 @@ protected:
     Session session{clock, families()};
     EngineLog log{session};
     std::vector<std::string> lines;
-    Subscription noticed = log.noticed().add(
-        [this](Severity, const std::string &who, const std::string &text) { lines.push_back(who + ": " + text); });
+    Subscription noticed = log.noticed().add([this](Severity, const std::string &who, const Message &text) {
+        lines.push_back(who + ": " + text.english());
+    });
     Operations operations{clock, session, log};
     EngineContext context{clock, session, log, operations};
     Motion motion{context, nullptr};
@@ -88,7 +89,7 @@ TEST_F(EngineRooms, ARestoredRateIsWhatWasAskedForBefore)
     rates.carryOut(orders::SetRate{id(5), velocity(), 100.0}, into(answers));
     ASSERT_TRUE(clock.runUntil([&] { return !operations.has(id(5)); }, 20s));
     operations.begin(
-        id(5), "An experiment", [this](Device &unit, Progress &) { return unit.setRate(velocity(), 10.0); },
+        id(5), say("An experiment"), [this](Device &unit, Progress &) { return unit.setRate(velocity(), 10.0); },
         into(answers));
     ASSERT_TRUE(clock.runUntil([&] { return answers.size() == 2; }, 20s));
     rates.restore(id(5));
@@ -117,7 +118,7 @@ TEST_F(EngineRooms, WhatBeganByItselfMakesWayForAnOrder)
     std::vector<Result<void>> byItself;
     std::vector<Result<void>> ordered;
     auto *job = operations.begin(
-        id(5), "Look", [](Device &unit, Progress &) { return unit.identify(); }, into(byItself));
+        id(5), say("Look"), [](Device &unit, Progress &) { return unit.identify(); }, into(byItself));
     ASSERT_TRUE(job);
     job->yields = true;
     jobs.carryOut(orders::Identify{id(5)}, into(ordered));
@@ -150,14 +151,14 @@ TEST_F(EngineRooms, AnOperationIsPublishedAgainOnlyWhenItHasChanged)
     std::vector<Result<void>> answers;
     Progress *progress = nullptr;
     operations.begin(
-        id(5), "First",
+        id(5), say("First"),
         [&progress](Device &unit, Progress &seen) {
             progress = &seen;
             return unit.identify();
         },
         into(answers));
     operations.begin(
-        id(7), "Second", [](Device &unit, Progress &) { return unit.identify(); }, into(answers));
+        id(7), say("Second"), [](Device &unit, Progress &) { return unit.identify(); }, into(answers));
     Snapshot shown = merged({}, publisher.changes());
     ASSERT_EQ(shown.operations.size(), 2U);
     const SnapshotChanges none = publisher.changes();
@@ -165,7 +166,7 @@ TEST_F(EngineRooms, AnOperationIsPublishedAgainOnlyWhenItHasChanged)
     EXPECT_EQ(none.operations.size(), 2U);
     shown = merged(std::move(shown), none);
     EXPECT_EQ(shown.operations.size(), 2U) << "what has not changed is still shown";
-    progress->log(Severity::Info, "one line");
+    progress->log(Severity::Info, say("one line"));
     SnapshotChanges one = publisher.changes();
     ASSERT_EQ(one.snapshot.operations.size(), 1U);
     shown = merged(std::move(shown), std::move(one));

@@ -154,7 +154,7 @@ TEST(Sleep, WhoMayNotForbidTheLidStillForbidsTheRest)
     bus.offer(logind);
     LogindInhibitor inhibitor(bus.address.toStdString());
     std::string trouble;
-    const Subscription told = inhibitor.troubled().add([&](const Message &text) { trouble = text; });
+    const Subscription told = inhibitor.troubled().add([&](const Message &text) { trouble = text.english(); });
     inhibitor.keepAwake(true);
     ASSERT_TRUE(loop.runUntil([&] { return logind.held() == 1; }));
     EXPECT_EQ(logind.asked.back().value(0).toString(), QStringLiteral("sleep"));
@@ -186,7 +186,7 @@ TEST(Sleep, WithoutABusAWordIsSaid)
     test::EventLoop loop;
     LogindInhibitor inhibitor("unix:path=/nonexistent/bus");
     std::string trouble;
-    const Subscription told = inhibitor.troubled().add([&](const Message &text) { trouble = text; });
+    const Subscription told = inhibitor.troubled().add([&](const Message &text) { trouble = text.english(); });
     inhibitor.keepAwake(true);
     EXPECT_TRUE(loop.runUntil([&] { return !trouble.empty(); }));
 }

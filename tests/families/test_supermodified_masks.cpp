@@ -59,7 +59,7 @@ TEST(SupermodifiedRoster, WhereEveryIdIsInAGroupControlIsLocked)
     roster.note(7, 57600);
     roster.noteMask(7, 0x01);
     EXPECT_NE(roster.lockOf(4), "");
-    EXPECT_NE(roster.lockOf(4).find("node.mask"), std::string::npos);
+    EXPECT_NE(roster.lockOf(4).english().find("node.mask"), std::string::npos);
 }
 
 TEST(SupermodifiedMasks, DrivingANodeThatWasOnlyProbedStartsNobodyElse)

@@ -147,7 +147,7 @@ TEST(HistoryStore, WithoutADiskSamplesStayInMemoryAndTheCauseIsKnown)
     EXPECT_EQ(history.size(), 30'000U);
     EXPECT_EQ(history.first()->value, 0.0);
     EXPECT_EQ(store->stored(), 0U);
-    EXPECT_NE(store->failure().find("/nonexistent/folder"), std::string::npos);
+    EXPECT_NE(store->failure().english().find("/nonexistent/folder"), std::string::npos);
 }
 
 TEST(HistoryStatistics, AgreeWithTheSlowWayOnRandomStretches)

@@ -116,7 +116,7 @@ TEST_P(JournalTables, ABlockIsTakenOnceAndTheSameQuestionHasTheSameAnswer)
     EXPECT_EQ(std::pair(last->first, last->last), std::pair(20, 21));
     const auto none = takeBlock(*sql, "four", wish, 5, "bench 2", 1.0);
     ASSERT_FALSE(none);
-    EXPECT_TRUE(none.error().detail.starts_with(service::numbersUsedUp));
+    EXPECT_TRUE(none.error().detail.english().starts_with(service::numbersUsedUp));
     EXPECT_FALSE(takeBlock(*sql, "four", wish, 5, "bench 2", 1.0));
     EXPECT_TRUE(takeBlock(*sql, "five", {"another", "u", "v", 1, 63, {}}, 5, "bench 2", 1.0));
 }

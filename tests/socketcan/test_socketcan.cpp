@@ -283,7 +283,8 @@ TEST_F(SocketCan, OpeningNamesTheCause)
         SocketCanLink link(can(name), loop.clock());
         const auto result = link.open();
         ASSERT_FALSE(result) << name;
-        EXPECT_EQ(result.error(), (Error{Fault::LinkLost, cause}));
+        EXPECT_EQ(result.error().fault, Fault::LinkLost) << name;
+        EXPECT_EQ(result.error().text(), cause);
     }
 }
 

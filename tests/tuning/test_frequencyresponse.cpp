@@ -136,7 +136,7 @@ TEST(FrequencyResponse, MeasuresTheSimulatedMotorAsItIs)
     ASSERT_TRUE(model) << model.error().text();
     const auto plan = planSweep(model->plant, benchLimits(), 0.02);
     ASSERT_TRUE(plan) << plan.error().text();
-    std::printf("%s\n", announcementOf(*plan).c_str());
+    std::printf("%s\n", announcementOf(*plan).english().c_str());
     const auto measured = test::run(bench.bench.clock,
         measureFrequencyResponse(
             *bench.device, bench.bench.session.stream(*bench.device), *plan, model->plant, bench.surroundings));

@@ -132,7 +132,7 @@ void BusSendTest::aControlFrameIsRefused()
         five.mayNotMove = say("it is in its bootloader");
     else if (when == QLatin1String("lost"))
         bench.workbench.shot.links[0].state = LinkState::Lost,
-        bench.workbench.shot.links[0].reason = "the adapter went away";
+        bench.workbench.shot.links[0].reason = say("the adapter went away");
     else if (when == QLatin1String("unguarded"))
         five.family = &unguarded;
     const CanFrame frame

@@ -7,6 +7,8 @@
 
 #include <map>
 
+Q_DECLARE_METATYPE(mb::Message)
+
 namespace mb {
 namespace {
 
@@ -78,6 +80,5 @@ private:
 
 } // namespace mb
 
-Q_DECLARE_METATYPE(mb::Message)
 MB_WINDOW_TEST(mb::MessagesTest);
 #include "tst_messages.moc"

@@ -131,7 +131,7 @@ void TestProduction::theVerdictIsTheUnitThatRunsOrEndedLast()
     ProductionBench bench;
     QCOMPARE(bench.page->verdict().verdict().kind, Verdict::Kind::Waiting);
     auto working = rowOf(1, service::RowState::Running, "A1");
-    working.what = "Page 12";
+    working.what = say("Page 12");
     working.done = 12;
     working.total = 30;
     bench.show({working});

@@ -28,7 +28,7 @@ DeviceView unit(std::uint32_t id, int address)
     DeviceView device = readDrive(id, address);
     device.link = "sim:can";
     device.selector = "sim:can/dmc60c:" + std::to_string(address);
-    device.mayNotMove.clear();
+    device.mayNotMove = {};
     device.identity.state = DeviceState::Online;
     return device;
 }
