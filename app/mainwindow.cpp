@@ -219,6 +219,12 @@ void MainWindow::buildPages()
     connect(m_banners, &BannerStack::allRequested, this, [this] { showPage(PageId::Log); });
 }
 
+void MainWindow::addAbovePages(QWidget &strip)
+{
+    auto *column = static_cast<QBoxLayout *>(m_pages->parentWidget()->layout());
+    column->insertWidget(column->indexOf(m_pages), &strip);
+}
+
 void MainWindow::setService(ServiceDesk &desk)
 {
     auto *bench = new ProductionPage(desk, m_workbench, families(), m_theme, m_faces);

@@ -50,6 +50,8 @@ public:
     void showPage(PageId id);
     [[nodiscard]] PageId shownPage() const;
     /// Production (F11) is there with it. The desk outlives the window.
+    /// Puts it above the pages, below what is said of the device; the window owns it from now on.
+    void addAbovePages(QWidget &strip);
     void setService(ServiceDesk &desk);
     [[nodiscard]] ProductionFace *production() const { return m_production; }
     /// A recording, as the menu opens it.

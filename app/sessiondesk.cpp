@@ -90,9 +90,8 @@ void SessionDesk::offerCrashed(MainWindow &window)
                                       .join(QStringLiteral(", ")));
     const QString report = newestCrashReport(m_folder + QStringLiteral("/crashes"));
     const bool ofThis = !report.isEmpty() && QFileInfo(report).lastModified().toSecsSinceEpoch() >= entry.record.begun;
-    auto *notice = new CrashNotice(words, ofThis ? report : QString(), m_theme, window.centralWidget());
-    auto *column = static_cast<QBoxLayout *>(window.centralWidget()->layout());
-    column->insertWidget(column->count() - 1, notice);
+    auto *notice = new CrashNotice(words, ofThis ? report : QString(), m_theme, &window);
+    window.addAbovePages(*notice);
     connect(notice, &CrashNotice::restoreWanted, this, [this, entry] { m_keeper->restore(entry.record); });
     connect(notice, &CrashNotice::dismissed, this, [this, entry] { m_book.settle(entry); });
 }

@@ -44,11 +44,10 @@ Welcome::Welcome(MainWindow &window, Workbench &workbench, const ThemeSource &th
     , m_start(&qobject_cast<OverviewPage *>(window.page(PageId::Overview))->start())
     , m_guide(new Guide(workbench, window.selection(), window.arming(), this))
     , m_offer(new GuideStrip(GuideStrip::Shows::Offers, *m_guide, theme, window.page(PageId::Overview)))
-    , m_strip(new GuideStrip(GuideStrip::Shows::Steps, *m_guide, theme, window.centralWidget()))
+    , m_strip(new GuideStrip(GuideStrip::Shows::Steps, *m_guide, theme, &window))
     , m_shelf(new FirmwareShelf(settings.firmwareFolder(), this))
 {
-    auto *column = static_cast<QBoxLayout *>(window.centralWidget()->layout());
-    column->insertWidget(column->count() - 1, m_strip); // above the pages, below what is said of the device
+    window.addAbovePages(*m_strip);
     qobject_cast<OverviewPage *>(window.page(PageId::Overview))->addOffer(m_offer);
     connectStart();
     connectStrip();

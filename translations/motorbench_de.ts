@@ -645,6 +645,10 @@
         <source>Hardware: %1</source>
         <translation>Hardware: %1</translation>
     </message>
+    <message>
+        <source>Recipes</source>
+        <translation>Rezepte</translation>
+    </message>
 </context>
 <context>
     <name>LeapText</name>
@@ -15500,7 +15504,7 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
     <message>
         <source>service</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedienung</translation>
     </message>
 </context>
 </TS>

@@ -22,8 +22,9 @@ Result<void> ServiceRoom::begin(const ServiceDesk::Plan &plan)
     Link *link = m_core.lend(plan.link);
     if (!link)
         return fail(Fault::Timeout, say("the link is not open"), say("open it first"));
-    leave(); // gives back what was lent before
-    link = m_core.lend(plan.link);
+    if (m_link == plan.link)
+        m_link.clear(); // lent anew, and not to be given back
+    leave();
     m_link = plan.link;
     m_trouble.clear();
     service::QueueOptions options;
@@ -72,8 +73,11 @@ void ServiceRoom::retry(std::uint32_t row)
 {
     if (!m_queue)
         return;
-    if (m_queue->isRunning() || m_core.lend(m_link))
+    const bool lent = !m_queue->isRunning() && m_core.lend(m_link);
+    if (lent || m_queue->isRunning())
         m_queue->retry(row);
+    if (lent && !m_queue->isRunning())
+        m_core.takeBack(m_link); // nothing came of it
 }
 
 void ServiceRoom::finish()

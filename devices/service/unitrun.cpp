@@ -198,10 +198,13 @@ Task<std::string> UnitRun::update()
     m_visit.evidence = report.summary().english();
     if (report.outcome == UpdateOutcome::Cancelled)
         co_return fail(Fault::Cancelled, report.evidence);
-    if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate)
+    if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate) {
+        auto meeting = meet(); // its restart was our own: no reason to stop the motor later
+        co_await std::move(meeting);
         co_return report.outcome == UpdateOutcome::UpToDate
             ? "already " + report.to
             : std::to_string(report.pages) + " pages, " + std::to_string(report.retries) + " sent again";
+    }
     co_return fail(report.fault.value_or(Fault::Refused), report.evidence, report.remedy);
 }
 

@@ -2,6 +2,7 @@
 #include "settings/writing.h"
 
 #include "model/family.h"
+#include "model/writeorder.h"
 #include "settings/history.h"
 #include "settings/unit.h"
 
@@ -30,10 +31,9 @@ std::optional<std::int64_t> knownOf(const Device &device, ParameterIndex index)
     return entry.state == ParameterState::Failed ? std::nullopt : entry.raw;
 }
 
-/// Asked afresh: another program may have written since.
+/// Asked afresh: another program may have written since. In the order in which they will be written.
 Task<std::vector<ValueChange>> valuesBefore(Device &device, std::vector<ParameterChange> changes)
 {
-    std::vector<ValueChange> values;
     bool silent = false;
     for (const ParameterChange &change : changes) {
         const Parameter &parameter = device.parameters().parameter(change.index);
@@ -42,7 +42,12 @@ Task<std::vector<ValueChange>> valuesBefore(Device &device, std::vector<Paramete
             const Result<std::int64_t> raw = co_await std::move(reading).attempt();
             silent = !raw && (raw.error().fault == Fault::Timeout || raw.error().fault == Fault::LinkLost);
         }
-        values.push_back({std::string(parameter.key), knownOf(device, change.index), change.raw, Proof::Open});
+    }
+    arrangeForWriting(device.family(), device.parameters(), changes);
+    std::vector<ValueChange> values;
+    for (const ParameterChange &change : changes) {
+        const std::string key(device.parameters().parameter(change.index).key);
+        values.push_back({key, knownOf(device, change.index), change.raw, Proof::Open});
     }
     co_return values;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
+#include "heard.h"
 #include "model/registry.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +17,7 @@ class Core : public testing::Test {
 protected:
     void open(const char *address)
     {
-        core.send(
-            orders::OpenLink{*LinkAddress::parse(address)}, [this](const Result<void> &result) { opened = result; });
+        core.send(orders::OpenLink{*LinkAddress::parse(address)}, opened.finished());
         clock.advance(2s);
         ASSERT_TRUE(opened && *opened);
     }
@@ -63,10 +63,7 @@ protected:
         setPoint.target = target;
         return setPoint;
     }
-    Finished into(std::optional<Result<void>> &place)
-    {
-        return [&place](Result<void> result) { place = std::move(result); };
-    }
+    [[nodiscard]] static Finished into(const test::Heard<> &place) { return place.finished(); }
     [[nodiscard]] std::size_t unknown(int address)
     {
         const auto entries = device(address)->parameters().entries();
@@ -76,7 +73,7 @@ protected:
 
     VirtualClock clock;
     EngineCore core{clock, families(), false};
-    std::optional<Result<void>> opened;
+    test::Heard<> opened;
     std::vector<std::string> lines;
     Subscription listening = core.noticed().add([this](Severity, const std::string &device, const Message &text) {
         lines.push_back(device.empty() ? text.english() : device + ": " + text.english());
@@ -228,9 +225,9 @@ TEST_F(Core, DismissesWhatMayStillTurnByOrder)
 TEST_F(Core, RefusesASecondJobWhileOneHasTheDevice)
 {
     open("sim:can");
-    std::optional<Result<void>> first;
-    std::optional<Result<void>> second;
-    std::optional<Result<void>> elsewhere;
+    test::Heard<> first;
+    test::Heard<> second;
+    test::Heard<> elsewhere;
     core.send(orders::Identify{id(5)}, into(first));
     core.send(orders::Identify{id(5)}, into(second));
     core.send(orders::Identify{id(7)}, into(elsewhere));
@@ -253,9 +250,9 @@ TEST_F(Core, AnswersForADeviceThatIsGone)
     open("sim:can");
     const DeviceId gone = id(5);
     core.send(orders::CloseLink{"sim:can"});
-    std::optional<Result<void>> job;
-    std::optional<Result<void>> motion;
-    std::optional<Result<void>> change;
+    test::Heard<> job;
+    test::Heard<> motion;
+    test::Heard<> change;
     core.send(orders::Identify{gone}, into(job));
     core.send(orders::StartMotion{gone, duty(0.1), 1s}, into(motion));
     core.send(orders::UpdateMotion{gone, duty(0.1)}, into(change));
@@ -321,7 +318,7 @@ TEST_F(Core, DoesNotLetAnythingElseTalkToAUnitDuringAnUpdate)
 {
     open("sim:can");
     core.send(orders::UpdateFirmware{id(7), std::make_shared<FirmwareImage>(), {}});
-    std::optional<Result<void>> motion;
+    test::Heard<> motion;
     core.send(orders::StartMotion{id(7), duty(0.1), 1s}, into(motion));
     clock.advance(30s);
     ASSERT_TRUE(motion);
@@ -355,7 +352,7 @@ TEST_F(Core, TheLogTellsWhichKeyWasWrittenFromWhatToWhat)
     clock.advance(5s);
     const auto before = device(7)->parameters().entries()[index.value].raw;
     ASSERT_TRUE(before);
-    std::optional<Result<void>> written;
+    test::Heard<> written;
     core.send(orders::WriteParameters{id(7), {{index, 65536}}}, into(written));
     clock.advance(2s);
     ASSERT_TRUE(written && *written);

@@ -5,6 +5,7 @@
 #include "app/engine/scans.h"
 #include "app/engine/snapshotpublisher.h"
 #include "async/virtualclock.h"
+#include "model/family.h"
 #include "model/registry.h"
 
 #include <gtest/gtest.h>
@@ -31,11 +32,13 @@ protected:
         scans.describe(*link, view);
         return view.scanning;
     }
+    /// A DMC60C: other families on the bench have the same numbers.
     [[nodiscard]] Device &device(int address) const
     {
         const auto all = session.devices();
-        return **std::find_if(
-            all.begin(), all.end(), [address](const Device *one) { return one->identity().address == address; });
+        return **std::find_if(all.begin(), all.end(), [address](const Device *one) {
+            return one->identity().address == address && one->family().key == "dmc60c";
+        });
     }
     [[nodiscard]] DeviceId id(int address) const { return session.idOf(device(address)); }
     [[nodiscard]] ChannelIndex velocity() const { return *device(5).telemetry()->find("velocity"); }

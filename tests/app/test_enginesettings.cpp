@@ -2,6 +2,7 @@
 // Snapshots, the history and undo as the engine's half does them. Virtual time.
 #include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
+#include "heard.h"
 #include "model/registry.h"
 #include "settings/unit.h"
 #include "storage/settingsbook.h"
@@ -64,7 +65,7 @@ protected:
     [[nodiscard]] Finished heard()
     {
         answered.reset();
-        return [this](const Result<void> &result) { answered = result; };
+        return answered.finished();
     }
     Result<void> ends()
     {
@@ -84,7 +85,7 @@ protected:
     EngineCore core{clock, families(), false};
     Subscription noticed;
     std::vector<std::string> notices;
-    std::optional<Result<void>> answered;
+    test::Heard<> answered;
 };
 
 TEST_F(SettingsCore, EachUnitIsKeptAsItWasFoundOnceARun)
@@ -239,7 +240,9 @@ TEST_F(SettingsCore, AUnitIsTheSameWhileItIsScannedAgain)
 TEST_F(SettingsCore, WhatThePowerTookBeforeItWasStoredIsInTheHistory)
 {
     clock.advance(30s);
-    ASSERT_TRUE(write({change("slot0.p", 65536), change("slot0.d", 4000)})); // the first one is stored at once
+    // damping goes first (writeorder.h), and the first one is stored at once
+    ASSERT_TRUE(write({change("slot0.p", 65536), change("slot0.d", 4000)}));
+    ASSERT_EQ(changes().back().values.front().key, "slot0.d") << "the history has the order in which they were written";
     for (Simulator *unit : core.session().bench(*core.session().links().front())->simulators()) {
         if (unit->name() == "dmc60c:7") {
             unit->setPowered(false);
@@ -251,8 +254,8 @@ TEST_F(SettingsCore, WhatThePowerTookBeforeItWasStoredIsInTheHistory)
     const auto all = changes();
     ASSERT_EQ(all.back().origin, settings::Origin::Elsewhere);
     ASSERT_EQ(all.back().values.size(), 1U);
-    EXPECT_EQ(all.back().values[0].key, "slot0.d");
-    EXPECT_EQ(all.back().values[0].before, 4000);
+    EXPECT_EQ(all.back().values[0].key, "slot0.p");
+    EXPECT_EQ(all.back().values[0].before, 65536);
 }
 
 } // namespace

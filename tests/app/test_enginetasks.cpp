@@ -2,6 +2,7 @@
 // Boards that keep nothing, as the engine's half sees them: resets, writing again, experiments, bootloaders. Virtual time.
 #include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
+#include "heard.h"
 #include "model/registry.h"
 
 #include <QTemporaryDir>
@@ -36,11 +37,10 @@ protected:
     }
     void write()
     {
-        std::optional<Result<void>> written;
+        test::Heard<> written;
         const auto gain = *findParameter(family.parameters, "ch1.velocity.p");
         const auto limit = *findParameter(family.parameters, "ch2.limit.power");
-        core.send(orders::WriteParameters{id(), {{gain, 120}, {limit, 4000}}},
-            [&written](const Result<void> &result) { written = result; });
+        core.send(orders::WriteParameters{id(), {{gain, 120}, {limit, 4000}}}, written.finished());
         ASSERT_TRUE(clock.runUntil([&written] { return written.has_value(); }, 10s));
         ASSERT_TRUE(*written);
     }
@@ -70,10 +70,9 @@ protected:
 
 TEST_F(BoardCore, AnswersAnOrderWhoseLinkIsClosedMeanwhile)
 {
-    std::optional<Result<void>> written;
+    test::Heard<> written;
     const auto gain = *findParameter(family.parameters, "ch1.velocity.p");
-    core.send(
-        orders::WriteParameters{id(), {{gain, 120}}}, [&written](const Result<void> &result) { written = result; });
+    core.send(orders::WriteParameters{id(), {{gain, 120}}}, written.finished());
     EXPECT_FALSE(written) << "it is under way";
     core.send(orders::CloseLink{"sim:spi"});
     ASSERT_TRUE(written);
@@ -88,8 +87,8 @@ TEST_F(BoardCore, ShowsWhatAResetTookAndWritesItAgain)
     reset();
     EXPECT_TRUE(said("the unit restarted"));
     EXPECT_EQ(lost(), 2U);
-    std::optional<Result<void>> again;
-    core.send(orders::RewriteSettings{id()}, [&again](const Result<void> &result) { again = result; });
+    test::Heard<> again;
+    core.send(orders::RewriteSettings{id()}, again.finished());
     ASSERT_TRUE(clock.runUntil([&again] { return again.has_value(); }, 10s));
     EXPECT_TRUE(*again);
     EXPECT_EQ(lost(), 0U);
@@ -100,11 +99,10 @@ TEST_F(BoardCore, AnOrderForADeviceThatIsGoneIsAnswered)
 {
     const DeviceId gone = id();
     core.send(orders::CloseLink{"sim:spi"});
-    std::optional<Result<void>> first;
-    std::optional<Result<void>> second;
-    core.send(orders::RewriteSettings{gone}, [&first](const Result<void> &result) { first = result; });
-    core.send(
-        orders::RunExperiment{gone, "gain-scales", {}}, [&second](const Result<void> &result) { second = result; });
+    test::Heard<> first;
+    test::Heard<> second;
+    core.send(orders::RewriteSettings{gone}, first.finished());
+    core.send(orders::RunExperiment{gone, "gain-scales", {}}, second.finished());
     ASSERT_TRUE(first && second);
     EXPECT_FALSE(*first);
     EXPECT_FALSE(*second);
@@ -112,17 +110,16 @@ TEST_F(BoardCore, AnOrderForADeviceThatIsGoneIsAnswered)
 
 TEST_F(BoardCore, AnExperimentThatIsNotKnownOrComesInMotionIsRefused)
 {
-    std::optional<Result<void>> unknown;
-    core.send(orders::RunExperiment{id(), "no-such", {}}, [&unknown](const Result<void> &result) { unknown = result; });
+    test::Heard<> unknown;
+    core.send(orders::RunExperiment{id(), "no-such", {}}, unknown.finished());
     ASSERT_TRUE(unknown);
     EXPECT_EQ(unknown->error().fault, Fault::Unsupported);
     SetPoint setPoint;
     setPoint.mode = Mode::Duty;
     setPoint.target = 0.1;
     core.send(orders::StartMotion{id(), setPoint, 10s});
-    std::optional<Result<void>> moving;
-    core.send(
-        orders::RunExperiment{id(), "gain-scales", {}}, [&moving](const Result<void> &result) { moving = result; });
+    test::Heard<> moving;
+    core.send(orders::RunExperiment{id(), "gain-scales", {}}, moving.finished());
     ASSERT_TRUE(moving);
     EXPECT_EQ(moving->error().fault, Fault::Unsafe);
 }
@@ -130,11 +127,10 @@ TEST_F(BoardCore, AnExperimentThatIsNotKnownOrComesInMotionIsRefused)
 TEST_F(BoardCore, StopEndsAnExperimentWhereverItIs)
 {
     for (const Duration moment : {0ms, 1ms, 5ms, 20ms, 100ms, 500ms}) {
-        std::optional<Result<void>> end;
+        test::Heard<> end;
         ExperimentOptions options;
         options.power = 0.25;
-        core.send(
-            orders::RunExperiment{id(), "gain-scales", options}, [&end](const Result<void> &result) { end = result; });
+        core.send(orders::RunExperiment{id(), "gain-scales", options}, end.finished());
         clock.advance(moment);
         ASSERT_FALSE(end) << "it runs: " << (*end ? "" : end->error().text()) << ' ' << moment.count();
         core.stopAll(StopCause::User);
@@ -149,8 +145,8 @@ TEST_F(BoardCore, StopEndsAnExperimentWhereverItIs)
 
 TEST_F(BoardCore, AnExperimentTellsInItsLogWhatItFound)
 {
-    std::optional<Result<void>> end;
-    core.send(orders::RunExperiment{id(), "input-reading", {}}, [&end](const Result<void> &result) { end = result; });
+    test::Heard<> end;
+    core.send(orders::RunExperiment{id(), "input-reading", {}}, end.finished());
     ASSERT_TRUE(clock.runUntil([&end] { return end.has_value(); }, 10s));
     ASSERT_TRUE(*end);
     const OperationView operation = core.snapshot().operations.back();

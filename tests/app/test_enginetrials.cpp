@@ -2,6 +2,7 @@
 // Experiments as the engine's half runs them: kept, stopped at any phase, owed gains put back. Virtual time.
 #include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
+#include "heard.h"
 #include "model/registry.h"
 #include "support/fakejournal.h"
 #include "tuning/verdict.h"
@@ -73,7 +74,7 @@ protected:
         ended.reset();
         core.send(orders::RunTrial{id(), plan,
                       [this](const tuning::Trial &trial) { measured.emplace_back(clock.now(), trial); }},
-            [this](Result<tuning::Trial> trial) { ended = std::move(trial); });
+            ended.finished());
     }
     [[nodiscard]] bool ends()
     {
@@ -85,7 +86,7 @@ protected:
     EngineCore core{clock, families(), false};
     Timer renewal;
     std::vector<std::pair<Instant, tuning::Trial>> measured;
-    std::optional<Result<tuning::Trial>> ended;
+    test::Heard<tuning::Trial> ended;
 };
 
 TEST_F(TrialCore, MeasuresBeforeTheMotorIsBackKeepsTheTrialAndTheGains)
@@ -111,11 +112,10 @@ TEST_F(TrialCore, MeasuresBeforeTheMotorIsBackKeepsTheTrialAndTheGains)
 TEST_F(TrialCore, TunesAnOvershootingUnitInOneOrderAndAgainFromTheModelWithoutPushes)
 {
     const std::int64_t before = stored();
-    std::optional<Result<tuning::TuneReport>> tuned;
+    test::Heard<tuning::TuneReport> tuned;
     const auto tune = [this, &tuned](const tuning::TunePlan &plan) {
         tuned.reset();
-        core.send(
-            orders::RunTuning{id(), plan}, [&tuned](Result<tuning::TuneReport> report) { tuned = std::move(report); });
+        core.send(orders::RunTuning{id(), plan}, tuned.finished());
         return clock.runUntil([&tuned] { return tuned.has_value(); }, 120s) && *tuned;
     };
     tuning::TunePlan plan;
@@ -142,9 +142,8 @@ TEST_F(TrialCore, StopInATuningStopsTheMotorAndLeavesTheGainsAsTheyWere)
 {
     const std::int64_t before = stored();
     for (const Duration moment : {5ms, 700ms, 3000ms, 8000ms, 14000ms}) {
-        std::optional<Result<tuning::TuneReport>> tuned;
-        core.send(
-            orders::RunTuning{id(), {}}, [&tuned](Result<tuning::TuneReport> report) { tuned = std::move(report); });
+        test::Heard<tuning::TuneReport> tuned;
+        core.send(orders::RunTuning{id(), {}}, tuned.finished());
         clock.advance(moment);
         ASSERT_FALSE(tuned) << moment.count();
         core.stopAll(StopCause::User);
@@ -180,8 +179,8 @@ TEST_F(TrialCore, HaltEndsItAndASecondOneIsRefusedMeanwhile)
 {
     start(Keep::Never);
     clock.advance(1s);
-    std::optional<Result<tuning::Trial>> second;
-    core.send(orders::RunTrial{id(), {}, {}}, [&second](Result<tuning::Trial> trial) { second = std::move(trial); });
+    test::Heard<tuning::Trial> second;
+    core.send(orders::RunTrial{id(), {}, {}}, second.finished());
     ASSERT_TRUE(second);
     EXPECT_EQ(second->error().fault, Fault::Unsafe);
     core.send(orders::StopMotion{id()});
@@ -206,9 +205,8 @@ TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
 {
     const std::int64_t before = stored();
     journal.debtor = tuning::unitOf(*device());
-    std::optional<Result<void>> written;
-    core.send(
-        orders::WriteParameters{id(), {{p(), 30'000}}}, [&written](const Result<void> &result) { written = result; });
+    test::Heard<> written;
+    core.send(orders::WriteParameters{id(), {{p(), 30'000}}}, written.finished());
     ASSERT_TRUE(clock.runUntil([&written] { return written.has_value(); }, 10s));
     journal.owed = {{"slot0.p", before}};
     core.send(orders::CloseLink{"sim:can"});
@@ -225,9 +223,8 @@ TEST_F(TrialCore, GainsThatAProgramCouldNotPutBackAreOfferedAndPaidAfterAsking)
     core.send(orders::OpenLink{*LinkAddress::parse("sim:can")});
     ASSERT_TRUE(clock.runUntil([this] { return device() && core.owedGains().count(id()) == 1; }, 20s));
     EXPECT_EQ(stored(), before) << "nothing is written unasked";
-    std::optional<Result<void>> paid;
-    core.send(
-        orders::PayGains{id(), core.owedGains().at(id()).front().trial}, [&paid](const Result<void> &r) { paid = r; });
+    test::Heard<> paid;
+    core.send(orders::PayGains{id(), core.owedGains().at(id()).front().trial}, paid.finished());
     ASSERT_TRUE(clock.runUntil([&paid] { return paid.has_value(); }, 20s));
     ASSERT_TRUE(*paid) << paid->error().detail;
     EXPECT_EQ(stored(), before + 1000);

@@ -2,6 +2,7 @@
 // The engine's half of recording and replaying, in virtual time.
 #include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
+#include "heard.h"
 #include "model/registry.h"
 #include "support/fulldisk.h"
 #include "support/temporaryfile.h"
@@ -24,12 +25,14 @@ struct EngineBench {
         }))
     {
     }
-    Result<void> open(const std::string &address)
+    Result<void> open(const std::string &address) { return ask(orders::OpenLink{*LinkAddress::parse(address)}); }
+    /// The answer, which may take a moment.
+    template <class O> Result<void> ask(O order)
     {
-        Result<void> result;
-        core.send(
-            orders::OpenLink{*LinkAddress::parse(address)}, [&result](Result<void> done) { result = std::move(done); });
-        return result;
+        const test::Heard<> heard;
+        core.send(std::move(order), heard.finished());
+        (void)clock.runUntil([&heard] { return heard.has_value(); }, 1s);
+        return heard.value_or(fail(Fault::Timeout, say("no answer")));
     }
     LinkView view(const std::string &address)
     {
@@ -56,10 +59,7 @@ std::string recorded(EngineBench &bench)
     const std::string path = bench.folder.path("run.log");
     EXPECT_TRUE(bench.open("sim:can"));
     bench.clock.advance(2s);
-    Result<void> started = fail(Fault::Timeout, say("no answer"));
-    bench.core.send(
-        orders::StartRecording{"sim:can", path}, [&started](Result<void> done) { started = std::move(done); });
-    EXPECT_TRUE(started);
+    EXPECT_TRUE(bench.ask(orders::StartRecording{"sim:can", path}));
     bench.clock.advance(5s);
     EXPECT_GT(bench.view("sim:can").recording->frames, 500U);
     bench.core.send(orders::StopRecording{"sim:can"});
@@ -74,9 +74,24 @@ TEST(EngineRecordings, AreMadeAndPlayedOnceTheirDevicesAreKnown)
 {
     EngineBench bench;
     const std::string address = recorded(bench);
-    ASSERT_TRUE(bench.open(address));
-    EXPECT_FALSE(bench.view(address).replay->running);
+    const test::Heard<> opened;
+    bench.core.send(orders::OpenLink{*LinkAddress::parse(address)}, opened.finished());
+    int waited = 0; // looks at which it is there and does not play
+    std::size_t known = 0;
+    ASSERT_TRUE(bench.clock.runUntil(
+        [&] {
+            const Snapshot shot = bench.core.snapshot();
+            const LinkView *link = shot.link(address);
+            known = static_cast<std::size_t>(std::count_if(shot.devices.begin(), shot.devices.end(),
+                [&address](const DeviceView &device) { return device.link == address; }));
+            waited += link && !link->replay->running ? 1 : 0;
+            return link && link->replay->running;
+        },
+        1s));
+    EXPECT_GT(waited, 0);
+    EXPECT_EQ(known, 6U) << "it does not play before";
     bench.clock.advance(1s);
+    ASSERT_TRUE(opened && *opened);
     const LinkView view = bench.view(address);
     EXPECT_TRUE(view.replay->running);
     EXPECT_EQ(view.replay->surveyed, 1.0);
@@ -126,15 +141,13 @@ TEST(EngineRecordings, SayOnceWhyTheyFail)
 {
     EngineBench bench;
     ASSERT_TRUE(bench.open("sim:can"));
-    Result<void> started;
-    const auto keep = [&started](Result<void> done) { started = std::move(done); };
-    bench.core.send(orders::StartRecording{"socketcan:can7", bench.folder.path("a.log")}, keep);
+    Result<void> started = bench.ask(orders::StartRecording{"socketcan:can7", bench.folder.path("a.log")});
     EXPECT_EQ(started.error().fault, Fault::LinkLost);
-    bench.core.send(orders::StartRecording{"sim:can", bench.folder.path("none/a.log")}, keep);
+    started = bench.ask(orders::StartRecording{"sim:can", bench.folder.path("none/a.log")});
     EXPECT_NE(started.error().text().find("there is no such folder; "), std::string::npos);
-    bench.core.send(orders::StartRecording{"sim:can", bench.folder.path("a.log")}, keep);
+    started = bench.ask(orders::StartRecording{"sim:can", bench.folder.path("a.log")});
     ASSERT_TRUE(started);
-    bench.core.send(orders::StartRecording{"sim:can", bench.folder.path("b.log")}, keep);
+    started = bench.ask(orders::StartRecording{"sim:can", bench.folder.path("b.log")});
     EXPECT_NE(started.error().text().find("is being recorded already"), std::string::npos);
     const auto damaged = bench.folder.write("damaged.log", "(1.000000) can0 02061405#0040110000000000\nrubbish\n(2.0");
     ASSERT_TRUE(bench.open("replay:" + damaged));
@@ -149,9 +162,7 @@ TEST(EngineRecordings, EndOnceWhenTheDiskIsFull)
     EngineBench bench;
     ASSERT_TRUE(bench.open("sim:can"));
     bench.clock.advance(2s);
-    Result<void> started;
-    const auto keep = [&started](Result<void> done) { started = std::move(done); };
-    bench.core.send(orders::StartRecording{"sim:can", "/dev/full"}, keep);
+    Result<void> started = bench.ask(orders::StartRecording{"sim:can", "/dev/full"});
     if (!started)
         GTEST_SKIP() << "there is no /dev/full here";
     while (!bench.view("sim:can").recording->finished) {
@@ -164,7 +175,7 @@ TEST(EngineRecordings, EndOnceWhenTheDiskIsFull)
     const auto told = std::count_if(bench.notices.begin(), bench.notices.end(),
         [](const auto &notice) { return notice.second.find("the disk is full") != std::string::npos; });
     EXPECT_EQ(told, 1);
-    bench.core.send(orders::StartRecording{"sim:can", bench.folder.path("b.log")}, keep);
+    started = bench.ask(orders::StartRecording{"sim:can", bench.folder.path("b.log")});
     EXPECT_TRUE(started) << "another recording may begin";
 }
 

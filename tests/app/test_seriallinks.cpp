@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
+#include "heard.h"
 #include "support/eventloop.h"
 #include "support/pseudoterminal.h"
 
@@ -58,8 +59,7 @@ protected:
     }
     void open(const std::string &options = {})
     {
-        core.send(orders::OpenLink{*LinkAddress::parse("serial:" + path.string() + options)},
-            [this](const Result<void> &result) { opened = result; });
+        core.send(orders::OpenLink{*LinkAddress::parse("serial:" + path.string() + options)}, opened.finished());
         clock.advance(1ms);
     }
     [[nodiscard]] bool said(const std::string &part) const
@@ -81,7 +81,7 @@ protected:
     fs::path folder = fs::path(testing::TempDir()) / ("motorbench-serial-" + std::to_string(::getpid()));
     fs::path path = folder / "ttyUSB0";
     std::unique_ptr<test::PseudoTerminal> terminal;
-    std::optional<Result<void>> opened;
+    test::Heard<> opened;
     std::vector<std::string> lines;
     Subscription listening = core.noticed().add(
         [this](Severity, const std::string &, const Message &text) { lines.push_back(text.english()); });

@@ -2,6 +2,7 @@
 // Units served in the engine's session: the link is lent, nothing turns unarmed, STOP ends all. Virtual time.
 #include "app/engine/serviceroom.h"
 #include "async/virtualclock.h"
+#include "heard.h"
 #include "model/registry.h"
 #include "storage/servicebook.h"
 #include "storage/settingsbook.h"
@@ -86,18 +87,33 @@ TEST_F(Served, EveryUnitOfALinkAndTheEngineLeavesItAloneMeanwhile)
 {
     ASSERT_TRUE(room->begin({recipe(plain), "sim:can", std::nullopt}));
     EXPECT_TRUE(room->view().running);
-    std::optional<Result<void>> refused;
-    core->send(orders::Identify{core->session().idOf(*device(7))},
-        [&refused](const Result<void> &result) { refused = result; });
+    test::Heard<> refused;
+    core->send(orders::Identify{core->session().idOf(*device(7))}, refused.finished());
     ASSERT_TRUE(refused.has_value());
     EXPECT_FALSE(*refused) << "the link is lent";
     ASSERT_TRUE(clock.runUntil([this] { return !room->view().running; }, 10min));
     EXPECT_GE(room->view().counts.passed, 2);
     EXPECT_EQ(room->view().counts.ended(), static_cast<int>(room->view().rows.size()));
     EXPECT_GE(journal->list({})->size(), static_cast<std::size_t>(room->view().counts.passed));
-    core->send(orders::Identify{core->session().idOf(*device(7))},
-        [&refused](const Result<void> &result) { refused = result; });
+    core->send(orders::Identify{core->session().idOf(*device(7))}, refused.finished());
     ASSERT_TRUE(clock.runUntil([&refused] { return refused && *refused; }, 10s)) << "it is given back";
+}
+
+TEST_F(Served, TheSameLinkAgainAndARetryOfNothingGivesItBack)
+{
+    for (int round = 0; round < 2; ++round) {
+        ASSERT_TRUE(room->begin({recipe(plain), "sim:can", std::nullopt}));
+        EXPECT_FALSE(room->begin({recipe(plain), "sim:can", std::nullopt})) << "it runs";
+        EXPECT_EQ(core->lend("sim:can"), nullptr) << "it is lent";
+        ASSERT_TRUE(clock.runUntil([this] { return !room->view().running; }, 10min));
+        EXPECT_GE(room->view().counts.passed, 2);
+        room->retry(12345);
+        EXPECT_FALSE(room->view().running);
+    }
+    test::Heard<> free;
+    core->send(orders::Identify{core->session().idOf(*device(7))}, free.finished());
+    ASSERT_TRUE(clock.runUntil([&free] { return free.has_value(); }, 10s));
+    EXPECT_TRUE(*free);
 }
 
 TEST_F(Served, NothingTurnsUnlessItIsArmed)
@@ -112,7 +128,8 @@ TEST_F(Served, NothingTurnsUnlessItIsArmed)
         20min));
     EXPECT_FALSE(moved);
     EXPECT_EQ(room->view().counts.passed, 0);
-    EXPECT_TRUE(std::any_of(room->view().rows.begin(), room->view().rows.end(),
+    const ServiceView view = room->view();
+    EXPECT_TRUE(std::any_of(view.rows.begin(), view.rows.end(),
         [](const service::QueueRow &row) { return row.visit.cause.find("not armed") != std::string::npos; }));
 }
 

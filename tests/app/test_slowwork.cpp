@@ -2,6 +2,7 @@
 // What may block is done elsewhere: the engine goes on while a port does not open and while a disk takes nothing.
 #include "app/engine/enginecore.h"
 #include "async/virtualclock.h"
+#include "heard.h"
 #include "support/eventloop.h"
 #include "support/heldbackground.h"
 #include "support/pseudoterminal.h"
@@ -26,7 +27,7 @@ protected:
     SlowWork() { core.setBackground(&background); }
     void open(const test::PseudoTerminal &terminal)
     {
-        core.send(orders::OpenLink{addressOf(terminal)}, [this](const Result<void> &result) { opened = result; });
+        core.send(orders::OpenLink{addressOf(terminal)}, opened.finished());
     }
     static LinkAddress addressOf(const test::PseudoTerminal &terminal)
     {
@@ -63,7 +64,7 @@ protected:
     test::PseudoTerminal slow;
     test::PseudoTerminal good;
     EngineCore core{clock, test::textFamilies, false};
-    std::optional<Result<void>> opened;
+    test::Heard<> opened;
     std::vector<std::string> lines;
     Subscription listening = core.noticed().add(
         [this](Severity, const std::string &, const Message &text) { lines.push_back(text.english()); });
@@ -86,8 +87,8 @@ TEST_F(SlowWork, APortIsOpenOnceItsDriverHasAnswered)
 TEST_F(SlowWork, APortThatIsAskedForTwiceIsOpenedOnceAndAnswersBoth)
 {
     open(slow);
-    std::optional<Result<void>> second;
-    core.send(orders::OpenLink{addressOf(slow)}, [&second](const Result<void> &result) { second = result; });
+    test::Heard<> second;
+    core.send(orders::OpenLink{addressOf(slow)}, second.finished());
     EXPECT_FALSE(second);
     EXPECT_EQ(background.waiting(), 1U);
     background.release();
@@ -100,8 +101,8 @@ TEST_F(SlowWork, APortThatIsAskedForTwiceIsOpenedOnceAndAnswersBoth)
 TEST_F(SlowWork, APortThatIsClosedBeforeItIsOpenTellsEveryOneWhoAskedForIt)
 {
     open(slow);
-    std::optional<Result<void>> second;
-    core.send(orders::OpenLink{addressOf(slow)}, [&second](const Result<void> &result) { second = result; });
+    test::Heard<> second;
+    core.send(orders::OpenLink{addressOf(slow)}, second.finished());
     core.send(orders::CloseLink{addressOf(slow).text()});
     ASSERT_TRUE(opened && second);
     EXPECT_EQ(opened->error().fault, Fault::Cancelled);

@@ -16,7 +16,7 @@ from contract import ContractTest, Run
 
 LINE = {"unit", "serial", "device", "result", "step", "from", "to", "parameters", "test", "seconds", "evidence"}
 ENTRY = LINE | {"time", "station", "recipe", "note"}
-TEST = {"loop": "velocity", "to": 8000, "time": 0.5, "limits": {"travel": 400000, "speed": 40000, "duty": 0.9, "current": 60},
+TEST = {"loop": "velocity", "to": 8000, "time": 0.8, "limits": {"travel": 400000, "speed": 40000, "duty": 0.9, "current": 60},
         "accept": {"settle": 1.5}}
 
 

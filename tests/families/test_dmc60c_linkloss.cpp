@@ -201,7 +201,7 @@ TEST(Dmc60cLinkLoss, ALinkThatStaysAwayEndsTheUpdateWithTheCauseAndTheRemedy)
     EXPECT_LT(bench.clock.now() - from, 31s);
     EXPECT_EQ(report.outcome, UpdateOutcome::Failed);
     EXPECT_EQ(report.fault, Fault::LinkLost);
-    EXPECT_EQ(report.evidence,
+    EXPECT_EQ(report.summary(),
         "sim:can did not come back within 30 s: there is no such adapter; the unit waits in its bootloader, run the "
         "update again");
     bench.host.plugIn();

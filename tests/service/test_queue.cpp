@@ -22,7 +22,7 @@ const QByteArray recipeText = R"({"recipe":1,"name":"drive-base rev C","family":
 /// Without the figures of the motor, for tests of the order of things.
 const QByteArray shortText = R"({"recipe":1,"name":"short","family":"dmc60c",
 "firmware":{"file":"demo.hex"},"parameters":{"file":"base_c.json"},"number":{"first":10},
-"test":{"loop":"velocity","to":8000,"time":0.5,
+"test":{"loop":"velocity","to":8000,"time":0.8,
 "limits":{"travel":400000,"speed":40000,"duty":0.9,"current":60},"accept":{"settle":0.9}}})";
 
 class ServiceQueues : public testing::Test {
@@ -244,7 +244,7 @@ TEST_F(ServiceQueues, FiftyUnitsOneAfterTheOtherTwelveOfThemInTrouble)
         }
     }
     EXPECT_EQ(serials.size(), 50U);
-    EXPECT_EQ(numbers.size(), 42U);
+    ASSERT_EQ(numbers.size(), 42U);
     EXPECT_EQ(*numbers.begin(), 10);
     EXPECT_EQ(*numbers.rbegin(), 51);
     int reached = 0;

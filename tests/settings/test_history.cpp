@@ -30,7 +30,9 @@ protected:
 TEST_F(Histories, EveryWriteTellsWhoWroteWhatFromWhere)
 {
     Device &five = *bench.device(5);
-    const auto old = reads(five, "slot0.p");
+    const auto oldGain = reads(five, "slot0.p");
+    const auto oldIntegral = reads(five, "slot0.i");
+    ASSERT_GT(oldIntegral, 7) << "it is lowered, which goes first (writeorder.h)";
     ASSERT_TRUE(write(five, {change(five, "slot0.p", 65536), change(five, "slot0.i", 7)}));
     const auto all = changes(five);
     ASSERT_EQ(all.size(), 1U);
@@ -39,8 +41,9 @@ TEST_F(Histories, EveryWriteTellsWhoWroteWhatFromWhere)
     EXPECT_EQ(all[0].purpose, Purpose::Write);
     EXPECT_EQ(all[0].device, "sim:can/dmc60c:5");
     EXPECT_GT(all[0].time, 0.0);
-    ASSERT_EQ(all[0].values.size(), 2U);
-    EXPECT_EQ(all[0].values[0], (settings::ValueChange{"slot0.p", old, 65536, Proof::Equal}));
+    const std::vector<settings::ValueChange> asWritten{
+        {"slot0.i", oldIntegral, 7, Proof::Equal}, {"slot0.p", oldGain, 65536, Proof::Equal}};
+    EXPECT_EQ(all[0].values, asWritten);
 }
 
 TEST_F(Histories, ANewNumberIsInTheHistoryAndNotUndone)

@@ -48,7 +48,7 @@ void TestTune::runIsRefusedWhenNotArmed()
     bench.workbench.publish();
     auto *run = bench.page->findChild<CommandButton *>(s("run"));
     QVERIFY(!run->isEnabled());
-    QVERIFY2(run->toolTip().contains(s("Hold the lamp")), qPrintable(run->toolTip()));
+    QVERIFY2(run->toolTip().contains(s("Hold the Arm button")), qPrintable(run->toolTip()));
     QTest::keyClick(bench.page.get(), Qt::Key_F5);
     bench.page->run();
     QVERIFY(bench.workbench.given<orders::StartMotion>().empty());

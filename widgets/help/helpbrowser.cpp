@@ -39,6 +39,8 @@ HelpBrowser::HelpBrowser(const ThemeSource &theme, QWidget *parent)
     document()->setDocumentMargin(theme.theme().u(16));
     connect(this, &QTextBrowser::anchorClicked, this, &HelpBrowser::follow);
     connect(&theme, &ThemeSource::changed, this, &HelpBrowser::fill);
+    m_resized.setSingleShot(true);
+    connect(&m_resized, &QTimer::timeout, this, &HelpBrowser::refill);
 }
 
 bool HelpBrowser::showPage(const QString &topic)
@@ -112,6 +114,11 @@ void HelpBrowser::resizeEvent(QResizeEvent *event)
     QTextBrowser::resizeEvent(event);
     if (event->size().width() == event->oldSize().width() || m_topic.isEmpty())
         return;
+    m_resized.start(); // the page is being laid out now, which a new text would pull away from under it
+}
+
+void HelpBrowser::refill()
+{
     const int place = verticalScrollBar()->value();
     fill();
     verticalScrollBar()->setValue(place);

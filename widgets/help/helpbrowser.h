@@ -4,6 +4,7 @@
 #include "widgets/common/theme.h"
 
 #include <QTextBrowser>
+#include <QTimer>
 
 namespace mb {
 
@@ -28,12 +29,14 @@ protected:
 private:
     void follow(const QUrl &link);
     void fill();
+    void refill();
     void dressTables();
     void dressCode();
     [[nodiscard]] QImage drawing(const QString &path) const;
 
     const ThemeSource &m_theme;
     QString m_topic;
+    QTimer m_resized;
 };
 
 } // namespace mb

@@ -22,7 +22,8 @@ std::vector<HelpTopic> helpTopics()
         {QStringLiteral("connecting"), HelpTitles::tr("Connecting")},
         {QStringLiteral("tuning"), HelpTitles::tr("Tuning by itself")},
         {QStringLiteral("plots"), HelpTitles::tr("Plots")}, {QStringLiteral("service"), HelpTitles::tr("Service")},
-        {QStringLiteral("safety"), HelpTitles::tr("Safety")}, {QStringLiteral("files"), HelpTitles::tr("Files")},
+        {QStringLiteral("recipes"), HelpTitles::tr("Recipes")}, {QStringLiteral("safety"), HelpTitles::tr("Safety")},
+        {QStringLiteral("files"), HelpTitles::tr("Files")},
         {QStringLiteral("troubleshooting"), HelpTitles::tr("Troubleshooting")}};
     for (const Family *family : families()) {
         const QString title = QString::fromUtf8(family->title.data(), static_cast<int>(family->title.size()));
