@@ -6,6 +6,7 @@
 #include "widgets/control/trialsview.h"
 #include "widgets/control/tuneframe.h"
 #include "widgets/control/tunepage.h"
+#include "widgets/service/productionpage.h"
 #include "windowbench.h"
 
 #include <QDialog>
@@ -129,7 +130,12 @@ void TuneFitTest::theKeysOfTheWindowDoWhatTheySay()
                 QVERIFY2(inspector->isVisible() != seen[1], name);
             else if (key == Qt::Key_F1)
                 QVERIFY2(window.findChild<QDialog *>(QStringLiteral("keys")), name);
-            else
+            else if (key == Qt::Key_F11) {
+                const auto *production = window.findChild<ProductionPage *>();
+                QVERIFY2(production && production->isVisible(), name);
+                QTest::keyClick(&window, Qt::Key_F11);
+                QVERIFY2(!production->isVisible(), name);
+            } else
                 QFAIL("no test of " + name);
             if (auto *dialog = window.findChild<QDialog *>(QStringLiteral("keys"))) {
                 delete dialog;

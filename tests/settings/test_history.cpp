@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/scope.h"
 #include "model/parameterfile.h"
 #include "settings/history.h"
 #include "settings/unit.h"
@@ -44,6 +45,24 @@ TEST_F(Histories, EveryWriteTellsWhoWroteWhatFromWhere)
     const std::vector<settings::ValueChange> asWritten{
         {"slot0.i", oldIntegral, 7, Proof::Equal}, {"slot0.p", oldGain, 65536, Proof::Equal}};
     EXPECT_EQ(all[0].values, asWritten);
+}
+
+TEST_F(Histories, AWriteThatIsCutOffIsInTheHistoryInTheOrderOfWriting)
+{
+    Device &five = *bench.device(5);
+    ASSERT_GT(reads(five, "slot0.i"), 7);
+    {
+        Scope cutOff(bench.clock);
+        cutOff.spawn(settings::writeKept(five, {change(five, "slot0.p", 65536), change(five, "slot0.i", 7)},
+            {Origin::Window}, book.get(), progress));
+        ASSERT_TRUE(bench.clock.runUntil([&] { return !changes(five).empty(); }, std::chrono::seconds(1)));
+    }
+    const auto all = changes(five);
+    ASSERT_EQ(all.size(), 1U);
+    ASSERT_EQ(all[0].values.size(), 2U);
+    EXPECT_EQ(all[0].values[0].key, "slot0.i");
+    EXPECT_EQ(all[0].values[1].key, "slot0.p");
+    EXPECT_EQ(all[0].values[0].proof, Proof::Open) << "nobody saw what came of it";
 }
 
 TEST_F(Histories, ANewNumberIsInTheHistoryAndNotUndone)

@@ -4,6 +4,8 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/stateglyph.h"
 
+#include <algorithm>
+
 #include <QGridLayout>
 
 namespace mb {
@@ -120,14 +122,14 @@ void GuideStrip::showSteps()
 void GuideStrip::setWords(const QString &words)
 {
     m_words->setText(words);
-    m_words->setMinimumHeight(m_words->heightForWidth(m_words->width()));
+    m_words->setMinimumHeight(std::max(0, m_words->heightForWidth(m_words->width())));
     setAccessibleDescription(words);
 }
 
 void GuideStrip::resizeEvent(QResizeEvent *event)
 {
     QFrame::resizeEvent(event);
-    m_words->setMinimumHeight(m_words->heightForWidth(m_words->width()));
+    m_words->setMinimumHeight(std::max(0, m_words->heightForWidth(m_words->width())));
 }
 
 void GuideStrip::act()
