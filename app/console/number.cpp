@@ -54,6 +54,7 @@ Task<int> renumber(Console &console, Arguments arguments)
             say("its place on the link is fixed"));
     auto connecting = connect(console, *target);
     Device *const device = co_await std::move(connecting);
+    console.onlyAsk(); // a number that is refused for its range or its owner is refused before anything is told
     if (auto free = checkFree(console, *device, *number); !free)
         co_return fail(free.error());
     const int old = device->identity().address;
