@@ -41,22 +41,18 @@
 #include <QDateTime>
 #include <QDockWidget>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
 #include <QWindow>
 
-#include <algorithm>
 #include <utility>
 
 namespace mb {
 namespace {
 
 constexpr std::chrono::milliseconds againLater(200);
-
-constexpr std::chrono::seconds messageTime{8};
-constexpr std::chrono::seconds footprintTime{1};
+constexpr std::chrono::seconds messageTime{8}, footprintTime{1};
 constexpr int tallEnough = 520;  ///< for the line of the device above its page
 constexpr int roomyWidth = 1024; ///< for devices, a page and the inspector beside each other
 
@@ -185,16 +181,14 @@ void MainWindow::buildPages()
     column->setSpacing(0);
     m_tabs = new PageTabs(m_theme, central);
     m_tabs->setAccessibleName(tr("Pages"));
-    m_line = new DeviceLine(m_workbench, m_selection, m_theme, central);
     m_pages = new QStackedWidget(central);
     auto *row = new QHBoxLayout;
     row->addWidget(m_tabs, 1);
     row->addWidget(m_help->makeButton([this] { return shownPage(); }, central));
     column->addLayout(row);
     column->addWidget(separatorLine(Qt::Horizontal, central));
-    column->addWidget(m_line);
-    m_states = new LiveStateBar(m_workbench, m_selection, m_theme, central);
-    column->addWidget(m_states);
+    column->addWidget(m_line = new DeviceLine(m_workbench, m_selection, m_theme, central));
+    column->addWidget(m_states = new LiveStateBar(m_workbench, m_selection, m_theme, central));
     column->addWidget(m_pages, 1);
     column->addWidget(new KeepBar(m_workbench, m_theme, central));
     m_faces = new QStackedWidget(this);

@@ -99,6 +99,10 @@ Diagnosis lostLink(const LinkSymptoms &link, const std::optional<Diagnosis> &int
     if (link.loss.detail.empty())
         return {Ailment::Failed, say("%1 is not open", link.name), say("reconnect"), {}};
     Diagnosis lost = diagnose(link.loss);
+    if (lost.ailment == Ailment::Down && lost.command.empty()) { // it was up, so it has its bit rate
+        lost.remedy = say("bring it up");
+        lost.command = bringUpCommand(link.name, false, usualBitrate);
+    }
     if (lost.remedy.empty())
         lost.remedy = say("reconnect");
     return lost;

@@ -7,7 +7,7 @@
 
 #include <map>
 
-Q_DECLARE_METATYPE(mb::Message)
+Q_DECLARE_METATYPE(mb::Message);
 
 namespace mb {
 namespace {
