@@ -1031,10 +1031,6 @@
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Press Ctrl+S on the page Parameters, or wait 15 s: done when the unit proves that its flash has the gains.</source>
-        <translation>Strg+S auf der Seite Parameter, oder 15 s warten: fertig, wenn das Gerät beweist, dass die Werte im Flash sind.</translation>
-    </message>
-    <message>
         <source>Limit</source>
         <translation>Begrenzen</translation>
     </message>
@@ -1045,10 +1041,6 @@
     <message>
         <source>Press F5 on the page Tune: the peak current of the step stands in its table.</source>
         <translation>F5 auf der Seite Abstimmen: der Spitzenstrom des Sprungs steht in der Tabelle.</translation>
-    </message>
-    <message>
-        <source>Press Ctrl+S on the page Parameters, or wait 15 s until the unit has proved it.</source>
-        <translation>Strg+S auf der Seite Parameter, oder 15 s warten, bis das Gerät es bewiesen hat.</translation>
     </message>
     <message>
         <source>Write</source>
@@ -1141,6 +1133,14 @@
     <message>
         <source>waits in its bootloader · %1</source>
         <translation>wartet im Bootloader · %1</translation>
+    </message>
+    <message>
+        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters: done when the unit proves that its flash has the gains.</source>
+        <translation>15 s nach der letzten Änderung speichert das Gerät von selbst. Danach auf der Seite Parameter „Speichern und nachweisen“ drücken: Fertig, wenn das Gerät nachweist, dass sein Flash die Verstärkungen hat.</translation>
+    </message>
+    <message>
+        <source>15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters.</source>
+        <translation>15 s nach der letzten Änderung speichert das Gerät von selbst. Danach auf der Seite Parameter „Speichern und nachweisen“ drücken.</translation>
     </message>
 </context>
 <context>

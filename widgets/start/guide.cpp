@@ -123,22 +123,16 @@ void Guide::watch(const DeviceView &device)
         askNotebook(device);
 }
 
-bool Guide::isTamed() const
-{
-    return m_lastOvershoot && *m_lastOvershoot <= tame;
-}
-
 bool Guide::isProved(Proof proof, const DeviceView &device) const
 {
     switch (proof) {
     case Proof::Selected: return m_selection.device() == device.id;
     case Proof::Armed: return m_arming.isArmed(device.id);
     case Proof::Stepped: return m_overshoot.has_value();
-    case Proof::Tamed: return isTamed();
+    case Proof::Tamed: return m_lastOvershoot && *m_lastOvershoot <= tame;
     case Proof::CurrentShown: return m_peakCurrent.has_value();
     case Proof::LimitOn: return isOn(device, currentSwitch(*device.family));
-    case Proof::Stored:
-        return (m_wrote || isTamed()) && !isAnyInRam(device); // a tuning may end when flash has its gains
+    case Proof::Stored: return m_wrote && !isAnyInRam(device);
     case Proof::Writing: {
         const OperationView *operation = m_workbench.snapshot().operation(device.id);
         return operation && (!operation->status.parts.empty() || operation->update.has_value());

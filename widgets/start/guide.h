@@ -39,7 +39,6 @@ Q_SIGNALS:
 private:
     void follow();
     void watch(const DeviceView &device);
-    [[nodiscard]] bool isTamed() const;
     [[nodiscard]] bool isProved(Proof proof, const DeviceView &device) const;
     void askNotebook(const DeviceView &device);
     void take(const std::vector<KeptTrial> &trials);

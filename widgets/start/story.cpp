@@ -25,8 +25,8 @@ constexpr StoryStep taming[] = {
             "most.")},
     {Proof::Stored, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
         QT_TRANSLATE_NOOP("Stories",
-            "Press Ctrl+S on the page Parameters, or wait 15 s: done when the unit proves that its flash has the "
-            "gains.")},
+            "15 s after its last change the unit stores by itself. Then press Store and prove on the page Parameters: "
+            "done when the unit proves that its flash has the gains.")},
 };
 
 constexpr StoryStep limiting[] = {
@@ -41,8 +41,9 @@ constexpr StoryStep limiting[] = {
     {Proof::CurrentShown, Place::Tune, QT_TRANSLATE_NOOP("Stories", "Step"),
         QT_TRANSLATE_NOOP("Stories", "Press F5 on the page Tune: the peak current of the step stands in its table.")},
     {Proof::Stored, Place::Parameters, QT_TRANSLATE_NOOP("Stories", "Store"),
-        QT_TRANSLATE_NOOP(
-            "Stories", "Press Ctrl+S on the page Parameters, or wait 15 s until the unit has proved it.")},
+        QT_TRANSLATE_NOOP("Stories",
+            "15 s after its last change the unit stores by itself. Then press Store and prove on the page "
+            "Parameters.")},
 };
 
 constexpr StoryStep reviving[] = {
