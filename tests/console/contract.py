@@ -1,14 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs motorbenchctl and holds what it says against the contract that every verb has in common."""
 import json
+import multiprocessing
 import os
 import subprocess
+import sys
 import tempfile
+import time
 import unittest
 
 PROGRAM = ""
 SOURCE = ""
 LIMIT = 120  # seconds; a program that hangs fails, a slow machine does not
+TOGETHER = 6  # tests at a time: nearly all of their time they wait for motors and flash, which take as long as real ones
 
 CIM = "sim:can/dmc60c:5"
 EMPTY = "sim:can/dmc60c:9"
@@ -16,11 +20,6 @@ SCAN_ROW = {"device", "family", "address", "session", "name", "serial", "state",
 LINK_ROW = {"link", "kind", "state", "detail"}
 FAULTS = "timeout refused bad-reply bad-check link-lost out-of-range unsupported cancelled unsafe usage".split()
 SAMPLE = {"t", "channel", "value", "unit"}
-
-
-# What the programs keep of devices goes with the tests.
-DATA = tempfile.TemporaryDirectory()
-os.environ["XDG_DATA_HOME"] = DATA.name
 
 
 class Run:
@@ -85,3 +84,47 @@ class ContractTest(unittest.TestCase):
             process.send_signal(number)
             rest, err = process.communicate(timeout=LIMIT)
         return process.returncode, [json.loads(line) for line in [*out, *rest.splitlines()] if line.strip()], err
+
+
+def long(test):
+    """Marks a test of more than ten seconds: it begins before the others, so that nobody waits for it at the end."""
+    test.is_long = True
+    return test
+
+
+def every(tests):
+    for test in tests:
+        if isinstance(test, unittest.TestSuite):
+            yield from every(test)
+        else:
+            yield test
+
+
+def run_alone(test):
+    """In a process of its own, with a memory of its own: its name, what became of it, its output and its seconds."""
+    begin = time.monotonic()
+    result = unittest.TestResult()
+    with tempfile.TemporaryDirectory() as data:
+        os.environ["XDG_DATA_HOME"] = data
+        unittest.TestSuite([test]).run(result)
+    told = [text for _, text in result.failures + result.errors] + [f"{each}: passes now" for each in result.unexpectedSuccesses]
+    word = "ERROR" if result.errors else "FAIL" if told else "skipped" if result.skipped else "ok"
+    return test.id(), word, "\n".join(told), time.monotonic() - begin
+
+
+def main(names):
+    """Runs the tests of the program's own file, or those that are named (Class, Class.test), several at a time; yields the exit status."""
+    loader, here = unittest.defaultTestLoader, sys.modules["__main__"]
+    tests = list(every(loader.loadTestsFromNames(names, here) if names else loader.loadTestsFromModule(here)))
+    tests.sort(key=lambda test: not hasattr(getattr(test, getattr(test, "_testMethodName", ""), None), "is_long"))
+    begin, words, told = time.monotonic(), [], []
+    with multiprocessing.get_context("fork").Pool(TOGETHER, maxtasksperchild=1) as pool:
+        for name, word, text, seconds in pool.imap_unordered(run_alone, tests, chunksize=1):
+            print(f"{seconds:7.2f} s  {word:7}  {name}", flush=True)
+            words.append(word)
+            if text:
+                told.append(f"{'=' * 70}\n{word}: {name}\n{'-' * 70}\n{text}")
+    print("\n".join(told), f"{'-' * 70}\nRan {len(tests)} tests in {time.monotonic() - begin:.3f}s\n", sep="\n")
+    counts = ", ".join(f"{key}={words.count(word)}" for key, word in (("failures", "FAIL"), ("errors", "ERROR"), ("skipped", "skipped")) if word in words)
+    print(("FAILED" if told or not tests else "OK") + (f" ({counts})" if counts else ""))
+    return 1 if told or not tests else 0

@@ -279,6 +279,7 @@ class Hostile(ContractTest):
         self.assertNotIn("halted", run.err)
         self.assertIn("halted", Run(["watch", CIM, "--for", "0.2"]).err)
 
+    @contract.long
     def test_every_question_is_asked_as_often_as_one_says(self):
         # Half of all frames are lost: of 31 parameters one is hardly ever read within the eight tries of the family.
         keys = [row["key"] for row in self.run_one("parameters", "dmc60c")["parameters"] if row["group"].startswith(("Loop", "Current"))]

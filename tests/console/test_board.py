@@ -114,7 +114,7 @@ class BoardTest(ContractTest):
     def test_a_damaged_project_file_is_put_aside_and_told(self):
         self.simulate()
         self.run_one("set", self.device, "ch1.position.p=250")
-        kept = [path for path in glob.glob(os.path.join(contract.DATA.name, "motorbench/devices/*.json")) if self.holds(path)]
+        kept = [path for path in glob.glob(os.path.join(os.environ["XDG_DATA_HOME"], "motorbench/devices/*.json")) if self.holds(path)]
         self.assertEqual(len(kept), 1)
         with open(kept[0], "w", encoding="utf-8") as file:
             file.write("{")

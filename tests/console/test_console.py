@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """test_console.py PROGRAM SOURCE: what motorbenchctl promises, verb by verb, on simulated devices."""
 import sys
-import unittest
 
 import contract
 from test_board import BoardTest  # noqa: F401
@@ -18,4 +17,4 @@ from test_usage import Usage  # noqa: F401
 
 if __name__ == "__main__":
     contract.PROGRAM, contract.SOURCE = sys.argv[1:3]
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)
+    sys.exit(contract.main(sys.argv[3:]))

@@ -149,6 +149,7 @@ class DeviceVerbs(ContractTest):
         self.assertEqual((set(trial), trial["from"], trial["pages"], trial["verified"]), (FLASH, "1.23", 0, False))
         self.assert_error(2, "flash", CIM, self.firmware, "--via", "avrdude:usbasp:/dev/ttyUSB0")
 
+    @contract.long
     def test_a_flash_that_is_cut_is_not_a_success(self):
         run = Run(["--json", "flash", "sim:can?fault=silent@40/dmc60c:9", self.firmware])
         self.assertIn(run.status, (1, 3))
@@ -156,6 +157,7 @@ class DeviceVerbs(ContractTest):
         self.assertEqual((result["result"], result["verified"]), ("failed", False))
         self.assertTrue(result["evidence"])
 
+    @contract.long
     def test_identify_number_and_rename(self):
         self.assertEqual(set(self.run_one("identify", CIM)), {"device", "result"})
         for device in ("sim:can/abstractdc:3", "sim:serial/supermodified:4", "sim:spi/quadquad2drv:0"):

@@ -9,7 +9,6 @@ import subprocess
 import sys
 import tempfile
 import time
-import unittest
 
 import contract
 from contract import ContractTest, Run
@@ -41,6 +40,7 @@ class Recipes(ContractTest):
 
 
 class Service(Recipes):
+    @contract.long
     def test_every_unit_of_the_bench_has_its_line_and_its_entry(self):
         recipe = self.recipe(firmware={"file": "dmc60c-demo.hex"}, parameters={"file": "base.json"}, number={"first": 20}, test=TEST)
         run = Run(["--json", "service", recipe, "sim:can", "--station", "bench 2"])
@@ -110,6 +110,7 @@ class Service(Recipes):
         self.assertIn("wait on this computer", run.err)
         self.assertEqual(len(self.run_one("journal")["entries"]), 3)
 
+    @contract.long
     def test_resume_goes_on_where_it_was_killed(self):
         recipe = self.recipe(firmware={"file": "dmc60c-demo.hex"}, number={"first": 20})
         first = subprocess.Popen([contract.PROGRAM, "--json", "service", recipe, "sim:can"], stdout=subprocess.PIPE,
@@ -230,4 +231,4 @@ class Families(Recipes):
 if __name__ == "__main__":
     contract.PROGRAM, contract.SOURCE = sys.argv[1:3]
     contract.LIMIT = 400  # a unit takes as long as its flash does
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)
+    sys.exit(contract.main(sys.argv[3:]))

@@ -7,7 +7,6 @@ import sqlite3
 import subprocess
 import sys
 import tempfile
-import unittest
 
 import contract
 from contract import CIM, ContractTest, Run
@@ -104,7 +103,7 @@ class Restore(Saving):
     def test_the_history_has_what_set_and_restore_wrote(self):
         self.run_one("set", CIM, "slot1.p=0.25")
         self.run_one("restore", CIM, self.saved(CIM, slot1__d=0.5))
-        database = sqlite3.connect(os.path.join(contract.DATA.name, "motorbench", "motorbench.db"))
+        database = sqlite3.connect(os.path.join(os.environ["XDG_DATA_HOME"], "motorbench", "motorbench.db"))
         self.addCleanup(database.close)
         rows = database.execute("SELECT origin, purpose, key, before IS NOT NULL, after, proof FROM change, changed_value "
                                 "WHERE change = id ORDER BY id DESC LIMIT 2").fetchall()
@@ -161,4 +160,4 @@ class Line(ContractTest):
 
 if __name__ == "__main__":
     contract.PROGRAM = sys.argv[1]
-    unittest.main(argv=[sys.argv[0], "-v", *sys.argv[2:]])
+    sys.exit(contract.main(sys.argv[2:]))

@@ -92,12 +92,15 @@ class SupermodifiedTest(ContractTest):
                   f"{summary['lost']} lost", flush=True)
             self.assertGreater(summary["samples"], 20)
 
+    @contract.long
     def test_everything_works_at_9600_baud(self):
         self.work(9600)
 
+    @contract.long
     def test_everything_works_at_57600_baud(self):
         self.work(57600)
 
+    @contract.long
     def test_everything_works_at_115200_baud(self):
         self.work(115200)
 
@@ -155,6 +158,7 @@ class SupermodifiedTest(ContractTest):
         self.assertEqual(run.status, 0, run.err)
         return run.objects()[0]["devices"], time.monotonic() - begin, run.err
 
+    @contract.long
     def test_a_second_run_remembers_who_was_there(self):
         nodes = Nodes(self, "supermodified:4", "supermodified:77,dialect=D3", baud=38400)
         link = f"serial:{nodes.path}"
@@ -178,6 +182,7 @@ class SupermodifiedTest(ContractTest):
         os.replace(gone.path, nodes.path)  # the same port, with one node less
         self.assertEqual([row["address"] for row in self.timed_scan(link)[0]], [77])
 
+    @contract.long
     def test_everything_can_be_searched_and_cut(self):
         nodes = Nodes(self, "supermodified:4", "supermodified:120", baud=57600)
         link = f"serial:{nodes.path}?baud=57600"

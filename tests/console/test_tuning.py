@@ -4,7 +4,6 @@ import json
 import os
 import sys
 import tempfile
-import unittest
 
 import contract
 from contract import CIM, ContractTest, Run
@@ -30,6 +29,7 @@ class Step(ContractTest):
         self.assertLess(lively["metrics"]["overshoot"], 0.3)
         self.assertLessEqual(calm["metrics"]["overshoot"], 0.06)
 
+    @contract.long
     def test_every_family_steps(self):
         for device, mode, to in (("sim:can/abstractdc:3", "velocity", 4000), ("sim:serial/supermodified:4", "position", 400),
                                  ("sim:spi/quadquad2drv:0", "position", 1000)):
@@ -97,6 +97,7 @@ class Trials(ContractTest):
 
 
 class Tune(ContractTest):
+    @contract.long
     def test_a_proposal_names_model_gains_and_margins_and_writes_nothing(self):
         before = self.run_one("get", LIVELY)
         row = self.run_one("tune", LIVELY, "--loop", "velocity", "--propose")
@@ -109,6 +110,7 @@ class Tune(ContractTest):
         self.assertIsNone(row["measured"])
         self.assertEqual(self.run_one("get", LIVELY), before)
 
+    @contract.long
     def test_a_position_loop_without_a_duty_command_is_tuned_by_trying_its_gains(self):
         row = self.run_one("tune", "sim:serial/supermodified:5", "--loop", "position")
         self.assertLessEqual(TUNE, row.keys())
@@ -117,6 +119,7 @@ class Tune(ContractTest):
         self.assertEqual(set(row["gains"]), {"gain.p", "gain.i", "gain.d"})
         self.assertIn("counts/s per", row["model"]["unit"])
 
+    @contract.long
     def test_a_current_loop_is_tuned(self):
         row = self.run_one("tune", CIM, "--loop", "current")
         self.assertEqual(row["result"], "kept", row["evidence"])
@@ -153,6 +156,7 @@ class Report(ContractTest):
         for word in ("DMC60C 7", "Serial number", f"Trial {self.number}, velocity loop", "<svg ", "Overshoot", "slot0.p", "History of the unit", "DEMO"):
             self.assertIn(word, text)
 
+    @contract.long
     def test_a_unit_is_told_with_its_tuning_and_its_parameters_against_their_defaults(self):
         self.run_one("tune", LIVELY, "--loop", "velocity", "--propose")
         text = self.html(LIVELY)
@@ -187,4 +191,4 @@ class Report(ContractTest):
 
 if __name__ == "__main__":
     contract.PROGRAM = sys.argv[1]
-    unittest.main(argv=[sys.argv[0], *sys.argv[2:]], verbosity=2)
+    sys.exit(contract.main(sys.argv[2:]))

@@ -56,6 +56,7 @@ class Usage(ContractTest):
         self.assert_error(2, "info", "sim:can/dmc60d:5", says="did you mean dmc60c?")
         self.assert_error(2, "parameters", "frobnicator", says="dmc60c")
 
+    @contract.long
     def test_a_device_that_is_not_there_does_not_answer(self):
         for call in (("info",), ("get",), ("set", "slot0.p=1"), ("watch",), ("drive", "--mode", "duty", "--target", "0", "--for", "1"), ("number", "6"),
                      ("rename", "x"), ("identify",)):
