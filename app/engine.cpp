@@ -9,7 +9,7 @@
 #include "app/sleep/logindinhibitor.h"
 #include "app/sleep/sleepguard.h"
 #include "app/trialdesk.h"
-#include "model/chunkstore.h"
+#include "telemetry/chunkstore.h"
 #include "transport/linkwatch.h"
 #include "transport/workerthreads.h"
 #include "widgets/common/devicetext.h"

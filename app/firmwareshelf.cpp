@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/firmwareshelf.h"
 
-#include "model/filebytes.h"
-#include "model/firmwareimage.h"
+#include "files/filebytes.h"
+#include "firmware/firmwareimage.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 

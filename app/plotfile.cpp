@@ -3,7 +3,7 @@
 
 #include "app/application.h"
 #include "app/refusal.h"
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 #include "recording/loadrecording.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/plots/picturefile.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/project.h"
 
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 #include "model/parameterfile.h"
 #include "tuning/verdict.h"
 #include "widgets/common/devicetext.h"

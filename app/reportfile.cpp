@@ -3,7 +3,7 @@
 
 #include "app/application.h"
 #include "app/refusal.h"
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 #include "widgets/report/reportpdf.h"
 
 namespace mb {

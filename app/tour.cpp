@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tour.h"
 
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/headerbar.h"
 #include "widgets/common/losses.h"

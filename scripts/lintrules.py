@@ -122,31 +122,38 @@ def sentences(path, text, _code):
             yield line, "error", f"{' '.join(match[0].split())[:60]}: {why}"
 
 
-ROOTS = ("async", "wire", "place", "transport", "model", "recording", "tuning", "report", "settings", "service", "storage", "families", "widgets", "app", "support", "tests")
+ROOTS = ("async", "wire", "place", "files", "telemetry", "transport", "traffic", "simulation", "firmware", "model", "recording", "tuning", "report", "settings", "service", "storage", "families", "widgets", "app", "support", "tests")
 SCREEN = re.compile(
     r"Qt(?:Gui|Widgets|Svg|PrintSupport|OpenGL)(?:/|$)|qcustomplot|Q(?:GuiApplication|Application|Widget|MainWindow|Dialog|Color|"
     r"Painter|PaintDevice|Pixmap|Image|Icon|Font|Brush|Pen|Action|Window|Palette|Style|Cursor|KeyEvent|MouseEvent|Screen)$",
     re.IGNORECASE)
 # folder: (our folders it may include, any Qt)
+# What a layer that knows the model may include of what lies below it.
+BELOW = ("async", "wire", "files", "telemetry", "transport", "traffic", "simulation", "firmware", "model")
 LAYERS = [
     ("devices/async/", ("async",), False),
     ("devices/wire/", ("async", "wire"), False),
     ("devices/place/", ("place",), False),
-    ("devices/transport/", ("async", "wire", "place", "transport"), True),
-    ("devices/model/", ("async", "wire", "transport", "model"), True),
-    ("devices/recording/", ("async", "wire", "transport", "model", "recording"), True),
-    ("devices/tuning/", ("async", "wire", "transport", "model", "tuning"), True),
-    ("devices/report/", ("async", "wire", "transport", "model", "tuning", "service", "report"), True),
-    ("devices/settings/", ("async", "wire", "transport", "model", "tuning", "settings"), True),
-    ("devices/service/", ("async", "wire", "transport", "model", "tuning", "settings", "service"), True),
-    ("devices/storage/", ("async", "wire", "transport", "model", "tuning", "report", "settings", "service", "storage"), True),
-    ("devices/families/", ("async", "wire", "transport", "model"), True),
-    ("widgets/", ("async", "wire", "transport", "model", "recording", "tuning", "report", "settings", "service", "widgets"), True),
-    ("app/console/", ("async", "wire", "transport", "model", "tuning", "report", "settings", "service", "storage", "app/console", "app/folders", "app/guardian", "app/sleep"), True),
-    ("app/guardian/client/", ("async", "wire", "transport", "model", "app/guardian"), True),
-    ("app/sleep/", ("async", "wire", "transport", "model", "app/sleep"), True),
+    ("devices/files/", ("async", "files"), True),
+    ("devices/telemetry/", ("async", "telemetry"), False),
+    ("devices/transport/", ("async", "wire", "place", "files", "transport"), True),
+    ("devices/traffic/", ("async", "wire", "files", "transport", "traffic"), True),
+    ("devices/simulation/", ("async", "wire", "files", "transport", "simulation"), True),
+    ("devices/firmware/", ("async", "wire", "files", "transport", "firmware"), True),
+    ("devices/model/", BELOW, True),
+    ("devices/recording/", (*BELOW, "recording"), True),
+    ("devices/tuning/", (*BELOW, "tuning"), True),
+    ("devices/report/", (*BELOW, "tuning", "service", "report"), True),
+    ("devices/settings/", (*BELOW, "tuning", "settings"), True),
+    ("devices/service/", (*BELOW, "tuning", "settings", "service"), True),
+    ("devices/storage/", (*BELOW, "tuning", "report", "settings", "service", "storage"), True),
+    ("devices/families/", BELOW, True),
+    ("widgets/", (*BELOW, "recording", "tuning", "report", "settings", "service", "widgets"), True),
+    ("app/console/", (*BELOW, "tuning", "report", "settings", "service", "storage", "app/console", "app/folders", "app/guardian", "app/sleep"), True),
+    ("app/guardian/client/", (*BELOW, "app/guardian"), True),
+    ("app/sleep/", (*BELOW, "app/sleep"), True),
     ("app/guardian/", ("app/guardian", "place"), False),
-    ("app/", ("async", "wire", "transport", "model", "recording", "tuning", "report", "settings", "service", "storage", "widgets", "app"), True),
+    ("app/", (*BELOW, "recording", "tuning", "report", "settings", "service", "storage", "widgets", "app"), True),
 ]
 
 
@@ -181,12 +188,11 @@ FAMILY_EXAMPLES = {
     "app/console/parameters.cpp",
     "app/console/simulate.cpp",
     "devices/model/identity.cpp",
-    "devices/model/simulator.cpp",
+    "devices/simulation/simulator.cpp",
     "app/welcome.cpp",  # the first minute: its stories are about units of the simulated bench, and so are the next four
     "widgets/connection/linkchoices.cpp",
     "widgets/help/helptopics.cpp",  # a page of hardware for each
     "widgets/start/story.cpp",
-    "widgets/common/devicephrases.cpp",  # patterns of sentences that families say
     "widgets/monitor/framefilterterms.cpp",  # the help of the filter's language
 }
 

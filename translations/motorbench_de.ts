@@ -58,14 +58,6 @@
         <source>counts</source>
         <translation>counts</translation>
     </message>
-    <message>
-        <source>%1 of %2 axes move</source>
-        <translation>%1 von %2 Achsen in Bewegung</translation>
-    </message>
-    <message>
-        <source>%1 axes</source>
-        <translation>%1 Achsen</translation>
-    </message>
 </context>
 <context>
     <name>DeviceActions</name>
@@ -271,6 +263,14 @@
     <message>
         <source>It keeps a move that was stopped before it began, and would begin it with the next start on its line. A new move replaces it; switching the unit off clears it.</source>
         <translation>Er behält eine Bewegung, die vor ihrem Beginn gestoppt wurde, und begänne sie mit dem nächsten Start auf seiner Leitung. Eine neue Bewegung ersetzt sie; Ausschalten löscht sie.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 axes move</source>
+        <translation>%1 von %2 Achsen in Bewegung</translation>
+    </message>
+    <message>
+        <source>%1 axes</source>
+        <translation>%1 Achsen</translation>
     </message>
 </context>
 <context>

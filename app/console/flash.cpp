@@ -5,7 +5,7 @@
 #include "app/console/verb.h"
 #include "app/folders/userfolders.h"
 #include "async/event.h"
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 #include "model/operation.h"
 #include "model/transcript.h"
 

@@ -2,7 +2,7 @@
 #include "app/console/namedsettings.h"
 
 #include "app/console/notebook.h"
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 #include "model/registry.h"
 
 namespace mb::console {

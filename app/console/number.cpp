@@ -2,7 +2,7 @@
 #include "app/console/notebook.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
-#include "model/progress.h"
+#include "async/progress.h"
 #include "settings/writing.h"
 
 #include <memory>

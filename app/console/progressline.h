@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/console/console.h"
-#include "model/progress.h"
+#include "async/progress.h"
 
 namespace mb::console {
 

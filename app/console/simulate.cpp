@@ -3,7 +3,7 @@
 #include "app/console/simulatedunits.h"
 #include "app/console/target.h"
 #include "app/console/verb.h"
-#include "model/simulatedbus.h"
+#include "simulation/simulatedbus.h"
 #include "transport/backends/ptyline.h"
 
 #include <QJsonArray>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/console/console.h"
+#include "files/qttext.h"
 
 #include <QJsonObject>
 
@@ -45,10 +46,6 @@ struct Target {
 /// Of --for: nothing when it is not given.
 [[nodiscard]] Result<std::optional<Duration>> parseSpan(const std::string &text);
 
-[[nodiscard]] inline QString qt(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
 /// Empty text is unknown.
 [[nodiscard]] inline QJsonValue textOrNull(std::string_view text)
 {

@@ -3,7 +3,7 @@
 
 #include "app/console/table.h"
 #include "app/console/target.h"
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/engine/motion.h"
-#include "model/trafficlog.h"
-#include "model/trafficrecorder.h"
 #include "model/unknownframes.h"
+#include "traffic/trafficlog.h"
+#include "traffic/trafficrecorder.h"
 #include "widgets/orders/recordingorders.h"
 
 #include <map>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/family.h"
-#include "model/simulatedbus.h"
+#include "simulation/simulatedbus.h"
 #include "transport/pacedclock.h"
 
 #include <memory>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/progress.h"
 #include "async/task.h"
 #include "model/deviceguard.h"
 #include "model/deviceprofile.h"
@@ -8,10 +9,9 @@
 #include "model/identity.h"
 #include "model/livestate.h"
 #include "model/parameterstore.h"
-#include "model/progress.h"
 #include "model/setpoint.h"
 #include "model/stoppable.h"
-#include "model/telemetry.h"
+#include "telemetry/telemetry.h"
 #include "transport/link.h"
 
 #include <atomic>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/deviceprofile.h"
 
-#include "model/filebytes.h"
-#include "model/qttext.h"
+#include "files/filebytes.h"
+#include "files/qttext.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/progress.h"
 #include "async/task.h"
-#include "model/channel.h"
+#include "firmware/firmwareimage.h"
+#include "firmware/updateroute.h"
 #include "model/decoded.h"
-#include "model/firmwareimage.h"
 #include "model/identity.h"
 #include "model/livestate.h"
 #include "model/parameterstore.h"
-#include "model/progress.h"
 #include "model/setpoint.h"
-#include "model/simulator.h"
 #include "model/trialtraits.h"
-#include "model/updateroute.h"
+#include "simulation/simulator.h"
+#include "telemetry/channel.h"
 
 #include <functional>
 #include <utility>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "async/clock.h"
+#include "async/progress.h"
 #include "async/task.h"
-#include "model/progress.h"
 
 #include <functional>
 #include <map>

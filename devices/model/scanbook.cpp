@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/scanbook.h"
 
+#include "files/filebytes.h"
+#include "files/qttext.h"
 #include "model/deviceprofile.h"
-#include "model/filebytes.h"
-#include "model/qttext.h"
 
 #include <QDir>
 #include <QFile>

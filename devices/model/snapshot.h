@@ -3,8 +3,8 @@
 
 #include "model/operation.h"
 #include "model/session.h"
-#include "model/trafficlog.h"
-#include "model/trafficrecorder.h"
+#include "traffic/trafficlog.h"
+#include "traffic/trafficrecorder.h"
 #include "transport/linkdoctor.h"
 
 #include <memory>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/transcript.h"
 
+#include "files/filebytes.h"
 #include "model/device.h"
 #include "model/family.h"
-#include "model/filebytes.h"
 
 #include <QDir>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/telemetry.h"
 #include "recording/mcapformat.h"
+#include "telemetry/telemetry.h"
 
 #include <deque>
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/telemetry.h"
+#include "telemetry/telemetry.h"
 
 #include <memory>
 

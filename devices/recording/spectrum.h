@@ -2,7 +2,7 @@
 #pragma once
 
 #include "async/result.h"
-#include "model/history.h"
+#include "telemetry/history.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/report.h"
 
-#include "model/qttext.h"
+#include "files/qttext.h"
 #include "report/htmltext.h"
 #include "report/trialsection.h"
 #include "report/tuningsection.h"

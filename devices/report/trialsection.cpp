@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/trialsection.h"
 
+#include "files/qttext.h"
 #include "model/family.h"
-#include "model/qttext.h"
 #include "report/htmltext.h"
 #include "report/metricwords.h"
 #include "report/svgplot.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/recipe.h"
 
+#include "files/filebytes.h"
+#include "files/qttext.h"
 #include "model/family.h"
-#include "model/filebytes.h"
 #include "model/parameterfile.h"
-#include "model/qttext.h"
 #include "service/reciperead.h"
 #include "tuning/metrics.h"
 

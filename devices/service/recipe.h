@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/firmwareimage.h"
+#include "firmware/firmwareimage.h"
 #include "model/parameter.h"
 #include "model/setpoint.h"
 #include "model/trialtraits.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "service/reciperead.h"
 
+#include "files/qttext.h"
 #include "model/family.h"
-#include "model/qttext.h"
 #include "model/registry.h"
 #include "service/jsonlines.h"
 #include "tuning/experiment.h"

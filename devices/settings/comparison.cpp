@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "settings/comparison.h"
 
+#include "files/qttext.h"
 #include "model/family.h"
-#include "model/qttext.h"
 
 #include <QJsonDocument>
 

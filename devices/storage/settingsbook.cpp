@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/settingsbook.h"
 
-#include "model/qttext.h"
+#include "files/qttext.h"
 #include "settings/unit.h"
 
 #include <QSqlQuery>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/trialfile.h"
 
-#include "model/filebytes.h"
-#include "model/qttext.h"
+#include "files/filebytes.h"
+#include "files/qttext.h"
 #include "storage/trialjson.h"
 
 #include <QDateTime>

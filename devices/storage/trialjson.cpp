@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/trialjson.h"
 
-#include "model/qttext.h"
+#include "files/qttext.h"
 
 #include <array>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "storage/visitjson.h"
 
-#include "model/filebytes.h"
+#include "files/filebytes.h"
+#include "files/qttext.h"
 #include "model/parameter.h"
-#include "model/qttext.h"
 
 #include <QDateTime>
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transport/externalprogram.h"
 
+#include "files/qttext.h"
+
 #include <QProcess>
 #include <QStandardPaths>
 #include <QStringList>
@@ -9,11 +11,6 @@
 
 namespace mb {
 namespace {
-
-QString qt(const std::string &text)
-{
-    return QString::fromStdString(text);
-}
 
 /// Whatever the program's encoding is, ours is UTF-8.
 std::string clean(const std::string &bytes)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/owedgains.h"
 
+#include "async/progress.h"
 #include "model/family.h"
-#include "model/progress.h"
 #include "tuning/direction.h"
 #include "tuning/gains.h"
 #include "tuning/seconds.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tuning/scalecalibration.h"
 
+#include "async/progress.h"
 #include "model/family.h"
-#include "model/progress.h"
 #include "tuning/autotunerun.h"
 #include "tuning/direction.h"
 #include "tuning/envelope.h"

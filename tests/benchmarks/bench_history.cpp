@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // docs/names.md#numbers: at most 16 bytes a stored sample, pyramid included; the part of a replot that is not painting.
-#include "model/history.h"
-#include "model/telemetry.h"
+#include "telemetry/history.h"
+#include "telemetry/telemetry.h"
 
 #include <benchmark/benchmark.h>
 

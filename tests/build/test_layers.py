@@ -35,6 +35,7 @@ class Layers(unittest.TestCase):
     def test_no_qt_below_transport(self):
         self.expect_refusal("async", "PUBLIC", "Qt5::Core")
         self.expect_refusal("wire", "PRIVATE", "Qt5::Core")
+        self.expect_refusal("telemetry", "PRIVATE", "Qt5::Core")
 
     def test_no_screen_in_the_library(self):
         for layer in ("transport", "model", "one", "devices"):
@@ -51,6 +52,14 @@ class Layers(unittest.TestCase):
             self.expect_refusal(layer, "PRIVATE", "storage")
         self.expect_refusal("storage", "PRIVATE", "one")
         self.expect_refusal("devices", "PRIVATE", "widgets")
+
+    def test_the_rooms_below_the_model_do_not_know_each_other(self):
+        for room, others in (("traffic", ("simulation", "firmware", "telemetry")), ("simulation", ("traffic", "firmware")),
+                             ("firmware", ("traffic", "simulation"))):
+            for other in (*others, "model"):
+                self.expect_refusal(room, "PRIVATE", other)
+        self.expect_refusal("files", "PRIVATE", "wire")
+        self.expect_refusal("transport", "PRIVATE", "telemetry")
 
     def test_no_family_knows_another(self):
         self.expect_refusal("one", "PRIVATE", "other")

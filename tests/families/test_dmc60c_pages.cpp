@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/pages.h"
-#include "model/textfile.h"
+#include "files/textfile.h"
 #include "support/hextext.h"
 #include "support/sourcetree.h"
 

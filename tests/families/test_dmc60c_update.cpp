@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // dmc60c/README.md#updates, from the file to the version that the device answers with.
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 #include "support/hextext.h"
 #include "support/simulatedsession.h"
 #include "support/sourcetree.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/pages.h"
+#include "firmware/firmwareimage.h"
 #include "fuzz/mutation.h"
 #include "fuzz/soak.h"
-#include "model/firmwareimage.h"
 #include "support/hextext.h"
 
 #include <gtest/gtest.h>

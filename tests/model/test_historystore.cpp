@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/chunkstore.h"
 #include "recording.h"
+#include "telemetry/chunkstore.h"
 
 #include <cmath>
 #include <filesystem>

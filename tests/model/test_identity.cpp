@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/identity.h"
-#include "model/simulator.h"
+#include "simulation/simulator.h"
 
 #include <gtest/gtest.h>
 

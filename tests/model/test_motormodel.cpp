@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers of docs/names.md#motor-model; golden values from an independent RK4 integration with 2 µs steps.
-#include "model/motormodel.h"
+#include "simulation/motormodel.h"
 
 #include <gtest/gtest.h>
 

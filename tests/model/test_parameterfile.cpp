@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 #include "model/parameterfile.h"
 #include "support/simulatedsession.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings played through the same session and devices as the live run that they were made of.
-#include "model/trafficrecorder.h"
 #include "support/simulatedsession.h"
 #include "support/temporaryfile.h"
+#include "traffic/trafficrecorder.h"
 
 #include <gtest/gtest.h>
 

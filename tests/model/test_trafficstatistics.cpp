@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/trafficstatistics.h"
+#include "traffic/trafficstatistics.h"
 
 #include <gtest/gtest.h>
 

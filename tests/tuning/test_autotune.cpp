@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/quadquad2drv/calibrations.h"
 #include "families/quadquad2drv/simulatoraxis.h"
-#include "model/motormodel.h"
+#include "simulation/motormodel.h"
 #include "tests/tuning/experimentbench.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/autotune.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/motormodel.h"
+#include "simulation/motormodel.h"
 #include "tuning/plantfit.h"
 #include "tuning/relaycycle.h"
 #include "tuning/velocityfilter.h"

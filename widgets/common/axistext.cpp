@@ -2,7 +2,6 @@
 #include "widgets/common/axistext.h"
 
 #include "model/axis.h"
-#include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 
 #include <QCoreApplication>
@@ -43,11 +42,6 @@ bool turns(const DeviceView &device, int axis)
 
 } // namespace
 
-bool hasAxes(const Family &family)
-{
-    return family.capabilities.axes > 1;
-}
-
 QString axisTitle(int axis)
 {
     return AxisText::tr("Axis %1").arg(axis);
@@ -87,14 +81,6 @@ QString valueOfAxis(const DeviceView &device, int axis, Instant now)
     const QString number = numberOfAxis(device, axis, now);
     const QString unit = turns(device, axis) ? AxisText::tr("counts/s") : AxisText::tr("counts");
     return number == QString(UnknownMark) ? number : number + QChar(0xA0) + unit;
-}
-
-QString axesLine(const DeviceView &device)
-{
-    const auto &all = device.liveness.axes;
-    const auto moving = std::count_if(all.begin(), all.end(), [](const AxisLiveness &axis) { return axis.moving; });
-    const int count = device.family->capabilities.axes;
-    return moving > 0 ? AxisText::tr("%1 of %2 axes move").arg(moving).arg(count) : AxisText::tr("%1 axes").arg(count);
 }
 
 TraceRole axisColour(int axis)

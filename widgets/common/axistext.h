@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/snapshot.h"
-#include "widgets/common/stateglyph.h"
+#include "widgets/common/devicetext.h"
 #include "widgets/common/theme.h"
 
 #include <QString>
@@ -14,7 +13,6 @@ namespace mb {
 
 /// The one place where the state of an axis becomes text and shape. Axes count from 1.
 
-[[nodiscard]] bool hasAxes(const Family &family);
 /// "Axis 2"
 [[nodiscard]] QString axisTitle(int axis);
 [[nodiscard]] GlyphState glyphOfAxis(const DeviceView &device, int axis);
@@ -24,8 +22,6 @@ namespace mb {
 [[nodiscard]] QString numberOfAxis(const DeviceView &device, int axis, Instant now);
 /// The same, where there is room for the unit.
 [[nodiscard]] QString valueOfAxis(const DeviceView &device, int axis, Instant now);
-/// "2 of 4 axes move", "4 axes"
-[[nodiscard]] QString axesLine(const DeviceView &device);
 /// Colour of everything of an axis where several are in one plot.
 [[nodiscard]] TraceRole axisColour(int axis);
 

@@ -2,7 +2,6 @@
 #include "widgets/common/devicetext.h"
 
 #include "model/axis.h"
-#include "widgets/common/axistext.h"
 #include "widgets/common/numberformat.h"
 
 #include <QCoreApplication>
@@ -15,6 +14,20 @@ struct DeviceText {
 };
 
 } // namespace
+
+QString axesLine(const DeviceView &device)
+{
+    const auto &all = device.liveness.axes;
+    const auto moving = std::count_if(all.begin(), all.end(), [](const AxisLiveness &axis) { return axis.moving; });
+    const int count = device.family->capabilities.axes;
+    return moving > 0 ? DeviceText::tr("%1 of %2 axes move").arg(moving).arg(count)
+                      : DeviceText::tr("%1 axes").arg(count);
+}
+
+bool hasAxes(const Family &family)
+{
+    return family.capabilities.axes > 1;
+}
 
 QString tableText(std::string_view english)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "files/qttext.h"
 #include "model/snapshot.h"
 #include "widgets/common/stateglyph.h"
 
@@ -14,11 +15,6 @@ namespace mb {
 
 /// The one place where device states and faults become text and shape for people.
 
-[[nodiscard]] inline QString qt(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
-
 /// A label, help or word of a table of the library, in the language of the program.
 [[nodiscard]] QString tableText(std::string_view english);
 /// A sentence of the library in the language of the program; its numbers as everywhere in the window, with a dot.
@@ -28,6 +24,10 @@ namespace mb {
 [[nodiscard]] QString faultText(const Family &family, std::string_view key);
 [[nodiscard]] QString modeText(Mode mode);
 
+/// Several axes, each with a place of its own in tree, pages and plots.
+[[nodiscard]] bool hasAxes(const Family &family);
+/// "2 of 4 axes move", "4 axes"
+[[nodiscard]] QString axesLine(const DeviceView &device);
 [[nodiscard]] GlyphState glyphOf(const DeviceView &device);
 /// "DMC60C #5"
 [[nodiscard]] QString titleOf(const DeviceView &device);

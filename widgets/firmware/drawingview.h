@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/updateroute.h"
+#include "firmware/updateroute.h"
 #include "widgets/common/theme.h"
 
 #include <QWidget>

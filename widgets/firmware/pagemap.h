@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/progress.h"
+#include "async/progress.h"
 #include "widgets/common/theme.h"
 
 #include <QWidget>

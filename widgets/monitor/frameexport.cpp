@@ -2,7 +2,7 @@
 #include "widgets/monitor/frameexport.h"
 
 #include "async/outputfile.h"
-#include "model/trafficline.h"
+#include "traffic/trafficline.h"
 #include "wire/candumplog.h"
 
 #include <algorithm>

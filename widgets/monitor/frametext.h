@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/family.h"
-#include "model/trafficlog.h"
+#include "traffic/trafficlog.h"
 
 #include <QString>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/monitor/logpage.h"
 
+#include "files/filebytes.h"
 #include "model/family.h"
-#include "model/filebytes.h"
 #include "model/registry.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/emptystate.h"

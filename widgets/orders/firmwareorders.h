@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "firmware/firmwareimage.h"
 #include "model/family.h"
-#include "model/firmwareimage.h"
 #include "model/snapshot.h"
 
 #include <memory>

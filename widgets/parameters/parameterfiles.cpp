@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/parameters/parameterfiles.h"
 
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 #include "model/registry.h"
 #include "widgets/common/devicetext.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the page orders: reads, writes, stores; files in and out.
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 #include "widgets/common/banner.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"

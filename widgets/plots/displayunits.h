@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/channel.h"
 #include "model/setpoint.h"
+#include "telemetry/channel.h"
 #include "widgets/common/theme.h"
 
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/plots/plotlayout.h"
 
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 
 #include <QDir>
 #include <QFile>

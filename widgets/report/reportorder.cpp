@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/report/reportorder.h"
 
+#include "files/filebytes.h"
 #include "model/family.h"
-#include "model/filebytes.h"
 #include "tuning/verdict.h"
 #include "widgets/common/devicetext.h"
 #include "widgets/common/trialnotebook.h"

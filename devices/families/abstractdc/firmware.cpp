@@ -4,7 +4,8 @@
 #include "families/abstractdc/controller.h"
 #include "families/abstractdc/openocd.h"
 #include "families/abstractdc/protocol.h"
-#include "model/programmer.h"
+#include "firmware/programmer.h"
+#include "model/answersagain.h"
 #include "wire/bytes.h"
 
 #include <QtGlobal>

@@ -3,7 +3,7 @@
 
 #include "async/clock.h"
 #include "families/abstractdc/protocol.h"
-#include "model/channel.h"
+#include "telemetry/channel.h"
 
 #include <cstdint>
 #include <deque>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/simulator.h"
+#include "simulation/simulator.h"
 #include "transport/link.h"
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace mb::abstractdc {
 /// A simulated Abstract DC Drive on a CAN link of any bit rate. It shares only protocol.h and the framing with the code that
 /// drives a real one.
 ///
-/// Address (offset) 0…99. Options: `dialect=F|L|LL|D` (F), `motor` and `load` (model/motormodel.h; 25d), `serial` (accepted as
+/// Address (offset) 0…99. Options: `dialect=F|L|LL|D` (F), `motor` and `load` (simulation/motormodel.h; 25d), `serial` (accepted as
 /// everywhere, but the drive has none), `gains=tuned|default|overshoot` (what flash holds; default is blank flash),
 /// `glitches=N` (every N-th position log is off by 65 535, README.md#position). Anything else: OutOfRange.
 ///

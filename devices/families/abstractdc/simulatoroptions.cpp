@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/abstractdc/simulatoroptions.h"
 
-#include "model/simulatoroptions.h"
+#include "simulation/simulatoroptions.h"
 
 #include <algorithm>
 #include <cmath>

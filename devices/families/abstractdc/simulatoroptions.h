@@ -3,8 +3,8 @@
 
 #include "families/abstractdc/protocol.h"
 #include "families/abstractdc/simulatorflash.h"
-#include "model/motormodel.h"
-#include "model/simulator.h"
+#include "simulation/motormodel.h"
+#include "simulation/simulator.h"
 
 #include <array>
 #include <vector>

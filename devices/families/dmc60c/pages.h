@@ -2,7 +2,7 @@
 #pragma once
 
 #include "families/dmc60c/protocol.h"
-#include "model/firmwareimage.h"
+#include "firmware/firmwareimage.h"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #include "families/dmc60c/simulator.h"
 
 #include "families/dmc60c/simulatorunit.h"
-#include "model/simulatedtwins.h"
+#include "simulation/simulatedtwins.h"
 
 namespace mb::dmc60c {
 Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const SimulatedUnit &unit)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/simulator.h"
+#include "simulation/simulator.h"
 #include "transport/link.h"
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace mb::dmc60c {
 /// A simulated DMC60C on a CAN link, which may be opened before or after. It shares only protocol.h and the framing
 /// with the code that drives a real one.
 ///
-/// Address 0…63. Options: `motor` and `load` (model/motormodel.h), `gains=tuned|default|overshoot` (what is stored:
+/// Address 0…63. Options: `motor` and `load` (simulation/motormodel.h), `gains=tuned|default|overshoot` (what is stored:
 /// slot 0 for velocity, slot 1 for position; tuned unless given), `serial` (12 characters), `session` (1…65535, or
 /// 0x…), `name`, `firmware=1.23`, `product=601`, `state=application|bootloader`, `crc=A|B|C` (README.md#updates), `velocity=rolling|block`. Anything
 /// else: OutOfRange.

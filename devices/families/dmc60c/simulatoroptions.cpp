@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60c/simulatoroptions.h"
 
-#include "model/simulatoroptions.h"
+#include "simulation/simulatoroptions.h"
 
 #include <array>
 

@@ -4,7 +4,7 @@
 #include "families/dmc60c/protocol.h"
 #include "families/dmc60c/simulatorcontrol.h"
 #include "families/dmc60c/simulatorflash.h"
-#include "model/simulator.h"
+#include "simulation/simulator.h"
 
 #include <optional>
 #include <string>

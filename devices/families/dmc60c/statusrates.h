@@ -2,7 +2,7 @@
 #pragma once
 
 #include "families/dmc60c/parameterdesk.h"
-#include "model/ratewishes.h"
+#include "telemetry/ratewishes.h"
 
 #include <map>
 

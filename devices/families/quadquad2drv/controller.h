@@ -5,7 +5,7 @@
 #include "families/quadquad2drv/packetport.h"
 #include "families/quadquad2drv/parameters.h"
 #include "model/device.h"
-#include "model/ratewishes.h"
+#include "telemetry/ratewishes.h"
 
 #include <array>
 #include <optional>

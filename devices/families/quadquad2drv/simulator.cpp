@@ -2,7 +2,7 @@
 #include "families/quadquad2drv/simulator.h"
 
 #include "families/quadquad2drv/simulatorboot.h"
-#include "model/simulatoroptions.h"
+#include "simulation/simulatoroptions.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "families/quadquad2drv/protocol.h"
-#include "model/motormodel.h"
+#include "simulation/motormodel.h"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "families/quadquad2drv/simulatoraxis.h"
-#include "model/simulator.h"
+#include "simulation/simulator.h"
 #include "transport/spilink.h"
 
 #include <deque>

@@ -3,7 +3,8 @@
 
 #include "families/supermodified/avrdude.h"
 #include "families/supermodified/controller.h"
-#include "model/programmer.h"
+#include "firmware/programmer.h"
+#include "model/answersagain.h"
 
 #include <QFileInfo>
 #include <QTemporaryFile>

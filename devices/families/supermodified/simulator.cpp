@@ -2,7 +2,7 @@
 #include "families/supermodified/simulator.h"
 
 #include "families/supermodified/simulatorunit.h"
-#include "model/simulatedtwins.h"
+#include "simulation/simulatedtwins.h"
 
 namespace mb::supermodified {
 Result<std::unique_ptr<Simulator>> simulate(Link &link, Clock &clock, const SimulatedUnit &unit)

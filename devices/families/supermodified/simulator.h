@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/simulator.h"
+#include "simulation/simulator.h"
 #include "transport/link.h"
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace mb::supermodified {
 /// A simulated Supermodified on a serial link, which may be opened before or after. It shares only protocol.h and the framing
 /// with the code that drives a real one.
 ///
-/// Address 1…127, the node id. Options: `dialect=D1|D2|D3` (D1), `motor` and `load` (model/motormodel.h; a 25d whose output
+/// Address 1…127, the node id. Options: `dialect=D1|D2|D3` (D1), `motor` and `load` (simulation/motormodel.h; a 25d whose output
 /// turns the encoder), `gains=tuned|default` (what is stored; tuned), `baud` (its rate; the link's own where the address of
 /// the link fixes one, else 115200, or 57600 for D3 and on simulated links), `mask` (1…255), `level=0|1` (D1, D2), `halfpacket=0|1` (the newest
 /// firmware, which drops half a frame after 50 ms), `hang=0|1` (1: asking the encoder of a started D1 or D2 can hang it, trap

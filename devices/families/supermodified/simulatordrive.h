@@ -3,7 +3,7 @@
 
 #include "async/clock.h"
 #include "families/supermodified/protocol.h"
-#include "model/motormodel.h"
+#include "simulation/motormodel.h"
 
 #include <cstdint>
 #include <functional>

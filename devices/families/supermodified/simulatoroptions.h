@@ -2,7 +2,7 @@
 #pragma once
 
 #include "families/supermodified/protocol.h"
-#include "model/simulator.h"
+#include "simulation/simulator.h"
 
 #include <optional>
 #include <string>

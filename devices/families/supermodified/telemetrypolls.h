@@ -3,8 +3,8 @@
 
 #include "families/supermodified/node.h"
 #include "families/supermodified/velocityestimate.h"
-#include "model/ratewishes.h"
-#include "model/telemetry.h"
+#include "telemetry/ratewishes.h"
+#include "telemetry/telemetry.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tinker/simulator.h"
 
-#include "model/motormodel.h"
+#include "simulation/motormodel.h"
 #include "tinker/protocol.h"
 #include "transport/canlink.h"
 

@@ -2,7 +2,7 @@
 #include "tests/tuning/matrix/groundtruth.h"
 
 #include "model/family.h"
-#include "model/motormodel.h"
+#include "simulation/motormodel.h"
 
 #include <cmath>
 #include <numbers>

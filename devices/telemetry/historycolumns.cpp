@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/historychunk.h"
+#include "telemetry/historychunk.h"
 
 #include <algorithm>
 #include <bit>

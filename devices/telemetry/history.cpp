@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/history.h"
+#include "telemetry/history.h"
 
-#include "model/historychunk.h"
+#include "telemetry/historychunk.h"
 
 #include <algorithm>
 

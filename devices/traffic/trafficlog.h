@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/trafficstatistics.h"
+#include "traffic/trafficstatistics.h"
 
 #include <cstdint>
 #include <mutex>

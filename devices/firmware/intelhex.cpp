@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/intelhex.h"
+#include "firmware/intelhex.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/trafficrecorder.h"
+#include "traffic/trafficrecorder.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/firmwareimage.h"
+#include "firmware/firmwareimage.h"
 
 #include <algorithm>
 

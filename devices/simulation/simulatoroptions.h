@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/motormodel.h"
-#include "model/simulator.h"
+#include "simulation/motormodel.h"
+#include "simulation/simulator.h"
 #include "wire/number.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/filebytes.h"
+#include "files/filebytes.h"
 
 #include "async/outputfile.h"
-#include "model/qttext.h"
-#include "model/textfile.h"
+#include "files/qttext.h"
+#include "files/textfile.h"
 
 #include <QFile>
 

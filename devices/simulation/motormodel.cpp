@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/motormodel.h"
+#include "simulation/motormodel.h"
 
 #include <algorithm>
 #include <array>

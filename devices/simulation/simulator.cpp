@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/simulator.h"
+#include "simulation/simulator.h"
 
 #include "wire/number.h"
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "async/listeners.h"
-#include "model/channel.h"
-#include "model/history.h"
+#include "telemetry/channel.h"
+#include "telemetry/history.h"
 
 #include <atomic>
 #include <mutex>

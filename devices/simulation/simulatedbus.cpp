@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/simulatedbus.h"
+#include "simulation/simulatedbus.h"
 
 #include "transport/backends/virtualcan.h"
 #include "transport/backends/virtualserial.h"

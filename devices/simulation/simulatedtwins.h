@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "model/simulator.h"
+#include "simulation/simulator.h"
 
 #include <algorithm>
 #include <memory>

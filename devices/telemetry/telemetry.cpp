@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/telemetry.h"
+#include "telemetry/telemetry.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/trafficlog.h"
+#include "traffic/trafficlog.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/trafficline.h"
+#include "traffic/trafficline.h"
 
 #include "wire/candumplog.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/chunkstore.h"
+#include "telemetry/chunkstore.h"
 
 #include <cerrno>
 #include <cstring>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/chunkstore.h"
-#include "model/historychunk.h"
+#include "telemetry/chunkstore.h"
+#include "telemetry/historychunk.h"
 
 #include <cstring>
 #include <type_traits>

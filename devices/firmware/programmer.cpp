@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "model/programmer.h"
+#include "firmware/programmer.h"
 
 #include "async/sleep.h"
-#include "model/intelhex.h"
+#include "firmware/intelhex.h"
 
 #include <QDir>
 #include <QTemporaryFile>
@@ -13,8 +13,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr Duration programPatience = 60s; ///< between two words; a whole flash is erased and written in less
-constexpr Duration answerEvery = 500ms;
-constexpr int answerTries = 10;
 
 } // namespace
 
@@ -48,20 +46,6 @@ Task<ExternalProgram::Exit> runProgrammer(Clock &clock, ExternalProgram::Command
             progress.log(Severity::Info, Message::verbatim((*piece)->text));
     }
     co_return program.exit();
-}
-
-Task<bool> answersAgain(Device &device)
-{
-    for (int attempt = 0; attempt < answerTries; ++attempt) {
-        co_await Sleep(device.clock(), answerEvery);
-        auto asking = device.refresh();
-        const Result<void> answer = co_await std::move(asking).attempt();
-        if (answer)
-            co_return true;
-        if (answer.error().fault == Fault::LinkLost)
-            co_return fail(answer.error());
-    }
-    co_return false;
 }
 
 } // namespace mb

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/answersagain.h"
+
+#include "async/sleep.h"
+
+namespace mb {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration answerEvery = 500ms;
+constexpr int answerTries = 10;
+
+} // namespace
+
+Task<bool> answersAgain(Device &device)
+{
+    for (int attempt = 0; attempt < answerTries; ++attempt) {
+        co_await Sleep(device.clock(), answerEvery);
+        auto asking = device.refresh();
+        const Result<void> answer = co_await std::move(asking).attempt();
+        if (answer)
+            co_return true;
+        if (answer.error().fault == Fault::LinkLost)
+            co_return fail(answer.error());
+    }
+    co_return false;
+}
+
+} // namespace mb
