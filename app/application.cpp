@@ -2,6 +2,7 @@
 #include "app/application.h"
 
 #include "app/folders/userfolders.h"
+#include "app/languages.h"
 #include "app/projectdesk.h"
 #include "app/servicedoor.h"
 #include "app/sessiondesk.h"
@@ -40,7 +41,8 @@ void declare(QCommandLineParser &parser)
             tr(QT_TRANSLATE_NOOP("Options", "Drive the demo through every page and write a picture of each to DIR.")),
             QStringLiteral("DIR")},
         {QStringLiteral("theme"), tr(QT_TRANSLATE_NOOP("Options", "dark or light.")), QStringLiteral("THEME")},
-        {QStringLiteral("language"), tr(QT_TRANSLATE_NOOP("Options", "en or de.")), QStringLiteral("CODE")},
+        {QStringLiteral("language"), tr(QT_TRANSLATE_NOOP("Options", "Of the window: %1.")).arg(spokenCodes()),
+            QStringLiteral("CODE")},
         {QStringLiteral("size"), tr(QT_TRANSLATE_NOOP("Options", "Size of the window, such as 1280x800.")),
             QStringLiteral("WxH")},
         {QStringLiteral("font-scale"),
@@ -76,9 +78,8 @@ Result<void> checkOptions(const Options &options)
     if (options.fontScale
         && !(*options.fontScale >= 0.5 && *options.fontScale <= 3.0)) // not a number is out of range too
         return fail(Fault::OutOfRange, say("--font-scale takes 0.5 to 3"));
-    if (!options.language.isEmpty() && options.language != QLatin1String("en")
-        && options.language != QLatin1String("de"))
-        return fail(Fault::OutOfRange, say("--language takes en or de"));
+    if (!options.language.isEmpty() && !isSpoken(options.language))
+        return fail(Fault::OutOfRange, say("--language takes one of %1", spokenCodes().toStdString()));
     const QStringList sides = options.size.split(QLatin1Char('x'));
     const auto isSide = [](const QString &text, int least) { return text.toInt() >= least && text.toInt() <= 16384; };
     if (!options.size.isEmpty() && (sides.size() != 2 || !isSide(sides[0], 320) || !isSide(sides[1], 200)))
@@ -262,6 +263,7 @@ void Application::translate(const QString &language)
     for (QTranslator *translator : {&m_translator, &m_qtTranslator})
         QCoreApplication::removeTranslator(translator);
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
+    QLocale::setDefault(locale); // of dates and glyphs
     const QString folder = QStringLiteral(":/translations");
     if (m_translator.load(locale, QStringLiteral("motorbench"), QStringLiteral("_"), folder)) {
         if (m_qtTranslator.load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
@@ -279,6 +281,8 @@ void Application::dress(const Look &look)
     if (QGuiApplication::platformName() == QLatin1String("offscreen"))
         font.setPointSizeF(10.0); // no desktop has said what it likes
     font.setPointSizeF(font.pointSizeF() * look.fontScale);
+    if (const QString glyphs = glyphsOf(QLocale()); !glyphs.isEmpty())
+        font.setFamilies({font.family(), glyphs});
     QApplication::setFont(font);
     const bool dark = look.theme.isEmpty() || look.theme == QLatin1String("dark");
     const double size = font.pointSizeF() > 0.0 ? font.pointSizeF() : 10.0;

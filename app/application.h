@@ -24,7 +24,7 @@ struct Options {
     bool demo = false;
     QString tour;                    ///< folder for pictures; empty: no tour
     QString theme;                   ///< "dark", "light" or empty
-    QString language;                ///< "de", "en" or empty for the system's
+    QString language;                ///< of languages(), or empty for the system's
     QString size;                    ///< "1280x800" or empty
     std::optional<double> fontScale; ///< of the system's font; empty: as it was chosen
     QStringList links;               ///< opened at the start

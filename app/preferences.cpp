@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/preferences.h"
 
+#include "app/languages.h"
 #include "widgets/common/labels.h"
 
 #include <QCheckBox>
@@ -29,12 +30,6 @@ void choose(QComboBox &box, const QVariant &data)
 
 } // namespace
 
-std::vector<std::pair<QString, QString>> Preferences::languages()
-{
-    return {{QString(), tr("as the desktop")}, {QStringLiteral("en"), QStringLiteral("English")},
-        {QStringLiteral("de"), QStringLiteral("Deutsch")}};
-}
-
 Preferences::Preferences(const Look &look, QWidget *parent)
     : QDialog(parent)
 {
@@ -47,6 +42,7 @@ Preferences::Preferences(const Look &look, QWidget *parent)
     m_theme->addItem(tr("light"), QStringLiteral("light"));
     choose(*m_theme, look.theme);
     m_language = new QComboBox(this);
+    m_language->addItem(tr("as the desktop"), QString());
     for (const auto &[code, name] : languages())
         m_language->addItem(name, code);
     choose(*m_language, look.language);

@@ -15,9 +15,6 @@ namespace mb {
 class Preferences : public QDialog {
     Q_OBJECT
 public:
-    /// Languages that the program speaks, by code, each in its own words; the first is the desktop's.
-    [[nodiscard]] static std::vector<std::pair<QString, QString>> languages();
-
     Preferences(const Look &look, QWidget *parent);
 
     [[nodiscard]] Look look() const;

@@ -15,7 +15,7 @@ namespace mb {
 /// How the program looks and speaks.
 struct Look {
     QString theme;              ///< "dark" or "light"
-    QString language;           ///< "en", "de"; empty: the desktop's
+    QString language;           ///< of languages(); empty: the desktop's
     double fontScale = 1.0;     ///< of the desktop's font, 0.5 to 3
     bool reducedMotion = false; ///< nothing moves but data
 

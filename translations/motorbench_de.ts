@@ -651,6 +651,14 @@
     </message>
 </context>
 <context>
+    <name>Languages</name>
+    <message>
+        <source>English</source>
+        <comment>the name of this language in itself</comment>
+        <translation>Deutsch</translation>
+    </message>
+</context>
+<context>
     <name>LeapText</name>
     <message>
         <source>%1 × as large as now, %2.</source>
@@ -12271,10 +12279,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>--font-scale nimmt 0.5 bis 3</translation>
     </message>
     <message>
-        <source>--language takes en or de</source>
-        <translation>--language nimmt en oder de</translation>
-    </message>
-    <message>
         <source>--out &apos;%1&apos; is no picture</source>
         <translation>--out &apos;%1&apos; ist kein Bild</translation>
     </message>
@@ -15505,6 +15509,38 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>service</source>
         <translation>Bedienung</translation>
+    </message>
+    <message>
+        <source>--language takes one of %1</source>
+        <translation>--language nimmt eines von %1</translation>
+    </message>
+    <message>
+        <source>brisk</source>
+        <translation>flott</translation>
+    </message>
+    <message>
+        <source>calm</source>
+        <translation>ruhig</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <translation>behalten</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>proposed</source>
+        <translation>vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>rolled-back</source>
+        <translation>zurückgenommen</translation>
     </message>
 </context>
 </TS>

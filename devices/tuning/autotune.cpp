@@ -14,7 +14,8 @@
 namespace mb::tuning {
 namespace {
 
-constexpr std::array<std::string_view, 5> names{"kept", "proposed", "rolled-back", "refused", "stopped"};
+constexpr std::array<std::string_view, 5> names{
+    MB_LABEL("kept"), MB_LABEL("proposed"), MB_LABEL("rolled-back"), MB_LABEL("refused"), MB_LABEL("stopped")};
 
 /// A model: from the plan, or found out.
 Task<void> model(AutotuneRun &run, const TunePlan &plan)

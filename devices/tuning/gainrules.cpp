@@ -20,7 +20,8 @@ struct AimName {
     Aim aim;
     std::string_view name;
 };
-constexpr std::array<AimName, 3> aims{{{Aim::Calm, "calm"}, {Aim::Normal, "normal"}, {Aim::Brisk, "brisk"}}};
+constexpr std::array<AimName, 3> aims{
+    {{Aim::Calm, MB_LABEL("calm")}, {Aim::Normal, MB_LABEL("normal")}, {Aim::Brisk, MB_LABEL("brisk")}}};
 
 ContinuousGains rule(Mode loop, const PlantModel &plant, double response, double integralWeight)
 {

@@ -3,6 +3,7 @@
 #include "windowbench.h"
 
 #include "app/about.h"
+#include "app/languages.h"
 #include "app/preferences.h"
 #include "support/windowtests.h"
 #include "widgets/common/segmented.h"
@@ -50,7 +51,9 @@ void choosePreference(WindowBench &bench, int place, const QString &code)
 class ProgramTest : public QObject {
     Q_OBJECT
 private Q_SLOTS:
+    void anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice_data();
     void anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice();
+    void theLanguagesAreThoseThatAreTranslatedEachInItsOwnWord();
     void nothingChangesWhileAMotorIsArmed();
     void aCommandIsFoundByItsNameAndRun();
     void recordedSamplesOpenInAWindowOfTheirOwn();
@@ -59,16 +62,29 @@ private Q_SLOTS:
     void aboutTellsTheVersionsOfEverything();
 };
 
+void ProgramTest::anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice_data()
+{
+    QTest::addColumn<QString>("code");
+    QTest::addColumn<QString>("tab");
+    QTest::newRow("German") << QStringLiteral("de") << QStringLiteral("Übersicht");
+    QTest::newRow("Spanish") << QStringLiteral("es") << QStringLiteral("Resumen");
+    QTest::newRow("French") << QStringLiteral("fr") << QStringLiteral("Vue d’ensemble");
+    QTest::newRow("Japanese") << QStringLiteral("ja") << QStringLiteral("概要");
+    QTest::newRow("Chinese") << QStringLiteral("zh") << QStringLiteral("概览");
+}
+
 void ProgramTest::anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice()
 {
+    QFETCH(QString, code);
+    QFETCH(QString, tab);
     WindowBench bench;
     QTRY_VERIFY_WITH_TIMEOUT(bench.isFound(), patience);
     bench.select(WindowBench::tuned);
     bench.window().showPage(PageId::Parameters);
     QCOMPARE(firstTab(bench), QStringLiteral("Overview"));
     const QWidget *before = &bench.window();
-    choosePreference(bench, 1, QStringLiteral("de"));
-    QTRY_COMPARE_WITH_TIMEOUT(firstTab(bench), QStringLiteral("Übersicht"), patience);
+    choosePreference(bench, 1, code);
+    QTRY_COMPARE_WITH_TIMEOUT(firstTab(bench), tab, patience);
     QVERIFY(&bench.window() != before);
     QVERIFY(bench.window().isVisible());
     QCOMPARE(bench.window().shownPage(), PageId::Parameters);
@@ -76,6 +92,21 @@ void ProgramTest::anotherLanguageIsSpokenAtOnceOnTheSamePageAndDevice()
     QCOMPARE(bench.engine().snapshot().devices.size() >= WindowBench::benchSize, true); // nothing was closed
     bench.window().close(); // the new one answers like the old one
     QTRY_VERIFY_WITH_TIMEOUT(!bench.window().isVisible(), patience);
+}
+
+void ProgramTest::theLanguagesAreThoseThatAreTranslatedEachInItsOwnWord()
+{
+    QStringList names;
+    for (const Language &language : languages())
+        names += language.code + QLatin1Char(' ') + language.name;
+    QCOMPARE(names,
+        QStringList({QStringLiteral("de Deutsch"), QStringLiteral("en English"), QStringLiteral("es Español"),
+            QStringLiteral("fr Français"), QStringLiteral("ja 日本語"), QStringLiteral("zh 简体中文")}));
+    const auto refused
+        = Options::parse({QStringLiteral("motorbench"), QStringLiteral("--language"), QStringLiteral("tlh")});
+    QVERIFY(!refused);
+    QCOMPARE(QString::fromStdString(refused.error().detail.english()),
+        QStringLiteral("--language takes one of de, en, es, fr, ja, zh"));
 }
 
 void ProgramTest::nothingChangesWhileAMotorIsArmed()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Tune page in a real window: nothing is cut or scrolled away, in either language and at either font; F1 lists its keys.
+// The Tune page in a real window: nothing is cut or scrolled away, in every language and at every font; F1 lists its keys.
+#include "app/languages.h"
 #include "support/windowtests.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/control/responseplot.h"
@@ -34,13 +35,22 @@ void TuneFitTest::nothingIsCut_data()
     QTest::addColumn<QSize>("size");
     QTest::addColumn<double>("fontScale");
     QTest::addColumn<QString>("language");
+    const auto add = [](QSize size, double scale, const QString &language) {
+        const QString name
+            = QStringLiteral("%1x%2, font x%3, %4").arg(size.width()).arg(size.height()).arg(scale).arg(language);
+        QTest::newRow(qUtf8Printable(name)) << size << scale << language;
+    };
+    const QStringList twice{QStringLiteral("en"), QStringLiteral("de")};
     for (const QSize size : {QSize(1280, 800), QSize(1366, 768), QSize(1440, 900)}) {
         for (const double scale : {1.0, 1.5, 2.0}) {
-            for (const char *language : {"en", "de"}) {
-                const QByteArray name = QByteArray::number(size.width()) + 'x' + QByteArray::number(size.height())
-                    + ", font x" + QByteArray::number(scale) + ", " + language;
-                QTest::newRow(name.constData()) << size << scale << QString::fromLatin1(language);
-            }
+            for (const QString &language : twice)
+                add(size, scale, language);
+        }
+    }
+    for (const Language &language : languages()) {
+        if (!twice.contains(language.code)) {
+            add(QSize(1280, 800), 1.0, language.code);
+            add(QSize(1280, 800), 2.0, language.code);
         }
     }
 }

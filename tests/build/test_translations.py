@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every text of the sources is in the .ts files, and German is complete: also what the library says (say())."""
+"""Every text of the sources is in the .ts files, and every language is complete: also what the library says (say())."""
 import collections
 import pathlib
 import re
@@ -16,6 +16,8 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "scripts"))
 import messages as said_by  # noqa: E402
 LITERALS = r'"(?:[^"\\\n]|\\.)*"(?:\s*"(?:[^"\\\n]|\\.)*")*'
+PLURALS = {"ja": 1, "zh": 1}  # forms of %n; two elsewhere
+MNEMONIC = re.compile(r"&(?=\w)(?!\w+;)")
 Message = collections.namedtuple("Message", "context source plural kind forms")
 
 
@@ -55,33 +57,55 @@ def placeholders(text):
 class Translations(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.german = messages(ROOT / "translations/motorbench_de.ts")
-        cls.english = messages(ROOT / "translations/motorbench_en.ts")
+        cls.languages = {path.stem.split("_")[1]: messages(path) for path in sorted(ROOT.glob("translations/motorbench_*.ts"))}
+        cls.german = cls.languages["de"]
+
+    def each(self, check):
+        for language, found in self.languages.items():
+            for message in found:
+                with self.subTest(language=language, source=message.source):
+                    check(language, message)
+
+    def test_the_languages_of_the_window_are_there(self):
+        self.assertLessEqual({"de", "en", "es", "fr", "ja", "zh"}, set(self.languages))
 
     def test_the_files_hold_every_text_of_the_sources_and_no_other(self):
         with tempfile.TemporaryDirectory() as folder:
-            for name in ("motorbench_de.ts", "motorbench_en.ts"):
-                shutil.copy(ROOT / "translations" / name, folder)
+            for language in self.languages:
+                shutil.copy(ROOT / f"translations/motorbench_{language}.ts", folder)
             done = subprocess.run([str(ROOT / "scripts/translate"), folder], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                   text=True, check=False)
             self.assertEqual(done.returncode, 0, done.stdout)
-            for name, known in (("motorbench_de.ts", self.german), ("motorbench_en.ts", self.english)):
-                fresh = {message[:3] for message in messages(pathlib.Path(folder, name))}
+            for language, known in self.languages.items():
+                fresh = {message[:3] for message in messages(pathlib.Path(folder, f"motorbench_{language}.ts"))}
                 known = {message[:3] for message in known}
-                self.assertEqual((sorted(fresh - known), sorted(known - fresh)), ([], []), f"{name}: run scripts/translate")
+                self.assertEqual((sorted(fresh - known), sorted(known - fresh)), ([], []), f"{language}: run scripts/translate")
 
     def test_nothing_is_unfinished(self):
-        for message in self.german + self.english:
-            with self.subTest(message.source):
-                self.assertIsNone(message.kind)
-                self.assertEqual(len(message.forms), 2 if message.plural else 1)
-                self.assertTrue(all(message.forms), message.forms)
+        def check(language, message):
+            self.assertIsNone(message.kind)
+            self.assertEqual(len(message.forms), PLURALS.get(language, 2) if message.plural else 1)
+            self.assertTrue(all(message.forms), message.forms)
+        self.each(check)
 
     def test_placeholders_agree(self):
-        for message in self.german + self.english:
+        def check(_, message):
             for form in message.forms:
-                with self.subTest(message.source):
-                    self.assertEqual(placeholders(form), placeholders(message.source))
+                self.assertEqual(placeholders(form), placeholders(message.source))
+        self.each(check)
+
+    def test_marks_of_html_agree(self):
+        def check(_, message):
+            for form in message.forms:
+                self.assertEqual(sorted(re.findall(r"</?[a-z]+[^>]*>", form)), sorted(re.findall(r"</?[a-z]+[^>]*>", message.source)))
+        self.each(check)
+
+    def test_mnemonics_agree(self):
+        """A letter behind & wherever the source has one, and nowhere else."""
+        def check(_, message):
+            for form in message.forms:
+                self.assertEqual(len(MNEMONIC.findall(form)), len(MNEMONIC.findall(message.source)))
+        self.each(check)
 
     def test_no_text_escapes_lupdate(self):
         known = {message.source for message in self.german}
