@@ -13,9 +13,10 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t slopePoints = 3;
-constexpr double leastMove = 3.0;     ///< counts
-constexpr double clearlyMoved = 10.0; ///< counts
-constexpr double surelyMoves = 3.0;   ///< times what friction takes
+constexpr Duration shortestSpan = 1500us; ///< of a slope: samples may come at once
+constexpr double leastMove = 3.0;         ///< counts
+constexpr double clearlyMoved = 10.0;     ///< counts
+constexpr double surelyMoves = 3.0;       ///< times what friction takes
 constexpr double runawayMargin = 1.2;
 constexpr double realPeak = 0.05; ///< of the swing
 constexpr double growth = 1.05;   ///< of a peak over the one before on the same side
@@ -29,10 +30,12 @@ constexpr std::uint64_t enoughSamples = 40;
 double SlopeWatch::add(Instant time, double counts)
 {
     m_points.emplace_back(time, counts);
-    if (m_points.size() > slopePoints)
+    while (m_points.size() > slopePoints && time - m_points[1].first >= shortestSpan)
         m_points.pop_front();
-    const double span = inSeconds(m_points.back().first - m_points.front().first);
-    return span > 0.0 ? (m_points.back().second - m_points.front().second) / span : 0.0;
+    const Duration span = m_points.back().first - m_points.front().first;
+    if (span >= shortestSpan)
+        m_speed = (m_points.back().second - m_points.front().second) / inSeconds(span);
+    return m_speed;
 }
 
 void OverloadWatch::add(Instant time, double amperes, double limit)

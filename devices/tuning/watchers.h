@@ -13,10 +13,11 @@ namespace mb::tuning {
 /// Speed out of positions, over the last samples: whole counts a sample are noise.
 class SlopeWatch {
 public:
-    /// Counts per second; 0 until enough came.
+    /// Counts per second; 0 until enough came. Samples that came at once tell no speed.
     double add(Instant time, double counts);
 
 private:
+    double m_speed = 0.0;
     std::deque<std::pair<Instant, double>> m_points;
 };
 

@@ -105,6 +105,85 @@ TEST_F(Dmc60cStream, TakesALateFrameForLate)
     EXPECT_EQ(lost(), 0U);
 }
 
+TEST_F(Dmc60cStream, TakesFramesThatComeAtOnceBehindAGapForLate)
+{
+    after(10ms);
+    for (int round = 0; round < 5; ++round) { // a computer or an adapter that is held up brings them together
+        after(200ms);
+        for (int i = 1; i < 20; ++i)
+            after(0ms);
+        for (int i = 0; i < 20; ++i)
+            after(10ms);
+    }
+    for (int round = 0; round < 5; ++round) { // and one that never sends them otherwise
+        after(40ms);
+        for (int i = 1; i < 4; ++i)
+            after(10us);
+    }
+    after(10ms);
+    EXPECT_EQ(lost(), 0U);
+    EXPECT_EQ(stream.period(), 10ms);
+    EXPECT_EQ(recorded(), sent);
+}
+
+TEST_F(Dmc60cStream, LosesNothingOnALinkThatStallsAtRandom)
+{
+    std::mt19937 random(11);
+    Duration handedOver{}; // by an adapter with times of whole milliseconds, which is held up now and then
+    for (std::int64_t i = 1; i < 20000; ++i) {
+        const Duration due = i * 10ms;
+        if (due > handedOver)
+            handedOver = due + (random() % 50 == 0 ? 30ms + (random() % 450) * 1ms / 10 : (random() % 30) * 100us);
+        const auto whole = std::chrono::floor<std::chrono::milliseconds>(std::max(due, handedOver));
+        stream.add(Instant{1s} + whole, {0.0, 0.0});
+    }
+    EXPECT_LE(lost(), 200U); // of 20000, at the edges of what came together
+    EXPECT_EQ(stream.period(), 10ms);
+}
+
+TEST_F(Dmc60cStream, GivesLateFramesTheTimesAtWhichTheyWereSent)
+{
+    after(10ms);
+    after(50ms);
+    for (int i = 1; i < 5; ++i)
+        after(0ms);
+    telemetry->commit();
+    std::vector<Duration> times;
+    telemetry->forEach(
+        a, Instant{}, time, [&times](const Point &point) { times.push_back(point.time.time_since_epoch() - 1s); });
+    EXPECT_EQ(times, (std::vector<Duration>{10ms, 20ms, 30ms, 40ms, 50ms, 60ms}));
+}
+
+TEST_F(Dmc60cStream, FramesThatWaitedForEachOtherAreNoShorterPeriod)
+{
+    for (int i = 0; i < 40; ++i) // what had queued up when the link was opened
+        after(20us);
+    for (int i = 0; i < 20; ++i)
+        after(10ms);
+    EXPECT_EQ(stream.period(), 10ms);
+    EXPECT_EQ(lost(), 0U);
+}
+
+TEST_F(Dmc60cStream, CountsWhatDidNotComeWithTheOthersBehindAGap)
+{
+    after(10ms);
+    for (int round = 0; round < 3; ++round) {
+        after(200ms);
+        for (int i = 1; i < 17; ++i) // 3 of 20 are missing
+            after(0ms);
+        after(10ms);
+    }
+    EXPECT_EQ(lost(), 9U);
+    for (int round = 0; round < 3; ++round) {
+        after(50ms);
+        for (int i = 1; i < 4; ++i)
+            after(0ms);
+    }
+    after(10ms);
+    EXPECT_EQ(lost(), 12U);
+    EXPECT_EQ(recorded(), sent);
+}
+
 TEST_F(Dmc60cStream, BearsADeviceThatTakesItsPeriodFromTheFrameBefore)
 {
     std::mt19937 random(5);
@@ -273,6 +352,8 @@ TEST_F(Dmc60cStream, UnlikeGapsInARowAreLossAlthoughNoRegularFrameComes)
         EXPECT_EQ(lost(), 0U) << "it could be another period";
     }
     after(50ms);
+    EXPECT_EQ(lost(), 1U + 2U + 1U + 3U + 1U + 2U + 1U) << "those of the last gap may still come";
+    after(10ms);
     EXPECT_EQ(lost(), 1U + 2U + 1U + 3U + 1U + 2U + 1U + 4U);
     EXPECT_FALSE(stream.isHolding());
     EXPECT_EQ(recorded(), sent);
@@ -286,6 +367,8 @@ TEST_F(Dmc60cStream, GapsThatTheDeviceExplainsAreLossAfterEightToo)
     stream.setPeriod(10ms);
     for (int i = 0; i < 7; ++i)
         after(30ms);
+    EXPECT_EQ(lost(), 14U);
+    after(10ms);
     EXPECT_EQ(lost(), 16U);
     EXPECT_EQ(stream.period(), 10ms);
 }

@@ -54,6 +54,20 @@ TEST(Guards, TravelTripsBeforeTheMotorCanOnlyStopBeyondIt)
     EXPECT_TRUE(run(plan(), 1, [](Guards &g, Instant t, int) { return g.position(t, -801.0); }));
 }
 
+TEST(Guards, SamplesThatComeAtOnceTellNoSpeed)
+{
+    Guards guards(plan(), start);
+    double counts = 200.0;
+    for (int i = 0; i < 40; ++i) { // 1000 counts/s, ten samples together
+        for (int k = 0; k < 10; ++k) {
+            const auto trip = guards.position(start + i * 10ms + k * 1us, counts += 1.0);
+            ASSERT_FALSE(trip) << trip->detail;
+        }
+    }
+    counts += 900.0; // and a real one
+    EXPECT_TRUE(guards.position(start + 410ms, counts));
+}
+
 TEST(Guards, SpeedTripsAboveOneFifthMoreThanPlanned)
 {
     const auto at = [](double speed) { return [speed](Guards &g, Instant t, int) { return g.velocity(t, speed); }; };

@@ -202,7 +202,7 @@ void Unit::writeParameter(std::uint8_t id, std::uint32_t raw)
     m_drive.wake();
     const bool isPeriod = id == param::analogPeriod || id == param::encoderPeriod || id == param::generalPeriod;
     if (isPeriod && raw != before)
-        armStatus(id, period(id));
+        armStatus(id, m_clock.now() + period(id));
     const bool kept = row->persistent && (row->rule != Rule::Counter || raw != before);
     if (kept)
         configChanged([this, id, answered] { answer(id, answered, ParameterStatus::NoError); });

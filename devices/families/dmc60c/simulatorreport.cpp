@@ -10,6 +10,7 @@ namespace mb::dmc60c::simulation {
 namespace {
 
 constexpr std::array statusPeriods{param::generalPeriod, param::encoderPeriod, param::analogPeriod};
+constexpr Duration longestLate = std::chrono::seconds(1); // whoever slept longer begins anew
 
 } // namespace
 
@@ -24,7 +25,7 @@ void Unit::startStatus()
 {
     for (const std::uint8_t id : statusPeriods) {
         const auto steps = static_cast<std::uint64_t>(period(id) / std::chrono::microseconds(1));
-        armStatus(id, std::chrono::microseconds(m_random() % steps));
+        armStatus(id, m_clock.now() + std::chrono::microseconds(m_random() % steps));
     }
 }
 
@@ -34,19 +35,19 @@ void Unit::stopStatus()
         statusTimer(id).stop();
 }
 
-void Unit::armStatus(std::uint8_t period, Duration delay)
+/// On a busy computer it is late; the pace is that of a crystal all the same, and no frame is left out.
+void Unit::armStatus(std::uint8_t period, Instant due)
 {
-    const Instant due = m_clock.now() + delay;
     statusTimer(period).start(due, [this, period, due] {
-        const Duration late = m_clock.now() - due; // on a busy computer; the pace is that of a crystal all the same
-        armStatus(period, std::max(this->period(period) - late, Duration::zero()));
-        sendStatusFrame(period);
+        const Instant earliest = m_clock.now() - longestLate;
+        armStatus(period, std::max(due, earliest) + this->period(period));
+        sendStatusFrame(period, due);
     });
 }
 
-void Unit::sendStatusFrame(std::uint8_t period)
+void Unit::sendStatusFrame(std::uint8_t period, Instant due)
 {
-    m_drive.advance(m_clock.now());
+    m_drive.advance(due);
     if (m_stage != Stage::Application || m_session == 0)
         return; // an event on the way here ended it
     if (period == param::generalPeriod)

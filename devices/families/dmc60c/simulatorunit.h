@@ -71,8 +71,8 @@ private:
 
     void startStatus();
     void stopStatus();
-    void armStatus(std::uint8_t period, Duration delay);
-    void sendStatusFrame(std::uint8_t period);
+    void armStatus(std::uint8_t period, Instant due);
+    void sendStatusFrame(std::uint8_t period, Instant due);
     [[nodiscard]] Timer &statusTimer(std::uint8_t period);
     [[nodiscard]] Duration period(std::uint8_t id) const { return std::chrono::milliseconds(m_ram.parameters.raw(id)); }
 

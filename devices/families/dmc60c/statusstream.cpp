@@ -8,6 +8,8 @@ namespace mb::dmc60c {
 namespace {
 
 constexpr int shortGapsNeeded = 4;
+/// Nothing sends at such a pace: these frames waited for each other somewhere.
+constexpr Duration shortestPeriod = std::chrono::microseconds(500);
 /// Longer gaps are silence, not loss: the device may have stood in its bootloader.
 constexpr int gapPeriods = 32;
 constexpr Duration gapAtLeast = std::chrono::milliseconds(250);
@@ -36,7 +38,8 @@ void StatusStream::add(Instant time, const Values &values)
         emit({time, values});
         return;
     }
-    const std::int64_t periods = periodsSince(time);
+    const bool comesLate = gap * 2 < m_period && gapWithMissing() != m_held.rend();
+    const std::int64_t periods = comesLate ? 0 : periodsSince(time);
     const Frame frame{time, values, periods};
     adjustPhase(time, periods);
     m_last = time;
@@ -46,7 +49,9 @@ void StatusStream::add(Instant time, const Values &values)
         hold(frame);
         return;
     }
-    releaseAsLoss(periods);
+    if (periods == 0 && wasLate(frame))
+        return;
+    releaseAsLoss(m_held.size());
     emit(frame);
     learnShorter(gap);
 }
@@ -67,7 +72,7 @@ void StatusStream::adjustPhase(Instant time, std::int64_t periods)
 
 void StatusStream::learnShorter(Duration gap)
 {
-    if (gap * 4 >= m_period * 3) {
+    if (gap * 4 >= m_period * 3 || gap < shortestPeriod) {
         m_shortGaps = 0;
         m_shortSum = Duration::zero();
         return;
@@ -75,7 +80,7 @@ void StatusStream::learnShorter(Duration gap)
     m_shortSum += gap;
     if (++m_shortGaps < shortGapsNeeded)
         return;
-    m_period = std::max<Duration>(m_shortSum / shortGapsNeeded, std::chrono::microseconds(100));
+    m_period = m_shortSum / shortGapsNeeded;
     startAt(*m_last);
 }
 
@@ -98,7 +103,7 @@ void StatusStream::hold(const Frame &frame)
     if (m_held.size() < relearn)
         return;
     if (m_confirmed || !gapsAreAlike()) {
-        releaseAsLoss(1);
+        releaseAsLoss(m_held.size() - 1); // those of the last gap may still come
         return;
     }
     m_period = (m_held.back().time - m_held.front().time) / static_cast<std::int64_t>(m_held.size() - 1);
@@ -107,15 +112,44 @@ void StatusStream::hold(const Frame &frame)
     startAt(last);
 }
 
-/// `found` = 0: the frame that ends the gap is one that looked lost because another was late.
-void StatusStream::releaseAsLoss(std::int64_t found)
+/// The last held one before which some are missing.
+std::vector<StatusStream::Frame>::reverse_iterator StatusStream::gapWithMissing()
+{
+    return std::find_if(m_held.rbegin(), m_held.rend(), [](const Frame &held) { return held.periods > 1; });
+}
+
+/// One that looked lost, because this one or others before it come late.
+bool StatusStream::wasLate(const Frame &frame)
+{
+    const auto gap = gapWithMissing();
+    if (gap == m_held.rend())
+        return false;
+    --gap->periods;
+    m_held.push_back({frame.time, frame.values});
+    if (gapWithMissing() == m_held.rend()) {
+        spread();
+        releaseAsLoss(m_held.size());
+    }
+    return true;
+}
+
+/// Evenly behind the last one that came in time.
+void StatusStream::spread()
+{
+    const auto count = static_cast<std::int64_t>(m_held.size());
+    const Instant end = m_held.back().time;
+    const Duration step = (end - m_emitted) / count;
+    for (std::int64_t i = 0; i < count; ++i)
+        m_held[static_cast<std::size_t>(i)].time = end - (count - 1 - i) * step;
+}
+
+/// The oldest `count` of them.
+void StatusStream::releaseAsLoss(std::size_t count)
 {
     const Duration silence = std::max<Duration>(gapPeriods * m_period, gapAtLeast);
-    for (std::size_t i = 0; i < m_held.size(); ++i) {
-        Frame &frame = m_held[i];
-        std::int64_t missing = frame.periods - 1;
-        if (i + 1 == m_held.size() && found == 0)
-            missing = std::max<std::int64_t>(0, missing - 1);
+    for (std::size_t i = 0; i < count; ++i) {
+        const Frame &frame = m_held[i];
+        const std::int64_t missing = frame.periods - 1;
         for (const ChannelIndex channel : m_channels) {
             if (missing > 0 && missing * m_period > silence)
                 m_telemetry->breakLine(channel);
@@ -124,8 +158,9 @@ void StatusStream::releaseAsLoss(std::int64_t found)
         }
         emit(frame);
     }
-    m_held.clear();
-    m_confirmed = false;
+    m_held.erase(m_held.begin(), m_held.begin() + static_cast<std::ptrdiff_t>(count));
+    if (m_held.empty())
+        m_confirmed = false;
 }
 
 void StatusStream::release()
@@ -139,6 +174,7 @@ void StatusStream::emit(const Frame &frame)
 {
     for (std::size_t i = 0; i < m_channels.size(); ++i)
         m_telemetry->append({m_channels[i], frame.time, frame.values[i]});
+    m_emitted = frame.time;
 }
 
 void StatusStream::startAt(Instant time)
@@ -166,7 +202,7 @@ void StatusStream::setPeriod(Duration period)
 
 void StatusStream::interrupt()
 {
-    releaseAsLoss(1);
+    releaseAsLoss(m_held.size());
     if (!m_last)
         return;
     for (const ChannelIndex channel : m_channels)

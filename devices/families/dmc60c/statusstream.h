@@ -12,7 +12,9 @@ namespace mb::dmc60c {
 
 /// One periodic status frame on its way into the telemetry. Frames carry no counter, so a lost one shows only as a gap
 /// of several periods; the same gaps, all alike, mean that somebody changed the period. A frame behind such a gap is
-/// held back until the next one or setPeriod() tells: at most `relearn` frames. Times are those of the source.
+/// held back until the next one or setPeriod() tells: at most `relearn` of them. Times are those of the source. A computer or an
+/// adapter that was held up brings the frames of such a gap at once: they were late, not lost, and get the times at which the device
+/// sent them.
 class StatusStream {
 public:
     static constexpr std::size_t mostValues = 4;
@@ -44,7 +46,10 @@ private:
     void learnShorter(Duration gap);
     [[nodiscard]] bool gapsAreAlike() const;
     void hold(const Frame &frame);
-    void releaseAsLoss(std::int64_t found);
+    [[nodiscard]] std::vector<Frame>::reverse_iterator gapWithMissing();
+    [[nodiscard]] bool wasLate(const Frame &frame);
+    void spread();
+    void releaseAsLoss(std::size_t count);
     void release();
     void emit(const Frame &frame);
     void startAt(Instant time);
@@ -54,6 +59,7 @@ private:
     Duration m_initial;
     Duration m_period;
     std::optional<Instant> m_last;
+    Instant m_emitted{};       ///< time of the last frame that is in the telemetry
     Instant m_phase{};         ///< when the last frame was due; jitter is smoothed out of it
     bool m_unsure = false;     ///< the period changed: the next gap is a mixture
     bool m_mayRestart = false; ///< the device was told its period again, and may have begun a new one with that
