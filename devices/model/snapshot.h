@@ -95,7 +95,7 @@ struct UnconfirmedView {
     };
     DeviceId device;
     std::int64_t change = 0; ///< its number in the history
-    std::string text;        ///< "current_limit.peak: 60 -> 80"
+    Message text;            ///< "current_limit.peak: 60 -> 80"
     State state = State::Offered;
     double left = 0.0; ///< s
 };

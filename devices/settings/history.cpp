@@ -2,6 +2,8 @@
 #include "settings/history.h"
 
 #include "model/family.h"
+#include "wire/fixedpoint.h"
+#include "wire/number.h"
 
 #include <algorithm>
 
@@ -40,6 +42,18 @@ void follow(const SettingsChange &change, std::map<std::string, std::int64_t> &v
         else if (value.proof != Proof::Refused)
             values[value.key] = value.after;
     }
+}
+
+/// "on", "off", a number. What is no parameter, such as the number on the bus, is a bare one.
+MessageArgument worded(const Family &family, std::string_view key, std::int64_t raw)
+{
+    const auto index = findParameter(family.parameters, key);
+    if (!index)
+        return raw;
+    const Parameter &parameter = family.parameters[index->value];
+    if (parameter.type == WireType::Boolean)
+        return raw != 0 ? say("on") : say("off");
+    return numberFrom(toText(parameter, raw)).value_or(fromFixed(raw, parameter.one));
 }
 
 } // namespace
@@ -84,19 +98,17 @@ HistoryView viewOf(const Family &family, std::span<const SettingsChange> changes
     return view;
 }
 
-std::string textOf(const Family &family, const SettingsChange &change)
+Message textOf(const Family &family, const SettingsChange &change)
 {
-    std::string text;
+    Message text;
     for (const ValueChange &value : change.values) {
-        const auto index = findParameter(family.parameters, value.key);
         if (value.proof == Proof::Refused)
             continue;
-        const auto written
-            = [&](std::int64_t raw) { // what is no parameter, such as the number on the bus, is a bare number
-                  return index ? toText(family.parameters[index->value], raw) : std::to_string(raw);
-              };
-        text += (text.empty() ? "" : ", ") + value.key + ": " + (value.before ? written(*value.before) : "?") + " -> "
-            + written(value.after);
+        const MessageArgument after = worded(family, value.key, value.after);
+        const Message one = value.before
+            ? say("%1: %2 -> %3", value.key, worded(family, value.key, *value.before), after)
+            : say("%1: ? -> %2", value.key, after);
+        text = text.empty() ? one : say("%1, %2", text, one);
     }
     return text;
 }

@@ -30,7 +30,7 @@ struct HistoryView {
 /// Those values of a change that were or may have been written, whose value before is known, and that undoing would change.
 [[nodiscard]] std::vector<ValueChange> undoable(const Family &family, const SettingsChange &change);
 
-/// "slot0.p: 1.166 -> 1, slot0.i: ? -> 0": what it wrote, for people.
-[[nodiscard]] std::string textOf(const Family &family, const SettingsChange &change);
+/// "slot0.p: 1.166 -> 1, slot0.i: ? -> 0": what it wrote, for people; empty where the unit took nothing of it.
+[[nodiscard]] Message textOf(const Family &family, const SettingsChange &change);
 
 } // namespace mb::settings

@@ -148,7 +148,7 @@ TEST_F(SettingsCore, AWiderLimitGoesBackAfterThirtySecondsUnlessSomebodyKeepsIt)
     const UnconfirmedView waiting = core.snapshot().unconfirmed.front();
     EXPECT_EQ(waiting.state, UnconfirmedView::State::Counting);
     EXPECT_NEAR(waiting.left, 29.5, 0.3);
-    EXPECT_TRUE(waiting.text.starts_with("current_limit.peak: ")) << waiting.text;
+    EXPECT_TRUE(waiting.text.english().starts_with("current_limit.peak: ")) << waiting.text;
     clock.advance(28s);
     EXPECT_EQ(known("current_limit.peak"), old * 2);
     clock.advance(3s);

@@ -29,7 +29,8 @@ struct KeepBench {
     }
     void wait(std::int64_t change, UnconfirmedView::State state, double left)
     {
-        workbench.shot.unconfirmed.push_back({{1}, change, "current_limit.peak: 60 -> 80", state, left});
+        workbench.shot.unconfirmed.push_back(
+            {{1}, change, say("%1: %2 -> %3", "current_limit.peak", 60, 80), state, left});
         workbench.publish();
     }
 };

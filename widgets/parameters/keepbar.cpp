@@ -106,7 +106,7 @@ void KeepBar::showChange(const UnconfirmedView &view, int more)
     m_device = view.device;
     m_change = view.change;
     m_question->setText(tr("Keep these values of %1? %2").arg(device ? titleOf(*device) : QString(), stateText(view)));
-    const QString values = qt(view.text).replace(QStringLiteral("->"), QStringLiteral("→"));
+    const QString values = messageText(view.text).replace(QStringLiteral("->"), QStringLiteral("→"));
     m_values->setText(more > 0 ? tr("%1 · %n more change(s) after this one", nullptr, more).arg(values) : values);
     m_values->setToolTip(m_values->text());
     m_time->setVisible(view.state == State::Counting || view.state == State::AwaitsRestart);

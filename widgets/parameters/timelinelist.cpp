@@ -112,7 +112,8 @@ void TimelineList::addState(int place)
 
 void TimelineList::addChange(const Family &family, const settings::SettingsChange &change)
 {
-    const QString values = qt(settings::textOf(family, change)).replace(QStringLiteral("->"), QStringLiteral("→"));
+    const QString values
+        = messageText(settings::textOf(family, change)).replace(QStringLiteral("->"), QStringLiteral("→"));
     if (values.isEmpty())
         return;
     const QString when = locale().toString(momentOf(change.time).time(), QStringLiteral("HH:mm:ss"));
