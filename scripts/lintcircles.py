@@ -12,8 +12,6 @@ KNOWN_UNITS = [
     {"devices/service/queuebus", "devices/service/servicequeue"},
     {"devices/service/recipe", "devices/service/reciperead"},
     {"devices/service/unitrun", "devices/service/unitservice"},
-    {"devices/tuning/autotune", "devices/tuning/autotunerun", "devices/tuning/currentidentification", "devices/tuning/motoridentification",
-     "devices/tuning/proposals", "devices/tuning/pushidentification", "devices/tuning/scalecalibration", "devices/tuning/twopointidentification"},
     {"devices/tuning/direction", "devices/tuning/experiment", "devices/tuning/experimentrun", "devices/tuning/owedgains"},
     {"devices/tuning/gainrules", "devices/tuning/margins"},
     {"widgets/control/tunekeys", "widgets/control/tunepage"},

@@ -15542,5 +15542,81 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <source>rolled-back</source>
         <translation>zurückgenommen</translation>
     </message>
+    <message>
+        <source>%1: ? -&gt; %2</source>
+        <translation>%1: ? -&gt; %2</translation>
+    </message>
+    <message>
+        <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
+        <translation>P allein hält in einem Regler, der den Strom alle %1 ansieht, %2 des verlangten, wenn er um %3 überschwingt</translation>
+    </message>
+    <message>
+        <source>a step of %1 stands in noise of %2, at most %3 of it</source>
+        <translation>ein Schritt von %1 steht in einem Rauschen von %2, höchstens %3 davon</translation>
+    </message>
+    <message>
+        <source>allow more travel, so that pushes may last</source>
+        <translation>mehr Weg zulassen, damit Stöße dauern dürfen</translation>
+    </message>
+    <message>
+        <source>drive it by duty, or try its I with &apos;motorbenchctl step&apos;: not every build of the firmware runs it</source>
+        <translation>mit Tastgrad fahren, oder sein I mit &apos;motorbenchctl step&apos; versuchen: nicht jede Firmware rechnet es</translation>
+    </message>
+    <message>
+        <source>friction takes %1 duty, and %2 may push: too little for a motor to swing</source>
+        <translation>die Reibung nimmt %1 Tastgrad, %2 dürfen treiben: zu wenig, damit ein Motor schwingt</translation>
+    </message>
+    <message>
+        <source>its current stays %1 A behind while the motor speeds up</source>
+        <translation>sein Strom bleibt %1 A zurück, solange der Motor schneller wird</translation>
+    </message>
+    <message>
+        <source>no motor of this gain swings by %1 counts every %2</source>
+        <translation>kein Motor dieser Verstärkung schwingt alle %2 um %1 Inkremente</translation>
+    </message>
+    <message>
+        <source>now those of the model as that step has corrected it</source>
+        <translation>nun die des Modells, wie es dieser Schritt berichtigt hat</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>swinging with %1 duty to and fro</source>
+        <translation>schwingt mit %1 Tastgrad hin und her</translation>
+    </message>
+    <message>
+        <source>the %1 gains of the first model did not: %2</source>
+        <translation>die Verstärkungen „%1“ des ersten Modells taten es nicht: %2</translation>
+    </message>
+    <message>
+        <source>the gain is known within %1, at most 15 %</source>
+        <translation>die Verstärkung ist auf %1 bekannt, höchstens 15 %</translation>
+    </message>
+    <message>
+        <source>the motor did not swing evenly under a duty that changes its sign</source>
+        <translation>der Motor schwang nicht gleichmäßig unter einem Tastgrad, der sein Vorzeichen wechselt</translation>
+    </message>
+    <message>
+        <source>their model was corrected by a step, %1</source>
+        <translation>ihr Modell wurde durch einen Schritt berichtigt, %1</translation>
+    </message>
+    <message>
+        <source>there is no room for pushes that last</source>
+        <translation>für Stöße, die dauern, ist kein Platz</translation>
+    </message>
+    <message>
+        <source>there was no room for long pushes; under %1 duty to and fro it swings by %2 counts every %3, the periods differ by %4, at most 10 %</source>
+        <translation>für lange Stöße war kein Platz; unter %1 Tastgrad hin und her schwingt er alle %3 um %2 Inkremente, die Perioden unterscheiden sich um %4, höchstens 10 %</translation>
+    </message>
+    <message>
+        <source>this unit is for motors of more current</source>
+        <translation>dieses Gerät ist für Motoren mit mehr Strom</translation>
+    </message>
 </context>
 </TS>

@@ -15542,5 +15542,81 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <source>rolled-back</source>
         <translation>restituido</translation>
     </message>
+    <message>
+        <source>%1: ? -&gt; %2</source>
+        <translation>%1: ? -&gt; %2</translation>
+    </message>
+    <message>
+        <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
+        <translation>P sola, en un lazo que mira la corriente cada %1, mantiene %2 de lo pedido cuando sobreimpulsa %3</translation>
+    </message>
+    <message>
+        <source>a step of %1 stands in noise of %2, at most %3 of it</source>
+        <translation>un escalón de %1 está en un ruido de %2, como máximo %3 de él</translation>
+    </message>
+    <message>
+        <source>allow more travel, so that pushes may last</source>
+        <translation>permita más recorrido, para que los empujes puedan durar</translation>
+    </message>
+    <message>
+        <source>drive it by duty, or try its I with &apos;motorbenchctl step&apos;: not every build of the firmware runs it</source>
+        <translation>muévalo por ciclo, o pruebe su I con «motorbenchctl step»: no todas las versiones del firmware la calculan</translation>
+    </message>
+    <message>
+        <source>friction takes %1 duty, and %2 may push: too little for a motor to swing</source>
+        <translation>la fricción toma ciclo %1 y se permite empujar con %2: demasiado poco para que un motor oscile</translation>
+    </message>
+    <message>
+        <source>its current stays %1 A behind while the motor speeds up</source>
+        <translation>su corriente queda %1 A por detrás mientras el motor acelera</translation>
+    </message>
+    <message>
+        <source>no motor of this gain swings by %1 counts every %2</source>
+        <translation>ningún motor de esta ganancia oscila %1 cuentas cada %2</translation>
+    </message>
+    <message>
+        <source>now those of the model as that step has corrected it</source>
+        <translation>ahora las del modelo tal como lo ha corregido ese escalón</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>desactivado</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activado</translation>
+    </message>
+    <message>
+        <source>swinging with %1 duty to and fro</source>
+        <translation>oscilando con ciclo %1 de un lado a otro</translation>
+    </message>
+    <message>
+        <source>the %1 gains of the first model did not: %2</source>
+        <translation>las ganancias «%1» del primer modelo no lo hicieron: %2</translation>
+    </message>
+    <message>
+        <source>the gain is known within %1, at most 15 %</source>
+        <translation>la ganancia se conoce con ±%1, como máximo 15 %</translation>
+    </message>
+    <message>
+        <source>the motor did not swing evenly under a duty that changes its sign</source>
+        <translation>el motor no osciló de manera uniforme con un ciclo que cambia de signo</translation>
+    </message>
+    <message>
+        <source>their model was corrected by a step, %1</source>
+        <translation>un escalón corrigió su modelo, %1</translation>
+    </message>
+    <message>
+        <source>there is no room for pushes that last</source>
+        <translation>no hay sitio para empujes que duren</translation>
+    </message>
+    <message>
+        <source>there was no room for long pushes; under %1 duty to and fro it swings by %2 counts every %3, the periods differ by %4, at most 10 %</source>
+        <translation>no había sitio para empujes largos; con ciclo %1 de un lado a otro oscila %2 cuentas cada %3, los períodos difieren en %4, como máximo 10 %</translation>
+    </message>
+    <message>
+        <source>this unit is for motors of more current</source>
+        <translation>esta unidad es para motores de más corriente</translation>
+    </message>
 </context>
 </TS>

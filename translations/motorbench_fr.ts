@@ -15542,5 +15542,81 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <source>rolled-back</source>
         <translation>annulé</translation>
     </message>
+    <message>
+        <source>%1: ? -&gt; %2</source>
+        <translation>%1&#xa0;: ? -&gt; %2</translation>
+    </message>
+    <message>
+        <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
+        <translation>P seul, dans une boucle qui regarde le courant toutes les %1, tient %2 de ce qui est demandé quand il dépasse de %3</translation>
+    </message>
+    <message>
+        <source>a step of %1 stands in noise of %2, at most %3 of it</source>
+        <translation>un échelon de %1 se trouve dans un bruit de %2, au plus %3 de celui-ci</translation>
+    </message>
+    <message>
+        <source>allow more travel, so that pushes may last</source>
+        <translation>autorisez plus de course, pour que les poussées puissent durer</translation>
+    </message>
+    <message>
+        <source>drive it by duty, or try its I with &apos;motorbenchctl step&apos;: not every build of the firmware runs it</source>
+        <translation>pilotez-le par rapport cyclique, ou essayez son I avec «&#xa0;motorbenchctl step&#xa0;»&#xa0;: toutes les versions du micrologiciel ne le calculent pas</translation>
+    </message>
+    <message>
+        <source>friction takes %1 duty, and %2 may push: too little for a motor to swing</source>
+        <translation>le frottement prend %1 de rapport cyclique, et %2 peuvent pousser&#xa0;: trop peu pour qu’un moteur oscille</translation>
+    </message>
+    <message>
+        <source>its current stays %1 A behind while the motor speeds up</source>
+        <translation>son courant reste %1 A en arrière tant que le moteur accélère</translation>
+    </message>
+    <message>
+        <source>no motor of this gain swings by %1 counts every %2</source>
+        <translation>aucun moteur de ce gain n’oscille de %1 points toutes les %2</translation>
+    </message>
+    <message>
+        <source>now those of the model as that step has corrected it</source>
+        <translation>maintenant ceux du modèle tel que cet échelon l’a corrigé</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>désactivé</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>activé</translation>
+    </message>
+    <message>
+        <source>swinging with %1 duty to and fro</source>
+        <translation>oscillation à %1 de rapport cyclique, dans un sens puis dans l’autre</translation>
+    </message>
+    <message>
+        <source>the %1 gains of the first model did not: %2</source>
+        <translation>les gains «&#xa0;%1&#xa0;» du premier modèle ne l’ont pas fait&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>the gain is known within %1, at most 15 %</source>
+        <translation>le gain est connu à %1 près, au plus 15 %</translation>
+    </message>
+    <message>
+        <source>the motor did not swing evenly under a duty that changes its sign</source>
+        <translation>le moteur n’a pas oscillé régulièrement sous un rapport cyclique qui change de signe</translation>
+    </message>
+    <message>
+        <source>their model was corrected by a step, %1</source>
+        <translation>leur modèle a été corrigé par un échelon, %1</translation>
+    </message>
+    <message>
+        <source>there is no room for pushes that last</source>
+        <translation>il n’y a pas de place pour des poussées qui durent</translation>
+    </message>
+    <message>
+        <source>there was no room for long pushes; under %1 duty to and fro it swings by %2 counts every %3, the periods differ by %4, at most 10 %</source>
+        <translation>il n’y avait pas de place pour de longues poussées&#xa0;; à %1 de rapport cyclique dans un sens puis dans l’autre, il oscille de %2 points toutes les %3, les périodes diffèrent de %4, au plus 10 %</translation>
+    </message>
+    <message>
+        <source>this unit is for motors of more current</source>
+        <translation>cet appareil est fait pour des moteurs de plus de courant</translation>
+    </message>
 </context>
 </TS>

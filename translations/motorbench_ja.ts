@@ -15530,5 +15530,81 @@ double click plots it, drag it to a pane or below them</source>
         <source>rolled-back</source>
         <translation>元に戻しました</translation>
     </message>
+    <message>
+        <source>%1: ? -&gt; %2</source>
+        <translation>%1: ? -&gt; %2</translation>
+    </message>
+    <message>
+        <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
+        <translation>%1 ごとに電流を見るループでは、P だけでは %3 のオーバーシュートで指令の %2 しか保てません</translation>
+    </message>
+    <message>
+        <source>a step of %1 stands in noise of %2, at most %3 of it</source>
+        <translation>%1 のステップに対して雑音が %2 です (最大でその %3)</translation>
+    </message>
+    <message>
+        <source>allow more travel, so that pushes may last</source>
+        <translation>パルスを長く印加できるよう、移動量の許容値を上げてください</translation>
+    </message>
+    <message>
+        <source>drive it by duty, or try its I with &apos;motorbenchctl step&apos;: not every build of the firmware runs it</source>
+        <translation>デューティで駆動するか、&apos;motorbenchctl step&apos; で I を試してください。すべてのファームウェアが I を計算するわけではありません</translation>
+    </message>
+    <message>
+        <source>friction takes %1 duty, and %2 may push: too little for a motor to swing</source>
+        <translation>摩擦がデューティ %1 を占め、許されるのは %2 です。モーターを振動させるには足りません</translation>
+    </message>
+    <message>
+        <source>its current stays %1 A behind while the motor speeds up</source>
+        <translation>モーターが加速している間、電流は %1 A 遅れます</translation>
+    </message>
+    <message>
+        <source>no motor of this gain swings by %1 counts every %2</source>
+        <translation>このゲインで %2 ごとに %1 カウント振動するモーターはありません</translation>
+    </message>
+    <message>
+        <source>now those of the model as that step has corrected it</source>
+        <translation>次に、そのステップで補正したモデルのゲインを試します</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>オフ</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>オン</translation>
+    </message>
+    <message>
+        <source>swinging with %1 duty to and fro</source>
+        <translation>デューティ %1 で往復振動中</translation>
+    </message>
+    <message>
+        <source>the %1 gains of the first model did not: %2</source>
+        <translation>最初のモデルのゲイン「%1」では達成できませんでした: %2</translation>
+    </message>
+    <message>
+        <source>the gain is known within %1, at most 15 %</source>
+        <translation>ゲインの不確かさが %1 です (最大 15 %)</translation>
+    </message>
+    <message>
+        <source>the motor did not swing evenly under a duty that changes its sign</source>
+        <translation>符号が切り替わるデューティの下で、モーターは一様に振動しませんでした</translation>
+    </message>
+    <message>
+        <source>their model was corrected by a step, %1</source>
+        <translation>モデルはステップで補正されました、%1</translation>
+    </message>
+    <message>
+        <source>there is no room for pushes that last</source>
+        <translation>長いパルスを印加する余地がありません</translation>
+    </message>
+    <message>
+        <source>there was no room for long pushes; under %1 duty to and fro it swings by %2 counts every %3, the periods differ by %4, at most 10 %</source>
+        <translation>長いパルスを印加する余地がありませんでした。デューティ %1 の往復で %3 ごとに %2 カウント振動し、周期のばらつきは %4 です (最大 10 %)</translation>
+    </message>
+    <message>
+        <source>this unit is for motors of more current</source>
+        <translation>このユニットはより大きな電流のモーター用です</translation>
+    </message>
 </context>
 </TS>

@@ -15530,5 +15530,81 @@ double click plots it, drag it to a pane or below them</source>
         <source>rolled-back</source>
         <translation>已回退</translation>
     </message>
+    <message>
+        <source>%1: ? -&gt; %2</source>
+        <translation>%1：? -&gt; %2</translation>
+    </message>
+    <message>
+        <source>P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots by %3</source>
+        <translation>在每 %1 查看一次电流的环中，仅用 P 时若超调 %3，只能保持所要求值的 %2</translation>
+    </message>
+    <message>
+        <source>a step of %1 stands in noise of %2, at most %3 of it</source>
+        <translation>%1 的阶跃处于 %2 的噪声中，噪声最多允许为其 %3</translation>
+    </message>
+    <message>
+        <source>allow more travel, so that pushes may last</source>
+        <translation>允许更大行程，使推动可以持续</translation>
+    </message>
+    <message>
+        <source>drive it by duty, or try its I with &apos;motorbenchctl step&apos;: not every build of the firmware runs it</source>
+        <translation>用占空比驱动，或用“motorbenchctl step”试用其 I：并非每个固件版本都计算它</translation>
+    </message>
+    <message>
+        <source>friction takes %1 duty, and %2 may push: too little for a motor to swing</source>
+        <translation>摩擦占去 %1 占空比，而允许的推动为 %2：不足以使电机摆动</translation>
+    </message>
+    <message>
+        <source>its current stays %1 A behind while the motor speeds up</source>
+        <translation>电机加速期间，其电流落后 %1 A</translation>
+    </message>
+    <message>
+        <source>no motor of this gain swings by %1 counts every %2</source>
+        <translation>没有这种增益的电机会每 %2 摆动 %1 个计数</translation>
+    </message>
+    <message>
+        <source>now those of the model as that step has corrected it</source>
+        <translation>现在用该阶跃修正后的模型的增益</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>关</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>开</translation>
+    </message>
+    <message>
+        <source>swinging with %1 duty to and fro</source>
+        <translation>正在以占空比 %1 来回摆动</translation>
+    </message>
+    <message>
+        <source>the %1 gains of the first model did not: %2</source>
+        <translation>第一个模型的%1增益未做到：%2</translation>
+    </message>
+    <message>
+        <source>the gain is known within %1, at most 15 %</source>
+        <translation>增益的已知精度为 %1，最多允许 15 %</translation>
+    </message>
+    <message>
+        <source>the motor did not swing evenly under a duty that changes its sign</source>
+        <translation>在符号变换的占空比下，电机没有均匀摆动</translation>
+    </message>
+    <message>
+        <source>their model was corrected by a step, %1</source>
+        <translation>其模型已由一次阶跃修正，%1</translation>
+    </message>
+    <message>
+        <source>there is no room for pushes that last</source>
+        <translation>没有空间进行持续的推动</translation>
+    </message>
+    <message>
+        <source>there was no room for long pushes; under %1 duty to and fro it swings by %2 counts every %3, the periods differ by %4, at most 10 %</source>
+        <translation>没有空间进行长时间推动；在 %1 占空比来回作用下，它每 %3 摆动 %2 个计数，周期相差 %4，最多允许 10 %</translation>
+    </message>
+    <message>
+        <source>this unit is for motors of more current</source>
+        <translation>本单元适用于更大电流的电机</translation>
+    </message>
 </context>
 </TS>

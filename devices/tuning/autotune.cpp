@@ -3,19 +3,17 @@
 
 #include "model/family.h"
 #include "tuning/autotunerun.h"
+#include "tuning/figures.h"
 #include "tuning/gains.h"
-#include "tuning/motoridentification.h"
+#include "tuning/identificationchoice.h"
 #include "tuning/scalecalibration.h"
 #include "tuning/seconds.h"
 #include "tuning/verdict.h"
 
-#include <array>
-
 namespace mb::tuning {
 namespace {
 
-constexpr std::array<std::string_view, 5> names{
-    MB_LABEL("kept"), MB_LABEL("proposed"), MB_LABEL("rolled-back"), MB_LABEL("refused"), MB_LABEL("stopped")};
+constexpr double allowedOvershoot = 0.05; ///< of where a loop comes to rest
 
 /// A model: from the plan, or found out.
 Task<void> model(AutotuneRun &run, const TunePlan &plan)
@@ -44,17 +42,20 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
     co_await std::move(modelling);
     if (run.isOver())
         co_return {};
-    if (auto proposed = run.propose(); !proposed)
-        co_return fail(proposed.error());
+    auto proposing = run.propose();
+    co_await std::move(proposing);
     if (plan.propose) {
         run.report().result = TuneResult::Proposed;
         co_return {};
     }
-    auto proving = run.prove();
-    co_await std::move(proving);
-    if (!run.isOver() && run.report().result == TuneResult::RolledBack && run.calmDown()) {
-        auto calmly = run.prove();
-        co_await std::move(calmly);
+    for (bool again = true; again;) {
+        auto proving = run.prove();
+        co_await std::move(proving);
+        again = !run.isOver() && run.report().result == TuneResult::RolledBack;
+        if (again) {
+            auto reconsidering = run.reconsider();
+            again = co_await std::move(reconsidering);
+        }
     }
     if (run.isOver() || run.report().result == TuneResult::RolledBack)
         co_return {};
@@ -63,17 +64,26 @@ Task<void> perform(AutotuneRun &run, const TunePlan &plan)
     co_return {};
 }
 
-} // namespace
-
-std::string_view toString(TuneResult result)
+/// A loop of P alone that is much slower than the current meets its own last output each time it looks: the first pass makes P times
+/// the gain of what was asked for, and it comes to rest at that over one more than that.
+Error holdsTooLittle(const Family &family)
 {
-    return names[static_cast<std::size_t>(result)];
+    const double holds = allowedOvershoot / (1.0 + allowedOvershoot);
+    return {Fault::Unsupported,
+        say("P alone, in a loop that looks at the current every %1, holds %2 of what is asked for when it overshoots "
+            "by %3",
+            millisecondsText(family.loop->cycle), percentText(holds), percentText(allowedOvershoot)),
+        say("drive it by duty, or try its I with 'motorbenchctl step': not every build of the firmware runs it")};
 }
+
+} // namespace
 
 Result<void> checkTuning(const Family &family, const TunePlan &plan)
 {
     if (!loopOf(family, plan.loop))
         return fail(Fault::OutOfRange, say("%1 has no loop '%2' that can be tuned", family.key, toString(plan.loop)));
+    if (plan.loop == Mode::Current && loopOf(family, plan.loop)->proportional)
+        return fail(holdsTooLittle(family));
     if (!identificationOf(family, plan.loop))
         return fail(Fault::Unsupported, say("what a gain of %1 means in this loop is not known", family.title),
             say("tune it by hand with 'motorbenchctl step'"));

@@ -1,82 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/experiment.h"
-#include "tuning/gainscale.h"
-#include "tuning/identification.h"
-#include "tuning/margins.h"
-#include "tuning/prediction.h"
+#include "tuning/tunereport.h"
 
 namespace mb::tuning {
-
-/// What a tuning is asked for.
-struct TunePlan {
-    Mode loop = Mode::Velocity;
-    int axis = 1;
-    int slot = 0; ///< where the result belongs
-    Aim aim = Aim::Normal;
-    std::optional<double> response;  ///< s, instead of the aim
-    std::optional<double> ms;        ///< largest sensitivity, instead of the aim's
-    bool propose = false;            ///< end before a gain is written
-    bool keep = false;               ///< also where nobody knows what it replaces
-    std::optional<PlantModel> known; ///< of this loop, identified before: no pushes
-    std::optional<TriedScale> scale; ///< that belongs to it: TuneReport::scale
-    VelocityTaking taking;           ///< and how its loop takes its velocity: TuneReport::taking
-    Envelope limits;
-};
-
-/// Names are stable: they are the result in JSON.
-enum class TuneResult { Kept, Proposed, RolledBack, Refused, Stopped };
-[[nodiscard]] std::string_view toString(TuneResult result);
-
-/// Gains for one aim, rounded to the device's, and what they will do.
-struct Proposal {
-    Aim aim = Aim::Normal;
-    Design design;
-    ScaledGains gains;
-    Margins margins;
-    Prediction predicted; ///< of a step of `step`
-    double step = 0.0;    ///< in the unit of the loop
-};
-
-/// What came of it, and all that it stands on.
-struct TuneReport {
-    TuneResult result = TuneResult::Refused;
-    std::string device;   ///< selector
-    std::string unit;     ///< as Trial::unit
-    std::string firmware; ///< version, empty when unknown
-    bool simulated = false;
-    Mode loop = Mode::Velocity;
-    int axis = 1;
-    int slot = 0;
-    Message evidence; ///< one sentence for people: why it ended so
-    std::optional<MotorFound> motor;
-    PlantModel plant;                ///< of the loop, what the design stands on
-    std::optional<TriedScale> scale; ///< of its gains, where they had to be tried
-    VelocityTaking taking;           ///< of a velocity loop
-    std::vector<Gate> gates;
-    std::vector<Proposal> proposals; ///< calm, normal, brisk, as far as the device can have them
-    std::optional<Design> design;
-    ScaledGains proposed;
-    std::vector<std::pair<std::string, std::optional<double>>> before; ///< gains by key, in the unit of the parameter
-    std::optional<Margins> margins;
-    std::optional<Prediction> predicted;
-    std::vector<Trial> proof; ///< one a direction
-    Metrics measured;         ///< the worse of both
-    std::string stopReason;   ///< of the trial that ended it: a guard's name, "link", "interrupted"; empty else
-    bool stopped = true;      ///< the motor was seen stopped
-    double seconds = 0.0;
-    std::vector<std::int64_t> trials; ///< numbers in the notebook
-};
 
 /// OutOfRange or Unsupported for what cannot be tuned on this family; needs no device.
 [[nodiscard]] Result<void> checkTuning(const Family &family, const TunePlan &plan);
 
 /// From an unknown motor to proven gains, or a refusal that says why (docs/tuning.md): a model (motoridentification.h), gains
-/// within bounds, their step in both directions, and the gains stay only if they do what was predicted; where those of an aim do not,
-/// the calm ones are proven once. The gains run in the
-/// slot that does not hold the result where there are two. Everything of ExperimentSurroundings holds; the stream's lease is the
-/// caller's to renew. Fails only where nothing has moved.
+/// within bounds, their step in both directions, and the gains stay only if they do what was predicted. Where those of an aim do not,
+/// the model is corrected by what they did instead, and failing that the calm ones are proven. The gains run in the slot that does
+/// not hold the result where there are two. Everything of ExperimentSurroundings holds; the stream's lease is the caller's to renew.
+/// Fails only where nothing has moved.
 [[nodiscard]] Task<TuneReport> autotune(
     Device &device, SetPointStream &stream, TunePlan plan, ExperimentSurroundings surroundings);
 

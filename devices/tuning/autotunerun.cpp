@@ -2,11 +2,13 @@
 #include "tuning/autotunerun.h"
 
 #include "model/family.h"
+#include "tuning/aside.h"
 #include "tuning/envelope.h"
 #include "tuning/figures.h"
 #include "tuning/gains.h"
 #include "tuning/proof.h"
 #include "tuning/proposals.h"
+#include "tuning/refinement.h"
 #include "tuning/seconds.h"
 
 #include <algorithm>
@@ -17,8 +19,17 @@ namespace mb::tuning {
 namespace {
 
 constexpr int proofRepeats = 2;
-constexpr int mostRepeats = 4;         ///< of an experiment on a wire that loses frames
-constexpr double proofSettles = 4.0;   ///< predicted times to settle that a proof holds its step
+constexpr int currentRepeats = 6; ///< short ones: they take the noise out of each other
+constexpr int mostRepeats = 4;    ///< of an experiment on a wire that loses frames
+constexpr double proofSettles
+    = 2.5; ///< predicted times to settle that a proof holds its step: twice may pass until it has settled
+constexpr double proofCreeps = 2.0;    ///< times of the integral, in which it creeps to its target, at least
+constexpr double slowProof = 1.2;      ///< s, that a slow one waits at most beyond what was predicted
+constexpr double proofRest = 0.3;      ///< s longer
+constexpr double leastProof = 0.7;     ///< s
+constexpr double longestProof = 5.0;   ///< s
+constexpr double unknownSettle = 1.5;  ///< s, where none was predicted
+constexpr double currentSettles = 4.0; ///< of a current loop
 constexpr double leastCurrent = 0.08;  ///< s that it is held
 constexpr double longestCurrent = 0.2; ///< s
 constexpr double notableRest = 0.02;   ///< of the step
@@ -100,11 +111,15 @@ Task<Trial> AutotuneRun::push(Push push)
     plan.to = push.duty;
     plan.seconds = push.seconds;
     plan.repeat = push.repeat;
+    plan.reach = push.reach;
+    plan.relay = push.relay;
     if (const double rate = m_device.family().trials->currentRate; m_plan.loop == Mode::Current && rate > 0.0)
         plan.rate = rate;
     const double seconds = std::round(push.seconds * 100.0) / 100.0;
-    note(push.repeat > 1 ? say("pushing with %1 duty for %2 s, %3 times", percentText(push.duty), seconds, push.repeat)
-                         : say("pushing with %1 duty for %2 s", percentText(push.duty), seconds));
+    note(push.relay ? say("swinging with %1 duty to and fro", percentText(push.duty))
+            : push.repeat > 1
+            ? say("pushing with %1 duty for %2 s, %3 times", percentText(push.duty), seconds, push.repeat)
+            : say("pushing with %1 duty for %2 s", percentText(push.duty), seconds));
     return run(std::move(plan));
 }
 
@@ -163,13 +178,17 @@ Task<void> AutotuneRun::readEnvelope()
     co_return {};
 }
 
+ProposalBasis AutotuneRun::basis() const
+{
+    return {m_device.family(), m_device.profile(), m_plan.loop, m_plan.axis, m_plan.slot, m_report.plant, m_envelope,
+        m_report.scale, m_report.taking};
+}
+
 /// The plan's own response and damping take the place of its aim's.
-Result<Proposal> AutotuneRun::proposalFor(Aim aim) const
+ProposalWish AutotuneRun::wishFor(Aim aim) const
 {
     const bool asked = aim == m_plan.aim;
-    return tuning::proposalFor({m_device.family(), m_device.profile(), m_plan.loop, m_plan.axis, m_plan.slot,
-                                   m_report.plant, m_envelope, m_report.scale, m_report.taking},
-        {aim, asked ? m_plan.response : std::nullopt, asked ? m_plan.ms : std::nullopt});
+    return {aim, asked ? m_plan.response : std::nullopt, asked ? m_plan.ms : std::nullopt};
 }
 
 VelocityTaking AutotuneRun::taking() const
@@ -185,32 +204,44 @@ VelocityTaking AutotuneRun::taking() const
 /// The error that the proof may end with, in the unit of the loop.
 double AutotuneRun::resting() const
 {
-    if (m_report.scale || m_plan.loop == Mode::Current)
+    if (m_plan.loop == Mode::Current)
+        return droopOf(m_report.proof, m_report.plant, m_report.proposed.made);
+    if (m_report.scale)
         return deadband(m_report.plant, m_report.proposed.made);
     return restingError(m_device.family(), m_plan.loop, m_report.plant, m_report.proposed.made, proofSeconds());
 }
 
 double AutotuneRun::proofSeconds() const
 {
-    const double settles = proofSettles * m_report.predicted->metrics.settle.value_or(1.0);
-    return m_plan.loop == Mode::Current ? std::clamp(settles, leastCurrent, longestCurrent)
-                                        : std::clamp(settles, 0.8, 5.0);
+    const double settle = m_report.predicted->metrics.settle.value_or(unknownSettle);
+    if (m_plan.loop == Mode::Current)
+        return std::clamp(currentSettles * settle, leastCurrent, longestCurrent);
+    const ContinuousGains &gains = m_report.proposed.made;
+    const double creeps = m_plan.loop == Mode::Velocity && gains.i > 0.0 ? gains.p / gains.i : 0.0;
+    return std::clamp(std::max(std::min(proofSettles * settle, settle + slowProof), proofCreeps * creeps) + proofRest,
+        leastProof, longestProof);
 }
 
-Result<void> AutotuneRun::propose()
+Task<void> AutotuneRun::propose()
 {
     m_report.taking = taking();
-    for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk}) {
-        auto proposal = proposalFor(aim);
-        if (!proposal && aim == m_plan.aim)
-            return fail(proposal.error());
+    std::vector<ProposalWish> wishes;
+    for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk})
+        wishes.push_back(wishFor(aim));
+    auto designing = designed(m_device, basis(), wishes);
+    std::vector<Result<Proposal>> proposals = co_await std::move(designing);
+    for (std::size_t i = 0; i < wishes.size(); ++i) {
+        auto &proposal = proposals.at(i);
+        const bool asked = wishes[i].aim == m_plan.aim;
+        if (!proposal && asked)
+            co_return fail(proposal.error());
         if (!proposal)
             continue;
-        if (aim == m_plan.aim)
+        if (asked)
             choose(*proposal);
         m_report.proposals.push_back(std::move(*proposal));
     }
-    return {};
+    co_return {};
 }
 
 void AutotuneRun::choose(const Proposal &proposal)
@@ -222,20 +253,62 @@ void AutotuneRun::choose(const Proposal &proposal)
     m_step = proposal.step;
 }
 
-bool AutotuneRun::calmDown()
+Task<bool> AutotuneRun::reconsider()
 {
+    if (m_plan.response || m_plan.ms)
+        co_return false;
+    const Message why = m_report.evidence;
+    const std::string_view aim = toString(m_plan.aim);
+    if (!std::exchange(m_refined, true)) {
+        auto refining = refine();
+        if (co_await std::move(refining)) {
+            m_quicker = say("the %1 gains of the first model did not: %2", Message::label(aim), why);
+            note(joined(m_quicker, say("now those of the model as that step has corrected it")));
+            beginAnew();
+            co_return true;
+        }
+    }
     const auto calm = std::find_if(m_report.proposals.begin(), m_report.proposals.end(),
         [](const Proposal &proposal) { return proposal.aim == Aim::Calm; });
-    if (m_plan.aim == Aim::Calm || m_plan.response || m_plan.ms || calm == m_report.proposals.end())
-        return false;
-    m_quicker = say("the %1 gains did not: %2", Message::label(toString(m_plan.aim)), m_report.evidence);
+    if (m_plan.aim == Aim::Calm || calm == m_report.proposals.end())
+        co_return false;
+    m_quicker = say("the %1 gains did not: %2", Message::label(aim), why);
     note(joined(m_quicker, say("now the calm ones")));
     m_plan.aim = Aim::Calm;
+    m_isCalmed = true;
+    choose(*calm);
+    beginAnew();
+    co_return true;
+}
+
+void AutotuneRun::beginAnew()
+{
     m_report.result = TuneResult::Refused;
     m_report.evidence = {};
     m_report.proof.clear();
-    choose(*calm);
-    return true;
+}
+
+/// A model that explains the steps that were just seen, and new gains on it; false where the steps do not tell one.
+Task<bool> AutotuneRun::refine()
+{
+    if (m_report.scale || m_plan.loop == Mode::Current)
+        co_return false;
+    const SteppedLoop stepped{m_report.proposed.made, m_report.predicted->shape, m_report.proof};
+    auto working = aside<std::optional<PlantModel>>(m_device,
+        [stepped, plant = m_report.plant]() -> Result<std::optional<PlantModel>> { return refinedBy(stepped, plant); });
+    const auto plant = co_await std::move(working);
+    if (!plant)
+        co_return false;
+    const PlantModel first = std::exchange(m_report.plant, *plant);
+    const std::vector<Proposal> proposals = std::exchange(m_report.proposals, {});
+    auto proposing = propose();
+    const Result<void> proposed = co_await std::move(proposing).attempt();
+    if (!proposed) {
+        m_report.plant = first;
+        m_report.proposals = proposals;
+        co_return false;
+    }
+    co_return true;
 }
 
 /// The proposal as changes of the slot that it is proven in, with everything else of the slot that it is for.
@@ -282,7 +355,7 @@ Task<void> AutotuneRun::prove()
         ExperimentPlan plan;
         plan.mode = m_plan.loop;
         plan.slot = m_provingSlot;
-        plan.repeat = proofRepeats;
+        plan.repeat = m_plan.loop == Mode::Current ? currentRepeats : proofRepeats;
         plan.seconds = proofSeconds();
         plan.gains = inProvingSlot();
         plan.keep = mayStay ? Keep::Always : Keep::Never;
@@ -296,12 +369,13 @@ Task<void> AutotuneRun::prove()
         m_report.proof.push_back(co_await std::move(running));
         if (isOver())
             co_return {};
-    }
-    m_report.measured = worseOf(m_report.proof);
-    const Message wrong = judgeProof(m_report.measured, m_report.predicted->metrics, m_step, resting());
-    if (!wrong.empty()) {
-        m_report.result = TuneResult::RolledBack;
-        m_report.evidence = joined(wrong, m_quicker);
+        m_report.measured = worseOf(m_report.proof);
+        const Message wrong = judgeProof(m_report.measured, m_report.predicted->metrics, m_step, resting());
+        if (!wrong.empty()) { // what fails one way needs no proof the other way
+            m_report.result = TuneResult::RolledBack;
+            m_report.evidence = joined(wrong, m_quicker);
+            co_return {};
+        }
     }
     co_return {};
 }
@@ -318,12 +392,15 @@ Task<void> AutotuneRun::keep()
               "read "
               "back");
     if (!m_quicker.empty())
-        m_report.evidence = joined(m_report.evidence, say("these are the calm gains, %1", m_quicker));
-    const bool tried = m_report.scale.has_value();
-    if (resting() > notableRest * m_step)
         m_report.evidence = joined(m_report.evidence,
-            tried ? say("it may rest %1 short of its target, less does not move its motor", std::round(resting()))
-                  : say("it may rest %1 short of its target, less does not move its integral", std::round(resting())));
+            m_isCalmed ? say("these are the calm gains, %1", m_quicker)
+                       : say("their model was corrected by a step, %1", m_quicker));
+    if (const double rests = resting(); rests > notableRest * m_step)
+        m_report.evidence = joined(m_report.evidence,
+            m_report.scale ? say("it may rest %1 short of its target, less does not move its motor", std::round(rests))
+                : m_plan.loop == Mode::Current
+                ? say("its current stays %1 A behind while the motor speeds up", std::round(rests * 100.0) / 100.0)
+                : say("it may rest %1 short of its target, less does not move its integral", std::round(rests)));
     if (std::any_of(m_report.proof.begin(), m_report.proof.end(),
             [](const Trial &trial) { return trial.has(flag::restartNeeded); }))
         m_report.evidence = joined(m_report.evidence, say("a part of them is in force after a restart only"));

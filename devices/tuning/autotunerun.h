@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/autotune.h"
 #include "tuning/proof.h"
+#include "tuning/proposals.h"
+#include "tuning/tunereport.h"
 
 #include <optional>
 #include <string>
@@ -27,6 +28,8 @@ public:
         double duty = 0.0;
         double seconds = 0.0;
         int repeat = 1;
+        std::optional<double> reach{}; ///< as ExperimentPlan
+        std::optional<double> relay{};
     };
 
     /// One experiment within the limits of the tuning; what ended it, if it was not its own end, ends the tuning.
@@ -49,11 +52,12 @@ public:
     /// Takes the model that the plan brings, and where the motor stands now; no motion.
     [[nodiscard]] Task<void> recall();
     /// Gains, rounded to the device's, and what they will do; no motion.
-    [[nodiscard]] Result<void> propose();
+    [[nodiscard]] Task<void> propose();
     /// Steps both ways with the proposal in force.
     [[nodiscard]] Task<void> prove();
-    /// Takes the calm proposal after a quicker one did not do what was predicted; false where there is none, or numbers were asked for.
-    [[nodiscard]] bool calmDown();
+    /// What to prove after a proposal did not do what was predicted: the same on the model as those steps correct it, then the calm one.
+    /// False where there is none, or numbers were asked for.
+    [[nodiscard]] Task<bool> reconsider();
     /// Writes what was proven.
     [[nodiscard]] Task<void> keep();
 
@@ -72,7 +76,10 @@ public:
 
 private:
     [[nodiscard]] Task<Trial> runOnce(ExperimentPlan plan);
-    [[nodiscard]] Result<Proposal> proposalFor(Aim aim) const;
+    [[nodiscard]] ProposalBasis basis() const;
+    [[nodiscard]] ProposalWish wishFor(Aim aim) const;
+    [[nodiscard]] Task<bool> refine();
+    void beginAnew();
     void choose(const Proposal &proposal);
     [[nodiscard]] VelocityTaking taking() const;
     [[nodiscard]] double resting() const;
@@ -92,7 +99,9 @@ private:
     bool m_placed = false; ///< m_start is known
     int m_provingSlot = 0;
     bool m_moved = false;
-    Message m_quicker; ///< what gains did that were proven before; empty: none were
+    bool m_refined = false;  ///< the model was corrected, or could not be
+    bool m_isCalmed = false; ///< the calm proposal took the place of the one that was asked for
+    Message m_quicker;       ///< what gains did that were proven before; empty: none were
 };
 
 } // namespace mb::tuning

@@ -5,6 +5,7 @@
 #include "tuning/autotunerun.h"
 #include "tuning/figures.h"
 #include "tuning/leastsquares.h"
+#include "tuning/proposals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,8 @@ constexpr double afterEdge = 2e-3;        ///< s, when the current has risen
 constexpr std::size_t fewestCurrents = 8; ///< samples of a push
 constexpr double mostUnlike = 0.15;
 constexpr double mostDoubt = 0.1;
+constexpr double restAhead = 0.2; ///< s before a push, in which nothing flows
+constexpr double mostNoise = 0.1; ///< of the step of a proof
 
 using Squares = LeastSquares<2>;
 
@@ -72,6 +75,11 @@ bool isComplete(const Trial &trial)
         && !trial.signal("position")->trace.isEmpty() && !trial.signal("duty")->trace.isEmpty();
 }
 
+MessageNumber amperes(double current)
+{
+    return {std::round(current * 1000.0) / 1000.0, -1, "A"};
+}
+
 double supplyOf(const Trial &trial)
 {
     const Signal *const bus = trial.signal("bus_voltage");
@@ -101,12 +109,28 @@ Result<Ohm> fitOhm(const std::vector<Trial> &pushes)
             say("see that the motor is connected"));
     ohm.gain = 1.0 / solved->values[0];
     ohm.back = solved->values[1];
+    ohm.backError = solved->errors[1];
     ohm.gainError = ohm.gain * solved->errors[0] / solved->values[0];
     for (const Sums &sums : each) {
         const double gain = sums.current / (sums.driven - solved->values[1] * sums.way);
         ohm.scatter = std::max(ohm.scatter, std::abs(gain / ohm.gain - 1.0));
     }
     return ohm;
+}
+
+double currentNoise(const std::vector<Trial> &pushes)
+{
+    double squares = 0.0;
+    std::size_t count = 0;
+    for (const Trial &trial : pushes) {
+        const Signal *const current = trial.signal("current");
+        const Trace rest = current ? current->trace.part(-restAhead, 0.0) : Trace();
+        const double middle = median(rest.y);
+        for (const double value : rest.y)
+            squares += (value - middle) * (value - middle);
+        count += rest.size();
+    }
+    return count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0.0;
 }
 
 Task<void> CurrentIdentification::identify(AutotuneRun &run)
@@ -177,7 +201,14 @@ Result<void> CurrentIdentification::conclude(AutotuneRun &run) const
             ohm->scatter <= mostUnlike, say("see whether brushes and plugs make contact")},
         {"fit", say("the resistance is known within %1, at most 10 %", percentText(doubt)), doubt <= mostDoubt,
             say("allow more current or duty")}};
-    const PlantModel plant{ohm->gain, electricalTime, currentDelays * run.device().family().loop->cycle, 0.0};
+    const double step = currentStep(ohm->gain, run.envelope());
+    const double noise = currentNoise(m_pushes);
+    gates.push_back({"resolution",
+        say("a step of %1 stands in noise of %2, at most %3 of it", amperes(step), amperes(noise),
+            percentText(mostNoise)),
+        noise <= mostNoise * step, say("this unit is for motors of more current")});
+    PlantModel plant{ohm->gain, electricalTime, currentDelays * run.device().family().loop->cycle, 0.0};
+    plant.backDuty = std::max(ohm->back, 0.0);
     return run.take({std::move(found), plant, std::move(gates), std::nullopt});
 }
 

@@ -12,12 +12,16 @@ namespace mb::tuning {
 struct Ohm {
     double gain = 0.0; ///< A per duty at standstill: supply/R
     double gainError = 0.0;
-    double back = 0.0;    ///< duty that a count/s takes off it
+    double back = 0.0; ///< duty that a count/s takes off it
+    double backError = 0.0;
     double scatter = 0.0; ///< largest difference of one push's gain, of the gain
     double supply = 0.0;  ///< V at rest; 0: not told
 };
 /// OutOfRange where current or positions are missing or too few.
 [[nodiscard]] Result<Ohm> fitOhm(const std::vector<Trial> &pushes);
+
+/// A, standard deviation of what the unit tells while nothing flows, before each push.
+[[nodiscard]] double currentNoise(const std::vector<Trial> &pushes);
 
 /// For a current loop: the gain from pushes so short and weak that the motor hardly turns; its lag L/R is taken for 0.5 ms.
 class CurrentIdentification final : public MotorIdentification {

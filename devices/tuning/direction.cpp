@@ -27,7 +27,7 @@ constexpr Duration restLimit = 5s;
 constexpr Duration restSpan = 100ms;
 constexpr double restCounts = 3.0;
 
-/// Counts that the motor went while it was pushed.
+/// Counts that the motor went while it was pushed: the first that were clear, for a loop that swings may roll out on its way back.
 Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &recorder, SetPoint setPoint,
     double enough, Duration limit)
 {
@@ -47,7 +47,7 @@ Task<double> push(Device &device, SetPointStream &stream, const TrialRecorder &r
     (void)co_await std::move(stopping);
     auto resting = untilAtRest(device, recorder);
     (void)co_await std::move(resting);
-    co_return recorder.latest("position").value_or(before) - before;
+    co_return std::abs(moved) >= enough ? moved : recorder.latest("position").value_or(before) - before;
 }
 
 std::string verdictKey(const Device &device, int axis)

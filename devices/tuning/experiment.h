@@ -22,6 +22,10 @@ struct ExperimentPlan {
     Profile profile = Profile::Step;
     std::optional<double> seconds; ///< of the profile; nothing: the usual
     int repeat = 1;
+    std::optional<double> reach; ///< counts from where it began: a push ends where the motor would stop beyond
+    /// Counts: a push that changes its sign whenever the motor has passed its start by so much the way it is pushed, until it has swung
+    /// nine times; duty mode only.
+    std::optional<double> relay;
     std::optional<double> rate;         ///< samples per second asked for; nothing: the family's usual
     std::vector<ParameterChange> gains; ///< in force while it runs
     Keep keep = Keep::Never;            ///< and afterwards

@@ -27,6 +27,12 @@ constexpr Duration leastHold = 400ms;
 constexpr double settledShare = 0.5;
 constexpr double settledWidth = 0.02; ///< of |Y − X|
 constexpr double longestReturn = 5.0; ///< s
+constexpr double returnedShare
+    = 0.35;                     ///< of a way back, over which it stays where it began: nothing but its next step waits
+constexpr double stopLag = 0.2; ///< s, as the guard of the travel counts
+constexpr int relayTurns = 18;
+constexpr Duration relayGlance = 2ms;
+constexpr Duration standsSpan = 150ms; ///< the same without a loop
 
 } // namespace
 
@@ -352,9 +358,14 @@ Task<void> ExperimentRun::followOnce(double dither)
     co_await waiting;
     const Instant begin = clock.now();
     const Instant end = begin + ofSeconds(stimulus.length());
-    for (int beat = 0; !isOver() && clock.now() < end; ++beat) {
+    const double place = m_recorder.latest("position").value_or(m_origin);
+    if (m_plan.relay) {
+        auto swinging = swing(end);
+        co_await std::move(swinging);
+    }
+    for (int beat = 0; !m_plan.relay && !isOver() && clock.now() < end; ++beat) {
         setTarget(stimulus.at(inSeconds(clock.now() - begin)));
-        if (stimulus.ends && m_recorder.isSettled(begin, leastHold, settledShare, width))
+        if (hasGoneFar(place) || (stimulus.ends && m_recorder.isSettled(begin, leastHold, settledShare, width)))
             break;
         Sleep nap(clock, std::min(begin + ofSeconds(m_beat * (beat + 1)), end) - clock.now());
         co_await nap;
@@ -367,12 +378,45 @@ Task<void> ExperimentRun::followOnce(double dither)
     setTarget(stimulus.from);
     tellMeasured();
     const Instant limit = back + ofSeconds(std::min(stimulus.length(), longestReturn));
-    while (!isOver() && clock.now() < limit && !m_recorder.isSettled(back, leastHold, settledShare, width)) {
+    while (!isOver() && clock.now() < limit && !hasReturned(back)) {
         Sleep nap(clock, ofSeconds(m_beat));
         co_await nap;
     }
     m_returns.emplace_back(back, clock.now());
     co_return {};
+}
+
+bool ExperimentRun::hasGoneFar(double from) const
+{
+    return m_plan.reach && std::abs(m_recorder.stopsAt(stopLag) - from) > *m_plan.reach;
+}
+
+/// The duty of Y one way and the other: what makes the motor swing tells how sluggish it is (relaycycle.h).
+Task<void> ExperimentRun::swing(Instant end)
+{
+    Clock &clock = m_device.clock();
+    const double middle = m_recorder.latest("position").value_or(m_origin);
+    double target = m_trial.stimulus.to;
+    for (int turns = 0; !isOver() && clock.now() < end && turns < relayTurns;) {
+        setTarget(target);
+        Sleep nap(clock, relayGlance);
+        co_await nap;
+        const double passed = m_recorder.latest("position").value_or(middle) - middle;
+        if (passed * target > 0.0 && std::abs(passed) > *m_plan.relay) {
+            target = -target;
+            ++turns;
+        }
+    }
+    co_return {};
+}
+
+bool ExperimentRun::hasReturned(Instant since) const
+{
+    const Stimulus &stimulus = m_trial.stimulus;
+    if (m_plan.mode == Mode::Duty && stimulus.from == 0.0)
+        return m_recorder.isStill(since, standsSpan);
+    const double width = settledWidth * std::abs(stimulus.to - stimulus.from);
+    return m_recorder.isSettled(since, leastHold, returnedShare, width);
 }
 
 void ExperimentRun::tellMeasured() const

@@ -33,6 +33,10 @@ private:
     [[nodiscard]] Task<void> drive();
     [[nodiscard]] Task<void> goTo(double target);
     [[nodiscard]] Task<void> followOnce(double dither);
+    [[nodiscard]] Task<void> swing(Instant end);
+    [[nodiscard]] bool hasGoneFar(double from) const;
+    /// To X, after the hold that ended at `since`.
+    [[nodiscard]] bool hasReturned(Instant since) const;
     [[nodiscard]] Task<void> putBack();
     [[nodiscard]] GuardPlan guardPlan() const;
     [[nodiscard]] double rate() const;

@@ -21,19 +21,6 @@ bool isKnown(const Device &device, ParameterIndex index)
     return entry.raw && entry.state != ParameterState::Unknown && entry.state != ParameterState::Failed;
 }
 
-/// Rank of a change in the order of writing.
-int rankOf(const ParameterStore &known, const ParameterChange &change)
-{
-    const std::string_view key = known.parameter(change.index).key;
-    const auto before = known.entry(change.index).raw;
-    const bool rises = !before || std::abs(change.raw) > std::abs(*before);
-    if (key.ends_with(".p"))
-        return rises ? 2 : 1;
-    if (key.ends_with(".d"))
-        return rises ? 0 : 3;
-    return key.ends_with(".i") ? 5 : 4;
-}
-
 } // namespace
 
 const LoopGains *loopOf(const Family &family, Mode mode)
@@ -101,15 +88,8 @@ Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterC
     co_return values;
 }
 
-void orderGains(const ParameterStore &known, std::vector<ParameterChange> &changes)
-{
-    std::stable_sort(changes.begin(), changes.end(),
-        [&known](const ParameterChange &a, const ParameterChange &b) { return rankOf(known, a) < rankOf(known, b); });
-}
-
 Task<void> writeGains(Device &device, std::vector<ParameterChange> changes)
 {
-    orderGains(device.parameters(), changes);
     NoProgress progress;
     auto writing = writeParameters(device, std::move(changes), progress);
     const std::vector<TransferOutcome> outcomes = co_await std::move(writing);

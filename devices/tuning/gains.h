@@ -21,10 +21,7 @@ namespace mb::tuning {
 /// since the unit's last known reset.
 [[nodiscard]] Task<std::vector<OwedValue>> readReplaced(Device &device, std::vector<ParameterChange> changes);
 
-/// The order that passes through stable loops only: D up before P up, P down before D down, I last.
-void orderGains(const ParameterStore &known, std::vector<ParameterChange> &changes);
-
-/// Writes and compares; BadCheck when a read-back differs. Ends at the first error.
+/// Writes in the order of writeParameters() and compares; BadCheck when a read-back differs. Ends at the first error.
 [[nodiscard]] Task<void> writeGains(Device &device, std::vector<ParameterChange> changes);
 
 [[nodiscard]] std::vector<ParameterChange> changesOf(const Family &family, const std::vector<OwedValue> &values);

@@ -243,6 +243,10 @@ private:
     {
         if (gains.p <= 0.0 || gains.p > mostGain())
             return false;
+        for (const auto gain : {&ContinuousGains::p, &ContinuousGains::i, &ContinuousGains::d}) {
+            if (gains.*gain != 0.0 && gains.*gain < m_task.least.*gain)
+                return false;
+        }
         return isWithin(gains, m_task.bounds)
             && hasMargin(m_loop, m_plant, gains, m_task.mostMs, m_task.mostMsOff, pointsOfSearch);
     }

@@ -15,6 +15,7 @@ struct SearchTask {
     bool isHeldToRule = false; ///< P is at most what the rule was asked for
     double setPoints
         = 0.0; ///< s between set-points of a profile, which a position loop must not answer one by one; 0: none
+    ContinuousGains least; ///< that the device can have, of each gain that is not 0
     LoopShape shape;
 };
 

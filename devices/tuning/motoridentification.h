@@ -2,13 +2,6 @@
 #pragma once
 
 #include "async/task.h"
-#include "model/setpoint.h"
-
-#include <memory>
-
-namespace mb {
-struct Family;
-} // namespace mb
 
 namespace mb::tuning {
 
@@ -26,10 +19,5 @@ public:
     /// OutOfRange with the reason where they do not tell it.
     [[nodiscard]] virtual Task<void> identify(AutotuneRun &run) = 0;
 };
-
-/// The way that fits a loop of a family: pushes of duty; steps with gains tried against each other where it has no duty command;
-/// short pushes that tell its resistance for a current loop.
-/// nullptr where there is none.
-[[nodiscard]] std::unique_ptr<MotorIdentification> identificationOf(const Family &family, Mode loop);
 
 } // namespace mb::tuning

@@ -5,6 +5,7 @@
 #include "tuning/envelope.h"
 #include "tuning/figures.h"
 #include "tuning/gains.h"
+#include "tuning/verdict.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,8 @@ constexpr double goodEnough = 4.0;  ///< counts
 constexpr double goodSteps = 100.0; ///< of these a position step has at least
 constexpr double moreOvershoot = 0.05;
 constexpr double mostOvershoot = 0.075; ///< whatever was predicted
+constexpr double blurOfNoise = 2.0;     ///< σ, by which a peak of many samples is beyond its curve
+constexpr double mostBlur = 0.05;       ///< of the step
 constexpr double moreSettle = 2.0;      ///< times
 constexpr double laterSettle = 0.15;    ///< s
 constexpr double mostNoise = 0.005;     ///< of the step, with which settling can still be measured
@@ -41,10 +44,9 @@ void addNumber(const Family &family, const std::string &key, double number, Scal
     }
 }
 
-/// Of the gains of a position loop.
-bool hasName(const Family &family, std::string_view name)
+bool hasName(const Family &family, std::string_view name, Mode mode = Mode::Position)
 {
-    const LoopGains &loop = *loopOf(family, Mode::Position);
+    const LoopGains &loop = *loopOf(family, mode);
     return std::find(loop.names.begin(), loop.names.end(), name) != loop.names.end();
 }
 
@@ -102,6 +104,14 @@ void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel 
     addNumber(family, key("allowable_error"), goodEnough, into);
 }
 
+void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGains &into)
+{
+    constexpr std::string_view zone = "i_zone";
+    if (into.made.i != 0.0 && hasName(family, zone, loop))
+        addNumber(family, gainKey(family, std::string(loopOf(family, loop)->prefix) + std::string(zone), axis, slot),
+            0.0, into);
+}
+
 VelocityTaking velocityTaking(const Device &device, double speed, const std::optional<VelocityFilter> &found)
 {
     const LoopScale &scale = *device.family().loop;
@@ -157,11 +167,31 @@ Metrics worseOf(const std::vector<Trial> &trials)
     return worst;
 }
 
+double droopOf(const std::vector<Trial> &trials, const PlantModel &plant, const ContinuousGains &gains)
+{
+    double acceleration = 0.0; // counts/s²
+    double step = 0.0;         // A, of the reading
+    for (const Trial &trial : trials) {
+        if (const Signal *const current = trial.signal("current"))
+            step = std::max(step, resolutionOf(current->trace));
+        const Signal *const position = trial.signal("position");
+        for (const Span &hold : trial.holds) {
+            const Trace way = position ? position->trace.part(hold.from, hold.to) : Trace();
+            const double seconds = way.size() > 2 ? way.t.back() - way.t.front() : 0.0;
+            if (seconds > 0.0)
+                acceleration
+                    = std::max(acceleration, 2.0 * std::abs(way.y.back() - way.y.front()) / (seconds * seconds));
+        }
+    }
+    return (gains.i > 0.0 ? plant.backDuty * acceleration / gains.i : 0.0) + 0.5 * step;
+}
+
 Message judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting)
 {
     if (!measured.rise || !measured.overshoot)
         return say("the response could not be measured");
-    const double overshoot = std::min(predicted.overshoot.value_or(0.0) + moreOvershoot, mostOvershoot);
+    const double blur = std::min(blurOfNoise * measured.noise.value_or(0.0), mostBlur);
+    const double overshoot = std::min(predicted.overshoot.value_or(0.0) + moreOvershoot, mostOvershoot) + blur;
     if (*measured.overshoot > overshoot)
         return say("it overshot by %1, predicted were %2", percentText(*measured.overshoot),
             percentText(predicted.overshoot.value_or(0.0)));

@@ -21,6 +21,10 @@ namespace mb::tuning {
 /// has them: a position loop comes to rest before its target otherwise.
 void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel &plant, ScaledGains &into);
 
+/// Takes away the bound that the slot has for the integral of other gains, where it has one and these have an integral: of a smaller I it
+/// would leave too little to hold a speed or a current.
+void freeIntegral(const Family &family, Mode loop, int axis, int slot, ScaledGains &into);
+
 /// How a velocity loop takes its velocity at a speed, counts/s: as the family tells, else as it was found out.
 [[nodiscard]] VelocityTaking velocityTaking(
     const Device &device, double speed, const std::optional<VelocityFilter> &found);
@@ -36,6 +40,10 @@ void addFrictionHelp(const Family &family, int axis, int slot, const PlantModel 
 /// of a position loop has become, and below what moves the integral at all.
 [[nodiscard]] double restingError(
     const Family &family, Mode loop, const PlantModel &plant, const ContinuousGains &gains, double seconds);
+
+/// The error, A, that a current loop must leave while its motor speeds up: its integral follows the motor's own voltage, which grows, from
+/// behind; and half a step of what is read. Of the largest speeding up in the trials; 0 where the model does not know what a count/s takes off the duty.
+[[nodiscard]] double droopOf(const std::vector<Trial> &trials, const PlantModel &plant, const ContinuousGains &gains);
 
 /// Empty when a proof did what was predicted; else what it did instead, with the numbers. `resting` error in the unit of the step.
 [[nodiscard]] Message judgeProof(const Metrics &measured, const Metrics &predicted, double step, double resting);

@@ -2,6 +2,7 @@
 #include "tuning/proposals.h"
 
 #include "model/family.h"
+#include "tuning/aside.h"
 #include "tuning/gainsearch.h"
 #include "tuning/proof.h"
 #include "tuning/seconds.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace mb::tuning {
@@ -19,11 +21,13 @@ constexpr double usualMs = 1.6;       ///< largest sensitivity, of the model
 constexpr double usualMsOff = 1.9;    ///< and of a motor that is not quite as it says
 constexpr double briskMs = 1.7;
 constexpr double briskMsOff = 2.3;
-constexpr double currentOfStall = 0.1;    ///< that a proof of a current loop asks for
-constexpr double currentOfLimit = 0.3;    ///< and at most
+constexpr double currentOfStall = 0.15;   ///< that a proof of a current loop asks for
+constexpr double clearCurrent = 1.5;      ///< A, or this much
+constexpr double currentOfLimit = 0.3;    ///< of stall and limit, at most
 constexpr double currentPrediction = 0.2; ///< s
 constexpr double longestShown = 30.0;     ///< s
 constexpr int smallerSteps = 4;
+constexpr double clearSteps = 12.0; ///< of a gain: fewer than ten mean nothing
 
 double cycleOf(const ProposalBasis &basis)
 {
@@ -59,7 +63,42 @@ LoopShape shapeOf(const ProposalBasis &basis)
     return plain;
 }
 
+/// The smallest gains that the device has steps enough for; 0 for what it cannot have at all.
+ContinuousGains leastOf(const ProposalBasis &basis, const ContinuousGains &gains)
+{
+    ContinuousGains least;
+    const auto scaled = scaleGains(basis.family, basis.profile, basis.loop, basis.axis, basis.slot, gains);
+    if (!scaled)
+        return least;
+    for (const auto &[ending, gain] : {std::pair(".p", &ContinuousGains::p), std::pair(".i", &ContinuousGains::i),
+             std::pair(".d", &ContinuousGains::d)}) {
+        for (const ScaledGains::Row &row : scaled->rows) {
+            if (row.key.ends_with(ending) && row.raw != 0)
+                least.*gain = scaled->made.*gain * clearSteps / std::abs(static_cast<double>(row.raw));
+        }
+    }
+    return least;
+}
+
+/// With what a loop needs beside its gains.
+Result<ScaledGains> parametersOf(const ProposalBasis &basis, const Design &design)
+{
+    auto scaled
+        = scaleGains(basis.family, basis.profile, basis.loop, basis.axis, basis.slot, design.gains, basis.scale);
+    if (scaled && basis.loop == Mode::Position)
+        addFrictionHelp(basis.family, basis.axis, basis.slot, basis.plant, *scaled);
+    if (scaled)
+        freeIntegral(basis.family, basis.loop, basis.axis, basis.slot, *scaled);
+    return scaled;
+}
+
 } // namespace
+
+double currentStep(double stall, const Envelope &envelope)
+{
+    return std::min({std::max(currentOfStall * stall, clearCurrent), currentOfLimit * stall,
+        currentOfLimit * envelope.current.value_or(stall)});
+}
 
 MsBounds msBoundsOf(const ProposalWish &wish)
 {
@@ -82,27 +121,24 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
     Proposal proposal;
     proposal.aim = wish.aim;
     SearchTask task{boundsOf(basis), ms.model, ms.off, 0.0, overshootOf(wish.aim), wish.aim == Aim::Calm,
-        inSeconds(family.capabilities.commandPeriod), shapeOf(basis)};
+        inSeconds(family.capabilities.commandPeriod), {}, shapeOf(basis)};
     proposal.design = design(basis.loop, plant, std::max(response, basis.scale ? basis.scale->quickest : 0.0),
         task.bounds, ms.model, ms.off);
     if (basis.loop != Mode::Current && !basis.scale && !wish.response && !wish.ms) {
         task.step = proofStep(basis.loop, plant, proposal.design.gains, basis.envelope);
         task.bounds.largestError = task.step;
+        task.least = leastOf(basis, proposal.design.gains);
         proposal.design = searched(basis.loop, plant, proposal.design, task);
     }
-    auto scaled
-        = scaleGains(family, basis.profile, basis.loop, basis.axis, basis.slot, proposal.design.gains, basis.scale);
-    if (!scaled)
-        return fail(scaled.error());
-    proposal.gains = std::move(*scaled);
-    if (basis.loop == Mode::Position)
-        addFrictionHelp(family, basis.axis, basis.slot, plant, proposal.gains);
+    auto parameters = parametersOf(basis, proposal.design);
+    if (!parameters)
+        return fail(parameters.error());
+    proposal.gains = std::move(*parameters);
     const ContinuousGains &gains = proposal.gains.made;
     proposal.margins = marginsOf(basis.loop, plant, gains);
-    proposal.step = basis.loop == Mode::Current
-        ? std::min(currentOfStall * plant.gain, currentOfLimit * basis.envelope.current.value_or(plant.gain))
-        : task.step > 0.0 ? task.step
-                          : proofStep(basis.loop, plant, gains, basis.envelope);
+    proposal.step = basis.loop == Mode::Current ? currentStep(plant.gain, basis.envelope)
+        : task.step > 0.0                       ? task.step
+                                                : proofStep(basis.loop, plant, gains, basis.envelope);
     const double seconds = basis.loop == Mode::Current ? currentPrediction
                                                        : std::min(1.0 + 10.0 * (plant.tau + plant.delay), longestShown);
     proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, task.shape);
@@ -112,6 +148,31 @@ Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wis
         proposal.predicted = predictStep(basis.loop, plant, gains, 0.0, proposal.step, seconds, task.shape);
     }
     return proposal;
+}
+
+Result<Proposal> movedTo(const ProposalBasis &basis, Proposal proposal)
+{
+    auto parameters = parametersOf(basis, proposal.design);
+    if (!parameters)
+        return fail(parameters.error());
+    proposal.gains = std::move(*parameters);
+    return proposal;
+}
+
+Task<std::vector<Result<Proposal>>> designed(Device &device, ProposalBasis basis, std::vector<ProposalWish> wishes)
+{
+    using Designs = std::vector<Result<Proposal>>;
+    const std::function<Result<Designs>()> work
+        = [basis, profile = basis.profile, wishes = std::move(wishes)]() -> Result<Designs> {
+        const ProposalBasis own{basis.family, profile, basis.loop, basis.axis, basis.slot, basis.plant, basis.envelope,
+            basis.scale, basis.taking};
+        Designs designs;
+        for (const ProposalWish &wish : wishes)
+            designs.push_back(proposalFor(own, wish));
+        return designs;
+    };
+    auto designing = aside<Designs>(device, work);
+    co_return co_await std::move(designing).attempt();
 }
 
 } // namespace mb::tuning

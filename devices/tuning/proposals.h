@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tuning/autotune.h"
 #include "tuning/proof.h"
+#include "tuning/tunereport.h"
 
 namespace mb {
 struct DeviceProfile;
-}
+} // namespace mb
 
 namespace mb::tuning {
 
@@ -38,6 +38,9 @@ struct MsBounds {
 };
 [[nodiscard]] MsBounds msBoundsOf(const ProposalWish &wish);
 
+/// A, that the proof of a current loop asks for, of a motor that draws `stall` A at standstill.
+[[nodiscard]] double currentStep(double stall, const Envelope &envelope);
+
 /// s, between the points that predictStep() computes for this loop.
 [[nodiscard]] double predictionPeriod(const ProposalBasis &basis);
 
@@ -45,5 +48,13 @@ struct MsBounds {
 /// For an aim they are those of the rule, bettered by a search on the model (gainsearch.h): a tenth of a second. OutOfRange or
 /// Unsupported where the device cannot have such gains.
 [[nodiscard]] Result<Proposal> proposalFor(const ProposalBasis &basis, const ProposalWish &wish);
+
+/// The same gains as parameters of the basis' axis and slot, with the help against friction and the bounds that go with them. Nothing
+/// is designed anew: microseconds.
+[[nodiscard]] Result<Proposal> movedTo(const ProposalBasis &basis, Proposal proposal);
+
+/// Several at once, each as proposalFor() has it, in the background of the device's link where it has one (aside.h).
+[[nodiscard]] Task<std::vector<Result<Proposal>>> designed(
+    Device &device, ProposalBasis basis, std::vector<ProposalWish> wishes);
 
 } // namespace mb::tuning

@@ -6,6 +6,7 @@
 #include "tuning/currentidentification.h"
 #include "tuning/figures.h"
 #include "tuning/proof.h"
+#include "tuning/relayidentification.h"
 
 #include <algorithm>
 #include <array>
@@ -15,12 +16,13 @@ namespace mb::tuning {
 namespace {
 
 constexpr std::array<double, 3> probes{0.15, 0.25, 0.4}; ///< duty
-constexpr double probeSeconds = 0.6;
+constexpr double probeSeconds = 0.6;  ///< longer than a motor may stand before it is taken for stalled
+constexpr double probeReach = 0.3;    ///< of the travel
 constexpr double strongest = 0.4;     ///< duty of the pushes
 constexpr double overBreakaway = 2.5; ///< times what moved the motor
 constexpr double weaker = 0.6;        ///< of the strongest
 constexpr double leastPush = 0.1;
-constexpr double taus = 8.0; ///< that a push lasts
+constexpr double taus = 5.0; ///< that a push lasts
 constexpr double leastTaus = 2.5;
 constexpr double samplesOfPush = 12.0; ///< of a push
 constexpr double longestPush = 3.0;    ///< s
@@ -30,6 +32,13 @@ constexpr double speedReserve = 1.3;   ///< friction takes a smaller share of a 
 constexpr int pushRepeats = 2;
 constexpr double loopDelays = 1.5;        ///< periods of the device's loop
 constexpr double mostCurrentDoubt = 0.15; ///< of what the motor draws at standstill
+
+/// Of a push, where travel is given: what it does beyond is not known yet.
+std::optional<double> reachOf(const AutotuneRun &run)
+{
+    const auto &travel = run.plan().limits.travel;
+    return travel ? std::optional(probeReach * *travel) : std::nullopt;
+}
 
 /// What the motor draws; nothing where its current is not told in ampere, or not well enough.
 std::optional<Ohm> drawnBy(const std::vector<Trial> &pushes)
@@ -49,6 +58,13 @@ Task<void> PushIdentification::identify(AutotuneRun &run)
     co_await std::move(probing);
     if (run.isOver())
         co_return {};
+    if (m_isNarrow) {
+        run.note(say("there is no room for pushes that last"));
+        RelayIdentification relay;
+        auto swinging = relay.identify(run, m_probed);
+        co_await std::move(swinging);
+        co_return {};
+    }
     auto pushing = push(run);
     co_await std::move(pushing);
     if (run.isOver())
@@ -62,7 +78,8 @@ Task<void> PushIdentification::probe(AutotuneRun &run)
     Trial trial;
     double most = std::min(probes.back(), run.plan().limits.duty.value_or(1.0));
     for (const double duty : probes) {
-        auto pushing = run.push({std::min(duty, most), probeSeconds, 1});
+        m_probed = std::min(duty, most);
+        auto pushing = run.push({m_probed, probeSeconds, 1, reachOf(run)});
         trial = co_await std::move(pushing);
         most = std::min(most, trial.envelope.duty.value_or(1.0));
         const bool stuck
@@ -98,14 +115,15 @@ Task<void> PushIdentification::measureOut(AutotuneRun &run, Trial trial)
     if (envelope.speed)
         m_duty = std::min(m_duty, usableShare * *envelope.speed / gain);
     const double period = std::max(samplePeriod(seen.front().position), 1e-3);
-    m_seconds = std::min(std::max(taus * fit->tau, samplesOfPush * period), longestPush);
+    m_seconds = std::min(std::max({taus * fit->tau, samplesOfPush * period, probeSeconds}), longestPush);
     if (envelope.travel) {
         const double room = usableShare * *envelope.travel / (pushRepeats * 1.25); // it rolls on while it brakes
         const double shortest = std::max(leastTaus * fit->tau, samplesOfPush * period);
         m_seconds = std::max(std::min(room / (gain * m_duty), m_seconds), shortest); // a slow motor takes its time
         m_duty = std::min(m_duty, room / (gain * m_seconds));
     }
-    if (m_duty < leastPush)
+    m_isNarrow = m_duty < leastPush && run.plan().loop == Mode::Position;
+    if (m_duty < leastPush && !m_isNarrow)
         co_return fail(Fault::OutOfRange,
             say("there is not enough room to identify the motor: its limits leave pushes of %1 duty only",
                 percentText(m_duty)),

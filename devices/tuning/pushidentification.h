@@ -9,7 +9,7 @@
 namespace mb::tuning {
 
 /// Pushes of duty from standstill: of two sizes, both ways; how strong and how long is found out by a few that grow until the
-/// motor turns.
+/// motor turns. A position loop without the room for them is left to RelayIdentification.
 class PushIdentification final : public MotorIdentification {
 public:
     [[nodiscard]] Task<void> identify(AutotuneRun &run) override;
@@ -21,8 +21,10 @@ private:
     [[nodiscard]] Result<void> conclude(AutotuneRun &run) const;
 
     std::vector<Trial> m_pushes;
-    double m_duty = 0.0;    ///< of the stronger pushes
-    double m_seconds = 0.0; ///< of each
+    double m_duty = 0.0;     ///< of the stronger pushes
+    double m_seconds = 0.0;  ///< of each
+    double m_probed = 0.0;   ///< duty that moved it
+    bool m_isNarrow = false; ///< there is no room for pushes that last: RelayIdentification
 };
 
 } // namespace mb::tuning

@@ -75,15 +75,16 @@ std::optional<RelayCycle> readRelay(const Trace &position)
     return result;
 }
 
-ExactCycle exactCycle(double gain, double duty, double friction, double tau, double half)
+ExactCycle exactCycle(double gain, double duty, double friction, double tau, double half, double braking)
 {
-    if (friction <= 0.0) {
+    if (friction <= 0.0 && braking == 1.0) {
         const double th = std::tanh(half / (2.0 * tau));
         return {gain * duty * (half / 2.0 - tau * std::log1p(th)), gain * duty * th};
     }
-    const double braked = gain * (duty + friction); // friction helps while it slows down
+    const double braked = gain * (duty + friction / braking); // friction helps while it slows down
+    const double brakedTau = tau / braking;
     const double driven = gain * (duty - friction);
-    const auto slowing = [&](double speed) { return tau * std::log1p(speed / braked); };
+    const auto slowing = [&](double speed) { return brakedTau * std::log1p(speed / braked); };
     double low = 0.0;
     double high = driven;
     for (int i = 0; i < 100; ++i) {
@@ -94,14 +95,14 @@ ExactCycle exactCycle(double gain, double duty, double friction, double tau, dou
     }
     const double speed = 0.5 * (low + high);
     const double tz = slowing(speed);
-    return {0.5 * (driven * (half - tz) - braked * tz), speed};
+    return {0.5 * (driven * (half - tz) - braked * tz + (brakedTau - tau) * speed), speed};
 }
 
-std::optional<double> tauFromRelay(const RelayCycle &cycle, double gain, double duty, double friction)
+std::optional<double> tauFromRelay(const RelayCycle &cycle, double gain, double duty, double friction, double braking)
 {
     const double half = cycle.period / 2.0;
     const auto tooLarge
-        = [&](double tau) { return exactCycle(gain, duty, friction, tau, half).amplitude > cycle.amplitude; };
+        = [&](double tau) { return exactCycle(gain, duty, friction, tau, half, braking).amplitude > cycle.amplitude; };
     double low = 1e-4;
     double high = longestRelayTau;
     if (!tooLarge(low) || tooLarge(high))

@@ -23,11 +23,13 @@ struct ExactCycle {
     double amplitude = 0.0; ///< counts
     double speed = 0.0;     ///< counts/s at the change of sign
 };
-/// `gain` counts/s per duty; `duty` and `friction` as fractions, friction below duty.
-[[nodiscard]] ExactCycle exactCycle(double gain, double duty, double friction, double tau, double half);
+/// `gain` counts/s per duty; `duty` and `friction` as fractions, friction below duty; `braking` as PlantModel has it.
+[[nodiscard]] ExactCycle exactCycle(
+    double gain, double duty, double friction, double tau, double half, double braking = 1.0);
 
 /// τ of the motor out of a measured cycle and a known gain, s; nothing where no τ up to 20 s explains it. Reads up to 16 % low
-/// with a gear that loses 40 % of its torque: safe for a proportional gain.
-[[nodiscard]] std::optional<double> tauFromRelay(const RelayCycle &cycle, double gain, double duty, double friction);
+/// with a gear that loses 40 % of its torque, where nobody knows by how much more that brakes: safe for a proportional gain.
+[[nodiscard]] std::optional<double> tauFromRelay(
+    const RelayCycle &cycle, double gain, double duty, double friction, double braking = 1.0);
 
 } // namespace mb::tuning

@@ -7,12 +7,15 @@
 #include "tuning/seconds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace mb::tuning {
 namespace {
 
 constexpr Duration guardPeriod = std::chrono::milliseconds(5);
+constexpr std::size_t fewestStill = 3; ///< positions that tell a standstill
+constexpr double stillCounts = 1.0;
 constexpr Duration heldUp = std::chrono::milliseconds(20); ///< what came meanwhile is not read yet
 
 } // namespace
@@ -180,6 +183,17 @@ double TrialRecorder::positionPeriod() const
     return median(std::move(gaps));
 }
 
+double TrialRecorder::stopsAt(double lag) const
+{
+    const Recorded *recorded = find("position");
+    if (!recorded || recorded->points.size() < fewestStill)
+        return 0.0;
+    const Point &last = recorded->points.back();
+    const Point &before = *(recorded->points.end() - fewestStill);
+    const double span = inSeconds(last.time - before.time);
+    return last.value + (span > 0.0 ? (last.value - before.value) / span * lag : 0.0);
+}
+
 bool TrialRecorder::isSettled(Instant from, Duration least, double share, double width) const
 {
     const Recorded *recorded = find(m_measured);
@@ -194,6 +208,22 @@ bool TrialRecorder::isSettled(Instant from, Duration least, double share, double
         high = std::max(high.value_or(point->value), point->value);
     }
     return low && *high - *low <= width;
+}
+
+bool TrialRecorder::isStill(Instant from, Duration span) const
+{
+    const Recorded *recorded = find("position");
+    const Instant since = m_device.clock().now() - span;
+    if (!recorded || recorded->points.empty() || since < from)
+        return false;
+    const double last = recorded->points.back().value;
+    std::size_t seen = 0;
+    for (auto point = recorded->points.rbegin(); point != recorded->points.rend() && point->time >= since; ++point) {
+        if (std::abs(point->value - last) > stillCounts)
+            return false;
+        ++seen;
+    }
+    return seen >= fewestStill;
 }
 
 } // namespace mb::tuning

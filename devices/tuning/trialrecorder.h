@@ -31,10 +31,14 @@ public:
     [[nodiscard]] std::vector<Signal> signals(Instant zero) const;
     [[nodiscard]] std::uint64_t samples() const { return m_samples; }
     [[nodiscard]] std::uint64_t lost() const;
+    /// Counts where the motor would come to rest by what its last positions say, in `lag` seconds; 0 while there are too few.
+    [[nodiscard]] double stopsAt(double lag) const;
     /// Median time between the last positions, s; 0 while there are too few.
     [[nodiscard]] double positionPeriod() const;
     /// The measured value stayed within `width` over the last `share` of the time since `from`, which is `least` at least.
     [[nodiscard]] bool isSettled(Instant from, Duration least, double share, double width) const;
+    /// The position was told often enough and moved by a count at most over the last `span`, all of it after `from`.
+    [[nodiscard]] bool isStill(Instant from, Duration span) const;
 
 private:
     struct Recorded {

@@ -60,18 +60,6 @@ void averageEffort(Metrics &into, const std::vector<Metrics> &runs)
     }
 }
 
-/// Smallest difference that the samples of a trace have.
-double resolutionOf(const Trace &trace)
-{
-    double least = 0.0;
-    for (std::size_t i = 1; i < trace.size(); ++i) {
-        const double difference = std::abs(trace.y[i] - trace.y[i - 1]);
-        if (difference > 0.0 && (least == 0.0 || difference < least))
-            least = difference;
-    }
-    return least;
-}
-
 bool isRampLimited(const Trial &trial)
 {
     return std::any_of(trial.gains.begin(), trial.gains.end(),
@@ -121,6 +109,17 @@ std::string unitOf(const Identity &identity, const std::string &selector, bool s
 std::string unitOf(const Device &device)
 {
     return unitOf(device.identity(), device.selector(), device.link().address().isSimulated());
+}
+
+double resolutionOf(const Trace &trace)
+{
+    double least = 0.0;
+    for (std::size_t i = 1; i < trace.size(); ++i) {
+        const double difference = std::abs(trace.y[i] - trace.y[i - 1]);
+        if (difference > 0.0 && (least == 0.0 || difference < least))
+            least = difference;
+    }
+    return least;
 }
 
 void describe(Trial &trial, const Device &device)

@@ -20,6 +20,8 @@ struct Ending {
 [[nodiscard]] std::string unitOf(const Identity &identity, const std::string &selector, bool simulated);
 /// Who the device of a trial is.
 void describe(Trial &trial, const Device &device);
+/// Smallest difference that the samples of a trace have.
+[[nodiscard]] double resolutionOf(const Trace &trace);
 /// Reason, detail and the flag `aborted`.
 void nameEnding(Trial &trial, const Ending &ending);
 /// Metrics with their errors, signals and flags, from the steps to Y (edge and end) and the ways back.

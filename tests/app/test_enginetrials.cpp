@@ -5,9 +5,12 @@
 #include "heard.h"
 #include "model/registry.h"
 #include "support/fakejournal.h"
+#include "tuning/frequencyresponse.h"
 #include "tuning/verdict.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace mb {
 namespace {
@@ -130,6 +133,7 @@ TEST_F(TrialCore, TunesAnOvershootingUnitInOneOrderAndAgainFromTheModelWithoutPu
 
     plan.propose = false;
     plan.known = (*tuned)->plant;
+    plan.taking = (*tuned)->taking;
     ASSERT_TRUE(tune(plan));
     EXPECT_EQ((*tuned)->result, tuning::TuneResult::Kept) << (*tuned)->evidence;
     EXPECT_EQ((*tuned)->trials.size(), 2U) << "a step each way, no pushes";
@@ -155,6 +159,45 @@ TEST_F(TrialCore, StopInATuningStopsTheMotorAndLeavesTheGainsAsTheyWere)
         EXPECT_FALSE(isOutputOn());
         EXPECT_EQ(stored(), before) << moment.count();
     }
+}
+
+TEST_F(TrialCore, AFrequencyResponseIsMeasuredSineBySineAndEndsWhereItsUserStopsIt)
+{
+    const tuning::PlantModel plant{1'285'000.0, 0.26, 0.0507, 0.002};
+    Envelope limits;
+    limits.duty = 1.0;
+    limits.speed = 1'500'000.0;
+    limits.travel = 2e7;
+    auto plan = tuning::planSweep(plant, limits, 0.02);
+    ASSERT_TRUE(plan) << plan.error().text();
+    plan->hertz = {1.0, 2.0};
+    test::Heard<tuning::FrequencyResponse> swept;
+    const auto sweep = [&] {
+        swept.reset();
+        core.send(orders::RunSweep{id(), *plan, plant}, swept.finished());
+    };
+    sweep();
+    ASSERT_TRUE(clock.runUntil([&swept] { return swept.has_value(); }, 120s));
+    ASSERT_TRUE(*swept) << swept->error().text();
+    EXPECT_TRUE((*swept)->stopReason.empty()) << (*swept)->evidence;
+    ASSERT_EQ((*swept)->points.size(), 2U) << (*swept)->evidence;
+    for (const tuning::FrequencyPoint &point : (*swept)->points) {
+        const double expected = plant.gain / std::hypot(1.0, 6.2832 * point.hertz * plant.tau);
+        EXPECT_NEAR(point.magnitude, expected, 0.25 * expected) << point.hertz; // the model is a guess
+        EXPECT_TRUE(point.trusted);
+    }
+    EXPECT_EQ((*swept)->trials.size(), 2U) << "each sine is a trial of the notebook";
+    EXPECT_TRUE((*swept)->simulated);
+    EXPECT_FALSE(isOutputOn());
+
+    sweep();
+    clock.advance(4s);
+    ASSERT_FALSE(swept);
+    core.stopAll(StopCause::User);
+    clock.advance(5ms);
+    EXPECT_FALSE(isOutputOn());
+    ASSERT_TRUE(clock.runUntil([&swept] { return swept.has_value(); }, 20s));
+    EXPECT_TRUE(!*swept || (*swept)->stopReason == "interrupted");
 }
 
 TEST_F(TrialCore, StopAtAnyPhaseStopsTheMotorAndPutsGainsBack)

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "async/scope.h"
+#include "support/heldbackground.h"
 #include "tests/tuning/tuningbench.h"
 #include "tuning/frequencyresponse.h"
 #include "tuning/proposals.h"
@@ -92,6 +94,60 @@ TEST(Proposals, OneIsDesignedAndItsBandDrawnBetweenTwoFrames)
     std::printf("a proposal with its band: median %.1f ms, at most %.1f ms of processor time (to reach: 16 ms)\n",
         milliseconds[20], milliseconds.back());
     EXPECT_LE(milliseconds[20], 16.0);
+}
+
+TEST(Proposals, ThreeOfThemMoveToAnotherSlotWithinAFrame)
+{
+    const ExperimentBench bench;
+    for (const Mode loop : {Mode::Velocity, Mode::Position}) {
+        ProposalBasis basis = basisOf(bench, loop);
+        std::vector<Proposal> all;
+        for (const Aim aim : {Aim::Calm, Aim::Normal, Aim::Brisk}) {
+            auto proposal = proposalFor(basis, {aim, {}, {}});
+            ASSERT_TRUE(proposal) << proposal.error().text();
+            all.push_back(std::move(*proposal));
+        }
+        basis.slot = 1;
+        const std::clock_t begin = std::clock();
+        for (const Proposal &proposal : all) {
+            const auto moved = movedTo(basis, proposal);
+            ASSERT_TRUE(moved) << moved.error().text();
+            EXPECT_EQ(moved->gains.made, proposal.gains.made);
+            EXPECT_EQ(moved->gains.rows.size(), proposal.gains.rows.size());
+            for (std::size_t i = 0; i < moved->gains.rows.size(); ++i) {
+                EXPECT_EQ(moved->gains.rows[i].key.rfind("slot1.", 0), 0U);
+                EXPECT_EQ(moved->gains.rows[i].raw, proposal.gains.rows[i].raw);
+            }
+        }
+        const double took = 1e3 * static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+        std::printf("three proposals in another slot, %s: %.3f ms of processor time (to reach: 16 ms)\n",
+            std::string(toString(loop)).c_str(), took);
+        EXPECT_LE(took, 16.0);
+    }
+}
+
+TEST(Proposals, AreSearchedForInTheBackgroundWhereThereIsOne)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 7);
+    test::HeldBackground background;
+    bench.device->link().setBackground(&background);
+    TunePlan plan = test::planOf(Mode::Velocity);
+    plan.propose = true;
+    std::optional<Result<TuneReport>> report;
+    Scope scope(bench.bench.clock);
+    scope.spawn<TuneReport>(
+        autotune(*bench.device, bench.bench.session.stream(*bench.device), plan, bench.surroundings),
+        [&report](Result<TuneReport> result) { report = std::move(result); });
+    ASSERT_TRUE(
+        bench.bench.clock.runUntil([&background] { return background.waiting() > 0; }, std::chrono::minutes(2)));
+    EXPECT_EQ(background.lane(), "design");
+    bench.bench.clock.advance(std::chrono::seconds(1));
+    EXPECT_FALSE(report) << "the thread of the session is free meanwhile";
+    background.release();
+    ASSERT_TRUE(bench.bench.clock.runUntil([&report] { return report.has_value(); }, std::chrono::seconds(1)));
+    ASSERT_TRUE(*report) << report->error().text();
+    EXPECT_EQ((*report)->proposals.size(), 3U);
+    bench.device->link().setBackground(nullptr);
 }
 
 TEST(PredictionBands, HoldEveryStepOfAPlantInsideItsErrors)

@@ -23,7 +23,7 @@ void expectHonest(const MatrixRow &row)
 {
     EXPECT_TRUE(row.stopped) << textOf(row);
     if (row.result == "kept") {
-        EXPECT_LE(row.measuredOvershoot, 0.075) << textOf(row);
+        EXPECT_LE(row.measuredOvershoot, 0.075 + std::min(2.0 * row.measuredNoise, 0.05)) << textOf(row);
         return;
     }
     EXPECT_FALSE(row.reason.empty()) << textOf(row);
@@ -34,7 +34,8 @@ TEST(TuningMatrix, ThreeMotorsOnThreeDrivesAreTunedOrRefusedWithAReason)
 {
     int kept = 0;
     int all = 0;
-    double longest = 0.0;
+    MatrixRow longest;
+    std::map<std::string, double> stages;
     const std::clock_t begin = std::clock();
     for (const char *const drive : drives) {
         for (const char *const motor : {"775pro", "25d", "n20"}) {
@@ -44,15 +45,22 @@ TEST(TuningMatrix, ThreeMotorsOnThreeDrivesAreTunedOrRefusedWithAReason)
                 expectHonest(row);
                 ++all;
                 kept += row.result == "kept" ? 1 : 0;
-                longest = row.truth.tau <= 0.25 ? std::max(longest, row.seconds) : longest;
+                for (const auto &[stage, seconds] : row.stages)
+                    stages[stage] += seconds;
+                if (row.truth.tau <= 0.25 && row.seconds > longest.seconds)
+                    longest = row;
                 if (row.result != "kept")
                     std::printf("  %s\n", textOf(row).c_str());
             }
         }
     }
     std::printf("%d of %d kept, at most %.1f s of the device (lags up to 0.25 s), %.1f s of processor time\n", kept,
-        all, longest, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+        all, longest.seconds, static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    for (const auto &[stage, seconds] : stages)
+        std::printf("  %-8s %5.1f s of each on the average, %5.1f s of the longest\n", stage.c_str(), seconds / all,
+            longest.stages[stage]);
     EXPECT_GE(100 * kept, 97 * all);
+    EXPECT_LE(longest.seconds, 60.0) << textOf(longest); // A13
 }
 
 TEST(TuningMatrix, AMotorThatNoModelFitsIsRefusedOrStaysWithinTheBounds)
@@ -119,6 +127,16 @@ TEST(TuneTrouble, EveryFaultOfMotorAndCableEndsInItsWordOnEveryDrive)
             expectEndsWith(drive, {"stall", 1.0, after, "no motion"});
             expectEndsWith(drive, {"power", 0.0, after + 500ms, "link"});
         }
+    }
+}
+
+TEST(TuneTrouble, ALoopThatSwingsIsNotTakenForAReversedSensor)
+{
+    for (const std::uint64_t seed : {2U, 4U, 6U}) {
+        const MatrixRow row = tuneCell(cellOf("supermodified", "775pro", Mode::Position, seed, 0.0), Compare::Nothing);
+        std::printf("  seed %d: %s, %s\n", static_cast<int>(seed), row.result.c_str(), row.reason.c_str());
+        EXPECT_EQ(row.reason.find("reversed"), std::string::npos) << row.reason;
+        expectHonest(row);
     }
 }
 

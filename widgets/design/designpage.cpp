@@ -429,7 +429,7 @@ tuning::ProposalBasis DesignPage::basisOf(const DeviceView &view) const
         report()->scale, report()->taking};
 }
 
-/// What the engine proposed; for another slot the same again, here.
+/// What the engine proposed; the same gains in another slot. Nothing is searched for here: that takes longer than a frame.
 void DesignPage::designAll(const DeviceView &view)
 {
     const tuning::TuneReport &known = *report();
@@ -438,9 +438,9 @@ void DesignPage::designAll(const DeviceView &view)
     if (known.slot != now.slot && known.plant.gain > 0.0) {
         m_designed.clear();
         const tuning::ProposalBasis basis = basisOf(view);
-        for (const tuning::Aim aim : {tuning::Aim::Calm, tuning::Aim::Normal, tuning::Aim::Brisk}) {
-            if (auto proposal = tuning::proposalFor(basis, {aim, {}, {}}))
-                m_designed.push_back(std::move(*proposal));
+        for (const tuning::Proposal &proposal : known.proposals) {
+            if (auto moved = tuning::movedTo(basis, proposal))
+                m_designed.push_back(std::move(*moved));
         }
     }
     designOwn();

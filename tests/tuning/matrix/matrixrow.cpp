@@ -33,7 +33,7 @@ std::vector<ParameterChange> frictionHelp(const Device &device, const tuning::Sc
     for (const ParameterChange &change : gains.changes) {
         const std::string_view key = device.parameters().parameter(change.index).key;
         if (key.find("nominal") != std::string_view::npos || key.find("allowable") != std::string_view::npos
-            || key.find("windup") != std::string_view::npos)
+            || key.find("windup") != std::string_view::npos || key.find("i_zone") != std::string_view::npos)
             rest.push_back(change);
     }
     return rest;
@@ -77,6 +77,18 @@ void compareWithOthers(MatrixRow &row, const TuneReport &report, const std::vect
     }
 }
 
+/// Seconds that each kind of experiment took.
+std::map<std::string, double> stagesOf(const std::vector<std::pair<double, std::string>> &notes, double end)
+{
+    std::map<std::string, double> stages;
+    stages["before"] = notes.empty() ? end : notes.front().first;
+    for (std::size_t i = 0; i < notes.size(); ++i) {
+        const std::string kind = notes[i].second.substr(0, notes[i].second.find_first_of(" :"));
+        stages[kind] += (i + 1 < notes.size() ? notes[i + 1].first : end) - notes[i].first;
+    }
+    return stages;
+}
+
 std::string number(double value)
 {
     std::array<char, 32> text{};
@@ -106,7 +118,8 @@ Cell cellOf(const std::string &family, const std::string &motor, Mode loop, std:
         cell.around.ripple = 0.01;
     }
     if (kind >= 2) {
-        cell.around.loss = family == "quadquad2drv" ? 0.0 : 0.02; // the wire of a board loses nothing
+        // The wire of a board loses nothing; a serial sample is a question and its answer, and is lost with either.
+        cell.around.loss = family == "quadquad2drv" ? 0.0 : family == "supermodified" ? 0.01 : 0.02;
         cell.around.friction = 1.3;
     }
     if (kind == 3)
@@ -131,9 +144,11 @@ MatrixRow tuneCell(const Cell &cell, Compare compare)
     }
     row.result = toString(report->result);
     row.seconds = report->seconds;
+    row.stages = stagesOf(unit.notes(), report->seconds);
     row.stopped = report->stopped;
     row.found = report->plant;
     row.measuredOvershoot = report->measured.overshoot.value_or(0.0);
+    row.measuredNoise = report->measured.noise.value_or(0.0);
     if (const tuning::Proposal *const normal = normalOf(*report))
         row.step = normal->step;
     row.truth = groundTruth(cell, row.step);
@@ -146,6 +161,7 @@ MatrixRow tuneCell(const Cell &cell, Compare compare)
             row.gainsAsBefore = row.gainsAsBefore && (!before[i].second || before[i].second == after[i].second);
         return row;
     }
+    row.reason = report->evidence.english();
     row.keptGains = report->proposed.made;
     row.isWithin = isWithinBounds(cell, row.truth, row.keptGains);
     if (compare != Compare::Nothing)

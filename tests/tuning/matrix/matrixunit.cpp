@@ -152,6 +152,9 @@ tuning::ExperimentSurroundings MatrixUnit::surroundings()
     around.directions = &m_directions;
     around.interruption = &m_interruption;
     around.rate = m_cell.around.rate;
+    around.note = [this, begin = m_clock.now()](const Message &text) {
+        m_notes.emplace_back(std::chrono::duration<double>(m_clock.now() - begin).count(), text.english());
+    };
     return around;
 }
 

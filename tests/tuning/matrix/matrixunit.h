@@ -56,6 +56,8 @@ public:
     /// Another program's end of the same bus.
     [[nodiscard]] std::unique_ptr<Link> otherEnd() { return m_session.bench(*m_link)->hostLink(); }
     [[nodiscard]] FakeJournal &journal() { return m_journal; }
+    /// What a tuning said it was about to do, and when, s.
+    [[nodiscard]] const std::vector<std::pair<double, std::string>> &notes() const { return m_notes; }
     [[nodiscard]] tuning::Interruption &interruption() { return m_interruption; }
 
 private:
@@ -76,6 +78,7 @@ private:
     FakeJournal m_journal;
     tuning::DirectionBook m_directions;
     tuning::Interruption m_interruption;
+    std::vector<std::pair<double, std::string>> m_notes;
     std::mt19937_64 m_random;
     Timer m_renewal;
     Timer m_shaking;

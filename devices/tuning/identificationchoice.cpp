@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tuning/motoridentification.h"
+#include "tuning/identificationchoice.h"
 
 #include "model/family.h"
 #include "tuning/currentidentification.h"

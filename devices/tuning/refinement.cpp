@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/refinement.h"
+
+#include "tuning/envelope.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mb::tuning {
+namespace {
+
+constexpr std::array<double, 4> finerFactors{1.12, 1.05, 1.02, 1.01};
+constexpr int roundsOfFineness = 4;
+constexpr double mostCorrection = 1.35;
+constexpr double usualError = 0.1;      ///< that a number of the model is off by without more ado
+constexpr double priceOfError = 1e-5;   ///< of that, in squares of the step
+constexpr double clearlyBetter = 0.7;   ///< of what the model leaves over
+constexpr double restBeforeStep = 0.05; ///< s
+constexpr double leastFriction = 0.002; ///< duty, that may be found where none was
+
+double PlantModel::*const correctedNumbers[]
+    = {&PlantModel::gain, &PlantModel::tau, &PlantModel::friction, &PlantModel::delay};
+
+/// Mean square of what is left over of a trial, in squares of its step.
+double leftOfSteps(const SteppedLoop &stepped, const Trial &trial, const PlantModel &plant)
+{
+    const Signal *const signal = trial.signal(measuredOf(trial.mode));
+    if (!signal || trial.holds.empty() || trial.returns.empty())
+        return 0.0;
+    const Trace measured = signal->trace.part(trial.holds.front().from - restBeforeStep, trial.returns.back().to);
+    const double from = trial.mode == Mode::Position && !measured.isEmpty() ? measured.y.front() : trial.stimulus.from;
+    const double step = trial.stimulus.to - from;
+    SimulatedLoop simulated(trial.mode, plant, stepped.gains, stepped.shape, 0.0);
+    double t = trial.holds.front().from - restBeforeStep;
+    double sum = 0.0;
+    std::size_t hold = 0;
+    for (std::size_t i = 0; i < measured.size(); ++i) {
+        for (; t < measured.t[i]; t += stepped.shape.period) {
+            while (hold + 1 < trial.holds.size() && t >= trial.holds[hold + 1].from)
+                ++hold;
+            const bool up = t >= trial.holds[hold].from && t < trial.holds[hold].to;
+            (void)simulated.pass(up ? step : 0.0);
+        }
+        const double off = (measured.y[i] - from - simulated.measured()) / step;
+        sum += off * off;
+    }
+    return measured.isEmpty() ? 0.0 : sum / static_cast<double>(measured.size());
+}
+
+class Refinement {
+public:
+    Refinement(const SteppedLoop &stepped, const PlantModel &plant)
+        : m_stepped(stepped)
+        , m_start(plant)
+        , m_best(plant)
+    {
+        m_start.friction = std::max(plant.friction, leastFriction);
+        m_left = leftOverOf(m_best);
+        m_cost = costOf(m_best);
+    }
+    void descend()
+    {
+        for (const double factor : finerFactors) {
+            for (int round = 0; round < roundsOfFineness; ++round) {
+                const double least = m_cost;
+                for (double PlantModel::*const member : correctedNumbers) {
+                    for (const double by : {factor, 1.0 / factor})
+                        look(member, by);
+                }
+                if (m_cost >= least)
+                    break;
+            }
+        }
+    }
+    [[nodiscard]] const PlantModel &best() const { return m_best; }
+    [[nodiscard]] bool isClearlyBetter() const { return leftOverOf(m_best) < clearlyBetter * m_left; }
+
+private:
+    [[nodiscard]] double leftOverOf(const PlantModel &plant) const
+    {
+        double sum = 0.0;
+        for (const Trial &trial : m_stepped.trials)
+            sum += leftOfSteps(m_stepped, trial, plant);
+        return sum / static_cast<double>(m_stepped.trials.size());
+    }
+    [[nodiscard]] double costOf(const PlantModel &plant) const
+    {
+        double cost = leftOverOf(plant);
+        for (double PlantModel::*const member : correctedNumbers) {
+            const double off = std::log(std::max(plant.*member, 1e-9) / std::max(m_start.*member, 1e-9)) / usualError;
+            cost += priceOfError * off * off;
+        }
+        return cost;
+    }
+    void look(double PlantModel::*member, double by)
+    {
+        PlantModel plant = m_best;
+        plant.*member = std::max(plant.*member, member == &PlantModel::friction ? leastFriction : 0.0) * by;
+        const double off = plant.*member / std::max(m_start.*member, 1e-9);
+        if (off > mostCorrection || off < 1.0 / mostCorrection)
+            return;
+        if (const double its = costOf(plant); its < m_cost) {
+            m_best = plant;
+            m_cost = its;
+        }
+    }
+
+    const SteppedLoop &m_stepped;
+    PlantModel m_start;
+    PlantModel m_best;
+    double m_left = 0.0;
+    double m_cost = 0.0;
+};
+
+} // namespace
+
+std::optional<PlantModel> refinedBy(const SteppedLoop &stepped, const PlantModel &plant)
+{
+    if (stepped.trials.empty() || stepped.shape.period <= 0.0 || stepped.trials.front().mode == Mode::Current)
+        return std::nullopt;
+    Refinement refinement(stepped, plant);
+    refinement.descend();
+    return refinement.isClearlyBetter() ? std::optional(refinement.best()) : std::nullopt;
+}
+
+} // namespace mb::tuning

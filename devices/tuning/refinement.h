@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tuning/simulatedloop.h"
+#include "tuning/trial.h"
+
+#include <optional>
+#include <vector>
+
+namespace mb::tuning {
+
+/// A closed loop that was seen to step: what it had been told, and how it is made.
+struct SteppedLoop {
+    ContinuousGains gains;
+    LoopShape shape;
+    std::vector<Trial> trials; ///< steps from rest and back, all of one loop
+};
+
+/// The motor next to `plant` with which this loop makes the steps that were measured: gain, lag, friction and delay up to a third off,
+/// no further than the steps ask for. A loop that does not do what was predicted tells best where its model is wrong. Nothing where no
+/// such motor explains them clearly better than `plant` does.
+[[nodiscard]] std::optional<PlantModel> refinedBy(const SteppedLoop &stepped, const PlantModel &plant);
+
+} // namespace mb::tuning

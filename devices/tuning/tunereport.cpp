@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tuning/tunereport.h"
+
+#include <array>
+
+namespace mb::tuning {
+
+std::string_view toString(TuneResult result)
+{
+    static constexpr std::array<std::string_view, 5> names{
+        MB_LABEL("kept"), MB_LABEL("proposed"), MB_LABEL("rolled-back"), MB_LABEL("refused"), MB_LABEL("stopped")};
+    return names[static_cast<std::size_t>(result)];
+}
+
+} // namespace mb::tuning

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/tuning/tuningbench.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace mb::tuning {
+namespace {
+
+using test::ExperimentBench;
+using test::planOf;
+using test::rawOf;
+using test::tune;
+
+TEST(CurrentLoop, TheBoundOfAnIntegralOfOtherGainsDoesNotHoldItShort)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 5, "dmc60c:5,motor=cim,load=9,gains=overshoot");
+    ASSERT_GT(rawOf(bench, "slot0.i_zone"), 0);
+    const auto report = tune(bench, planOf(Mode::Current));
+    ASSERT_TRUE(report) << report.error().text();
+    EXPECT_EQ(report->result, TuneResult::Kept) << report->evidence;
+    EXPECT_LE(report->measured.overshoot.value_or(1.0), 0.05);
+    EXPECT_EQ(rawOf(bench, "slot0.i_zone"), 0);
+}
+
+TEST(CurrentLoop, AMotorWhoseCurrentIsLostInTheNoiseIsRefusedWithBothNumbers)
+{
+    ExperimentBench bench("sim:can", "dmc60c", 5, "dmc60c:5,motor=n20,load=5,gains=overshoot");
+    const auto before = rawOf(bench, "slot0.p");
+    const auto report = tune(bench, planOf(Mode::Current));
+    ASSERT_TRUE(report) << report.error().text();
+    std::printf("  %s\n", report->evidence.english().c_str());
+    EXPECT_EQ(report->result, TuneResult::Refused);
+    const auto gate = std::find_if(
+        report->gates.begin(), report->gates.end(), [](const Gate &one) { return one.name == "resolution"; });
+    ASSERT_NE(gate, report->gates.end());
+    EXPECT_FALSE(gate->passed);
+    EXPECT_EQ(rawOf(bench, "slot0.p"), before);
+}
+
+constexpr double askedCounts = 200.0; ///< of the converter
+
+/// Where the current of an Abstract DC Drive with P alone came to rest, and the most that it was before.
+struct HeldCurrent {
+    double rest = 0.0;
+    double peak = 0.0;
+};
+
+HeldCurrent held(double loopGain)
+{
+    ExperimentBench bench("sim:can", "abstractdc", 3, "abstractdc:3,dialect=F,motor=rs775,load=5");
+    EXPECT_TRUE(bench.simulator()->disturb("stall", 1.0));
+    bench.directions.add(bench.device->selector(), 1, 0.1);
+    constexpr double divisor = 1e6;
+    constexpr double perPwm = 18.0 * 20.0 / 255.0; // counts of the converter, at standstill
+    ExperimentPlan plan;
+    plan.mode = Mode::Current;
+    plan.to = askedCounts;
+    plan.seconds = 0.4; // a shaft that stands longer is taken for stalled
+    plan.keep = Keep::Always;
+    for (const auto &[key, value] : {std::pair("current.p", divisor * loopGain / perPwm), std::pair("current.i", 0.0),
+             std::pair("current.d", 0.0), std::pair("current.divisor", divisor)})
+        plan.gains.push_back(bench.change(key, std::round(value)));
+    const auto trial = bench.run(plan);
+    EXPECT_TRUE(trial) << trial.error().text();
+    if (!trial || trial->holds.empty())
+        return {};
+    const Trace current = trial->signal("current")->trace.part(trial->holds.front().from, trial->holds.front().to);
+    HeldCurrent seen;
+    for (const double value : current.y)
+        seen.peak = std::max(seen.peak, value);
+    seen.rest = median(current.part(current.t.back() - 0.1, current.t.back()).y);
+    return seen;
+}
+
+TEST(CurrentLoop, WhatPAloneOfAnAbstractDcHoldsIsSaidBeforeAnythingMoves)
+{
+    ExperimentBench bench("sim:can", "abstractdc", 3);
+    TunePlan plan = planOf(Mode::Current);
+    plan.keep = true;
+    const auto report = tune(bench, plan);
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().fault, Fault::Unsupported);
+    EXPECT_NE(report.error().text().find("holds 4.8 %"), std::string::npos) << report.error().text();
+    EXPECT_FALSE(bench.simulator()->isOutputOn());
+    for (const double loopGain : {0.1, 0.3, 0.6}) {
+        const HeldCurrent seen = held(loopGain);
+        const double rest = loopGain / (1.0 + loopGain) * askedCounts;
+        std::printf("  P times gain %.1f: rests at %.0f of 200 (%.0f), overshoots that by %.0f %%\n", loopGain,
+            seen.rest, rest, 100.0 * (seen.peak / seen.rest - 1.0));
+        EXPECT_NEAR(seen.rest, rest, 0.15 * rest + 3.0);
+        EXPECT_GE(seen.peak / seen.rest, 1.0 + 0.6 * loopGain);
+    }
+}
+
+} // namespace
+} // namespace mb::tuning
