@@ -15572,7 +15572,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>no motor of this gain swings by %1 counts every %2</source>
-        <translation>aucun moteur de ce gain n’oscille de %1 points toutes les %2</translation>
+        <translation>aucun moteur de ce gain n’oscille de %1 counts toutes les %2</translation>
     </message>
     <message>
         <source>now those of the model as that step has corrected it</source>
@@ -15612,7 +15612,7 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
     <message>
         <source>there was no room for long pushes; under %1 duty to and fro it swings by %2 counts every %3, the periods differ by %4, at most 10 %</source>
-        <translation>il n’y avait pas de place pour de longues poussées&#xa0;; à %1 de rapport cyclique dans un sens puis dans l’autre, il oscille de %2 points toutes les %3, les périodes diffèrent de %4, au plus 10 %</translation>
+        <translation>il n’y avait pas de place pour de longues poussées&#xa0;; à %1 de rapport cyclique dans un sens puis dans l’autre, il oscille de %2 counts toutes les %3, les périodes diffèrent de %4, au plus 10 %</translation>
     </message>
     <message>
         <source>this unit is for motors of more current</source>

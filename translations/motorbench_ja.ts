@@ -15560,7 +15560,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>no motor of this gain swings by %1 counts every %2</source>
-        <translation>このゲインで %2 ごとに %1 カウント振動するモーターはありません</translation>
+        <translation>このゲインで %2 ごとに %1 counts 振動するモーターはありません</translation>
     </message>
     <message>
         <source>now those of the model as that step has corrected it</source>
@@ -15600,7 +15600,7 @@ double click plots it, drag it to a pane or below them</source>
     </message>
     <message>
         <source>there was no room for long pushes; under %1 duty to and fro it swings by %2 counts every %3, the periods differ by %4, at most 10 %</source>
-        <translation>長いパルスを印加する余地がありませんでした。デューティ %1 の往復で %3 ごとに %2 カウント振動し、周期のばらつきは %4 です (最大 10 %)</translation>
+        <translation>長いパルスを印加する余地がありませんでした。デューティ %1 の往復で %3 ごとに %2 counts 振動し、周期のばらつきは %4 です (最大 10 %)</translation>
     </message>
     <message>
         <source>this unit is for motors of more current</source>
