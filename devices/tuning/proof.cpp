@@ -25,13 +25,14 @@ constexpr double edgesOfOne = 4.0;  ///< of LoopScale::velocityEdges
 constexpr double goodEnough = 4.0;  ///< counts
 constexpr double goodSteps = 100.0; ///< of these a position step has at least
 constexpr double moreOvershoot = 0.05;
-constexpr double mostOvershoot = 0.075; ///< whatever was predicted
-constexpr double blurOfNoise = 2.0;     ///< σ, by which a peak of many samples is beyond its curve
-constexpr double mostBlur = 0.05;       ///< of the step
-constexpr double moreSettle = 2.0;      ///< times
-constexpr double laterSettle = 0.15;    ///< s
-constexpr double mostNoise = 0.005;     ///< of the step, with which settling can still be measured
-constexpr double leastError = 0.02;     ///< of the step
+constexpr double mostOvershoot = 0.075;  ///< whatever was predicted
+constexpr std::size_t fewestOfDroop = 8; ///< positions that tell how it speeds up
+constexpr double blurOfNoise = 2.0;      ///< σ, by which a peak of many samples is beyond its curve
+constexpr double mostBlur = 0.05;        ///< of the step
+constexpr double moreSettle = 2.0;       ///< times
+constexpr double laterSettle = 0.15;     ///< s
+constexpr double mostNoise = 0.005;      ///< of the step, with which settling can still be measured
+constexpr double leastError = 0.02;      ///< of the step
 
 void addNumber(const Family &family, const std::string &key, double number, ScaledGains &into)
 {
@@ -177,10 +178,11 @@ double droopOf(const std::vector<Trial> &trials, const PlantModel &plant, const 
         const Signal *const position = trial.signal("position");
         for (const Span &hold : trial.holds) {
             const Trace way = position ? position->trace.part(hold.from, hold.to) : Trace();
-            const double seconds = way.size() > 2 ? way.t.back() - way.t.front() : 0.0;
-            if (seconds > 0.0)
-                acceleration
-                    = std::max(acceleration, 2.0 * std::abs(way.y.back() - way.y.front()) / (seconds * seconds));
+            if (way.size() < fewestOfDroop)
+                continue;
+            const double half = 0.5 * (way.t.back() - way.t.front()); // it may still turn from the step before
+            const double bent = way.y.back() - 2.0 * valueAt(way, way.t.front() + half) + way.y.front();
+            acceleration = std::max(acceleration, std::abs(bent) / (half * half));
         }
     }
     return (gains.i > 0.0 ? plant.backDuty * acceleration / gains.i : 0.0) + 0.5 * step;
