@@ -139,6 +139,7 @@ Application::Application(QApplication &qt, const Options &options)
     : m_qt(qt)
     , m_options(options)
     , m_settings(!options.demo)
+    , m_accessibility(qt)
 {
     m_systemFont = QApplication::font();
     Look look = m_settings.look();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/accessibility.h"
 #include "app/engine.h"
 #include "app/mainwindow.h"
 #include "app/stopkeys.h"
@@ -77,6 +78,7 @@ private:
     std::unique_ptr<Recorder> m_recorder;
     std::unique_ptr<Tour> m_tour;
     StopKeys m_stopKeys;
+    Accessibility m_accessibility;
 };
 
 } // namespace mb

@@ -6,6 +6,7 @@
 #include "app/conditions.h"
 #include "app/footprint.h"
 #include "app/helpdesk.h"
+#include "app/keydesk.h"
 #include "app/linkchips.h"
 #include "app/productionface.h"
 #include "app/windowmenu.h"
@@ -20,6 +21,7 @@
 #include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/segmented.h"
+#include "widgets/common/spoken.h"
 #include "widgets/connection/deviceline.h"
 #include "widgets/connection/devicetree.h"
 #include "widgets/connection/inspector.h"
@@ -267,7 +269,10 @@ void MainWindow::buildStatus()
     statusBar()->addWidget(m_message, 1);
     statusBar()->addPermanentWidget(m_footprint);
     m_messageTime.setSingleShot(true);
-    connect(&m_messageTime, &QTimer::timeout, m_message, &QLabel::clear);
+    connect(&m_messageTime, &QTimer::timeout, m_message, [label = m_message] {
+        label->clear();
+        setSpoken(*label, {}, {});
+    });
     connect(&m_workbench, &Workbench::noticed, this, &MainWindow::showNotice);
     m_footprintTime.setInterval(footprintTime);
     connect(&m_footprintTime, &QTimer::timeout, this, &MainWindow::showFootprint);
@@ -278,10 +283,7 @@ void MainWindow::buildStatus()
 void MainWindow::buildActions()
 {
     m_keys = new PageKeys(*this);
-    m_keys->note({Qt::Key_Escape, Qt::Key_Pause}, tr("stop every motor"));
-    m_keys->note({Qt::Key_Space}, tr("stops every motor, unless words can be typed where the focus is"));
-    m_keys->note(
-        {QKeySequence(QStringLiteral("Ctrl+Shift+F12"))}, tr("held for 1 s: arms; let go early it does nothing"));
+    noteFixedKeys(*m_keys);
     qApp->installEventFilter(new ArmKey(m_header->lamp(), *this));
     m_keys->add({Qt::Key_F1}, tr("shows these keys; once more, the help for this page"), [this] { listKeys(); });
     m_keys->add({Qt::Key_F11}, tr("production: unit after unit, full screen; and back"),
@@ -289,17 +291,15 @@ void MainWindow::buildActions()
     for (int i = 0; i < m_tabs->count(); ++i) {
         const QKeySequence key(QStringLiteral("Ctrl+%1").arg(i + 1));
         m_keys->add({key}, tr("shows page %1").arg(m_tabs->tabText(i)), [this, i] { m_tabs->setCurrentIndex(i); });
-        m_tabs->setTabToolTip(i, tr("%1  Ctrl+%2").arg(m_tabs->tabText(i)).arg(i + 1));
     }
     m_keys->add(
         {Qt::Key_F9}, tr("shows or hides the devices"), [this] { m_devices->setVisible(!m_devices->isVisible()); });
     m_keys->add({Qt::Key_F10}, tr("shows or hides the inspector"),
         [this] { m_inspector->setVisible(!m_inspector->isVisible()); });
-    m_keys->note({QKeySequence(QStringLiteral("Ctrl+K"))}, tr("lists everything that can be done, by name"));
-    m_keys->note({QKeySequence(QStringLiteral("Ctrl+,"))}, tr("shows the preferences"));
-    m_keys->note({QKeySequence(QStringLiteral("Ctrl+T"))}, tr("switches between dark and light"));
-    m_keys->note({QKeySequence::Open}, tr("opens a recording"));
-    m_keys->note({QKeySequence::Quit}, tr("quits"));
+    m_menu->addTo(*m_keys);
+    auto *desk = new KeyDesk(*this, m_settings, [this](int place) { return page(static_cast<PageId>(place)); });
+    connect(this, &MainWindow::pageMade, desk, &KeyDesk::apply);
+    m_menu->setKeys(*desk);
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
         if (state == Qt::ApplicationInactive)
             whenDeactivated();
@@ -343,8 +343,7 @@ QWidget *MainWindow::page(PageId id)
     return scroll->widget();
 }
 
-/// One a turn of the event loop: keys and the mouse wait for one page at most. Never while a motor may move: on a slow computer
-/// the making of a page takes longer than its lease.
+/// One a turn of the event loop, so that keys wait for one at most. Never while a motor may move: it may take longer than its lease.
 void MainWindow::makePages(int from)
 {
     if (from >= m_pages->count())
@@ -461,8 +460,9 @@ void MainWindow::showNotice(const Notice &notice)
     const auto seconds
         = std::chrono::duration_cast<std::chrono::seconds>(notice.time.time_since_epoch() + m_workbench.unixOffset());
     const QString time = QDateTime::fromSecsSinceEpoch(seconds.count()).toString(QStringLiteral("HH:mm:ss"));
-    m_message->setText(time + QLatin1Char(' ')
-        + (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text);
+    const QString words = (notice.device.isEmpty() ? QString() : notice.device + QStringLiteral(": ")) + notice.text;
+    m_message->setText(time + QLatin1Char(' ') + words);
+    announce(*m_message, words);
     setTone(*m_message,
         notice.severity == Severity::Danger        ? Tone::Danger
             : notice.severity == Severity::Caution ? Tone::Caution

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/preferences.h"
 
+#include "app/keyspanel.h"
 #include "app/languages.h"
 #include "widgets/common/labels.h"
 
@@ -14,12 +15,14 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStandardPaths>
+#include <QTabWidget>
 #include <QUrl>
 #include <QVBoxLayout>
 
 namespace mb {
 namespace {
 
+constexpr int letters = 90;                        ///< letters, so that a command and its key stand in one line
 constexpr int sizes[] = {100, 125, 150, 175, 200}; ///< % of the desktop's text
 
 void choose(QComboBox &box, const QVariant &data)
@@ -30,13 +33,30 @@ void choose(QComboBox &box, const QVariant &data)
 
 } // namespace
 
-Preferences::Preferences(const Look &look, QWidget *parent)
+Preferences::Preferences(const Look &look, const KeyBook &keys, QWidget *parent)
     : QDialog(parent)
+    , m_keys(new KeysPanel(keys, this))
 {
     setObjectName(QStringLiteral("preferences"));
     setWindowTitle(tr("Preferences"));
     auto *column = new QVBoxLayout(this);
-    auto *form = new QFormLayout;
+    auto *tabs = new QTabWidget(this);
+    tabs->setAccessibleName(tr("Preferences"));
+    tabs->addTab(makeLook(look), tr("General"));
+    tabs->addTab(m_keys, tr("Keys"));
+    column->addWidget(tabs, 1);
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    column->addWidget(buttons);
+    const QSize room = parent->window()->size();
+    resize(sizeHint().expandedTo({fontMetrics().averageCharWidth() * letters, 0}).boundedTo(room * 9 / 10));
+}
+
+QWidget *Preferences::makeLook(const Look &look)
+{
+    auto *page = new QWidget(this);
+    auto *form = new QFormLayout(page);
     m_theme = new QComboBox(this);
     m_theme->addItem(tr("dark"), QStringLiteral("dark"));
     m_theme->addItem(tr("light"), QStringLiteral("light"));
@@ -61,11 +81,7 @@ Preferences::Preferences(const Look &look, QWidget *parent)
     add(tr("Text size"), m_size);
     add(tr("Motion"), m_motion);
     addFolders(*form);
-    column->addLayout(form);
-    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    column->addWidget(buttons);
+    return page;
 }
 
 void Preferences::addFolders(QFormLayout &form)
@@ -90,6 +106,11 @@ void Preferences::addFolders(QFormLayout &form)
         row->addWidget(open);
         form.addRow(name, row);
     }
+}
+
+KeyChoices Preferences::keys() const
+{
+    return m_keys->book().choices();
 }
 
 Look Preferences::look() const

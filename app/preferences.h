@@ -3,6 +3,8 @@
 
 #include "app/settings.h"
 
+#include "widgets/common/keybook.h"
+
 #include <QDialog>
 
 class QCheckBox;
@@ -11,21 +13,26 @@ class QFormLayout;
 
 namespace mb {
 
-/// Theme, language, size of the text, motion, and where things are kept. What is chosen holds when the dialog is accepted.
+class KeysPanel;
+
+/// Theme, language, size of the text, motion, where things are kept, and the key of every command. What is chosen holds when the dialog is accepted.
 class Preferences : public QDialog {
     Q_OBJECT
 public:
-    Preferences(const Look &look, QWidget *parent);
+    Preferences(const Look &look, const KeyBook &keys, QWidget *parent);
 
     [[nodiscard]] Look look() const;
+    [[nodiscard]] KeyChoices keys() const;
 
 private:
+    [[nodiscard]] QWidget *makeLook(const Look &look);
     void addFolders(QFormLayout &form);
 
     QComboBox *m_theme = nullptr;
     QComboBox *m_language = nullptr;
     QComboBox *m_size = nullptr;
     QCheckBox *m_motion = nullptr;
+    KeysPanel *m_keys = nullptr;
 };
 
 } // namespace mb

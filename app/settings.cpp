@@ -105,6 +105,29 @@ void Settings::setFirmwareFolder(const QString &folder)
     setValue(QStringLiteral("firmware-folder"), folder);
 }
 
+KeyChoices Settings::keys() const
+{
+    KeyChoices keys;
+    const QVariantMap kept = value(QStringLiteral("keys")).toMap();
+    for (auto row = kept.begin(); row != kept.end(); ++row) {
+        const QList<QKeySequence> list = QKeySequence::listFromString(row->toString(), QKeySequence::PortableText);
+        std::vector<QKeySequence> &chosen = keys[row.key()];
+        std::copy_if(list.begin(), list.end(), std::back_inserter(chosen),
+            [](const QKeySequence &key) { return !key.isEmpty(); });
+    }
+    return keys;
+}
+
+void Settings::setKeys(const KeyChoices &keys)
+{
+    QVariantMap kept;
+    for (const auto &[id, chosen] : keys) {
+        const QList<QKeySequence> list(chosen.begin(), chosen.end());
+        kept[id] = QKeySequence::listToString(list, QKeySequence::PortableText);
+    }
+    setValue(QStringLiteral("keys"), kept);
+}
+
 bool Settings::isDismissed(const QString &key) const
 {
     return value(QStringLiteral("dismissed/") + key).toBool();

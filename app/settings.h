@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/common/pagekeys.h"
+
 #include <QByteArray>
 #include <QStringList>
 #include <QVariant>
@@ -47,6 +49,9 @@ public:
     /// Where the start page looks for images; the user's downloads until one was chosen.
     [[nodiscard]] QString firmwareFolder() const;
     void setFirmwareFolder(const QString &folder);
+    /// Keys that the user gave to commands, by PageKeys::idOf.
+    [[nodiscard]] KeyChoices keys() const;
+    void setKeys(const KeyChoices &keys);
     /// Something that was offered once and is not offered again, by a key of its own.
     [[nodiscard]] bool isDismissed(const QString &key) const;
     void dismiss(const QString &key);

@@ -2,6 +2,7 @@
 #include "app/windowmenu.h"
 
 #include "app/about.h"
+#include "app/keydesk.h"
 #include "app/preferences.h"
 #include "transport/backends/gpiolines.h"
 #include "widgets/connection/addlinkdialog.h"
@@ -42,6 +43,21 @@ WindowMenu::WindowMenu(Workbench &workbench, ThemeSource &theme, Settings &setti
         about->show();
     });
     m_menu->addAction(tr("Quit"), &m_window, &QWidget::close, QKeySequence::Quit);
+}
+
+void WindowMenu::addTo(PageKeys &keys) const
+{
+    const std::pair<QKeySequence, QString> said[]
+        = {{QKeySequence(QStringLiteral("Ctrl+K")), tr("lists everything that can be done, by name")},
+            {QKeySequence(QStringLiteral("Ctrl+,")), tr("shows the preferences")},
+            {QKeySequence(QStringLiteral("Ctrl+T")), tr("switches between dark and light")},
+            {QKeySequence::Open, tr("opens a recording")}, {QKeySequence::Quit, tr("quits")}};
+    for (QAction *entry : m_menu->actions()) {
+        for (const auto &[key, does] : said) {
+            if (entry->shortcut() == key)
+                keys.add(*entry, does);
+        }
+    }
 }
 
 void WindowMenu::addLink()
@@ -115,9 +131,10 @@ void WindowMenu::askPreferences()
 {
     Look look = m_settings.look();
     look.theme = m_theme.theme().dark ? QStringLiteral("dark") : QStringLiteral("light");
-    auto *dialog = new Preferences(look, &m_window);
+    auto *dialog = new Preferences(look, m_keys->book(), &m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, look] {
+        m_keys->use(dialog->keys());
         if (dialog->look() == look)
             return;
         m_settings.setLook(dialog->look());

@@ -11,6 +11,9 @@ class QMenu;
 
 namespace mb {
 
+class KeyDesk;
+class PageKeys;
+
 /// The menu of the window, and what its entries do: links, recordings, how the program looks, what it is. GUI thread.
 class WindowMenu : public QObject {
     Q_OBJECT
@@ -18,6 +21,11 @@ public:
     WindowMenu(Workbench &workbench, ThemeSource &theme, Settings &settings, QWidget &window);
 
     [[nodiscard]] QMenu &menu() { return *m_menu; }
+
+    /// Whom the preferences ask for the keys; outlives this.
+    void setKeys(KeyDesk &keys) { m_keys = &keys; }
+    /// Its entries that have a key, into the table of the window.
+    void addTo(PageKeys &keys) const;
 
     void addLink();
     /// `keep`: at every start from now on, once it could be opened.
@@ -47,6 +55,7 @@ private:
     ThemeSource &m_theme;
     Settings &m_settings;
     QWidget &m_window;
+    KeyDesk *m_keys = nullptr;
     QMenu *m_menu = nullptr;
 };
 

@@ -3671,12 +3671,12 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         </translation>
     </message>
     <message>
-        <source>Recording %1</source>
-        <translation>Aufnahme %1</translation>
-    </message>
-    <message>
         <source>1 link</source>
         <translation>1 Verbindung</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufzeichnung</translation>
     </message>
 </context>
 <context>
@@ -4059,6 +4059,123 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
     </message>
 </context>
 <context>
+    <name>mb::KeyBook</name>
+    <message>
+        <source>This key cannot be changed.</source>
+        <translation>Diese Taste lässt sich nicht ändern.</translation>
+    </message>
+    <message>
+        <source>%1 stops every motor, always.</source>
+        <translation>%1 hält jeden Motor an, immer.</translation>
+    </message>
+    <message>
+        <source>%1 is taken, %2: %3. Give that another key first.</source>
+        <translation>%1 ist vergeben, %2: %3. Geben Sie dem erst eine andere Taste.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the control that has the focus.</source>
+        <translation>%1 gehört dem Bedienelement, das den Fokus hat.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeyDesk</name>
+    <message>
+        <source>stop every motor</source>
+        <translation>halten jeden Motor an</translation>
+    </message>
+    <message>
+        <source>stops every motor, unless words can be typed where the focus is</source>
+        <translation>hält jeden Motor an, außer wo gerade Text eingegeben wird</translation>
+    </message>
+    <message>
+        <source>presses the button or ticks the box that has the focus</source>
+        <translation>drückt die Schaltfläche oder setzt das Häkchen, wo der Fokus ist</translation>
+    </message>
+    <message>
+        <source>held for 1 s: arms; let go early it does nothing</source>
+        <translation>1 s gehalten: schaltet scharf; zu früh losgelassen geschieht nichts</translation>
+    </message>
+    <message>
+        <source>keeps values that go back by themselves otherwise</source>
+        <translation>behält Werte, die sonst von selbst zurückgehen</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Production</source>
+        <translation>Produktion</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <comment>page, key</comment>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeyField</name>
+    <message>
+        <source>Press the new key here</source>
+        <translation>Hier die neue Taste drücken</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Neue Taste</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeysPanel</name>
+    <message>
+        <source>Search commands and keys</source>
+        <translation>Befehle und Tasten suchen</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Befehle und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>No key</source>
+        <translation>Keine Taste</translation>
+    </message>
+    <message>
+        <source>All defaults</source>
+        <translation>Alle Vorgaben</translation>
+    </message>
+    <message>
+        <source>All keys are those they came with.</source>
+        <translation>Alle Tasten sind wieder wie ausgeliefert.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>It came with: %1</source>
+        <translation>Ausgeliefert mit: %1</translation>
+    </message>
+    <message>
+        <source>This key cannot be changed.</source>
+        <translation>Diese Taste lässt sich nicht ändern.</translation>
+    </message>
+    <message>
+        <source>Choose a command, then press its new key in the field.</source>
+        <translation>Befehl wählen, dann im Feld seine neue Taste drücken.</translation>
+    </message>
+</context>
+<context>
     <name>mb::Lamp</name>
     <message>
         <source>SAFE</source>
@@ -4346,10 +4463,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Inspektor</translation>
     </message>
     <message>
-        <source>%1  Ctrl+%2</source>
-        <translation>%1  Strg+%2</translation>
-    </message>
-    <message>
         <source>needs a device; open a link first</source>
         <translation>braucht ein Gerät; zuerst eine Verbindung öffnen</translation>
     </message>
@@ -4382,14 +4495,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>%1: %2 Bytes empfangen, %3 gesendet, %4 verworfen, %5 Fehler</translation>
     </message>
     <message>
-        <source>stop every motor</source>
-        <translation>halten jeden Motor an</translation>
-    </message>
-    <message>
-        <source>stops every motor, unless words can be typed where the focus is</source>
-        <translation>hält jeden Motor an, außer wo gerade Text eingegeben wird</translation>
-    </message>
-    <message>
         <source>shows page %1</source>
         <translation>zeigt die Seite %1</translation>
     </message>
@@ -4402,18 +4507,6 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>zeigt oder verbirgt den Inspektor</translation>
     </message>
     <message>
-        <source>switches between dark and light</source>
-        <translation>wechselt zwischen dunkel und hell</translation>
-    </message>
-    <message>
-        <source>opens a recording</source>
-        <translation>öffnet eine Aufzeichnung</translation>
-    </message>
-    <message>
-        <source>quits</source>
-        <translation>beendet das Programm</translation>
-    </message>
-    <message>
         <source>Design</source>
         <translation>Entwurf</translation>
     </message>
@@ -4422,24 +4515,12 @@ Doppelklick oder Enter stellt es dar; in ein Diagramm ziehen.</translation>
         <translation>Die Einstellungen gelten, wenn nichts mehr scharf ist: dann noch einmal wählen.</translation>
     </message>
     <message>
-        <source>lists everything that can be done, by name</source>
-        <translation>listet alles, was getan werden kann, nach Namen</translation>
-    </message>
-    <message>
-        <source>shows the preferences</source>
-        <translation>zeigt die Einstellungen</translation>
-    </message>
-    <message>
         <source>Window</source>
         <translation>Fenster</translation>
     </message>
     <message>
         <source>Menu</source>
         <translation>Menü</translation>
-    </message>
-    <message>
-        <source>held for 1 s: arms; let go early it does nothing</source>
-        <translation>1 s gehalten: schaltet scharf; zu früh losgelassen geschieht nichts</translation>
     </message>
     <message>
         <source>Reports</source>
@@ -5768,6 +5849,14 @@ Doppelklick oder Ende führt zurück zur Gegenwart · Rechtsklick für mehr</tra
     <message>
         <source>Open the folder: %1</source>
         <translation>Den Ordner öffnen: %1</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
     </message>
 </context>
 <context>
@@ -7575,6 +7664,25 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     </message>
 </context>
 <context>
+    <name>mb::SpokenNames</name>
+    <message>
+        <source>Places</source>
+        <translation>Orte</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>Art der Datei</translation>
+    </message>
+</context>
+<context>
     <name>mb::StagedEdits</name>
     <message>
         <source>Discard</source>
@@ -9210,6 +9318,26 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>Help</source>
         <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>lists everything that can be done, by name</source>
+        <translation>listet alles auf, was getan werden kann, nach Namen</translation>
+    </message>
+    <message>
+        <source>shows the preferences</source>
+        <translation>zeigt die Einstellungen</translation>
+    </message>
+    <message>
+        <source>switches between dark and light</source>
+        <translation>wechselt zwischen dunkel und hell</translation>
+    </message>
+    <message>
+        <source>opens a recording</source>
+        <translation>öffnet eine Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>quits</source>
+        <translation>beendet das Programm</translation>
     </message>
 </context>
 <context>

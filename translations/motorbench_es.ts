@@ -3675,8 +3675,8 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         </translation>
     </message>
     <message>
-        <source>Recording %1</source>
-        <translation>Grabando %1</translation>
+        <source>Recording</source>
+        <translation>Grabación</translation>
     </message>
 </context>
 <context>
@@ -4059,6 +4059,123 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
     </message>
 </context>
 <context>
+    <name>mb::KeyBook</name>
+    <message>
+        <source>This key cannot be changed.</source>
+        <translation>Esta tecla no se puede cambiar.</translation>
+    </message>
+    <message>
+        <source>%1 stops every motor, always.</source>
+        <translation>%1 detiene todos los motores, siempre.</translation>
+    </message>
+    <message>
+        <source>%1 is taken, %2: %3. Give that another key first.</source>
+        <translation>%1 está ocupada, %2: %3. Dele antes otra tecla.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the control that has the focus.</source>
+        <translation>%1 pertenece al control que tiene el foco.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeyDesk</name>
+    <message>
+        <source>stop every motor</source>
+        <translation>detienen todos los motores</translation>
+    </message>
+    <message>
+        <source>stops every motor, unless words can be typed where the focus is</source>
+        <translation>detiene todos los motores, salvo si el foco admite texto</translation>
+    </message>
+    <message>
+        <source>presses the button or ticks the box that has the focus</source>
+        <translation>pulsa el botón o marca la casilla que tiene el foco</translation>
+    </message>
+    <message>
+        <source>held for 1 s: arms; let go early it does nothing</source>
+        <translation>pulsado 1 s: arma; si se suelta antes, no hace nada</translation>
+    </message>
+    <message>
+        <source>keeps values that go back by themselves otherwise</source>
+        <translation>conserva los valores que si no vuelven solos</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>En todas partes</translation>
+    </message>
+    <message>
+        <source>Production</source>
+        <translation>Producción</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <comment>page, key</comment>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeyField</name>
+    <message>
+        <source>Press the new key here</source>
+        <translation>Pulse aquí la nueva tecla</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Nueva tecla</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeysPanel</name>
+    <message>
+        <source>Search commands and keys</source>
+        <translation>Buscar órdenes y teclas</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Órdenes y sus teclas</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Tecla</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Predeterminado</translation>
+    </message>
+    <message>
+        <source>No key</source>
+        <translation>Sin tecla</translation>
+    </message>
+    <message>
+        <source>All defaults</source>
+        <translation>Todo por defecto</translation>
+    </message>
+    <message>
+        <source>All keys are those they came with.</source>
+        <translation>Todas las teclas son las originales.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ninguna</translation>
+    </message>
+    <message>
+        <source>It came with: %1</source>
+        <translation>Tecla original: %1</translation>
+    </message>
+    <message>
+        <source>This key cannot be changed.</source>
+        <translation>Esta tecla no se puede cambiar.</translation>
+    </message>
+    <message>
+        <source>Choose a command, then press its new key in the field.</source>
+        <translation>Elija una orden y pulse su nueva tecla en el campo.</translation>
+    </message>
+</context>
+<context>
     <name>mb::Lamp</name>
     <message>
         <source>SAFE</source>
@@ -4374,18 +4491,6 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>Inspector</translation>
     </message>
     <message>
-        <source>stop every motor</source>
-        <translation>detienen todos los motores</translation>
-    </message>
-    <message>
-        <source>stops every motor, unless words can be typed where the focus is</source>
-        <translation>detiene todos los motores, salvo si el foco admite texto</translation>
-    </message>
-    <message>
-        <source>held for 1 s: arms; let go early it does nothing</source>
-        <translation>pulsado 1 s: arma; si se suelta antes, no hace nada</translation>
-    </message>
-    <message>
         <source>shows these keys; once more, the help for this page</source>
         <translation>muestra estas teclas; otra vez, la ayuda de esta página</translation>
     </message>
@@ -4398,36 +4503,12 @@ Doble clic o Intro lo representa; arrástrelo a una gráfica.</translation>
         <translation>muestra la página %1</translation>
     </message>
     <message>
-        <source>%1  Ctrl+%2</source>
-        <translation>%1  Ctrl+%2</translation>
-    </message>
-    <message>
         <source>shows or hides the devices</source>
         <translation>muestra u oculta los dispositivos</translation>
     </message>
     <message>
         <source>shows or hides the inspector</source>
         <translation>muestra u oculta el inspector</translation>
-    </message>
-    <message>
-        <source>lists everything that can be done, by name</source>
-        <translation>enumera por nombre todo lo que se puede hacer</translation>
-    </message>
-    <message>
-        <source>shows the preferences</source>
-        <translation>muestra las preferencias</translation>
-    </message>
-    <message>
-        <source>switches between dark and light</source>
-        <translation>cambia entre oscuro y claro</translation>
-    </message>
-    <message>
-        <source>opens a recording</source>
-        <translation>abre una grabación</translation>
-    </message>
-    <message>
-        <source>quits</source>
-        <translation>sale del programa</translation>
     </message>
     <message>
         <source>Window</source>
@@ -5768,6 +5849,14 @@ doble clic o Fin vuelve al presente · clic derecho para más</translation>
     <message>
         <source>Open the folder: %1</source>
         <translation>Abrir la carpeta: %1</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>General</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Teclas</translation>
     </message>
 </context>
 <context>
@@ -7575,6 +7664,25 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     </message>
 </context>
 <context>
+    <name>mb::SpokenNames</name>
+    <message>
+        <source>Places</source>
+        <translation>Lugares</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Archivos</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Carpeta</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>Tipo de archivo</translation>
+    </message>
+</context>
+<context>
     <name>mb::StagedEdits</name>
     <message>
         <source>Discard</source>
@@ -9210,6 +9318,26 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>All files (*)</source>
         <translation>Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>lists everything that can be done, by name</source>
+        <translation>enumera por nombre todo lo que se puede hacer</translation>
+    </message>
+    <message>
+        <source>shows the preferences</source>
+        <translation>muestra las preferencias</translation>
+    </message>
+    <message>
+        <source>switches between dark and light</source>
+        <translation>cambia entre oscuro y claro</translation>
+    </message>
+    <message>
+        <source>opens a recording</source>
+        <translation>abre una grabación</translation>
+    </message>
+    <message>
+        <source>quits</source>
+        <translation>sale del programa</translation>
     </message>
 </context>
 <context>

@@ -3675,8 +3675,8 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         </translation>
     </message>
     <message>
-        <source>Recording %1</source>
-        <translation>Enregistrement %1</translation>
+        <source>Recording</source>
+        <translation>Enregistrement</translation>
     </message>
 </context>
 <context>
@@ -4059,6 +4059,123 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
     </message>
 </context>
 <context>
+    <name>mb::KeyBook</name>
+    <message>
+        <source>This key cannot be changed.</source>
+        <translation>Cette touche ne peut pas être changée.</translation>
+    </message>
+    <message>
+        <source>%1 stops every motor, always.</source>
+        <translation>%1 arrête tous les moteurs, toujours.</translation>
+    </message>
+    <message>
+        <source>%1 is taken, %2: %3. Give that another key first.</source>
+        <translation>%1 est prise, %2 : %3. Donnez-lui d’abord une autre touche.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the control that has the focus.</source>
+        <translation>%1 appartient au contrôle qui a le focus.</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeyDesk</name>
+    <message>
+        <source>stop every motor</source>
+        <translation>arrête tous les moteurs</translation>
+    </message>
+    <message>
+        <source>stops every motor, unless words can be typed where the focus is</source>
+        <translation>arrête tous les moteurs, sauf pendant une saisie de texte</translation>
+    </message>
+    <message>
+        <source>presses the button or ticks the box that has the focus</source>
+        <translation>actionne le bouton ou coche la case qui a le focus</translation>
+    </message>
+    <message>
+        <source>held for 1 s: arms; let go early it does nothing</source>
+        <translation>maintenu 1 s&#xa0;: arme&#x202f;; relâché trop tôt, sans effet</translation>
+    </message>
+    <message>
+        <source>keeps values that go back by themselves otherwise</source>
+        <translation>garde les valeurs qui sinon reviennent d’elles-mêmes</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Partout</translation>
+    </message>
+    <message>
+        <source>Production</source>
+        <translation>Production</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <comment>page, key</comment>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeyField</name>
+    <message>
+        <source>Press the new key here</source>
+        <translation>Appuyez ici sur la nouvelle touche</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>Nouvelle touche</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeysPanel</name>
+    <message>
+        <source>Search commands and keys</source>
+        <translation>Chercher commandes et touches</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Commandes et leurs touches</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>Touche</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>No key</source>
+        <translation>Aucune touche</translation>
+    </message>
+    <message>
+        <source>All defaults</source>
+        <translation>Tout par défaut</translation>
+    </message>
+    <message>
+        <source>All keys are those they came with.</source>
+        <translation>Toutes les touches sont celles d’origine.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>It came with: %1</source>
+        <translation>Touche d’origine : %1</translation>
+    </message>
+    <message>
+        <source>This key cannot be changed.</source>
+        <translation>Cette touche ne peut pas être changée.</translation>
+    </message>
+    <message>
+        <source>Choose a command, then press its new key in the field.</source>
+        <translation>Choisissez une commande, puis appuyez sur sa nouvelle touche dans le champ.</translation>
+    </message>
+</context>
+<context>
     <name>mb::Lamp</name>
     <message>
         <source>SAFE</source>
@@ -4374,18 +4491,6 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>Inspecteur</translation>
     </message>
     <message>
-        <source>stop every motor</source>
-        <translation>arrête tous les moteurs</translation>
-    </message>
-    <message>
-        <source>stops every motor, unless words can be typed where the focus is</source>
-        <translation>arrête tous les moteurs, sauf pendant une saisie de texte</translation>
-    </message>
-    <message>
-        <source>held for 1 s: arms; let go early it does nothing</source>
-        <translation>maintenu 1 s&#xa0;: arme&#x202f;; relâché trop tôt, sans effet</translation>
-    </message>
-    <message>
         <source>shows these keys; once more, the help for this page</source>
         <translation>affiche ces touches&#x202f;; encore une fois, l’aide de cette page</translation>
     </message>
@@ -4398,36 +4503,12 @@ Double-clic ou Entrée le trace&#x202f;; faites-le glisser sur un graphique.</tr
         <translation>affiche la page %1</translation>
     </message>
     <message>
-        <source>%1  Ctrl+%2</source>
-        <translation>%1  Ctrl+%2</translation>
-    </message>
-    <message>
         <source>shows or hides the devices</source>
         <translation>affiche ou masque les appareils</translation>
     </message>
     <message>
         <source>shows or hides the inspector</source>
         <translation>affiche ou masque l’inspecteur</translation>
-    </message>
-    <message>
-        <source>lists everything that can be done, by name</source>
-        <translation>liste tout ce qui peut être fait, par nom</translation>
-    </message>
-    <message>
-        <source>shows the preferences</source>
-        <translation>affiche les préférences</translation>
-    </message>
-    <message>
-        <source>switches between dark and light</source>
-        <translation>bascule entre sombre et clair</translation>
-    </message>
-    <message>
-        <source>opens a recording</source>
-        <translation>ouvre un enregistrement</translation>
-    </message>
-    <message>
-        <source>quits</source>
-        <translation>quitte le programme</translation>
     </message>
     <message>
         <source>Window</source>
@@ -5768,6 +5849,14 @@ double-clic ou Fin ramène au présent · clic droit pour plus</translation>
     <message>
         <source>Open the folder: %1</source>
         <translation>Ouvrir le dossier&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Général</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
     </message>
 </context>
 <context>
@@ -7575,6 +7664,25 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     </message>
 </context>
 <context>
+    <name>mb::SpokenNames</name>
+    <message>
+        <source>Places</source>
+        <translation>Emplacements</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Fichiers</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>Dossier</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>Type de fichier</translation>
+    </message>
+</context>
+<context>
     <name>mb::StagedEdits</name>
     <message>
         <source>Discard</source>
@@ -9210,6 +9318,26 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>All files (*)</source>
         <translation>Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>lists everything that can be done, by name</source>
+        <translation>liste tout ce qui peut être fait, par nom</translation>
+    </message>
+    <message>
+        <source>shows the preferences</source>
+        <translation>affiche les préférences</translation>
+    </message>
+    <message>
+        <source>switches between dark and light</source>
+        <translation>bascule entre sombre et clair</translation>
+    </message>
+    <message>
+        <source>opens a recording</source>
+        <translation>ouvre un enregistrement</translation>
+    </message>
+    <message>
+        <source>quits</source>
+        <translation>quitte le programme</translation>
     </message>
 </context>
 <context>

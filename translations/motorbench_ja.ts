@@ -3671,8 +3671,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         </translation>
     </message>
     <message>
-        <source>Recording %1</source>
-        <translation>記録中 %1</translation>
+        <source>Recording</source>
+        <translation>記録中</translation>
     </message>
 </context>
 <context>
@@ -4054,6 +4054,123 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::KeyBook</name>
+    <message>
+        <source>This key cannot be changed.</source>
+        <translation>このキーは変更できません。</translation>
+    </message>
+    <message>
+        <source>%1 stops every motor, always.</source>
+        <translation>%1 は常に全モータを停止します。</translation>
+    </message>
+    <message>
+        <source>%1 is taken, %2: %3. Give that another key first.</source>
+        <translation>%1 は使用中です。%2: %3。先にそちらへ別のキーを割り当ててください。</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the control that has the focus.</source>
+        <translation>%1 はフォーカスのある部品が使います。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeyDesk</name>
+    <message>
+        <source>stop every motor</source>
+        <translation>全モータを停止します</translation>
+    </message>
+    <message>
+        <source>stops every motor, unless words can be typed where the focus is</source>
+        <translation>全モータを停止します (フォーカスが文字入力中の場合を除く)</translation>
+    </message>
+    <message>
+        <source>presses the button or ticks the box that has the focus</source>
+        <translation>フォーカスのあるボタンを押す、またはチェックを切り替えます</translation>
+    </message>
+    <message>
+        <source>held for 1 s: arms; let go early it does nothing</source>
+        <translation>1 s 長押しで駆動許可。途中で離すと何も起きません</translation>
+    </message>
+    <message>
+        <source>keeps values that go back by themselves otherwise</source>
+        <translation>自動で元に戻る値を保持します</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>共通</translation>
+    </message>
+    <message>
+        <source>Production</source>
+        <translation>生産</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <comment>page, key</comment>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeyField</name>
+    <message>
+        <source>Press the new key here</source>
+        <translation>ここで新しいキーを押す</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>新しいキー</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeysPanel</name>
+    <message>
+        <source>Search commands and keys</source>
+        <translation>コマンドとキーを検索</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>コマンドとそのキー</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>コマンド</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>キー</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>既定値</translation>
+    </message>
+    <message>
+        <source>No key</source>
+        <translation>キーなし</translation>
+    </message>
+    <message>
+        <source>All defaults</source>
+        <translation>すべて既定値</translation>
+    </message>
+    <message>
+        <source>All keys are those they came with.</source>
+        <translation>すべてのキーを既定値に戻しました。</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>なし</translation>
+    </message>
+    <message>
+        <source>It came with: %1</source>
+        <translation>既定値: %1</translation>
+    </message>
+    <message>
+        <source>This key cannot be changed.</source>
+        <translation>このキーは変更できません。</translation>
+    </message>
+    <message>
+        <source>Choose a command, then press its new key in the field.</source>
+        <translation>コマンドを選び、欄で新しいキーを押してください。</translation>
+    </message>
+</context>
+<context>
     <name>mb::Lamp</name>
     <message>
         <source>SAFE</source>
@@ -4369,18 +4486,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>インスペクタ</translation>
     </message>
     <message>
-        <source>stop every motor</source>
-        <translation>全モータを停止します</translation>
-    </message>
-    <message>
-        <source>stops every motor, unless words can be typed where the focus is</source>
-        <translation>全モータを停止します (フォーカスが文字入力中の場合を除く)</translation>
-    </message>
-    <message>
-        <source>held for 1 s: arms; let go early it does nothing</source>
-        <translation>1 s 長押しで駆動許可。途中で離すと何も起きません</translation>
-    </message>
-    <message>
         <source>shows these keys; once more, the help for this page</source>
         <translation>キー一覧を表示します。もう一度押すとこのページのヘルプを表示します</translation>
     </message>
@@ -4393,36 +4498,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>「%1」ページを表示します</translation>
     </message>
     <message>
-        <source>%1  Ctrl+%2</source>
-        <translation>%1  Ctrl+%2</translation>
-    </message>
-    <message>
         <source>shows or hides the devices</source>
         <translation>機器の表示/非表示を切り替えます</translation>
     </message>
     <message>
         <source>shows or hides the inspector</source>
         <translation>インスペクタの表示/非表示を切り替えます</translation>
-    </message>
-    <message>
-        <source>lists everything that can be done, by name</source>
-        <translation>実行できる操作を名前順に一覧表示します</translation>
-    </message>
-    <message>
-        <source>shows the preferences</source>
-        <translation>環境設定を表示します</translation>
-    </message>
-    <message>
-        <source>switches between dark and light</source>
-        <translation>ダーク/ライトを切り替えます</translation>
-    </message>
-    <message>
-        <source>opens a recording</source>
-        <translation>記録を開きます</translation>
-    </message>
-    <message>
-        <source>quits</source>
-        <translation>終了します</translation>
     </message>
     <message>
         <source>Window</source>
@@ -5763,6 +5844,14 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>Open the folder: %1</source>
         <translation>フォルダを開く: %1</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>一般</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>キー</translation>
     </message>
 </context>
 <context>
@@ -7567,6 +7656,25 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
+    <name>mb::SpokenNames</name>
+    <message>
+        <source>Places</source>
+        <translation>場所</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>ファイル</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>フォルダー</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>ファイルの種類</translation>
+    </message>
+</context>
+<context>
     <name>mb::StagedEdits</name>
     <message>
         <source>Discard</source>
@@ -9198,6 +9306,26 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>All files (*)</source>
         <translation>すべてのファイル (*)</translation>
+    </message>
+    <message>
+        <source>lists everything that can be done, by name</source>
+        <translation>実行できる操作を名前順に一覧表示します</translation>
+    </message>
+    <message>
+        <source>shows the preferences</source>
+        <translation>環境設定を表示します</translation>
+    </message>
+    <message>
+        <source>switches between dark and light</source>
+        <translation>ダーク/ライトを切り替えます</translation>
+    </message>
+    <message>
+        <source>opens a recording</source>
+        <translation>記録を開きます</translation>
+    </message>
+    <message>
+        <source>quits</source>
+        <translation>終了します</translation>
     </message>
 </context>
 <context>

@@ -3671,8 +3671,8 @@ Double click or Enter plots it; drag it to a plot.</source>
         </translation>
     </message>
     <message>
-        <source>Recording %1</source>
-        <translation>正在记录 %1</translation>
+        <source>Recording</source>
+        <translation>录制中</translation>
     </message>
 </context>
 <context>
@@ -4054,6 +4054,123 @@ Double click or Enter plots it; drag it to a plot.</source>
     </message>
 </context>
 <context>
+    <name>mb::KeyBook</name>
+    <message>
+        <source>This key cannot be changed.</source>
+        <translation>此按键不能更改。</translation>
+    </message>
+    <message>
+        <source>%1 stops every motor, always.</source>
+        <translation>%1 始终停止所有电机。</translation>
+    </message>
+    <message>
+        <source>%1 is taken, %2: %3. Give that another key first.</source>
+        <translation>%1 已被占用，%2：%3。请先给它另一个按键。</translation>
+    </message>
+    <message>
+        <source>%1 belongs to the control that has the focus.</source>
+        <translation>%1 属于具有焦点的控件。</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeyDesk</name>
+    <message>
+        <source>stop every motor</source>
+        <translation>停止所有电机</translation>
+    </message>
+    <message>
+        <source>stops every motor, unless words can be typed where the focus is</source>
+        <translation>停止所有电机，焦点处可输入文字时除外</translation>
+    </message>
+    <message>
+        <source>presses the button or ticks the box that has the focus</source>
+        <translation>按下具有焦点的按钮或勾选复选框</translation>
+    </message>
+    <message>
+        <source>held for 1 s: arms; let go early it does nothing</source>
+        <translation>按住 1 s：解锁；提前松开则不起作用</translation>
+    </message>
+    <message>
+        <source>keeps values that go back by themselves otherwise</source>
+        <translation>保留否则会自动恢复的值</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>全局</translation>
+    </message>
+    <message>
+        <source>Production</source>
+        <translation>生产</translation>
+    </message>
+    <message>
+        <source>%1  %2</source>
+        <comment>page, key</comment>
+        <translation>%1  %2</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeyField</name>
+    <message>
+        <source>Press the new key here</source>
+        <translation>在此按下新按键</translation>
+    </message>
+    <message>
+        <source>New key</source>
+        <translation>新按键</translation>
+    </message>
+</context>
+<context>
+    <name>mb::KeysPanel</name>
+    <message>
+        <source>Search commands and keys</source>
+        <translation>搜索命令和按键</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>命令及其按键</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>命令</translation>
+    </message>
+    <message>
+        <source>Key</source>
+        <translation>按键</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>默认值</translation>
+    </message>
+    <message>
+        <source>No key</source>
+        <translation>无按键</translation>
+    </message>
+    <message>
+        <source>All defaults</source>
+        <translation>全部默认</translation>
+    </message>
+    <message>
+        <source>All keys are those they came with.</source>
+        <translation>所有按键已恢复默认。</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>It came with: %1</source>
+        <translation>默认：%1</translation>
+    </message>
+    <message>
+        <source>This key cannot be changed.</source>
+        <translation>此按键不能更改。</translation>
+    </message>
+    <message>
+        <source>Choose a command, then press its new key in the field.</source>
+        <translation>选择一个命令，然后在输入框中按下新按键。</translation>
+    </message>
+</context>
+<context>
     <name>mb::Lamp</name>
     <message>
         <source>SAFE</source>
@@ -4369,18 +4486,6 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>检查器</translation>
     </message>
     <message>
-        <source>stop every motor</source>
-        <translation>停止所有电机</translation>
-    </message>
-    <message>
-        <source>stops every motor, unless words can be typed where the focus is</source>
-        <translation>停止所有电机，焦点处可输入文字时除外</translation>
-    </message>
-    <message>
-        <source>held for 1 s: arms; let go early it does nothing</source>
-        <translation>按住 1 s：解锁；提前松开则不起作用</translation>
-    </message>
-    <message>
         <source>shows these keys; once more, the help for this page</source>
         <translation>显示这些按键；再按一次显示此页面的帮助</translation>
     </message>
@@ -4393,36 +4498,12 @@ Double click or Enter plots it; drag it to a plot.</source>
         <translation>显示页面“%1”</translation>
     </message>
     <message>
-        <source>%1  Ctrl+%2</source>
-        <translation>%1  Ctrl+%2</translation>
-    </message>
-    <message>
         <source>shows or hides the devices</source>
         <translation>显示或隐藏设备列表</translation>
     </message>
     <message>
         <source>shows or hides the inspector</source>
         <translation>显示或隐藏检查器</translation>
-    </message>
-    <message>
-        <source>lists everything that can be done, by name</source>
-        <translation>按名称列出所有可执行的操作</translation>
-    </message>
-    <message>
-        <source>shows the preferences</source>
-        <translation>显示首选项</translation>
-    </message>
-    <message>
-        <source>switches between dark and light</source>
-        <translation>在深色与浅色之间切换</translation>
-    </message>
-    <message>
-        <source>opens a recording</source>
-        <translation>打开记录</translation>
-    </message>
-    <message>
-        <source>quits</source>
-        <translation>退出</translation>
     </message>
     <message>
         <source>Window</source>
@@ -5763,6 +5844,14 @@ double click or End returns to the present · right click for more</source>
     <message>
         <source>Open the folder: %1</source>
         <translation>打开文件夹：%1</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>常规</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>按键</translation>
     </message>
 </context>
 <context>
@@ -7567,6 +7656,25 @@ double click plots it, drag it to a pane or below them</source>
     </message>
 </context>
 <context>
+    <name>mb::SpokenNames</name>
+    <message>
+        <source>Places</source>
+        <translation>位置</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>文件</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>Kind of file</source>
+        <translation>文件类型</translation>
+    </message>
+</context>
+<context>
     <name>mb::StagedEdits</name>
     <message>
         <source>Discard</source>
@@ -9198,6 +9306,26 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>All files (*)</source>
         <translation>所有文件 (*)</translation>
+    </message>
+    <message>
+        <source>lists everything that can be done, by name</source>
+        <translation>按名称列出所有可执行的操作</translation>
+    </message>
+    <message>
+        <source>shows the preferences</source>
+        <translation>显示首选项</translation>
+    </message>
+    <message>
+        <source>switches between dark and light</source>
+        <translation>在深色与浅色之间切换</translation>
+    </message>
+    <message>
+        <source>opens a recording</source>
+        <translation>打开记录</translation>
+    </message>
+    <message>
+        <source>quits</source>
+        <translation>退出</translation>
     </message>
 </context>
 <context>

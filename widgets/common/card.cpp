@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/card.h"
 
+#include "widgets/common/spoken.h"
+
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -49,7 +51,7 @@ void Card::setTitle(const QString &title, const QString &subtitle)
     ensureHead();
     m_title->setText(title);
     m_subtitle->setText(subtitle);
-    setAccessibleName(subtitle.isEmpty() ? title : title + QLatin1Char(' ') + subtitle);
+    setSpoken(*this, subtitle.isEmpty() ? title : title + QLatin1Char(' ') + subtitle, accessibleDescription());
 }
 
 void Card::setGlyph(std::optional<GlyphState> state)

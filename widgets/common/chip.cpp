@@ -2,6 +2,7 @@
 #include "widgets/common/chip.h"
 
 #include "widgets/common/numberformat.h"
+#include "widgets/common/spoken.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -174,8 +175,8 @@ void LinkChip::setStatus(const LinkStatus &status)
     setTitle(status.name);
     setParts(std::move(parts));
     setEdge(status.healthy ? std::nullopt : std::optional(Tone::Caution));
-    setAccessibleName(tr("Link %1: %2").arg(status.name, glyphWord(status.state)));
-    setAccessibleDescription(spoken);
+    setSpoken(*this, tr("Link %1: %2").arg(status.name, glyphWord(status.state)), accessibleDescription());
+    setSpokenLive(*this, spoken);
     setToolTip(status.tooltip);
 }
 

@@ -2,6 +2,7 @@
 #include "widgets/common/headerbar.h"
 
 #include "widgets/common/icons.h"
+#include "widgets/common/spoken.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -161,7 +162,7 @@ void HeaderBar::updateFolded()
     m_folded->setTitle(m_links.size() == 1 ? tr("1 link") : tr("%n links", nullptr, static_cast<int>(m_links.size())));
     m_folded->setGlyph(sick == m_links.end() ? GlyphState::Online : (*sick)->status().state);
     m_folded->setEdge(sick == m_links.end() ? std::nullopt : std::optional(Tone::Caution));
-    m_folded->setAccessibleName(tr("Links"));
+    setSpoken(*m_folded, tr("Links"), m_folded->accessibleDescription());
 }
 
 /// What gives way, in this order: "no alarms", the links' names, the program's name, the links, notices and recording. Lamp
@@ -202,7 +203,7 @@ void HeaderBar::setNotices(int count)
     m_notices->setEdge(count == 0 ? std::nullopt : std::optional(Tone::Caution));
     const QString text = count == 0 ? tr("no alarms") : count == 1 ? tr("1 notice") : tr("%n notices", nullptr, count);
     m_notices->setTitle(text);
-    m_notices->setAccessibleName(text);
+    setSpoken(*m_notices, text, m_notices->accessibleDescription());
     updateFolding();
 }
 
@@ -210,7 +211,8 @@ void HeaderBar::setRecording(const QString &text)
 {
     m_hasRecording = !text.isEmpty();
     m_recording->setTitle(text);
-    m_recording->setAccessibleName(tr("Recording %1").arg(text));
+    setSpoken(*m_recording, tr("Recording"), m_recording->accessibleDescription());
+    setSpokenLive(*m_recording, text);
     updateFolding();
 }
 

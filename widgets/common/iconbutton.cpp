@@ -2,6 +2,7 @@
 #include "widgets/common/iconbutton.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/pagekeys.h"
 
 #include <QPainter>
 #include <QStyleOptionButton>
@@ -29,7 +30,15 @@ void IconButton::setSymbol(Symbol symbol)
 void IconButton::setKeyHint(const QString &key)
 {
     m_key = key;
-    setToolTip(key.isEmpty() ? accessibleName() : accessibleName() + QStringLiteral("  ") + key);
+    const QString shown = keyShown(*this, key);
+    setToolTip(shown.isEmpty() ? accessibleName() : accessibleName() + QStringLiteral("  ") + shown);
+}
+
+bool IconButton::event(QEvent *event)
+{
+    if (event->type() == keysChanged() && !m_key.isEmpty())
+        setKeyHint(m_key);
+    return QToolButton::event(event);
 }
 
 void IconButton::setTone(Tone tone)
@@ -93,6 +102,15 @@ void CommandButton::setKeyHint(const QString &key)
     update();
 }
 
+bool CommandButton::event(QEvent *event)
+{
+    if (event->type() == keysChanged() && !m_key.isEmpty()) {
+        updateGeometry();
+        update();
+    }
+    return QPushButton::event(event);
+}
+
 void CommandButton::setTextVariants(const QStringList &texts)
 {
     m_variants = texts;
@@ -124,8 +142,8 @@ QSize CommandButton::sizeHint() const
         width = std::max(width, metrics.horizontalAdvance(variant));
     if (m_symbol)
         width += theme.u(16 + 8);
-    if (!m_key.isEmpty())
-        width += theme.u(8) + QFontMetrics(hintFont()).horizontalAdvance(m_key);
+    if (const QString key = keyShown(*this, m_key); !key.isEmpty())
+        width += theme.u(8) + QFontMetrics(hintFont()).horizontalAdvance(key);
     return {width + theme.u(28), std::max(theme.u(32), metrics.height() + theme.u(8))};
 }
 
@@ -141,7 +159,8 @@ void CommandButton::paintEvent(QPaintEvent *)
 
     const QFontMetrics hints(hintFont());
     const int iconWidth = m_symbol ? theme.u(16 + 8) : 0;
-    const int hintWidth = m_key.isEmpty() ? 0 : theme.u(8) + hints.horizontalAdvance(m_key);
+    const QString key = keyShown(*this, m_key);
+    const int hintWidth = key.isEmpty() ? 0 : theme.u(8) + hints.horizontalAdvance(key);
     const int room = width() - theme.u(16) - iconWidth - hintWidth;
     const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, room, Qt::TextShowMnemonic);
     const int textWidth = fontMetrics().size(Qt::TextShowMnemonic, shown).width();
@@ -157,7 +176,7 @@ void CommandButton::paintEvent(QPaintEvent *)
         return;
     painter.setFont(hintFont());
     painter.setPen(!isEnabled() ? theme.faint : isPrimary() ? theme.onFill : theme.dim);
-    painter.drawText(QRect(x + textWidth + theme.u(8), 0, hintWidth, height()), Qt::AlignVCenter, m_key);
+    painter.drawText(QRect(x + textWidth + theme.u(8), 0, hintWidth, height()), Qt::AlignVCenter, key);
 }
 
 } // namespace mb

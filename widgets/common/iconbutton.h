@@ -20,6 +20,9 @@ public:
     void setTone(Tone tone);
     QSize sizeHint() const override;
 
+protected:
+    bool event(QEvent *event) override;
+
 private:
     void restyle();
 
@@ -47,6 +50,7 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 protected:
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
 
 private:

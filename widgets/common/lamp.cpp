@@ -2,6 +2,7 @@
 #include "widgets/common/lamp.h"
 
 #include "widgets/common/icons.h"
+#include "widgets/common/spoken.h"
 #include "widgets/common/stateglyph.h"
 
 #include <QAccessible>
@@ -83,8 +84,8 @@ QString Lamp::detail() const
 
 void Lamp::updateAccessibleText(LampState before)
 {
-    setAccessibleName(tr("Arm button: %1").arg(word()));
-    setAccessibleDescription(clock().isEmpty() ? detail() : clock() + QLatin1Char(' ') + detail());
+    setSpoken(
+        *this, tr("Arm button: %1").arg(word()), clock().isEmpty() ? detail() : clock() + QLatin1Char(' ') + detail());
     setToolTip(m_status.state == LampState::MayTurn ? detail() + QLatin1Char('\n')
                 + tr("A motor was told to stop and was not seen to. Cut its power, or look at it.")
             : live() ? tr("Press to make it safe again")

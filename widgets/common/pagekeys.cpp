@@ -4,6 +4,7 @@
 #include "widgets/common/labels.h"
 
 #include <QAbstractSpinBox>
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDialog>
@@ -18,6 +19,8 @@
 #include <QTextEdit>
 #include <QTreeView>
 
+#include <algorithm>
+
 namespace mb {
 namespace {
 
@@ -28,6 +31,12 @@ bool isSingle(const QKeySequence &keys)
     const int modifiers = key & static_cast<int>(Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier);
     const int bare = key & ~static_cast<int>(Qt::KeyboardModifierMask);
     return modifiers == 0 && bare >= Qt::Key_0 && bare <= Qt::Key_Z;
+}
+
+/// Ctrl+Z held goes on; a letter held is one wish.
+bool mayRepeat(const QKeySequence &key)
+{
+    return (key[0] & static_cast<int>(Qt::ControlModifier)) != 0;
 }
 
 void fill(QGridLayout &grid, QWidget *box, const PageKeys &keys)
@@ -60,10 +69,10 @@ PageKeys::PageKeys(QWidget &page)
 
 void PageKeys::add(std::vector<QKeySequence> keys, const QString &does, std::function<void()> act)
 {
-    Row row{std::move(keys), does, {}};
+    Row row{keys, does, {}, std::move(keys), {}};
     for (const QKeySequence &key : row.keys) {
         auto *shortcut = new QShortcut(key, &m_page);
-        shortcut->setAutoRepeat((key[0] & static_cast<int>(Qt::ControlModifier)) != 0);
+        shortcut->setAutoRepeat(mayRepeat(key));
         connect(shortcut, &QShortcut::activated, this, act);
         row.shortcuts.push_back(shortcut);
     }
@@ -71,9 +80,42 @@ void PageKeys::add(std::vector<QKeySequence> keys, const QString &does, std::fun
     followFocus(QApplication::focusWidget());
 }
 
+void PageKeys::add(QAction &action, const QString &does)
+{
+    m_rows.push_back({{action.shortcut()}, does, {}, {action.shortcut()}, &action});
+}
+
 void PageKeys::note(std::vector<QKeySequence> keys, const QString &does)
 {
-    m_rows.push_back({std::move(keys), does, {}});
+    m_rows.push_back({keys, does, {}, std::move(keys), {}});
+}
+
+QString PageKeys::idOf(const Row &row) const
+{
+    const QString page = QString::fromLatin1(m_page.metaObject()->className());
+    return page.section(QStringLiteral("::"), -1) + QLatin1Char('/')
+        + (row.factory.empty() ? QString() : row.factory.front().toString(QKeySequence::PortableText));
+}
+
+void PageKeys::use(const KeyChoices &choices)
+{
+    for (Row &row : m_rows) {
+        if (!row.isChangeable())
+            continue;
+        const auto chosen = choices.find(idOf(row));
+        row.keys = chosen == choices.end() ? row.factory : chosen->second;
+        if (row.action)
+            row.action->setShortcut(row.keys.empty() ? QKeySequence() : row.keys.front());
+        for (std::size_t i = 0; i < row.shortcuts.size(); ++i) {
+            const QKeySequence key = i < row.keys.size() ? row.keys[i] : QKeySequence();
+            row.shortcuts[i]->setKey(key);
+            row.shortcuts[i]->setAutoRepeat(mayRepeat(key));
+        }
+    }
+    followFocus(QApplication::focusWidget());
+    QEvent event(keysChanged());
+    for (QWidget *part : m_page.findChildren<QWidget *>())
+        QCoreApplication::sendEvent(part, &event);
 }
 
 void PageKeys::followFocus(const QWidget *now)
@@ -91,6 +133,27 @@ QString PageKeys::textOf(const Row &row)
     for (const QKeySequence &key : row.keys)
         texts << key.toString(QKeySequence::NativeText);
     return texts.join(QStringLiteral(", "));
+}
+
+QEvent::Type keysChanged()
+{
+    static const auto type = static_cast<QEvent::Type>(QEvent::registerEventType());
+    return type;
+}
+
+QString keyShown(const QWidget &button, const QString &factory)
+{
+    const QKeySequence came[]{QKeySequence(factory, QKeySequence::PortableText), QKeySequence(factory)};
+    for (const QWidget *around = &button; around && !factory.isEmpty(); around = around->parentWidget()) {
+        const auto *keys = around->findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly);
+        for (const PageKeys::Row &row : keys ? keys->rows() : std::vector<PageKeys::Row>()) {
+            const bool its = std::any_of(row.factory.begin(), row.factory.end(),
+                [&came](const QKeySequence &key) { return key == came[0] || key == came[1]; });
+            if (its && row.isChangeable())
+                return row.keys == row.factory ? factory : PageKeys::textOf(row);
+        }
+    }
+    return factory;
 }
 
 void showKeys(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/common/searchfield.h"
 
+#include "widgets/common/pagekeys.h"
+
 #include <QKeyEvent>
 #include <QPainter>
 
@@ -46,10 +48,17 @@ void SearchField::updateMargins()
 {
     const Theme &theme = m_theme.theme();
     const QFontMetrics caption(theme.font(TextRole::Caption, font()));
-    const QString right = text().isEmpty() ? m_key : m_result;
+    const QString right = text().isEmpty() ? keyShown(*this, m_key) : m_result;
     const int room = right.isEmpty() ? 0 : caption.horizontalAdvance(right) + theme.u(16);
     setTextMargins(theme.u(22), 0, room, 0);
     update();
+}
+
+bool SearchField::event(QEvent *event)
+{
+    if (event->type() == keysChanged())
+        updateMargins();
+    return QLineEdit::event(event);
 }
 
 void SearchField::paintEvent(QPaintEvent *event)
@@ -60,7 +69,7 @@ void SearchField::paintEvent(QPaintEvent *event)
     painter.setRenderHint(QPainter::Antialiasing);
     const double side = theme.u(15);
     paintSymbol(painter, QRectF(theme.u(9), (height() - side) / 2, side, side), m_symbol, theme.dim);
-    const QString right = text().isEmpty() ? m_key : m_result;
+    const QString right = text().isEmpty() ? keyShown(*this, m_key) : m_result;
     if (right.isEmpty())
         return;
     const QFont caption = theme.font(TextRole::Caption, font());

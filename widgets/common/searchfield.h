@@ -19,6 +19,7 @@ public:
     void setSymbol(Symbol symbol);
 
 protected:
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
 

@@ -2,6 +2,7 @@
 #include "widgets/common/valuelabel.h"
 
 #include "widgets/common/numberformat.h"
+#include "widgets/common/spoken.h"
 
 #include <QPainter>
 
@@ -18,7 +19,7 @@ ValueLabel::ValueLabel(
     , m_widest(formatNumber(-88888))
 {
     setSizePolicy(look == Look::Row ? QSizePolicy::Preferred : QSizePolicy::Fixed, QSizePolicy::Fixed);
-    updateAccessibleText();
+    setSpoken(*this, m_caption, m_value + QLatin1Char(' ') + m_unit);
     connect(&theme, &ThemeSource::changed, this, [this] {
         updateGeometry();
         update();
@@ -70,8 +71,9 @@ void ValueLabel::setStale(bool stale)
 
 void ValueLabel::updateAccessibleText()
 {
-    setAccessibleName(m_caption);
-    setAccessibleDescription(m_value + QLatin1Char(' ') + m_unit);
+    if (accessibleName() != m_caption)
+        setAccessibleName(m_caption);
+    setSpokenLive(*this, m_value + QLatin1Char(' ') + m_unit);
 }
 
 QFont ValueLabel::valueFont() const

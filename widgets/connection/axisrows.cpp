@@ -3,6 +3,7 @@
 
 #include "widgets/common/axistext.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/spoken.h"
 #include "widgets/common/stateglyph.h"
 
 #include <QGridLayout>
@@ -53,7 +54,7 @@ void AxisRows::show(const DeviceView &device, Instant now)
         row.glyph->setState(glyphOfAxis(device, axis));
         row.command->setText(command);
         row.value->setText(valueOfAxis(device, axis, now));
-        row.name->setAccessibleDescription(glyphWord(glyphOfAxis(device, axis)) + QStringLiteral(", ") + command);
+        setSpokenLive(*row.name, glyphWord(glyphOfAxis(device, axis)) + QStringLiteral(", ") + command);
     }
 }
 

@@ -8,6 +8,7 @@
 #include "widgets/common/losses.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/sparkline.h"
+#include "widgets/common/spoken.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/common/valuelabel.h"
 #include "widgets/connection/axisrows.h"
@@ -100,7 +101,7 @@ void DeviceCard::show(const DeviceView &device, Instant now, bool selected)
     setTitle(
         titleOf(device), hasAxes(*device.family) ? axesLine(device) : QString::fromStdString(device.identity.name));
     setGlyph(state);
-    setAccessibleName(titleOf(device) + QStringLiteral(", ") + lineOf(device));
+    setSpokenLive(*this, lineOf(device));
     const bool ordinary = device.identity.state == DeviceState::Online;
     const bool boot = device.identity.state == DeviceState::Bootloader;
     m_badge->setText(ordinary ? device.liveness.mode ? modeText(*device.liveness.mode) : QString() : glyphWord(state));

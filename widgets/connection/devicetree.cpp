@@ -5,6 +5,7 @@
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/searchfield.h"
+#include "widgets/common/spoken.h"
 #include "widgets/connection/deviceactions.h"
 #include "widgets/connection/devicedelegate.h"
 #include "widgets/connection/scanstrip.h"
@@ -179,7 +180,7 @@ void DeviceTree::follow()
     const int waiting = m_model->waiting();
     m_waiting->setVisible(waiting > 0);
     m_waiting->setText(waiting == 1 ? tr("Show 1 new device") : tr("Show %1 new devices").arg(waiting));
-    m_waiting->setAccessibleName(m_waiting->text());
+    setSpoken(*m_waiting, m_waiting->text(), {});
     const bool none = m_model->rowCount() == 0;
     m_empty->setVisible(none);
     m_view->setVisible(!none);

@@ -7,6 +7,7 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/ratekeeper.h"
+#include "widgets/common/spoken.h"
 #include "widgets/control/axespanel.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/gainspanel.h"
@@ -238,12 +239,12 @@ void TunePage::showCommands()
                                  : tr("Run"));
     m_run->setEnabled(now.mayRun);
     m_run->setToolTip(now.mayRun ? QString() : now.cause + QStringLiteral(": ") + now.remedy);
-    m_run->setAccessibleDescription(m_run->toolTip());
+    setSpoken(*m_run, m_run->text(), m_run->toolTip());
     m_halt->setEnabled(moving || m_arming.isOnTrial());
     const bool others = view->motion.setPoints.size() > 1 && together < 2;
     const QString stop = moving && m_axis > 0 && others ? tr("Stop axis %1").arg(m_axis) : tr("Stop motion");
     m_halt->setText(m_frame->isCompact() ? QString() : stop);
-    m_halt->setAccessibleName(stop);
+    setSpoken(*m_halt, stop, m_halt->accessibleDescription());
     const bool several = view->family->capabilities.gainSlots > 1;
     const QString names
         = staged.size() > 3 ? tr("%n value(s)", nullptr, staged.size()) : staged.join(QStringLiteral(", "));

@@ -2,6 +2,7 @@
 #include "widgets/monitor/busloadview.h"
 
 #include "widgets/common/numberformat.h"
+#include "widgets/common/spoken.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -33,7 +34,7 @@ void BusLoadView::setLoads(const std::deque<double> &loads)
 {
     m_loads = loads;
     const QString now = m_loads.empty() ? QString(UnknownMark) : formatNumber(m_loads.back() * 100.0, 0);
-    setAccessibleDescription(tr("now %1 %, peak %2 %").arg(now, formatNumber(peak() * 100.0, 0)));
+    setSpokenLive(*this, tr("now %1 %, peak %2 %").arg(now, formatNumber(peak() * 100.0, 0)));
     update();
 }
 

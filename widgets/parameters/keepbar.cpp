@@ -5,6 +5,7 @@
 #include "widgets/common/devicetext.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/spoken.h"
 #include "widgets/common/stateglyph.h"
 
 #include <QGridLayout>
@@ -111,8 +112,7 @@ void KeepBar::showChange(const UnconfirmedView &view, int more)
     m_values->setToolTip(m_values->text());
     m_time->setVisible(view.state == State::Counting || view.state == State::AwaitsRestart);
     m_time->setValue(static_cast<int>(view.left * 1000.0));
-    setAccessibleName(m_question->text());
-    setAccessibleDescription(m_values->text());
+    setSpoken(*this, m_question->text(), m_values->text());
 }
 
 void KeepBar::keep()

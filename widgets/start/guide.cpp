@@ -104,6 +104,8 @@ QString Guide::result() const
 void Guide::follow()
 {
     const DeviceView *const unit = device();
+    if (std::exchange(m_here, unit != nullptr) != m_here)
+        Q_EMIT changed();
     if (!unit || isDone())
         return;
     watch(*unit);

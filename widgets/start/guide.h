@@ -48,7 +48,8 @@ private:
     Arming &m_arming;
     const Story *m_story = nullptr;
     std::size_t m_step = 0;
-    int m_run = 0; ///< answers to an earlier story are not taken
+    bool m_here = false; ///< the unit of the story answers
+    int m_run = 0;       ///< answers to an earlier story are not taken
     bool m_asked = false;
     std::uint32_t m_askedAfter = 0;        ///< operation whose trial was asked for
     std::optional<std::int64_t> m_newest;  ///< trial in the notebook when the story began

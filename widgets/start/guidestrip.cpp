@@ -2,6 +2,7 @@
 #include "widgets/start/guidestrip.h"
 
 #include "widgets/common/labels.h"
+#include "widgets/common/spoken.h"
 #include "widgets/common/stateglyph.h"
 
 #include <algorithm>
@@ -123,7 +124,7 @@ void GuideStrip::setWords(const QString &words)
 {
     m_words->setText(words);
     m_words->setMinimumHeight(std::max(0, m_words->heightForWidth(m_words->width())));
-    setAccessibleDescription(words);
+    setSpoken(*this, accessibleName(), words);
 }
 
 void GuideStrip::resizeEvent(QResizeEvent *event)

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/keydesk.h"
+
+#include "widgets/common/segmented.h"
+#include "widgets/service/productionpage.h"
+
+namespace mb {
+namespace {
+
+PageKeys *keysOf(const QWidget *widget)
+{
+    return widget ? widget->findChild<PageKeys *>(QString(), Qt::FindDirectChildrenOnly) : nullptr;
+}
+
+} // namespace
+
+void noteFixedKeys(PageKeys &window)
+{
+    window.note({Qt::Key_Escape, Qt::Key_Pause}, KeyDesk::tr("stop every motor"));
+    window.note({Qt::Key_Space}, KeyDesk::tr("stops every motor, unless words can be typed where the focus is"));
+    window.note({Qt::Key_Return}, KeyDesk::tr("presses the button or ticks the box that has the focus"));
+    window.note({QKeySequence(QStringLiteral("Ctrl+Shift+F12"))},
+        KeyDesk::tr("held for 1 s: arms; let go early it does nothing"));
+    window.note({QKeySequence(QStringLiteral("Ctrl+Return"))},
+        KeyDesk::tr("keeps values that go back by themselves otherwise"));
+}
+
+KeyDesk::KeyDesk(QWidget &window, Settings &settings, std::function<QWidget *(int)> page)
+    : QObject(&window)
+    , m_window(window)
+    , m_settings(settings)
+    , m_page(std::move(page))
+{
+    apply();
+}
+
+KeyBook KeyDesk::book()
+{
+    KeyBook book;
+    const auto *tabs = m_window.findChild<PageTabs *>();
+    book.add(tr("Everywhere"), true, *keysOf(&m_window));
+    for (int i = 0; i < tabs->count(); ++i) {
+        if (const PageKeys *keys = keysOf(m_page(i)))
+            book.add(tabs->tabText(i), false, *keys);
+    }
+    if (const PageKeys *keys = keysOf(m_window.findChild<ProductionPage *>()))
+        book.add(tr("Production"), false, *keys);
+    return book;
+}
+
+void KeyDesk::use(const KeyChoices &choices)
+{
+    m_settings.setKeys(choices);
+    apply();
+}
+
+/// What was written into the settings by hand and cannot be had stays as it came.
+void KeyDesk::apply()
+{
+    const QList<PageKeys *> tables = m_window.findChildren<PageKeys *>();
+    KeyBook book;
+    for (const PageKeys *table : tables)
+        book.add(QString::number(reinterpret_cast<quintptr>(table)), table->parent() == &m_window, *table);
+    book.take(m_settings.keys());
+    const KeyChoices choices = book.choices();
+    for (PageKeys *table : tables)
+        table->use(choices);
+    nameTabs();
+}
+
+void KeyDesk::nameTabs()
+{
+    auto *tabs = m_window.findChild<PageTabs *>();
+    for (int i = 0; i < tabs->count(); ++i) {
+        if (tabs->isTabEnabled(i))
+            tabs->setTabToolTip(i,
+                tr("%1  %2", "page, key").arg(tabs->tabText(i), keyShown(*tabs, QStringLiteral("Ctrl+%1").arg(i + 1))));
+    }
+}
+
+} // namespace mb

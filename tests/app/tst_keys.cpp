@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Preferences with the key of every command: changed by pressing it, kept, in force at once, in every window that says it.
+#include "app/keyspanel.h"
+#include "app/preferences.h"
+#include "support/windowtests.h"
+#include "widgets/common/commandpalette.h"
+#include "windowbench.h"
+
+#include <QDialogButtonBox>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+#include <QListWidget>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTreeWidget>
+
+using namespace mb;
+using namespace mb::test;
+
+namespace {
+
+Preferences &open(MainWindow &window)
+{
+    QApplication::setActiveWindow(&window);
+    QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
+    return *window.findChild<Preferences *>();
+}
+
+void select(Preferences &dialog, const QString &does)
+{
+    auto *list = dialog.findChild<QTreeWidget *>(QStringLiteral("keyList"));
+    const auto found = list->findItems(does, Qt::MatchExactly | Qt::MatchRecursive);
+    QVERIFY2(found.size() == 1, qPrintable(does));
+    list->setCurrentItem(found.front());
+}
+
+QString answer(const Preferences &dialog)
+{
+    return dialog.findChild<QLabel *>(QStringLiteral("keyAnswer"))->text();
+}
+
+void accept(Preferences &dialog, MainWindow &window)
+{
+    dialog.accept();
+    QTRY_VERIFY(!window.findChild<Preferences *>());
+    QApplication::setActiveWindow(&window);
+}
+
+Options plain()
+{
+    Options options;
+    options.language = QStringLiteral("en");
+    return options;
+}
+
+} // namespace
+
+class KeysTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void initTestCase() { qputenv("XDG_CONFIG_HOME", m_config.path().toUtf8()); }
+    void preferencesListEveryCommandOfEveryPage();
+    void aKeyIsChangedByPressingItAndHoldsAtOnce();
+    void aClashIsRefusedAndStopsStayStops();
+    void chosenKeysComeBackWithTheProgram();
+
+private:
+    QTemporaryDir m_config;
+};
+
+void KeysTest::preferencesListEveryCommandOfEveryPage()
+{
+    WindowBench bench;
+    Preferences &dialog = open(bench.window());
+    const auto *list = dialog.findChild<QTreeWidget *>(QStringLiteral("keyList"));
+    QStringList listed;
+    for (QTreeWidgetItemIterator it(const_cast<QTreeWidget *>(list)); *it; ++it)
+        listed << (*it)->text(0);
+    int rows = 0;
+    for (const PageKeys *keys : bench.window().findChildren<PageKeys *>()) {
+        for (const PageKeys::Row &row : keys->rows()) {
+            QVERIFY2(listed.contains(row.does), qPrintable(row.does));
+            ++rows;
+        }
+    }
+    qInfo("%d commands", rows);
+    QVERIFY(rows > 60);
+    if (const QString folder = qEnvironmentVariable("MOTORBENCH_PICTURES"); !folder.isEmpty()) { // for looking at it
+        dialog.findChild<QTabWidget *>()->setCurrentIndex(1);
+        select(dialog, QStringLiteral("writes what is staged and runs"));
+        dialog.grab().save(QDir(folder).filePath(QStringLiteral("preferences-keys.png")));
+        QTest::keyClick(dialog.findChild<KeyField *>(), Qt::Key_F9);
+        dialog.grab().save(QDir(folder).filePath(QStringLiteral("preferences-keys-taken.png")));
+        dialog.findChild<QTabWidget *>()->setCurrentIndex(0);
+        dialog.grab().save(QDir(folder).filePath(QStringLiteral("preferences-general.png")));
+    }
+    dialog.reject();
+}
+
+void KeysTest::aKeyIsChangedByPressingItAndHoldsAtOnce()
+{
+    WindowBench bench;
+    MainWindow &window = bench.window();
+    const auto *devices = window.findChild<QDockWidget *>(QStringLiteral("devicesDock"));
+    Preferences &dialog = open(window);
+    select(dialog, QStringLiteral("shows or hides the devices"));
+    QTest::keyClick(dialog.findChild<KeyField *>(), Qt::Key_D, Qt::ControlModifier | Qt::AltModifier);
+    accept(dialog, window);
+    QVERIFY(devices->isVisible());
+    QTest::keyClick(&window, Qt::Key_F9);
+    QVERIFY2(devices->isVisible(), "the key it came with does nothing any more");
+    QTest::keyClick(&window, Qt::Key_D, Qt::ControlModifier | Qt::AltModifier);
+    QVERIFY(!devices->isVisible());
+    QTest::keyClick(&window, Qt::Key_F1);
+    auto *keys = window.findChild<QDialog *>(QStringLiteral("keys"));
+    const auto labels = keys->findChildren<QLabel *>();
+    QVERIFY(std::any_of(
+        labels.begin(), labels.end(), [](const QLabel *l) { return l->text() == QLatin1String("Ctrl+Alt+D"); }));
+    delete keys;
+    QApplication::setActiveWindow(&window);
+    QTest::keyClick(&window, Qt::Key_K, Qt::ControlModifier);
+    auto *palette = window.findChild<CommandPalette *>();
+    QVERIFY(
+        palette->findChild<QListWidget *>()->findItems(QStringLiteral("Ctrl+Alt+D"), Qt::MatchContains).size() == 1);
+    palette->close();
+}
+
+void KeysTest::aClashIsRefusedAndStopsStayStops()
+{
+    WindowBench bench;
+    Preferences &dialog = open(bench.window());
+    auto *field = dialog.findChild<KeyField *>();
+    select(dialog, QStringLiteral("writes what is staged and runs"));
+    QTest::keyClick(field, Qt::Key_F9);
+    QVERIFY2(answer(dialog).contains(QStringLiteral("shows or hides the devices")), qPrintable(answer(dialog)));
+    QTest::keyClick(field, Qt::Key_F12, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY2(answer(dialog).contains(QStringLiteral("arms")), qPrintable(answer(dialog)));
+    QTest::keyClick(field, Qt::Key_Pause);
+    QVERIFY2(answer(dialog).contains(QStringLiteral("stops every motor")), qPrintable(answer(dialog)));
+    QVERIFY(dialog.keys().empty());
+    select(dialog, QStringLiteral("stop every motor"));
+    QVERIFY(!field->isEnabled());
+    dialog.reject();
+}
+
+void KeysTest::chosenKeysComeBackWithTheProgram()
+{
+    for (const bool first : {true, false}) {
+        Application application(*qApp, plain());
+        application.start();
+        MainWindow &window = application.window();
+        const auto *devices = window.findChild<QDockWidget *>(QStringLiteral("devicesDock"));
+        QApplication::setActiveWindow(&window);
+        if (first) {
+            Preferences &dialog = open(window);
+            select(dialog, QStringLiteral("shows or hides the devices"));
+            QTest::keyClick(dialog.findChild<KeyField *>(), Qt::Key_F4);
+            accept(dialog, window);
+        }
+        const bool seen = devices->isVisible();
+        QTest::keyClick(&window, Qt::Key_F9);
+        QCOMPARE(devices->isVisible(), seen);
+        QTest::keyClick(&window, Qt::Key_F4);
+        QVERIFY(devices->isVisible() != seen);
+        if (!first) {
+            Preferences &dialog = open(window);
+            select(dialog, QStringLiteral("shows or hides the devices"));
+            for (QPushButton *button : dialog.findChildren<QPushButton *>()) {
+                if (button->text() == QLatin1String("Default"))
+                    button->click();
+            }
+            accept(dialog, window);
+            QTest::keyClick(&window, Qt::Key_F9);
+            QCOMPARE(devices->isVisible(), seen);
+        }
+    }
+}
+
+MB_WINDOW_TEST(KeysTest);
+#include "tst_keys.moc"

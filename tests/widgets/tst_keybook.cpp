@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keys that people change: one table makes them, lists them and refuses what would take a stop key away.
+#include "support/windowtests.h"
+#include "widgets/common/commandpalette.h"
+#include "widgets/common/iconbutton.h"
+#include "widgets/common/keybook.h"
+
+#include <QAction>
+#include <QShortcut>
+#include <QTest>
+
+using namespace mb;
+
+namespace {
+
+QKeySequence key(const char *text)
+{
+    return QKeySequence(QLatin1String(text), QKeySequence::PortableText);
+}
+
+/// A window with the keys that stop and arm, and two pages in it.
+struct Bench {
+    QWidget window;
+    QWidget tune{&window};
+    QWidget plots{&window};
+    QAction palette{QStringLiteral("Commands"), &window};
+    PageKeys everywhere{window};
+    PageKeys ofTune{tune};
+    PageKeys ofPlots{plots};
+    QStringList done;
+
+    Bench()
+    {
+        palette.setShortcut(key("Ctrl+K"));
+        everywhere.note({Qt::Key_Escape, Qt::Key_Pause}, QStringLiteral("stop every motor"));
+        everywhere.note({Qt::Key_Space}, QStringLiteral("stops unless words can be typed"));
+        everywhere.note({key("Ctrl+Shift+F12")}, QStringLiteral("arms"));
+        everywhere.add(
+            {Qt::Key_F9}, QStringLiteral("shows the devices"), [this] { done << QStringLiteral("devices"); });
+        everywhere.add(palette, QStringLiteral("lists everything"));
+        ofTune.add({Qt::Key_F5}, QStringLiteral("runs"), [this] { done << QStringLiteral("run"); });
+        ofTune.add({key("Ctrl+Y"), key("Ctrl+Shift+Z")}, QStringLiteral("does it again"), [] {});
+        ofPlots.add({Qt::Key_P}, QStringLiteral("pauses"), [] {});
+    }
+    [[nodiscard]] KeyBook book() const
+    {
+        KeyBook book;
+        book.add(QStringLiteral("Everywhere"), true, everywhere);
+        book.add(QStringLiteral("Tune"), false, ofTune);
+        book.add(QStringLiteral("Plots"), false, ofPlots);
+        return book;
+    }
+};
+
+std::size_t rowOf(const KeyBook &book, const char *does)
+{
+    std::size_t at = 0;
+    while (book.rows()[at].does != QLatin1String(does))
+        ++at;
+    return at;
+}
+
+} // namespace
+
+class KeyBookTest : public QObject {
+    Q_OBJECT
+private Q_SLOTS:
+    void everyCommandIsListedOnceWithItsKey();
+    void aKeyThatAnotherHasIsRefusedWithItsName();
+    void theSameKeyMayServeTwoPages();
+    void stopAndArmKeepTheirKeys_data();
+    void stopAndArmKeepTheirKeys();
+    void aChosenKeyHoldsAtOnceEverywhere();
+    void theKeyItCameWithComesBackUnlessItIsTaken();
+    void twoCommandsMayExchangeTheirKeys();
+    void whatWasWrittenByHandTakesNoStopKeyAway();
+};
+
+void KeyBookTest::everyCommandIsListedOnceWithItsKey()
+{
+    const Bench bench;
+    const KeyBook book = bench.book();
+    QCOMPARE(book.rows().size(), std::size_t(8));
+    const KeyBook::Row &palette = book.rows()[rowOf(book, "lists everything")];
+    QVERIFY(palette.changeable && palette.everywhere);
+    QCOMPARE(palette.keys, std::vector<QKeySequence>{key("Ctrl+K")});
+    QVERIFY(!book.rows()[rowOf(book, "arms")].changeable);
+    QVERIFY(book.choices().empty());
+}
+
+void KeyBookTest::aKeyThatAnotherHasIsRefusedWithItsName()
+{
+    const Bench bench;
+    KeyBook book = bench.book();
+    const std::size_t run = rowOf(book, "runs");
+    QVERIFY(book.refusal(run, key("F9")).contains(QStringLiteral("shows the devices")));
+    QVERIFY(book.refusal(run, key("Ctrl+K")).contains(QStringLiteral("lists everything")));
+    QVERIFY(book.refusal(run, key("Ctrl+Shift+Z")).contains(QStringLiteral("does it again")));
+    QVERIFY(!book.choose(run, key("F9")));
+    QCOMPARE(book.rows()[run].keys, std::vector<QKeySequence>{key("F5")});
+    QVERIFY(book.refusal(rowOf(book, "shows the devices"), key("P")).contains(QStringLiteral("Plots")));
+}
+
+void KeyBookTest::theSameKeyMayServeTwoPages()
+{
+    const Bench bench;
+    KeyBook book = bench.book();
+    QVERIFY(book.choose(rowOf(book, "pauses"), key("F5")));
+    QCOMPARE(book.choices().size(), std::size_t(1));
+}
+
+void KeyBookTest::stopAndArmKeepTheirKeys_data()
+{
+    QTest::addColumn<QString>("wish");
+    for (const char *wish : {"Esc", "Shift+Esc", "Ctrl+Esc", "Pause", "Ctrl+Pause", "Space", "Ctrl+Shift+F12", "Tab",
+             "Return", "Enter", "Left", "Shift+Tab", "Backspace", "Home"})
+        QTest::newRow(wish) << QString::fromLatin1(wish);
+}
+
+void KeyBookTest::stopAndArmKeepTheirKeys()
+{
+    QFETCH(QString, wish);
+    const Bench bench;
+    KeyBook book = bench.book();
+    const KeyBook before = book;
+    for (std::size_t row = 0; row < book.rows().size(); ++row) {
+        QVERIFY2(!book.refusal(row, QKeySequence(wish, QKeySequence::PortableText)).isEmpty(), qPrintable(wish));
+        QVERIFY(!book.choose(row, QKeySequence(wish, QKeySequence::PortableText)));
+        QCOMPARE(book.rows()[row].keys, before.rows()[row].keys);
+    }
+    QVERIFY2(!book.choose(rowOf(book, "stop every motor"), key("F2")), "keys that stop cannot be remapped");
+    QVERIFY(!book.choose(rowOf(book, "arms"), {}));
+}
+
+void KeyBookTest::aChosenKeyHoldsAtOnceEverywhere()
+{
+    Bench bench;
+    const ThemeSource theme(darkTheme());
+    auto *button = new CommandButton(theme, QStringLiteral("Run"), &bench.tune);
+    button->setKeyHint(QStringLiteral("F5"));
+    auto *icon = new IconButton(theme, Symbol::Fit, QStringLiteral("Run"), &bench.tune);
+    icon->setKeyHint(QStringLiteral("F5"));
+    bench.window.show();
+    QApplication::setActiveWindow(&bench.window);
+    KeyBook book = bench.book();
+    QVERIFY(book.choose(rowOf(book, "runs"), key("Ctrl+R")));
+    QVERIFY(book.choose(rowOf(book, "lists everything"), key("Ctrl+J")));
+    for (PageKeys *table : {&bench.everywhere, &bench.ofTune, &bench.ofPlots})
+        table->use(book.choices());
+    QTest::keyClick(&bench.window, Qt::Key_F5);
+    QVERIFY(bench.done.isEmpty());
+    QTest::keyClick(&bench.window, Qt::Key_R, Qt::ControlModifier);
+    QCOMPARE(bench.done, QStringList{QStringLiteral("run")});
+    QCOMPARE(bench.palette.shortcut(), key("Ctrl+J"));
+    QCOMPARE(PageKeys::textOf(bench.ofTune.rows()[0]), QStringLiteral("Ctrl+R")); // what F1 lists
+    std::vector<Command> commands;
+    addCommands(commands, QStringLiteral("Tune"), bench.ofTune, [] {});
+    QCOMPARE(commands[0].key, QStringLiteral("Ctrl+R"));
+    QCOMPARE(keyShown(*button, QStringLiteral("F5")), QStringLiteral("Ctrl+R"));
+    QCOMPARE(icon->toolTip(), QStringLiteral("Run  Ctrl+R"));
+    QCOMPARE(keyShown(bench.plots, QStringLiteral("F9")), QStringLiteral("F9"));
+    bench.ofTune.use({});
+    QCOMPARE(icon->toolTip(), QStringLiteral("Run  F5"));
+    QTest::keyClick(&bench.window, Qt::Key_F5);
+    QCOMPARE(bench.done.size(), 2);
+}
+
+void KeyBookTest::theKeyItCameWithComesBackUnlessItIsTaken()
+{
+    const Bench bench;
+    KeyBook book = bench.book();
+    const std::size_t run = rowOf(book, "runs");
+    const std::size_t again = rowOf(book, "does it again");
+    QVERIFY(book.choose(run, key("F2")));
+    QVERIFY(book.choose(again, key("F5")));
+    QVERIFY(book.reset(run).contains(QStringLiteral("does it again")));
+    QCOMPARE(book.rows()[run].keys, std::vector<QKeySequence>{key("F2")});
+    QVERIFY(book.reset(again).isEmpty());
+    QCOMPARE(book.rows()[again].keys.size(), std::size_t(2));
+    QVERIFY(book.reset(run).isEmpty());
+    QVERIFY(book.choices().empty());
+    QVERIFY(book.choose(run, {}));
+    QCOMPARE(book.choices().size(), std::size_t(1));
+    book.resetAll();
+    QVERIFY(book.choices().empty());
+}
+
+void KeyBookTest::twoCommandsMayExchangeTheirKeys()
+{
+    const Bench bench;
+    KeyBook book = bench.book();
+    const std::size_t run = rowOf(book, "runs");
+    const std::size_t again = rowOf(book, "does it again");
+    QVERIFY(book.choose(run, {}));
+    QVERIFY(book.choose(again, key("F5")));
+    QVERIFY(book.choose(run, key("Ctrl+Y")));
+    KeyBook another = bench.book();
+    another.take(book.choices()); // at the next start
+    QCOMPARE(another.rows()[run].keys, std::vector<QKeySequence>{key("Ctrl+Y")});
+    QCOMPARE(another.rows()[again].keys, std::vector<QKeySequence>{key("F5")});
+}
+
+void KeyBookTest::whatWasWrittenByHandTakesNoStopKeyAway()
+{
+    const Bench bench;
+    KeyBook book = bench.book();
+    const QString run = book.rows()[rowOf(book, "runs")].id;
+    const QString stop = book.rows()[rowOf(book, "stop every motor")].id;
+    book.take({{run, {Qt::Key_Escape}}, {stop, {}}, {QStringLiteral("Nothing/F1"), {Qt::Key_F7}}});
+    QVERIFY(book.choices().empty());
+    QCOMPARE(book.rows()[rowOf(book, "runs")].keys, std::vector<QKeySequence>{key("F5")});
+}
+
+MB_WINDOW_TEST(KeyBookTest);
+#include "tst_keybook.moc"
