@@ -151,7 +151,7 @@ void LiveStatesTest::unitsAreThoseOfTheDevice()
         const auto label = std::find_if(labels.begin(), labels.end(),
             [](const ValueLabel *one) { return one->accessibleName() == QStringLiteral("current"); });
         QVERIFY(label != labels.end());
-        QCOMPARE((*label)->accessibleDescription(), QStringLiteral("17.0 counts"));
+        QTRY_COMPARE((*label)->accessibleDescription(), QStringLiteral("17.0 counts")); // told once a second
     }
 }
 
