@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/parametertransfer.h"
 
+#include "async/sleep.h"
 #include "model/family.h"
 #include "model/writeorder.h"
 
@@ -39,6 +40,8 @@ Task<std::vector<TransferOutcome>> readParameters(
 
 namespace {
 
+constexpr Duration latestAnswer = std::chrono::milliseconds(250);
+
 Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
 {
     const Parameter &parameter = device.parameters().parameter(change.index);
@@ -49,7 +52,13 @@ Task<TransferOutcome> writeOne(Device &device, ParameterChange change)
         || parameter.afterRestart)
         co_return outcome;
     auto read = device.read(change.index);
-    const Result<std::int64_t> back = co_await std::move(read).attempt();
+    Result<std::int64_t> back = co_await std::move(read).attempt();
+    if (back && *back != change.raw && parameter.nature != Nature::Live) {
+        Sleep lateAnswers(device.clock(), latestAnswer); // that may have been the answer to an earlier question
+        co_await lateAnswers;
+        auto again = device.read(change.index);
+        back = co_await std::move(again).attempt();
+    }
     if (!back) {
         outcome.raw = fail(back.error());
         co_return outcome;

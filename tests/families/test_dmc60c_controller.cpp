@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "families/dmc60ccontrollerfixture.h"
+#include "model/parametertransfer.h"
 
 namespace mb::dmc60c {
 namespace {
@@ -174,6 +175,24 @@ TEST_F(Dmc60cController, LeavesNoTimerAndNoListenerWhenATaskIsCancelledAnywhere)
     EXPECT_EQ(host.received().size(), 0U);
     clock.advance(1s);
     EXPECT_EQ(clock.armed(), 0U);
+}
+
+/// Over a link that is held up now and then, an answer to an earlier question comes while the next one is asked.
+TEST_F(Dmc60cController, AValueThatReadsBackOldIsReadAgainBeforeItIsCalledWrong)
+{
+    const std::string get = "02061805#34120A";
+    const std::string written = "02061845#0A0300000000";
+    unit.answer(get, {{"02061845#0A0000000000"}});
+    unit.answer("02061885#34120A03000000", {{written}});
+    NoProgress progress;
+    const auto wrong = run(writeParameters(*device, {{index("slot0.p"), 3}}, progress));
+    ASSERT_TRUE(wrong);
+    EXPECT_EQ(wrong->front().raw.error().fault, Fault::BadCheck);
+    clock.arm(clock.now() + 100ms, [&] { unit.answer(get, {{written}}); });
+    const auto late = run(writeParameters(*device, {{index("slot0.p"), 3}}, progress));
+    ASSERT_TRUE(late);
+    EXPECT_EQ(late->front().raw, Result<std::int64_t>(3));
+    EXPECT_EQ(late->front().verified, true);
 }
 
 } // namespace
