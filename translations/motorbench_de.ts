@@ -6969,6 +6969,18 @@ Das zuletzt Aufgenommene liegt stets auf der Festplatte und übersteht einen Abs
         <source>Every service of this unit</source>
         <translation>Jeder Service dieses Geräts</translation>
     </message>
+    <message>
+        <source>Service card of %1</source>
+        <translation>Servicekarte von %1</translation>
+    </message>
+    <message>
+        <source>Parameters that differ from their default</source>
+        <translation>Parameter, die von ihrer Vorgabe abweichen</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2.</source>
+        <translation>Die ersten %1 von %2.</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -15159,10 +15171,6 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
         <translation>%1 des Rezepts lesen sich anders zurück, als erstes %2</translation>
     </message>
     <message>
-        <source>%1, the highest is %2</source>
-        <translation>%1, die höchste ist %2</translation>
-    </message>
-    <message>
         <source>&apos;%1&apos; must be a number</source>
         <translation>&apos;%1&apos; muss eine Zahl sein</translation>
     </message>
@@ -15745,6 +15753,122 @@ Doppelklick stellt es dar; in ein Diagramm oder darunter ziehen</translation>
     <message>
         <source>this unit is for motors of more current</source>
         <translation>dieses Gerät ist für Motoren mit mehr Strom</translation>
+    </message>
+    <message>
+        <source>%1 %2 is unusual: %3 units have %4 to %5</source>
+        <translation>%1 %2 ist ungewöhnlich: %3 Geräte haben %4 bis %5</translation>
+    </message>
+    <message>
+        <source>%1 besides those of the recipe differ from the backup</source>
+        <translation>%1 außer denen des Rezepts weichen von der Sicherung ab</translation>
+    </message>
+    <message>
+        <source>%1 of %2 written</source>
+        <translation>%1 von %2 geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 pages, %2 sent again</source>
+        <translation>%1 Seiten, %2 noch einmal gesendet</translation>
+    </message>
+    <message>
+        <source>%1 settings</source>
+        <translation>%1 Einstellungen</translation>
+    </message>
+    <message>
+        <source>1 setting</source>
+        <translation>1 Einstellung</translation>
+    </message>
+    <message>
+        <source>all numbers are used up, the highest is %1</source>
+        <translation>alle Nummern sind vergeben, die höchste ist %1</translation>
+    </message>
+    <message>
+        <source>already %1</source>
+        <translation>schon %1</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>Sicherung</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>Firmware</translation>
+    </message>
+    <message>
+        <source>firmware %1</source>
+        <translation>Firmware %1</translation>
+    </message>
+    <message>
+        <source>its flash has it</source>
+        <translation>es steht in seinem Flash</translation>
+    </message>
+    <message>
+        <source>left out; it goes on where it was when it is tested again</source>
+        <translation>ausgelassen; es geht weiter, wo es war, wenn es wieder geprüft wird</translation>
+    </message>
+    <message>
+        <source>no version is told</source>
+        <translation>keine Version wird genannt</translation>
+    </message>
+    <message>
+        <source>not kept: there is no notebook</source>
+        <translation>nicht aufgehoben: es gibt kein Notizbuch</translation>
+    </message>
+    <message>
+        <source>nothing can be read in the bootloader</source>
+        <translation>im Bootloader kann nichts gelesen werden</translation>
+    </message>
+    <message>
+        <source>nothing had to be stored</source>
+        <translation>nichts musste gespeichert werden</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>Nummer %1</translation>
+    </message>
+    <message>
+        <source>number %1, as before</source>
+        <translation>Nummer %1, wie zuvor</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>preflight</source>
+        <translation>Vorprüfung</translation>
+    </message>
+    <message>
+        <source>proof</source>
+        <translation>Nachweis</translation>
+    </message>
+    <message>
+        <source>read back</source>
+        <translation>zurückgelesen</translation>
+    </message>
+    <message>
+        <source>self-test</source>
+        <translation>Selbsttest</translation>
+    </message>
+    <message>
+        <source>snapshot %1 has %2 values</source>
+        <translation>Schnappschuss %1 hat %2 Werte</translation>
+    </message>
+    <message>
+        <source>within its limits</source>
+        <translation>in seinen Grenzen</translation>
     </message>
 </context>
 </TS>

@@ -6969,6 +6969,18 @@ Lo grabado recientemente está siempre en disco y sobrevive a un cierre inespera
         <source>Every service of this unit</source>
         <translation>Cada servicio de este equipo</translation>
     </message>
+    <message>
+        <source>Service card of %1</source>
+        <translation>Ficha de servicio de %1</translation>
+    </message>
+    <message>
+        <source>Parameters that differ from their default</source>
+        <translation>Parámetros que difieren de su valor predeterminado</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2.</source>
+        <translation>Los primeros %1 de %2.</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -11475,10 +11487,6 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
         <translation>%1, a más de medio escalón de su destino</translation>
     </message>
     <message>
-        <source>%1, the highest is %2</source>
-        <translation>%1, el más alto es %2</translation>
-    </message>
-    <message>
         <source>%1, told to run at more than half a step</source>
         <translation>%1, con orden de marchar a más de medio escalón</translation>
     </message>
@@ -15745,6 +15753,122 @@ doble clic la representa; arrástrela a una gráfica o debajo de ellas</translat
     <message>
         <source>this unit is for motors of more current</source>
         <translation>esta unidad es para motores de más corriente</translation>
+    </message>
+    <message>
+        <source>%1 %2 is unusual: %3 units have %4 to %5</source>
+        <translation>%1 %2 es inusual: %3 unidades tienen de %4 a %5</translation>
+    </message>
+    <message>
+        <source>%1 besides those of the recipe differ from the backup</source>
+        <translation>%1 además de los de la receta difieren de la copia de seguridad</translation>
+    </message>
+    <message>
+        <source>%1 of %2 written</source>
+        <translation>%1 de %2 escritos</translation>
+    </message>
+    <message>
+        <source>%1 pages, %2 sent again</source>
+        <translation>%1 páginas, %2 enviadas de nuevo</translation>
+    </message>
+    <message>
+        <source>%1 settings</source>
+        <translation>%1 ajustes</translation>
+    </message>
+    <message>
+        <source>1 setting</source>
+        <translation>1 ajuste</translation>
+    </message>
+    <message>
+        <source>all numbers are used up, the highest is %1</source>
+        <translation>todos los números están asignados, el más alto es %1</translation>
+    </message>
+    <message>
+        <source>already %1</source>
+        <translation>ya %1</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>copia de seguridad</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>terminado</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>firmware</translation>
+    </message>
+    <message>
+        <source>firmware %1</source>
+        <translation>firmware %1</translation>
+    </message>
+    <message>
+        <source>its flash has it</source>
+        <translation>está en su flash</translation>
+    </message>
+    <message>
+        <source>left out; it goes on where it was when it is tested again</source>
+        <translation>omitida; continúa donde estaba cuando se pruebe de nuevo</translation>
+    </message>
+    <message>
+        <source>no version is told</source>
+        <translation>no indica ninguna versión</translation>
+    </message>
+    <message>
+        <source>not kept: there is no notebook</source>
+        <translation>no se guardó: no hay cuaderno</translation>
+    </message>
+    <message>
+        <source>nothing can be read in the bootloader</source>
+        <translation>en el cargador de arranque no se puede leer nada</translation>
+    </message>
+    <message>
+        <source>nothing had to be stored</source>
+        <translation>no hubo que guardar nada</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>número</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>número %1</translation>
+    </message>
+    <message>
+        <source>number %1, as before</source>
+        <translation>número %1, como antes</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>parámetros</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>aprobada</translation>
+    </message>
+    <message>
+        <source>preflight</source>
+        <translation>comprobación previa</translation>
+    </message>
+    <message>
+        <source>proof</source>
+        <translation>prueba</translation>
+    </message>
+    <message>
+        <source>read back</source>
+        <translation>leído de vuelta</translation>
+    </message>
+    <message>
+        <source>self-test</source>
+        <translation>autoprueba</translation>
+    </message>
+    <message>
+        <source>snapshot %1 has %2 values</source>
+        <translation>la instantánea %1 tiene %2 valores</translation>
+    </message>
+    <message>
+        <source>within its limits</source>
+        <translation>dentro de sus límites</translation>
     </message>
 </context>
 </TS>

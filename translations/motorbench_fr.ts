@@ -6969,6 +6969,18 @@ Les données récentes sont en permanence sur disque et survivent à un plantage
         <source>Every service of this unit</source>
         <translation>Toutes les interventions sur cet appareil</translation>
     </message>
+    <message>
+        <source>Service card of %1</source>
+        <translation>Fiche de service de %1</translation>
+    </message>
+    <message>
+        <source>Parameters that differ from their default</source>
+        <translation>Paramètres qui diffèrent de leur valeur par défaut</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2.</source>
+        <translation>Les %1 premiers sur %2.</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -11475,10 +11487,6 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
         <translation>%1, à plus d’un demi-échelon de sa cible</translation>
     </message>
     <message>
-        <source>%1, the highest is %2</source>
-        <translation>%1, le plus élevé est %2</translation>
-    </message>
-    <message>
         <source>%1, told to run at more than half a step</source>
         <translation>%1, avec une consigne de plus d’un demi-échelon</translation>
     </message>
@@ -15745,6 +15753,122 @@ un double-clic le trace&#x202f;; faites-le glisser sur un graphique ou en dessou
     <message>
         <source>this unit is for motors of more current</source>
         <translation>cet appareil est fait pour des moteurs de plus de courant</translation>
+    </message>
+    <message>
+        <source>%1 %2 is unusual: %3 units have %4 to %5</source>
+        <translation>%1 %2 est inhabituel : %3 unités ont de %4 à %5</translation>
+    </message>
+    <message>
+        <source>%1 besides those of the recipe differ from the backup</source>
+        <translation>%1 en dehors de ceux de la recette diffèrent de la sauvegarde</translation>
+    </message>
+    <message>
+        <source>%1 of %2 written</source>
+        <translation>%1 sur %2 écrits</translation>
+    </message>
+    <message>
+        <source>%1 pages, %2 sent again</source>
+        <translation>%1 pages, %2 renvoyées</translation>
+    </message>
+    <message>
+        <source>%1 settings</source>
+        <translation>%1 réglages</translation>
+    </message>
+    <message>
+        <source>1 setting</source>
+        <translation>1 réglage</translation>
+    </message>
+    <message>
+        <source>all numbers are used up, the highest is %1</source>
+        <translation>tous les numéros sont attribués, le plus élevé est %1</translation>
+    </message>
+    <message>
+        <source>already %1</source>
+        <translation>déjà %1</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>sauvegarde</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>terminé</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>micrologiciel</translation>
+    </message>
+    <message>
+        <source>firmware %1</source>
+        <translation>micrologiciel %1</translation>
+    </message>
+    <message>
+        <source>its flash has it</source>
+        <translation>sa flash l&apos;a</translation>
+    </message>
+    <message>
+        <source>left out; it goes on where it was when it is tested again</source>
+        <translation>laissée de côté ; elle reprend où elle en était quand elle est testée de nouveau</translation>
+    </message>
+    <message>
+        <source>no version is told</source>
+        <translation>aucune version n&apos;est indiquée</translation>
+    </message>
+    <message>
+        <source>not kept: there is no notebook</source>
+        <translation>non conservé : il n&apos;y a pas de carnet</translation>
+    </message>
+    <message>
+        <source>nothing can be read in the bootloader</source>
+        <translation>rien ne peut être lu dans le chargeur d&apos;amorçage</translation>
+    </message>
+    <message>
+        <source>nothing had to be stored</source>
+        <translation>rien n&apos;était à enregistrer</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>numéro</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>numéro %1</translation>
+    </message>
+    <message>
+        <source>number %1, as before</source>
+        <translation>numéro %1, comme avant</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>paramètres</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>réussi</translation>
+    </message>
+    <message>
+        <source>preflight</source>
+        <translation>contrôle préalable</translation>
+    </message>
+    <message>
+        <source>proof</source>
+        <translation>preuve</translation>
+    </message>
+    <message>
+        <source>read back</source>
+        <translation>relu</translation>
+    </message>
+    <message>
+        <source>self-test</source>
+        <translation>autotest</translation>
+    </message>
+    <message>
+        <source>snapshot %1 has %2 values</source>
+        <translation>l&apos;instantané %1 a %2 valeurs</translation>
+    </message>
+    <message>
+        <source>within its limits</source>
+        <translation>dans ses limites</translation>
     </message>
 </context>
 </TS>

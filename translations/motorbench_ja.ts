@@ -6962,6 +6962,18 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>Every service of this unit</source>
         <translation>この機器の全保守履歴</translation>
     </message>
+    <message>
+        <source>Service card of %1</source>
+        <translation>%1 のサービスカード</translation>
+    </message>
+    <message>
+        <source>Parameters that differ from their default</source>
+        <translation>既定値と異なるパラメータ</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2.</source>
+        <translation>%2 個のうち最初の %1 個。</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -11463,10 +11475,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1、目標からステップの半分を超えて離れています</translation>
     </message>
     <message>
-        <source>%1, the highest is %2</source>
-        <translation>%1、最大は %2 です</translation>
-    </message>
-    <message>
         <source>%1, told to run at more than half a step</source>
         <translation>%1、ステップの半分を超える目標値で動作中です</translation>
     </message>
@@ -15733,6 +15741,122 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>this unit is for motors of more current</source>
         <translation>このユニットはより大きな電流のモーター用です</translation>
+    </message>
+    <message>
+        <source>%1 %2 is unusual: %3 units have %4 to %5</source>
+        <translation>%1 %2 は異例です: %3 台は %4 から %5 です</translation>
+    </message>
+    <message>
+        <source>%1 besides those of the recipe differ from the backup</source>
+        <translation>レシピ以外の%1がバックアップと異なります</translation>
+    </message>
+    <message>
+        <source>%1 of %2 written</source>
+        <translation>%2のうち %1 個を書き込みました</translation>
+    </message>
+    <message>
+        <source>%1 pages, %2 sent again</source>
+        <translation>%1 ページ、再送 %2</translation>
+    </message>
+    <message>
+        <source>%1 settings</source>
+        <translation>設定 %1 個</translation>
+    </message>
+    <message>
+        <source>1 setting</source>
+        <translation>設定 1 個</translation>
+    </message>
+    <message>
+        <source>all numbers are used up, the highest is %1</source>
+        <translation>番号はすべて使い切られました。最大は %1 です</translation>
+    </message>
+    <message>
+        <source>already %1</source>
+        <translation>すでに %1</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>バックアップ</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>完了</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>ファームウェア</translation>
+    </message>
+    <message>
+        <source>firmware %1</source>
+        <translation>ファームウェア %1</translation>
+    </message>
+    <message>
+        <source>its flash has it</source>
+        <translation>フラッシュに入っています</translation>
+    </message>
+    <message>
+        <source>left out; it goes on where it was when it is tested again</source>
+        <translation>除外しました。再試験すると続きから始まります</translation>
+    </message>
+    <message>
+        <source>no version is told</source>
+        <translation>バージョンは示されません</translation>
+    </message>
+    <message>
+        <source>not kept: there is no notebook</source>
+        <translation>保存されていません: ノートブックがありません</translation>
+    </message>
+    <message>
+        <source>nothing can be read in the bootloader</source>
+        <translation>ブートローダでは何も読み取れません</translation>
+    </message>
+    <message>
+        <source>nothing had to be stored</source>
+        <translation>保存するものはありませんでした</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>番号</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>番号 %1</translation>
+    </message>
+    <message>
+        <source>number %1, as before</source>
+        <translation>番号 %1、以前と同じ</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>パラメータ</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>合格</translation>
+    </message>
+    <message>
+        <source>preflight</source>
+        <translation>事前確認</translation>
+    </message>
+    <message>
+        <source>proof</source>
+        <translation>証明</translation>
+    </message>
+    <message>
+        <source>read back</source>
+        <translation>読み戻し済み</translation>
+    </message>
+    <message>
+        <source>self-test</source>
+        <translation>自己試験</translation>
+    </message>
+    <message>
+        <source>snapshot %1 has %2 values</source>
+        <translation>スナップショット %1 には %2 個の値があります</translation>
+    </message>
+    <message>
+        <source>within its limits</source>
+        <translation>限度内</translation>
     </message>
 </context>
 </TS>

@@ -6962,6 +6962,18 @@ What was recorded lately is on disk all the time and outlives a crash.</source>
         <source>Every service of this unit</source>
         <translation>此设备的全部维护记录</translation>
     </message>
+    <message>
+        <source>Service card of %1</source>
+        <translation>%1 的服务卡</translation>
+    </message>
+    <message>
+        <source>Parameters that differ from their default</source>
+        <translation>与默认值不同的参数</translation>
+    </message>
+    <message>
+        <source>The first %1 of %2.</source>
+        <translation>%2 个中的前 %1 个。</translation>
+    </message>
 </context>
 <context>
     <name>mb::ReportsPage</name>
@@ -11463,10 +11475,6 @@ double click plots it, drag it to a pane or below them</source>
         <translation>%1，距目标超过半个阶跃</translation>
     </message>
     <message>
-        <source>%1, the highest is %2</source>
-        <translation>%1，最高为 %2</translation>
-    </message>
-    <message>
         <source>%1, told to run at more than half a step</source>
         <translation>%1，被命令以超过半个阶跃运行</translation>
     </message>
@@ -15733,6 +15741,122 @@ double click plots it, drag it to a pane or below them</source>
     <message>
         <source>this unit is for motors of more current</source>
         <translation>本单元适用于更大电流的电机</translation>
+    </message>
+    <message>
+        <source>%1 %2 is unusual: %3 units have %4 to %5</source>
+        <translation>%1 %2 异常：%3 台设备为 %4 到 %5</translation>
+    </message>
+    <message>
+        <source>%1 besides those of the recipe differ from the backup</source>
+        <translation>除配方中的以外，%1与备份不同</translation>
+    </message>
+    <message>
+        <source>%1 of %2 written</source>
+        <translation>已写入%2中的 %1 项</translation>
+    </message>
+    <message>
+        <source>%1 pages, %2 sent again</source>
+        <translation>%1 页，重发 %2</translation>
+    </message>
+    <message>
+        <source>%1 settings</source>
+        <translation>%1 项设置</translation>
+    </message>
+    <message>
+        <source>1 setting</source>
+        <translation>1 项设置</translation>
+    </message>
+    <message>
+        <source>all numbers are used up, the highest is %1</source>
+        <translation>所有编号已用完，最大为 %1</translation>
+    </message>
+    <message>
+        <source>already %1</source>
+        <translation>已是 %1</translation>
+    </message>
+    <message>
+        <source>backup</source>
+        <translation>备份</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>firmware</source>
+        <translation>固件</translation>
+    </message>
+    <message>
+        <source>firmware %1</source>
+        <translation>固件 %1</translation>
+    </message>
+    <message>
+        <source>its flash has it</source>
+        <translation>已在其闪存中</translation>
+    </message>
+    <message>
+        <source>left out; it goes on where it was when it is tested again</source>
+        <translation>已跳过；再次测试时从原处继续</translation>
+    </message>
+    <message>
+        <source>no version is told</source>
+        <translation>未告知版本</translation>
+    </message>
+    <message>
+        <source>not kept: there is no notebook</source>
+        <translation>未保留：没有记录本</translation>
+    </message>
+    <message>
+        <source>nothing can be read in the bootloader</source>
+        <translation>在引导加载程序中无法读取任何内容</translation>
+    </message>
+    <message>
+        <source>nothing had to be stored</source>
+        <translation>无需存储</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>编号</translation>
+    </message>
+    <message>
+        <source>number %1</source>
+        <translation>编号 %1</translation>
+    </message>
+    <message>
+        <source>number %1, as before</source>
+        <translation>编号 %1，与之前相同</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>通过</translation>
+    </message>
+    <message>
+        <source>preflight</source>
+        <translation>预检</translation>
+    </message>
+    <message>
+        <source>proof</source>
+        <translation>证明</translation>
+    </message>
+    <message>
+        <source>read back</source>
+        <translation>已回读</translation>
+    </message>
+    <message>
+        <source>self-test</source>
+        <translation>自检</translation>
+    </message>
+    <message>
+        <source>snapshot %1 has %2 values</source>
+        <translation>快照 %1 有 %2 个值</translation>
+    </message>
+    <message>
+        <source>within its limits</source>
+        <translation>在限值内</translation>
     </message>
 </context>
 </TS>

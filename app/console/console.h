@@ -35,6 +35,9 @@ public:
     void begin();
     /// Whatever is asked meanwhile, the device is told nothing until begin(): what is refused till then is wrong usage.
     void onlyAsk() { m_sentBefore.reset(); }
+    /// A unit is between two steps that belong together: the computer must not sleep.
+    void stayAwake(bool must) { m_staysAwake = must; }
+    [[nodiscard]] bool staysAwake() const { return m_staysAwake; }
     /// Something was, so that a refusal is no wrong usage any more.
     [[nodiscard]] bool hasSent() const;
 
@@ -55,6 +58,7 @@ private:
     Subscription m_profileTrouble;
     Listeners<> m_interruptions;
     bool m_isInterrupted = false;
+    bool m_staysAwake = false;
     std::optional<std::uint64_t> m_sentBefore; ///< in finding the device
 };
 

@@ -42,7 +42,7 @@ void print(Console &console, const std::vector<service::Visit> &visits)
     for (const service::Visit &v : visits)
         table.add({QDateTime::fromMSecsSinceEpoch(std::llround(v.time * 1e3)).toString(Qt::ISODate).toStdString(),
             v.serial.empty() ? v.unit : v.serial, v.device, std::string(toString(v.outcome)),
-            std::string(toString(v.step)), v.from, v.to, v.recipe, v.station, v.cause, v.note});
+            std::string(toString(v.step)), v.from, v.to, v.recipe, v.station, v.cause.english(), v.note});
     table.print(console.out());
 }
 

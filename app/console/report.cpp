@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/report.h"
 #include "app/console/parameterrows.h"
 #include "app/console/progressline.h"
 #include "app/console/target.h"
@@ -9,6 +10,8 @@
 #include "storage/reportmatter.h"
 #include "tuning/verdict.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -24,12 +27,21 @@ constexpr int mostTrialNumber = 2'000'000'000;
 struct Arguments {
     std::vector<std::string> subjects;
     std::string out;
+    std::string size = "report";
 };
+
+/// What is written of a unit, by the word of --size.
+struct Size {
+    std::string_view word;
+    QString (*html)(const Report &report);
+};
+constexpr std::array<Size, 3> sizes{{{"report", htmlOf}, {"card", cardHtmlOf}, {"label", labelHtmlOf}}};
 
 struct Wish {
     std::optional<Target> target;
     ReportWish matter;
     bool pdf = false;
+    const Size *size = nullptr;
 };
 
 Result<Wish> check(const Console &console, const Arguments &a)
@@ -41,6 +53,10 @@ Result<Wish> check(const Console &console, const Arguments &a)
     wish.pdf = a.out.ends_with(".pdf") || a.out.ends_with(".PDF");
     if (!wish.pdf && !a.out.ends_with(".html") && !a.out.ends_with(".htm") && !a.out.ends_with(".HTML"))
         return fail(Fault::Usage, say("--out '%1' is no report", a.out), say("give a name that ends in .pdf or .html"));
+    const auto size = std::find_if(sizes.begin(), sizes.end(), [&a](const Size &each) { return each.word == a.size; });
+    if (size == sizes.end())
+        return fail(Fault::Usage, say("--size '%1' is none", a.size), say("there are report, card and label"));
+    wish.size = &*size;
     for (const std::string &subject : a.subjects) {
         if (subject.starts_with(trialPrefix)) {
             const auto number = parseInteger("trial", subject.substr(trialPrefix.size()), 1, mostTrialNumber);
@@ -142,7 +158,12 @@ Task<int> report(Console &console, Arguments a)
     const auto gathered = gather(console, wish->matter, std::move(unit));
     if (!gathered)
         co_return fail(gathered.error());
-    const QByteArray html = htmlOf(*gathered).toUtf8();
+    const bool served = std::any_of(
+        gathered->units.begin(), gathered->units.end(), [](const ReportUnit &each) { return !each.visits.empty(); });
+    if (wish->size->html == labelHtmlOf && !served)
+        co_return fail(Fault::OutOfRange, say("this unit was never served, so there is nothing to label"),
+            say("serve it first: 'motorbenchctl service'"));
+    const QByteArray html = wish->size->html(*gathered).toUtf8();
     if (wish->pdf) {
         file.reset();
         co_return fail(print(html, a.out, console.json()));
@@ -160,6 +181,7 @@ Job declareReport(CLI::App &arguments)
     const auto a = std::make_shared<Arguments>();
     arguments.add_option("subject", a->subjects, "LINK/FAMILY:ADDRESS, or trial:N of the notebook, one or more");
     arguments.add_option("--out", a->out, "The report: .pdf or .html");
+    arguments.add_option("--size", a->size, "report: all that is known; card: one page a unit; label: 62 x 29 mm");
     return [a](Console &console) { return report(console, *a); };
 }
 

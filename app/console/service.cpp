@@ -93,8 +93,7 @@ std::string textOf(const service::Visit &visit)
         text += "  " + (visit.from.empty() ? "?" : visit.from) + " → " + visit.to;
     text += "  " + numberText(std::round(visit.seconds * 10.0) / 10.0) + " s";
     if (!visit.cause.empty())
-        text += "  at " + std::string(toString(visit.step)) + ": " + visit.cause
-            + (visit.remedy.empty() ? "" : "; " + visit.remedy);
+        text += "  at " + std::string(toString(visit.step)) + ": " + joined(visit.cause, visit.remedy).english();
     return text;
 }
 
@@ -129,6 +128,7 @@ public:
         m_queue.start();
         co_await m_ended.wait();
         m_renewal.stop();
+        m_console.stayAwake(false);
         summarize();
         co_return verdict();
     }
@@ -147,6 +147,7 @@ private:
     }
     void showProgress()
     {
+        m_console.stayAwake(m_queue.mustStayAwake());
         for (const service::QueueRow &row : m_queue.rows()) {
             if (row.state == service::RowState::Running && !row.what.empty())
                 m_progress.step(
@@ -155,7 +156,7 @@ private:
     }
     void print(const service::Visit &visit)
     {
-        m_isUnconfirmed = m_isUnconfirmed || visit.cause.find("was not confirmed") != std::string::npos;
+        m_isUnconfirmed = m_isUnconfirmed || visit.cause.english().find("was not confirmed") != std::string::npos;
         if (m_console.json())
             m_console.out().json(visitLine(visit));
         else

@@ -31,6 +31,7 @@ public:
     /// Motors of units stop with all others; nothing is armed any more, and the queue ends.
     void stop();
     [[nodiscard]] ServiceView view() const;
+    [[nodiscard]] bool mustStayAwake() const { return m_queue && m_queue->mustStayAwake(); }
 
     [[nodiscard]] Listeners<> &changed() { return m_changed; }
     [[nodiscard]] Listeners<const service::Visit &> &unitEnded() { return m_unitEnded; }

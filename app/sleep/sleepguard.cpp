@@ -4,6 +4,7 @@
 #include "model/session.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mb {
 namespace {
@@ -12,9 +13,10 @@ constexpr Duration lookEvery = std::chrono::milliseconds(100);
 
 } // namespace
 
-SleepGuard::SleepGuard(Session &session, Clock &clock, SleepInhibitor &inhibitor)
+SleepGuard::SleepGuard(Session &session, Clock &clock, SleepInhibitor &inhibitor, std::function<bool()> also)
     : m_session(session)
     , m_inhibitor(inhibitor)
+    , m_also(std::move(also))
     , m_look(clock)
 {
     look();
@@ -28,6 +30,8 @@ SleepGuard::~SleepGuard()
 
 bool SleepGuard::isNeeded() const
 {
+    if (m_also && m_also())
+        return true;
     const auto devices = m_session.devices();
     return std::any_of(devices.begin(), devices.end(), [this](Device *device) {
         const LinkAddress &link = device->link().address();

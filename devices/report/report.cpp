@@ -49,7 +49,7 @@ QString unitHtml(const ReportUnit &unit, const Report &report, bool first)
     if (unit.simulated)
         html += demoBanner();
     html += identityHtml(unit, report);
-    html += lastVisitHtml(unit);
+    html += lastVisitHtml(unit, report);
     bool onFirstPage = true;
     const auto newPage = [&onFirstPage](const QString &section) {
         const QString placed
@@ -63,12 +63,55 @@ QString unitHtml(const ReportUnit &unit, const Report &report, bool first)
         html += newPage(trialHtml(trial, unit, report));
     if (const QString history = historyHtml(unit); !history.isEmpty())
         html += history; // which goes on where there is room
-    html += visitsHtml(unit);
+    html += visitsHtml(unit, report);
     if (const QString parameters = parametersHtml(unit, report); !parameters.isEmpty())
         html += newPage(parameters);
     if (unit.tunings.empty() && unit.trials.empty() && unit.history.empty() && unit.visits.empty())
         html += paragraph(ReportText::tr("There are no trials of this unit in the notebook."), "dim");
     return html;
+}
+
+/// What a document of A4 begins with, up to its body.
+QString headOf(const Report &report, const QString &title)
+{
+    QString html = QStringLiteral("<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\">\n<title>") + escaped(title)
+        + QStringLiteral("</title>\n");
+    if (report.isSimulated())
+        html += QStringLiteral("<meta name=\"simulated\" content=\"true\">\n");
+    return html + QStringLiteral("<style>") + sheet + QStringLiteral("</style>\n<style media=\"screen\">") + screenSheet
+        + QStringLiteral("</style></head>\n<body>\n");
+}
+
+QString namesIn(const Report &report)
+{
+    QStringList names;
+    for (const ReportUnit &unit : report.units)
+        names << nameOf(unit);
+    return names.join(QStringLiteral(", "));
+}
+
+/// The self-test of the last service, or the newest step.
+const KeptTrial *stepOf(const ReportUnit &unit)
+{
+    const auto tested = std::find_if(unit.trials.begin(), unit.trials.end(),
+        [&unit](const KeptTrial &kept) { return !unit.visits.empty() && unit.visits.back().trial == kept.number; });
+    if (tested != unit.trials.end())
+        return &*tested;
+    return unit.trials.empty() ? nullptr : &unit.trials.back();
+}
+
+QString cardOf(const ReportUnit &unit, const Report &report, bool first)
+{
+    QString html = QStringLiteral("<h1%1>%2</h1>\n")
+                       .arg(first ? QString() : QStringLiteral(" style=\"page-break-before: always\""),
+                           escaped(ReportText::tr("Service card of %1").arg(nameOf(unit))));
+    html += paragraph(ReportText::tr("Made on %1 with %2").arg(timeText(report.time), escaped(report.program)), "dim");
+    if (unit.simulated)
+        html += demoBanner();
+    html += identityHtml(unit, report) + lastVisitHtml(unit, report);
+    if (const KeptTrial *step = stepOf(unit))
+        html += stepHtml(*step);
+    return html + changedParametersHtml(unit, report);
 }
 
 } // namespace
@@ -78,17 +121,17 @@ bool Report::isSimulated() const
     return std::any_of(units.begin(), units.end(), [](const ReportUnit &unit) { return unit.simulated; });
 }
 
+QString cardHtmlOf(const Report &report)
+{
+    QString html = headOf(report, ReportText::tr("Service card of %1").arg(namesIn(report)));
+    for (const ReportUnit &unit : report.units)
+        html += cardOf(unit, report, &unit == &report.units.front());
+    return html + QStringLiteral("</body></html>\n");
+}
+
 QString htmlOf(const Report &report)
 {
-    QStringList names;
-    for (const ReportUnit &unit : report.units)
-        names << nameOf(unit);
-    QString html = QStringLiteral("<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\">\n<title>")
-        + escaped(ReportText::tr("Report on %1").arg(names.join(QStringLiteral(", ")))) + QStringLiteral("</title>\n");
-    if (report.isSimulated())
-        html += QStringLiteral("<meta name=\"simulated\" content=\"true\">\n");
-    html += QStringLiteral("<style>") + sheet + QStringLiteral("</style>\n<style media=\"screen\">") + screenSheet
-        + QStringLiteral("</style></head>\n<body>\n");
+    QString html = headOf(report, ReportText::tr("Report on %1").arg(namesIn(report)));
     for (const ReportUnit &unit : report.units)
         html += unitHtml(unit, report, &unit == &report.units.front());
     return html + QStringLiteral("</body></html>\n");
@@ -99,8 +142,8 @@ QString labelHtmlOf(const Report &report)
     QString html = QStringLiteral("<!DOCTYPE html>\n<html><head><meta charset=\"utf-8\"><title>")
         + ReportText::tr("Labels")
         + QStringLiteral("</title>\n<style>@page { size: 62mm 29mm; margin: 2mm } "
-                         "body { font-family: sans-serif; font-size: 9pt; margin: 0 } "
-                         "p { margin: 0 } .big { font-size: 14pt }</style></head>\n<body>\n");
+                         "body { font-family: sans-serif; font-size: 12px; margin: 0 } "
+                         "p { margin: 0 } .big { font-size: 18px; font-weight: bold }</style></head>\n<body>\n");
     bool first = true;
     for (const ReportUnit &unit : report.units) {
         if (unit.visits.empty())

@@ -52,7 +52,8 @@ tuning::Trace targetOf(const Trial &trial, const tuning::Trace &measured)
     return target;
 }
 
-QString plotOf(const KeptTrial &kept)
+/// `whole`: with the effort below.
+QString plotOf(const KeptTrial &kept, bool whole = true)
 {
     const Trial &trial = kept.trial;
     SvgPlot plot;
@@ -71,10 +72,10 @@ QString plotOf(const KeptTrial &kept)
         main.curves.clear();
     main.curves.push_back({ReportText::tr("%1, measured").arg(name), QStringLiteral("#1F8FD6"), {}, measured});
     plot.panes.push_back(std::move(main));
-    if (const tuning::Trace duty = trial.folded("duty"); duty.size() > 1)
+    if (const tuning::Trace duty = trial.folded("duty"); whole && duty.size() > 1)
         plot.panes.push_back(
             {ReportText::tr("duty, %"), {{{}, QStringLiteral("#1B2A8C"), {}, scaled(duty, 100.0)}}, effortHeight});
-    if (const tuning::Trace current = trial.folded("current"); current.size() > 1)
+    if (const tuning::Trace current = trial.folded("current"); whole && current.size() > 1)
         plot.panes.push_back(
             {ReportText::tr("current, A"), {{{}, QStringLiteral("#B0508C"), {}, current}}, effortHeight});
     return svgOf(plot);
@@ -187,6 +188,27 @@ QString trialHtml(const KeptTrial &kept, const ReportUnit &unit, const Report &r
     if (!kept.note.empty())
         html += paragraph(ReportText::tr("Note: %1").arg(escaped(kept.note)));
     return html;
+}
+
+QString stepHtml(const KeptTrial &kept)
+{
+    const Trial &trial = kept.trial;
+    QString html = heading(2, ReportText::tr("Trial %1, %2 loop").arg(kept.number).arg(modeWord(trial.mode)));
+    html += paragraph(escaped(timeText(kept.time) + QStringLiteral(" · ") + stimulusWords(trial)), "dim");
+    if (const QString plot = plotOf(kept, false); !plot.isEmpty())
+        html += QStringLiteral("<div>") + plot + QStringLiteral("</div>\n");
+    QStringList heads;
+    QStringList values;
+    for (const char *const key : {"rise", "overshoot", "settle", "sse", "peak_current"}) {
+        const auto metrics = tuning::metricKeys();
+        const auto metric = std::find_if(
+            metrics.begin(), metrics.end(), [key](const tuning::MetricKey &each) { return each.key == key; });
+        heads << metricWords(key).name;
+        values << metricText(key, trial.metrics.*metric->value);
+    }
+    HtmlTable table(QStringLiteral("rrrrr"), heads);
+    table.add(values);
+    return html + table.html();
 }
 
 QString historyHtml(const ReportUnit &unit)

@@ -7,6 +7,8 @@ namespace mb {
 
 /// One trial in full: what was asked, its curves, metrics and gains.
 [[nodiscard]] QString trialHtml(const KeptTrial &kept, const ReportUnit &unit, const Report &report);
+/// One step in short: what was asked, its curves, its metrics in one row.
+[[nodiscard]] QString stepHtml(const KeptTrial &kept);
 /// Every trial of a unit, one line each, the newest first.
 [[nodiscard]] QString historyHtml(const ReportUnit &unit);
 

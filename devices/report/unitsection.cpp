@@ -10,6 +10,8 @@
 namespace mb {
 namespace {
 
+constexpr int cardRows = 10; ///< of parameters on a card
+
 void addFact(HtmlTable &table, const QString &name, const std::string &value)
 {
     if (!value.empty())
@@ -50,6 +52,29 @@ QString identityHtml(const ReportUnit &unit, const Report &report)
     if (identity.serial.empty())
         addFact(right, ReportText::tr("Known as"), unit.unit);
     return beside(left.html(), right.html());
+}
+
+QString changedParametersHtml(const ReportUnit &unit, const Report &report)
+{
+    QStringList shown;
+    int changed = 0;
+    for (std::size_t i = 0; unit.family && i < unit.parameters.size() && i < unit.family->parameters.size(); ++i) {
+        const Parameter &parameter = unit.family->parameters[i];
+        const auto &raw = unit.parameters[i].raw;
+        const std::int64_t fallback = std::llround(parameter.fallback * parameter.one);
+        if (!raw || unit.parameters[i].state == ParameterState::Failed || parameter.nature != Nature::Setting
+            || *raw == fallback || ++changed > cardRows)
+            continue;
+        shown << escaped(parameter.key) + QLatin1Char(' ') + strong(escaped(toText(parameter, *raw)), "accent")
+                + QLatin1Char(' ') + phrased(report, parameter.unit);
+    }
+    if (changed == 0)
+        return {};
+    QString html = heading(2, ReportText::tr("Parameters that differ from their default"))
+        + paragraph(shown.join(QStringLiteral(" · ")));
+    if (changed > cardRows)
+        html += paragraph(ReportText::tr("The first %1 of %2.").arg(cardRows).arg(changed), "dim");
+    return html;
 }
 
 QString parametersHtml(const ReportUnit &unit, const Report &report)

@@ -77,6 +77,11 @@ QString testHtml(const ReportUnit &unit)
     return table.isEmpty() ? QString() : table.html();
 }
 
+QString phrased(const Report &report, const Message &text)
+{
+    return escaped(report.phrase ? report.phrase(text) : qt(text.english()));
+}
+
 QString firmwareText(const Visit &visit)
 {
     const QString before = visit.from.empty() ? QStringLiteral("–") : escaped(visit.from);
@@ -105,7 +110,7 @@ QString changeText(std::optional<double> now, std::optional<double> before)
     return sign + QString::number(std::abs(percent)) + QStringLiteral(" %");
 }
 
-QString lastVisitHtml(const ReportUnit &unit)
+QString lastVisitHtml(const ReportUnit &unit, const Report &report)
 {
     if (unit.visits.empty())
         return {};
@@ -125,13 +130,13 @@ QString lastVisitHtml(const ReportUnit &unit)
             strong(ReportText::tr("%n in the unit, read back", nullptr, *visit.parameters))});
     QString html = heading(2, ReportText::tr("Service")) + beside(left.html(), right.html());
     if (!visit.cause.empty())
-        html += paragraph(escaped(visit.remedy.empty() ? visit.cause : visit.cause + "; " + visit.remedy), "danger");
+        html += paragraph(phrased(report, joined(visit.cause, visit.remedy)), "danger");
     if (!visit.note.empty())
         html += paragraph(escaped(visit.note));
     return html + testHtml(unit);
 }
 
-QString visitsHtml(const ReportUnit &unit)
+QString visitsHtml(const ReportUnit &unit, const Report &report)
 {
     if (unit.visits.size() < 2)
         return {};
@@ -141,7 +146,7 @@ QString visitsHtml(const ReportUnit &unit)
     for (std::size_t i = unit.visits.size(); i-- > 0;) {
         const Visit &visit = unit.visits[i];
         table.add({timeText(visit.time), escaped(visit.recipe), resultHtml(visit.outcome), firmwareText(visit),
-            escaped(visit.cause.empty() ? visit.note : visit.cause)});
+            visit.cause.empty() ? escaped(visit.note) : phrased(report, visit.cause)});
     }
     return heading(2, ReportText::tr("Every service of this unit")) + table.html();
 }

@@ -42,16 +42,16 @@ std::optional<Band> bandOf(const std::vector<Visit> &passed, const std::string &
     return band;
 }
 
-std::string markUnusual(std::vector<TestValue> &values, const std::vector<Visit> &passed)
+Message markUnusual(std::vector<TestValue> &values, const std::vector<Visit> &passed)
 {
-    std::string told;
+    Message told;
     for (TestValue &value : values) {
         const auto band = bandOf(passed, value.key);
         value.unusual = band && value.value && (*value.value < band->low() || *value.value > band->high());
         if (value.unusual)
-            told += (told.empty() ? "" : "; ") + value.key + ' ' + figureText(*value.value)
-                + " is unusual: " + std::to_string(band->units) + " units have " + figureText(band->low()) + " to "
-                + figureText(band->high());
+            told = joined(told,
+                say("%1 %2 is unusual: %3 units have %4 to %5", value.key, figureText(*value.value), band->units,
+                    figureText(band->low()), figureText(band->high())));
     }
     return told;
 }

@@ -21,6 +21,6 @@ constexpr int fewestForBand = 8;
 [[nodiscard]] std::optional<Band> bandOf(const std::vector<Visit> &passed, const std::string &key);
 
 /// Marks the values that are outside; yields one sentence about them, empty when none is.
-[[nodiscard]] std::string markUnusual(std::vector<TestValue> &values, const std::vector<Visit> &passed);
+[[nodiscard]] Message markUnusual(std::vector<TestValue> &values, const std::vector<Visit> &passed);
 
 } // namespace mb::service

@@ -233,9 +233,9 @@ Task<void> ServiceQueue::Bus::refuse(Row &row, Error error)
     auto opening = openVisit(row, *device);
     Visit visit = co_await std::move(opening);
     visit.outcome = Outcome::Refused;
-    visit.cause = error.detail.english();
-    visit.remedy = error.help().english();
-    visit.steps.push_back({Step::Preflight, 0.0, true, error.detail.english()});
+    visit.cause = error.detail;
+    visit.remedy = error.help();
+    visit.steps.push_back({Step::Preflight, 0.0, true, error.detail});
     auto writing = m_queue.m_around.journal.write(visit);
     const Visit written = co_await std::move(writing);
     ended(row, written);
@@ -299,7 +299,7 @@ Task<void> ServiceQueue::Bus::serve(Row &row)
     const Result<Visit> result = co_await std::move(performing).attempt();
     if (!result && result.error().fault == Fault::Cancelled) {
         row.shown.state = RowState::Skipped;
-        row.shown.visit.cause = "left out; it goes on where it was when it is tested again";
+        row.shown.visit.cause = say("left out; it goes on where it was when it is tested again");
         m_queue.m_changed.notify();
         co_return {};
     }
@@ -363,6 +363,11 @@ void ServiceQueue::Bus::ended(Row &row, const Visit &visit)
     row.shown.what = {};
     row.shown.mayInterrupt = true;
     m_queue.count(visit);
+}
+
+bool ServiceQueue::Bus::isReal() const
+{
+    return !m_link.address().isSimulated() && !m_link.address().isRecording();
 }
 
 bool ServiceQueue::Bus::hasWaiting() const

@@ -20,6 +20,8 @@ public:
     [[nodiscard]] bool isInLane() const { return m_isInLane; }
     void setInLane(bool is) { m_isInLane = is; }
     [[nodiscard]] bool isServing() const { return m_serving != nullptr; }
+    /// Neither simulated nor a recording.
+    [[nodiscard]] bool isReal() const;
     [[nodiscard]] bool hasWaiting() const;
     void addRows(std::vector<QueueRow> &rows) const;
 

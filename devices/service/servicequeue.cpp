@@ -95,9 +95,9 @@ void ServiceQueue::change(const Visit &visit, int by)
 void ServiceQueue::count(const Visit &visit)
 {
     change(visit, 1);
-    if (visit.cause.starts_with(numbersUsedUp)) {
+    if (visit.cause.english().starts_with(numbersUsedUp)) {
         m_isFinishing = true;
-        m_trouble = Error{Fault::OutOfRange, Message::verbatim(visit.cause), Message::verbatim(visit.remedy)};
+        m_trouble = Error{Fault::OutOfRange, visit.cause, visit.remedy};
     }
     m_unitEnded.notify(visit);
     m_changed.notify();
@@ -116,6 +116,12 @@ bool ServiceQueue::mayBegin() const
     return !m_isPausing && !m_isFinishing
         && (!m_options.units || *m_options.units == 0
             || m_counts.ended() + static_cast<int>(serving) < *m_options.units);
+}
+
+bool ServiceQueue::mustStayAwake() const
+{
+    return std::any_of(
+        m_buses.begin(), m_buses.end(), [](const auto &bus) { return bus->isServing() && bus->isReal(); });
 }
 
 bool ServiceQueue::isPaused() const

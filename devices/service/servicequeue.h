@@ -77,6 +77,8 @@ public:
     /// Name of this start, to be resumed; known once a unit has begun or start() has found it.
     [[nodiscard]] const std::string &run() const { return m_options.run; }
     [[nodiscard]] bool isRunning() const { return m_lanes > 0; }
+    /// The steps of a unit on a real link are not over: the computer must not sleep between them.
+    [[nodiscard]] bool mustStayAwake() const;
     /// The next unit is not begun; what runs goes on.
     [[nodiscard]] bool isPausing() const { return m_isPausing; }
     /// Nothing runs, because of pause().

@@ -33,9 +33,9 @@ private:
     Device &m_device;
 };
 
-std::string settingsText(int count)
+Message settingsText(int count)
 {
-    return std::to_string(count) + (count == 1 ? " setting" : " settings");
+    return count == 1 ? say("1 setting") : say("%1 settings", count);
 }
 
 } // namespace
@@ -89,7 +89,7 @@ Task<void> UnitRun::perform(Step step, Work work)
     auto beginning = write();
     co_await std::move(beginning);
     auto working = (this->*work)();
-    const std::string detail = co_await std::move(working);
+    const Message detail = co_await std::move(working);
     m_visit.steps.push_back({step, 0.0, true, detail});
     auto ending = write();
     co_await std::move(ending);
@@ -148,7 +148,7 @@ Task<void> UnitRun::meet()
     co_return {};
 }
 
-Task<std::string> UnitRun::look()
+Task<Message> UnitRun::look()
 {
     auto meeting = meet();
     co_await std::move(meeting);
@@ -158,18 +158,18 @@ Task<std::string> UnitRun::look()
     if (!serial.empty() && !m_visit.serial.empty() && serial != m_visit.serial)
         co_return fail(
             Fault::Refused, say("this is another unit by now, number %1", serial), say("look for units again"));
-    co_return m_device.identity().firmware.empty() ? std::string("no version is told")
-                                                   : "firmware " + m_device.identity().firmware;
+    const std::string &firmware = m_device.identity().firmware;
+    co_return firmware.empty() ? say("no version is told") : say("firmware %1", firmware);
 }
 
-Task<std::string> UnitRun::backUp()
+Task<Message> UnitRun::backUp()
 {
     if (m_device.identity().state == DeviceState::Bootloader)
-        co_return std::string("nothing can be read in the bootloader");
+        co_return say("nothing can be read in the bootloader");
     if (!m_around.settings) {
         auto reading = readAll();
         co_await std::move(reading);
-        co_return std::string("not kept: there is no notebook");
+        co_return say("not kept: there is no notebook");
     }
     auto taking = settings::takeSnapshot(
         m_device, settings::Occasion::Update, "before " + m_visit.recipe, *m_around.settings, m_progress);
@@ -177,7 +177,7 @@ Task<std::string> UnitRun::backUp()
     m_visit.snapshot = snapshot.number;
     const auto entries = m_device.parameters().entries();
     m_before.assign(entries.begin(), entries.end());
-    co_return "snapshot " + std::to_string(snapshot.number) + " has " + std::to_string(snapshot.count) + " values";
+    co_return say("snapshot %1 has %2 values", snapshot.number, snapshot.count);
 }
 
 Task<UpdateReport> UnitRun::runUpdate()
@@ -188,22 +188,22 @@ Task<UpdateReport> UnitRun::runUpdate()
     co_return co_await std::move(updating).attempt();
 }
 
-Task<std::string> UnitRun::update()
+Task<Message> UnitRun::update()
 {
     auto updating = runUpdate();
     const UpdateReport report = co_await std::move(updating);
     if (!report.from.empty() || m_visit.from.empty())
         m_visit.from = m_visit.from.empty() ? report.from : m_visit.from;
     m_visit.to = report.to;
-    m_visit.evidence = report.summary().english();
+    m_visit.evidence = report.summary();
     if (report.outcome == UpdateOutcome::Cancelled)
         co_return fail(Fault::Cancelled, report.evidence);
     if (report.outcome == UpdateOutcome::Done || report.outcome == UpdateOutcome::UpToDate) {
         auto meeting = meet(); // its restart was our own: no reason to stop the motor later
         co_await std::move(meeting);
         co_return report.outcome == UpdateOutcome::UpToDate
-            ? "already " + report.to
-            : std::to_string(report.pages) + " pages, " + std::to_string(report.retries) + " sent again";
+            ? say("already %1", report.to)
+            : say("%1 pages, %2 sent again", report.pages, report.retries);
     }
     co_return fail(report.fault.value_or(Fault::Refused), report.evidence, report.remedy);
 }
@@ -249,7 +249,7 @@ int UnitRun::others() const
     return count;
 }
 
-Task<std::string> UnitRun::setParameters()
+Task<Message> UnitRun::setParameters()
 {
     auto reading = readAll();
     co_await std::move(reading);
@@ -267,10 +267,10 @@ Task<std::string> UnitRun::setParameters()
         co_await std::move(storing);
     }
     m_visit.parameters = static_cast<int>(m_around.matter.parameters.size());
-    co_return std::to_string(changes.size()) + " of " + settingsText(*m_visit.parameters) + " written";
+    co_return say("%1 of %2 written", changes.size(), settingsText(*m_visit.parameters));
 }
 
-Task<std::string> UnitRun::test()
+Task<Message> UnitRun::test()
 {
     if (!m_around.permit)
         co_return fail(
@@ -289,12 +289,12 @@ Task<std::string> UnitRun::test()
     passed.outcome = Outcome::Passed;
     auto asking2 = m_around.journal.visits(passed);
     const Result<std::vector<Visit>> others = co_await std::move(asking2).attempt();
-    const std::string unusual = others ? markUnusual(finding.values, *others) : std::string();
+    const Message unusual = others ? markUnusual(finding.values, *others) : Message();
     m_visit.test = std::move(finding.values);
     m_visit.trial = finding.trial;
     if (finding.failure)
         co_return fail(*finding.failure);
-    co_return unusual.empty() ? std::string("within its limits") : "within its limits; " + unusual;
+    co_return joined(say("within its limits"), unusual);
 }
 
 /// Without a server and with none left the unit waits here: nothing else is lost by that.
@@ -316,7 +316,7 @@ Task<int> UnitRun::reserve()
     }
 }
 
-Task<std::string> UnitRun::giveNumber()
+Task<Message> UnitRun::giveNumber()
 {
     if (!m_visit.number) {
         auto reserving = reserve();
@@ -330,10 +330,10 @@ Task<std::string> UnitRun::giveNumber()
         auto moving = m_device.renumber(*m_visit.number);
         co_await std::move(moving);
     }
-    co_return "number " + std::to_string(*m_visit.number) + (old == *m_visit.number ? ", as before" : "");
+    co_return old == *m_visit.number ? say("number %1, as before", *m_visit.number) : say("number %1", *m_visit.number);
 }
 
-Task<std::string> UnitRun::prove()
+Task<Message> UnitRun::prove()
 {
     const bool stores = storesByItself();
     bool stored = false;
@@ -356,26 +356,27 @@ Task<std::string> UnitRun::prove()
         co_return fail(Fault::BadCheck,
             say("the unit answers with firmware %1, the image is %2", m_visit.to, m_around.matter.imageVersion),
             say("do it again"));
-    std::string told = stored ? "its flash has it" : stores ? "nothing had to be stored" : "read back";
-    if (const int changed = others(); changed > 0)
-        told += "; " + settingsText(changed) + " besides those of the recipe differ from the backup";
-    co_return told;
+    const Message told = stored ? say("its flash has it") : stores ? say("nothing had to be stored") : say("read back");
+    const int changed = others();
+    co_return changed == 0
+        ? told
+        : joined(told, say("%1 besides those of the recipe differ from the backup", settingsText(changed)));
 }
 
 Task<Visit> UnitRun::conclude(Outcome outcome, Error error)
 {
-    std::string evidence;
+    Message evidence;
     for (const StepEntry &entry : m_visit.steps) {
         if (entry.ended && !entry.detail.empty())
-            evidence += (evidence.empty() ? "" : "; ") + std::string(toString(entry.step)) + ": " + entry.detail;
+            evidence = joined(evidence, say("%1: %2", Message::label(toString(entry.step)), entry.detail));
     }
     m_visit.evidence = std::move(evidence);
     m_visit.outcome = outcome;
-    m_visit.cause = error.detail.english();
-    m_visit.remedy = error.help().english();
+    m_visit.cause = error.detail;
+    m_visit.remedy = error.help();
     if (outcome == Outcome::Passed)
         m_visit.step = Step::Done;
-    m_visit.steps.push_back({m_visit.step, 0.0, true, outcome == Outcome::Passed ? "passed" : error.detail.english()});
+    m_visit.steps.push_back({m_visit.step, 0.0, true, outcome == Outcome::Passed ? say("passed") : error.detail});
     auto writing = write();
     co_await std::move(writing);
     co_return m_visit;

@@ -23,7 +23,7 @@ public:
     [[nodiscard]] const std::optional<Error> &journalError() const { return m_journalError; }
 
 private:
-    using Work = Task<std::string> (UnitRun::*)();
+    using Work = Task<Message> (UnitRun::*)();
     [[nodiscard]] Task<void> perform(Step step, Work work);
     [[nodiscard]] Task<void> write();
     [[nodiscard]] bool isEnded(Step step) const;
@@ -31,13 +31,13 @@ private:
     [[nodiscard]] bool storesByItself() const;
 
     // Each yields what came of it, one clause.
-    [[nodiscard]] Task<std::string> look();
-    [[nodiscard]] Task<std::string> backUp();
-    [[nodiscard]] Task<std::string> update();
-    [[nodiscard]] Task<std::string> setParameters();
-    [[nodiscard]] Task<std::string> test();
-    [[nodiscard]] Task<std::string> giveNumber();
-    [[nodiscard]] Task<std::string> prove();
+    [[nodiscard]] Task<Message> look();
+    [[nodiscard]] Task<Message> backUp();
+    [[nodiscard]] Task<Message> update();
+    [[nodiscard]] Task<Message> setParameters();
+    [[nodiscard]] Task<Message> test();
+    [[nodiscard]] Task<Message> giveNumber();
+    [[nodiscard]] Task<Message> prove();
 
     [[nodiscard]] Task<void> meet();
     [[nodiscard]] Task<UpdateReport> runUpdate();

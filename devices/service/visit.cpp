@@ -7,8 +7,8 @@
 namespace mb::service {
 namespace {
 
-constexpr std::array<std::string_view, 8> steps{
-    "preflight", "backup", "firmware", "parameters", "self-test", "number", "proof", "done"};
+constexpr std::array<std::string_view, 8> steps{MB_LABEL("preflight"), MB_LABEL("backup"), MB_LABEL("firmware"),
+    MB_LABEL("parameters"), MB_LABEL("self-test"), MB_LABEL("number"), MB_LABEL("proof"), MB_LABEL("done")};
 constexpr std::array<std::string_view, 4> outcomes{"open", "passed", "failed", "refused"};
 
 template <std::size_t N> std::size_t placeOf(const std::array<std::string_view, N> &words, std::string_view text)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "async/message.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,7 +39,7 @@ struct StepEntry {
     Step step = Step::Preflight;
     double time = 0.0; ///< Unix, s
     bool ended = false;
-    std::string detail; ///< what came of it, one sentence
+    Message detail; ///< what came of it, one sentence
 
     friend bool operator==(const StepEntry &, const StepEntry &) = default;
 };
@@ -67,10 +69,10 @@ struct Visit {
     std::optional<std::int64_t> snapshot; ///< the backup, in the notebook of this computer
     std::optional<std::int64_t> trial;    ///< the self-test's, likewise
     double seconds = 0.0;
-    std::string cause; ///< of Failed and Refused
-    std::string remedy;
-    std::string evidence; ///< one sentence: what proves it
-    std::string note;     ///< of the operator
+    Message cause; ///< of Failed and Refused
+    Message remedy;
+    Message evidence; ///< one sentence: what proves it
+    std::string note; ///< of the operator
     std::vector<StepEntry> steps;
 
     friend bool operator==(const Visit &, const Visit &) = default;

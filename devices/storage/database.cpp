@@ -10,6 +10,7 @@
 #include <QSqlDatabase>
 #include <QSqlError>
 #include <QSqlQuery>
+#include <QUrl>
 
 #include <atomic>
 
@@ -31,6 +32,16 @@ QString freeName(const QString &path)
     for (int i = 2; QFile::exists(name); ++i)
         name = path + QStringLiteral(".damaged-%1").arg(i);
     return name;
+}
+
+/// Beside a file with a write-ahead log SQLite wants to make another, for reading, too. Where it cannot, and no program that could
+/// write has the file open, it is told that the file does not change.
+QString readOnlyName(const QFileInfo &file)
+{
+    const QString path = file.absoluteFilePath();
+    const bool alone = !QFileInfo(file.absolutePath()).isWritable() && !QFile::exists(path + QStringLiteral("-wal"));
+    return QStringLiteral("file:") + QString::fromLatin1(QUrl::toPercentEncoding(path, "/"))
+        + (alone ? QStringLiteral("?immutable=1") : QString());
 }
 
 } // namespace
@@ -86,9 +97,9 @@ Result<void> Database::connect()
         return fail(
             Fault::OutOfRange, say("%1 cannot be written", file.absolutePath().toStdString()), say("check its rights"));
     QSqlDatabase made = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), qt(m_connection));
-    made.setDatabaseName(qt(m_path));
+    made.setDatabaseName(m_readOnly ? readOnlyName(file) : qt(m_path));
     made.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000")
-        + (m_readOnly ? QStringLiteral(";QSQLITE_OPEN_READONLY") : QString()));
+        + (m_readOnly ? QStringLiteral(";QSQLITE_OPEN_READONLY;QSQLITE_OPEN_URI") : QString()));
     if (!made.open())
         return fail(Fault::OutOfRange, say("%1 cannot be opened: %2", m_path, made.lastError().text().toStdString()));
     if (m_readOnly)

@@ -41,7 +41,7 @@ Result<NumberBlock> advance(SqlConnection &sql, const NumberWish &wish, int size
         return fail(done.error());
     const NumberBlock block{next - size, std::min(next - 1, wish.last)};
     if (block.first > wish.last)
-        return fail(Fault::OutOfRange, say("%1, the highest is %2", service::numbersUsedUp, wish.last),
+        return fail(Fault::OutOfRange, say("all numbers are used up, the highest is %1", wish.last),
             say("begin another recipe, or another bus"));
     return block;
 }

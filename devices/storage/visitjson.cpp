@@ -46,8 +46,8 @@ QJsonObject testLine(const Visit &visit)
 
 QString evidenceOf(const Visit &visit)
 {
-    const std::string told = visit.remedy.empty() ? visit.cause : visit.cause + "; " + visit.remedy;
-    return qt(told.empty() ? visit.evidence : told);
+    const Message told = joined(visit.cause, visit.remedy);
+    return qt((told.empty() ? visit.evidence : told).english());
 }
 
 std::string csvCell(const std::string &text)
@@ -72,7 +72,8 @@ std::string csvRow(const Visit &v, const std::set<std::string> &keys)
     const std::string count = v.parameters ? std::to_string(*v.parameters) : std::string();
     for (const std::string &cell : {isoTime(v.time), v.station, v.person, v.recipe, v.recipeHash, v.imageHash, v.unit,
              v.serial, v.device, std::string(toString(v.outcome)), std::string(toString(v.step)), v.from, v.to, count,
-             number, numberText(std::round(v.seconds * 10.0) / 10.0), v.cause, v.remedy, v.evidence, v.note})
+             number, numberText(std::round(v.seconds * 10.0) / 10.0), v.cause.english(), v.remedy.english(),
+             v.evidence.english(), v.note})
         row += (row.empty() ? "" : ",") + csvCell(cell);
     for (const std::string &key : keys) {
         row += ',';

@@ -2,6 +2,7 @@
 #include "storage/visittable.h"
 
 #include "files/qttext.h"
+#include "storage/messagejson.h"
 #include "storage/visitjson.h"
 
 #include <QJsonDocument>
@@ -45,7 +46,7 @@ QVariantList visitValues(const KeptVisit &kept)
         qt(v.recipe), qt(v.recipeHash), qt(v.imageHash), qt(v.unit), qt(v.serial), qt(v.device), qt(v.family),
         v.simulated ? 1 : 0, qt(toString(v.step)), qt(toString(v.outcome)), qt(v.from), qt(v.to),
         sqlOrNull(v.parameters), testText(v.test), sqlOrNull(v.number), sqlOrNull(v.snapshot), sqlOrNull(v.trial),
-        v.seconds, qt(v.cause), qt(v.remedy), qt(v.evidence), qt(v.note)};
+        v.seconds, savedText(v.cause), savedText(v.remedy), savedText(v.evidence), qt(v.note)};
 }
 
 std::string wordAt(const QSqlQuery &row, int column)
@@ -81,9 +82,9 @@ KeptVisit visitFrom(const QSqlQuery &row)
     v.snapshot = countAt<std::int64_t>(row, 21);
     v.trial = countAt<std::int64_t>(row, 22);
     v.seconds = row.value(23).toDouble();
-    v.cause = wordAt(row, 24);
-    v.remedy = wordAt(row, 25);
-    v.evidence = wordAt(row, 26);
+    v.cause = messageFrom(wordAt(row, 24));
+    v.remedy = messageFrom(wordAt(row, 25));
+    v.evidence = messageFrom(wordAt(row, 26));
     v.note = wordAt(row, 27);
     return kept;
 }
@@ -95,7 +96,8 @@ Result<void> putSteps(SqlConnection &sql, const Visit &visit)
         auto put
             = sql.run("INSERT INTO service_step (visit, place, step, time, ended, detail) VALUES (?, ?, ?, ?, ?, ?) "
                       "ON CONFLICT (visit, place) DO NOTHING",
-                {qt(visit.id), place++, qt(toString(entry.step)), entry.time, entry.ended ? 1 : 0, qt(entry.detail)});
+                {qt(visit.id), place++, qt(toString(entry.step)), entry.time, entry.ended ? 1 : 0,
+                    savedText(entry.detail)});
         if (!put)
             return put;
     }
@@ -135,7 +137,7 @@ Result<std::vector<KeptVisit>> select(SqlConnection &sql, const std::string &res
         read = sql.run("SELECT step, time, ended, detail FROM service_step WHERE visit = ? ORDER BY place",
             {qt(kept.visit.id)}, [&kept](const QSqlQuery &row) {
                 kept.visit.steps.push_back({service::stepFromString(wordAt(row, 0)), row.value(1).toDouble(),
-                    row.value(2).toInt() != 0, wordAt(row, 3)});
+                    row.value(2).toInt() != 0, messageFrom(wordAt(row, 3))});
             });
     }
     if (!read)

@@ -130,7 +130,7 @@ TEST_F(Served, NothingTurnsUnlessItIsArmed)
     EXPECT_EQ(room->view().counts.passed, 0);
     const ServiceView view = room->view();
     EXPECT_TRUE(std::any_of(view.rows.begin(), view.rows.end(),
-        [](const service::QueueRow &row) { return row.visit.cause.find("not armed") != std::string::npos; }));
+        [](const service::QueueRow &row) { return row.visit.cause.english().find("not armed") != std::string::npos; }));
 }
 
 TEST_F(Served, ArmedItSaysSoThreeSecondsBeforeAMotorTurns)

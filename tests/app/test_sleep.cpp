@@ -290,5 +290,44 @@ TEST(Sleep, AnUpdateByTheConsoleMarksItsDeviceBusySoThatTheComputerStaysAwake)
     board.waitForFinished();
 }
 
+TEST(Sleep, AServiceByTheConsoleKeepsTheComputerAwakeBetweenItsSteps)
+{
+    test::EventLoop loop;
+    PrivateBus bus;
+    Logind logind;
+    bus.offer(logind);
+    const QTemporaryDir folder;
+    const auto write = [&folder](const QString &name, const QByteArray &text) {
+        QFile file(folder.filePath(name));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    };
+    write(QStringLiteral("recipe.json"),
+        R"({"recipe":1,"name":"n","family":"supermodified","parameters":{"file":"base.json"}})");
+    write(QStringLiteral("base.json"), R"({"family":"supermodified","parameters":{"gain.p":{"raw":77}}})");
+    const QString program = QCoreApplication::applicationDirPath() + QStringLiteral("/motorbenchctl");
+    const QString line = folder.filePath(QStringLiteral("tty"));
+    QProcess node;
+    node.start(program,
+        {QStringLiteral("simulate"), QStringLiteral("--on"), QStringLiteral("pty:") + line,
+            QStringLiteral("supermodified:4")});
+    ASSERT_TRUE(node.waitForReadyRead(20'000));
+    QProcess service;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("DBUS_SYSTEM_BUS_ADDRESS"), bus.address);
+    environment.insert(QStringLiteral("XDG_DATA_HOME"), folder.path());
+    service.setProcessEnvironment(environment);
+    service.start(program,
+        {QStringLiteral("service"), folder.filePath(QStringLiteral("recipe.json")),
+            QStringLiteral("serial:%1?baud=57600").arg(line)});
+    EXPECT_TRUE(loop.runUntil([&] { return logind.held() == 1 || service.state() == QProcess::NotRunning; }));
+    EXPECT_EQ(logind.held(), 1) << "neither firmware is written nor does a motor turn";
+    EXPECT_TRUE(loop.runUntil([&] { return service.state() == QProcess::NotRunning; }, std::chrono::minutes(1)));
+    EXPECT_EQ(service.exitCode(), 0) << service.readAllStandardError().toStdString();
+    EXPECT_EQ(logind.held(), 0);
+    node.terminate();
+    node.waitForFinished();
+}
+
 } // namespace
 } // namespace mb

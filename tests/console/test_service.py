@@ -3,6 +3,7 @@
 import csv
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -89,6 +90,31 @@ class Service(Recipes):
         self.assertEqual((lines[-1]["summary"]["failed"], lines[-1]["summary"]["refused"]), (2, 1))
         last = [line for line in run.err.splitlines() if line.startswith("{")][-1]
         self.assertEqual(set(json.loads(last)["error"]), {"status", "fault", "cause", "remedy"})
+
+    def test_a_served_unit_has_a_card_of_one_page_and_a_label(self):
+        self.assert_error(2, "report", "trial:1", "--out", "a.html", "--size", "poster", says="report, card and label")
+        self.run_json("service", self.recipe(parameters={"file": "base.json"}, test=TEST), "sim:can", status=1) # one is in its bootloader
+        self.run_json("service", self.recipe(parameters={"file": "base.json"}), "sim:can", status=1)
+        device = "sim:can/dmc60c:7"
+        for size, width, height in (("card", 210, 297), ("label", 62, 29)):
+            with self.subTest(size):
+                page, paper = (os.path.join(self.folder.name, size + kind) for kind in (".html", ".pdf"))
+                for file in (page, paper):
+                    run = Run(["report", device, "--out", file, "--size", size])
+                    self.assertEqual(run.status, 0, run.err)
+                with open(page, encoding="utf-8") as file:
+                    text = file.read()
+                for part in ("PASS", "1.2"):
+                    self.assertIn(part, text)
+                if size == "card":
+                    self.assertIn("<svg", text)
+                    self.assertIn("Settling", text)
+                with open(paper, "rb") as file:
+                    pdf = file.read()
+                self.assertEqual(pdf.count(b"/Type /Page\n"), 1)
+                box = re.search(rb"/MediaBox \[0 0 ([0-9.]+) ([0-9.]+)\]", pdf)
+                self.assertAlmostEqual(float(box[1]) / 72 * 25.4, width, delta=0.5)
+                self.assertAlmostEqual(float(box[2]) / 72 * 25.4, height, delta=0.5)
 
     def test_mistakes_are_told_before_anything_is_sent(self):
         self.assert_error(2, "service", "nowhere.json", "sim:can", says="nowhere.json")

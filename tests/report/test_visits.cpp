@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "files/qttext.h"
 #include "report/report.h"
 #include "report/visitsection.h"
 
@@ -59,13 +60,41 @@ TEST(ServiceCard, ComparesWithTheLastVisit)
 TEST(ServiceCard, AFailureHasItsCause)
 {
     Visit failed = visitOf(1e9, 0.61, Outcome::Failed);
-    failed.cause = "friction is 0.61, limits 0.1 … 0.4";
-    failed.remedy = "free the shaft";
+    failed.cause = say("%1 is %2, %3", "friction", "0.61", say("limits %1 … %2", "0.1", "0.4"));
+    failed.remedy = say("free the shaft");
     const QString html = htmlOf(reportOf({failed}));
     EXPECT_TRUE(html.contains(QStringLiteral("FAIL")));
     EXPECT_TRUE(html.contains(QStringLiteral("friction is 0.61, limits 0.1 … 0.4; free the shaft")));
     EXPECT_FALSE(html.contains(QStringLiteral("Every service")));
     EXPECT_FALSE(htmlOf(reportOf({})).contains(QStringLiteral("Service")));
+}
+
+TEST(ServiceCard, ComparesFrictionResistanceAndGainWithTheLastVisitThatMeasuredThem)
+{
+    Visit march = visitOf(1e9, 0.24, Outcome::Passed);
+    march.test.push_back({"resistance", 0.080, 0.02, 0.5});
+    march.test.push_back({"gain", 4000.0, std::nullopt, 9000.0});
+    Visit without = visitOf(1.005e9, 0.25, Outcome::Passed);
+    without.test.clear(); // served, and not tested
+    Visit now = visitOf(1.01e9, 0.331, Outcome::Passed);
+    now.test.push_back({"resistance", 0.092, 0.02, 0.5});
+    now.test.push_back({"gain", 3800.0, std::nullopt, 9000.0});
+    const QString html = cardHtmlOf(reportOf({march, without, now}));
+    const QString minus = QChar(0x2212);
+    for (const QString &change : {QStringLiteral("+38 %"), QStringLiteral("+15 %"), minus + QStringLiteral("5 %")})
+        EXPECT_TRUE(html.contains(change + QStringLiteral(" since 2001-09-0"))) << change.toStdString();
+    EXPECT_TRUE(html.contains(QStringLiteral("Resistance R, Ω")));
+    EXPECT_TRUE(html.contains(QStringLiteral("Gain 1/Ke, counts/s per V")));
+    EXPECT_FALSE(html.contains(QStringLiteral("Every service"))) << "a card is one page";
+}
+
+TEST(ServiceCard, SpeaksTheLanguageOfItsReader)
+{
+    Visit failed = visitOf(1e9, 0.61, Outcome::Failed);
+    failed.cause = say("%1 is %2, %3", "friction", "0.61", say("limits %1 … %2", "0.1", "0.4"));
+    Report report = reportOf({failed});
+    report.phrase = [](const Message &text) { return qt("<" + std::string(text.literal()) + ">"); };
+    EXPECT_TRUE(htmlOf(report).contains(QStringLiteral("&lt;%1 is %2, %3&gt;")));
 }
 
 TEST(ServiceCard, HasALabel)

@@ -44,7 +44,7 @@ protected:
         for (const Visit &v : visits)
             std::printf("  %s %s at %s, %s -> %s, number %d, %.1f s: %s | %s\n", v.serial.c_str(),
                 std::string(toString(v.outcome)).c_str(), std::string(toString(v.step)).c_str(), v.from.c_str(),
-                v.to.c_str(), v.number.value_or(-1), v.seconds, v.cause.c_str(), v.remedy.c_str());
+                v.to.c_str(), v.number.value_or(-1), v.seconds, v.cause.english().c_str(), v.remedy.english().c_str());
     }
     std::optional<ServiceBooks> books;
 };

@@ -37,8 +37,11 @@ Visit visitOf(const std::string &id, double time)
     visit.test = {{"settle", 0.25, std::nullopt, 0.6}, {"friction", std::nullopt, 0.1, 0.4, false, true}};
     visit.trial = std::int64_t{1} << 40;
     visit.seconds = 21.625;
-    visit.cause = "line one\nline two";
-    visit.steps = {{Step::Preflight, time, false, {}}, {Step::Preflight, time + 1.0, true, "firmware 1.23"}};
+    visit.cause = say("%1 is %2, %3", "settle", "line one\nline two", say("limit %1", "0.6"));
+    visit.remedy = say("look at brushes, plugs and leads, then test again");
+    visit.evidence = joined(
+        say("%1: %2", Message::label("backup"), say("snapshot %1 has %2 values", 7, 55)), Message::verbatim("ü"));
+    visit.steps = {{Step::Preflight, time, false, {}}, {Step::Preflight, time + 1.0, true, say("firmware %1", "1.23")}};
     return visit;
 }
 
@@ -79,11 +82,13 @@ TEST_P(JournalTables, KeepEverythingOfAVisitAndAnOlderWriteChangesNothing)
     const auto kept = getVisit(*sql, "A");
     ASSERT_TRUE(kept) << kept.error().text();
     EXPECT_EQ(kept->visit, first);
+    EXPECT_EQ(kept->visit.cause.literal(), "%1 is %2, %3"); // to be read in any language
+    EXPECT_EQ(kept->visit.steps[1].detail.literal(), "firmware %1");
     EXPECT_EQ(kept->revision, 2);
     Visit later = first;
     later.outcome = Outcome::Passed;
     later.number = 12;
-    later.steps.push_back({Step::Done, 130.0, true, "passed"});
+    later.steps.push_back({Step::Done, 130.0, true, say("passed")});
     ASSERT_TRUE(putVisits(*sql, {{later, 3}}));
     ASSERT_TRUE(putVisits(*sql, {{later, 3}}));
     ASSERT_TRUE(putVisits(*sql, {{first, 2}})); // a delivery that was late

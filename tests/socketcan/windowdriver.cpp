@@ -5,19 +5,28 @@
 //     windowdriver LINK listen   only watches; prints "listening", and at the end of its input "RX LOST"
 //     windowdriver LINK record FILE   records; prints "recording", and at the end of its input, once the file is closed,
 //                                     "FRAMES LOST"
-// For tests/safety, and tests/socketcan/kill-window, full-load and recording. The lease is renewed where the program renews it, on the GUI thread.
+//     windowdriver LINK serve RECIPE UNITS   production with this recipe until so many units have ended; a line of JSON for each
+// For tests/console/fifty_units.py, tests/safety, and tests/socketcan/kill-window, full-load and recording. The lease is renewed where the program renews it, on the GUI thread.
 #include "app/engine.h"
 #include "app/mainwindow.h"
+#include "app/productionface.h"
+#include "app/servicedoor.h"
 #include "model/registry.h"
+#include "widgets/monitor/holdbutton.h"
+#include "widgets/service/productionpage.h"
 
 #include <QApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QSocketNotifier>
 #include <QTimer>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 namespace {
 
@@ -179,16 +188,78 @@ private:
     bool m_begun = false;
 };
 
+/// Production as its user has it: opens the recipe and starts; holds Arm once, and again after a FAIL, which ends that. Nothing else
+/// is touched, whatever units come.
+class Producer {
+public:
+    Producer(mb::Engine &engine, mb::MainWindow &window, const char *recipe, int units)
+        : m_engine(engine)
+        , m_desk(new mb::ServiceDoor(engine)) // belongs to the engine
+        , m_recipe(QString::fromLocal8Bit(recipe))
+        , m_units(units)
+    {
+        window.setService(*m_desk);
+        window.production()->show(true);
+        m_page = window.findChild<mb::ProductionPage *>();
+        QObject::connect(
+            m_desk, &mb::ServiceDesk::unitEnded, m_page, [this](const mb::service::Visit &visit) { tell(visit); });
+        QObject::connect(m_desk, &mb::ServiceDesk::changed, m_page, [this] { arm(); });
+    }
+    void follow()
+    {
+        const auto &links = m_engine.snapshot().links;
+        const bool open = !links.empty() && links.front().state == mb::LinkState::Open;
+        if (!open || std::exchange(m_begun, true))
+            return;
+        if (!m_page->openRecipe(m_recipe))
+            return QCoreApplication::exit(2);
+        m_page->start();
+    }
+
+private:
+    void arm()
+    {
+        const mb::ServiceView &view = m_desk->view();
+        m_holds = m_holds && !view.armed;
+        if (!view.running || view.armed || m_page->armButton().isHidden() || std::exchange(m_holds, true))
+            return;
+        ++m_touched;
+        Q_EMIT m_page->armButton().activated();
+    }
+    void tell(const mb::service::Visit &visit)
+    {
+        const QJsonObject line{{QStringLiteral("serial"), QString::fromStdString(visit.serial)},
+            {QStringLiteral("result"), QString::fromStdString(std::string(toString(visit.outcome)))}};
+        std::puts(QJsonDocument(line).toJson(QJsonDocument::Compact).constData());
+        std::fflush(stdout);
+        if (++m_ended < m_units)
+            return;
+        std::printf("armed %d times, nothing else touched\n", m_touched);
+        QCoreApplication::exit(0);
+    }
+
+    mb::Engine &m_engine;
+    mb::ServiceDoor *m_desk;
+    mb::ProductionPage *m_page = nullptr;
+    QString m_recipe;
+    int m_units;
+    int m_ended = 0;
+    int m_touched = 0;
+    bool m_begun = false;
+    bool m_holds = false;
+};
+
 } // namespace
 
 int main(int argc, char **argv)
 {
+    const bool serves = argc == 5 && std::string_view(argv[2]) == "serve";
     const bool listens = argc == 3 && std::string_view(argv[2]) == "listen";
     const bool records = argc == 4 && std::string_view(argv[2]) == "record";
-    const auto link
-        = argc == 2 || argc == 3 || records ? mb::LinkAddress::parse(argv[1]) : mb::fail(mb::Fault::OutOfRange);
+    const auto link = argc == 2 || argc == 3 || records || serves ? mb::LinkAddress::parse(argv[1])
+                                                                  : mb::fail(mb::Fault::OutOfRange);
     if (!link) {
-        std::fputs("usage: windowdriver LINK [listen | FAMILY | record FILE]\n", stderr);
+        std::fputs("usage: windowdriver LINK [listen | FAMILY | record FILE | serve RECIPE UNITS]\n", stderr);
         return 2;
     }
     QApplication::setStyle(QStringLiteral("Fusion"));
@@ -204,8 +275,13 @@ int main(int argc, char **argv)
     std::optional<RecordingUser> recorder;
     if (records)
         recorder.emplace(engine, link->text(), argv[3]);
-    QObject::connect(&engine, &mb::Workbench::changed, &window, [&driver, &listener, &recorder] {
-        if (recorder)
+    std::optional<Producer> producer;
+    if (serves)
+        producer.emplace(engine, window, argv[3], std::atoi(argv[4]));
+    QObject::connect(&engine, &mb::Workbench::changed, &window, [&driver, &listener, &recorder, &producer] {
+        if (producer)
+            producer->follow();
+        else if (recorder)
             recorder->follow();
         else if (listener)
             listener->follow();
@@ -223,7 +299,8 @@ int main(int argc, char **argv)
         if (engine.snapshot().devices.empty())
             engine.send(mb::orders::ScanLinks{});
     });
-    again.start(std::chrono::seconds(3));
+    if (!serves) // whoever serves units looks for them
+        again.start(std::chrono::seconds(3));
     window.show();
     return QApplication::exec();
 }

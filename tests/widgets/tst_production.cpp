@@ -157,8 +157,8 @@ void TestProduction::aFailureSaysCauseAndRemedyAndCanBeTestedAgain()
 {
     ProductionBench bench;
     auto failed = rowOf(7, service::RowState::Failed, "A1");
-    failed.visit.cause = "friction 0.61 V, at most 0.4";
-    failed.visit.remedy = "free the shaft";
+    failed.visit.cause = Message::verbatim("friction 0.61 V, at most 0.4");
+    failed.visit.remedy = Message::verbatim("free the shaft");
     bench.show({failed});
     const Verdict &verdict = bench.page->verdict().verdict();
     QCOMPARE(verdict.kind, Verdict::Kind::Failed);

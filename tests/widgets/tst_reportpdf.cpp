@@ -76,6 +76,7 @@ class TestReportPdf : public QObject {
 private Q_SLOTS:
     void aPdfHasPagesWithWordsAndLinesAndNoPixels();
     void aNewPageBeginsWhereTheTextSaysSo();
+    void aTextThatNamesItsPageGetsPagesOfThatSize();
     void thePageWritesWhatItShowsAsHtmlAndAsPdf();
     void whatCannotBeWrittenIsSaidAndLeavesNothing();
     void aNotebookThatCannotBeReadIsSaidSo();
@@ -98,6 +99,36 @@ void TestReportPdf::aNewPageBeginsWhereTheTextSaysSo()
     const QString page = QStringLiteral("<p style=\"page-break-before: always\">x</p>");
     const auto pages = [](const QString &html) { return pdfOf(html).count("/Type /Page\n"); };
     QCOMPARE(pages(QStringLiteral("<html><body><p>one</p>%1%1</body></html>").arg(page)), 3);
+}
+
+void TestReportPdf::aTextThatNamesItsPageGetsPagesOfThatSize()
+{
+    Report report;
+    for (const char *const serial : {"2103343A7B2E", "2103343A7B2F"}) {
+        service::Visit visit;
+        visit.serial = serial;
+        visit.to = "1.25";
+        visit.outcome = service::Outcome::Passed;
+        ReportUnit unit;
+        unit.identity.family = "dmc60c";
+        unit.identity.address = 63;
+        unit.simulated = true;
+        unit.visits.push_back(visit);
+        report.units.push_back(std::move(unit));
+    }
+    const auto sizeOf = [](const QByteArray &pdf) {
+        static const QRegularExpression box(QStringLiteral("/MediaBox \\[0 0 ([0-9.]+) ([0-9.]+)\\]"));
+        const auto match = box.match(QString::fromLatin1(pdf.constData(), pdf.size()));
+        return QSizeF(match.captured(1).toDouble(), match.captured(2).toDouble()) / 72.0 * 25.4; // mm
+    };
+    const QByteArray labels = pdfOf(labelHtmlOf(report));
+    QCOMPARE(labels.count("/Type /Page\n"), 2);
+    QVERIFY2(std::abs(sizeOf(labels).width() - 62.0) < 0.5, qPrintable(QString::number(sizeOf(labels).width())));
+    QVERIFY2(std::abs(sizeOf(labels).height() - 29.0) < 0.5, qPrintable(QString::number(sizeOf(labels).height())));
+    const QByteArray cards = pdfOf(cardHtmlOf(report));
+    QCOMPARE(cards.count("/Type /Page\n"), 2);
+    QVERIFY(std::abs(sizeOf(cards).width() - 210.0) < 0.5);
+    QVERIFY(std::abs(sizeOf(cards).height() - 297.0) < 0.5);
 }
 
 void TestReportPdf::thePageWritesWhatItShowsAsHtmlAndAsPdf()

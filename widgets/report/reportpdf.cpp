@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QTextDocument>
 
 namespace mb {
@@ -23,12 +24,36 @@ constexpr double sideMm = 17.0;
 constexpr double topMm = 12.0;
 constexpr double pageWidthMm = 210.0;
 constexpr double pageHeightMm = 297.0;
-constexpr double headRoom = 26.0; // px, of the running head, and of the foot
-constexpr int smallText = 10;     // px
+constexpr double headRoomPx = 26.0; // of the running head, and of the foot
+constexpr int smallText = 10;       // px
 
 double px(double millimetres)
 {
     return millimetres / 25.4 * layoutDpi;
+}
+
+/// A sheet of paper and what of it is written on.
+struct Sheet {
+    QSizeF mm{pageWidthMm, pageHeightMm};
+    double side = sideMm;
+    double top = topMm;
+    double headRoom = headRoomPx;
+
+    [[nodiscard]] QSizeF body() const
+    {
+        return {px(mm.width() - 2.0 * side), px(mm.height() - 2.0 * top) - 2.0 * headRoom};
+    }
+};
+
+Sheet sheetOf(const QString &html)
+{
+    static const QRegularExpression named(
+        QStringLiteral("@page \\{ size: ([0-9.]+)mm ([0-9.]+)mm; margin: ([0-9.]+)mm \\}"));
+    const auto match = named.match(html);
+    if (!match.hasMatch())
+        return {};
+    const double margin = match.captured(3).toDouble();
+    return {{match.captured(1).toDouble(), match.captured(2).toDouble()}, margin, margin, 0.0};
 }
 
 QFont smallFont(const QTextDocument &document)
@@ -47,32 +72,37 @@ QString printed(QString html)
 }
 
 /// What every page says: title above, number and a word about simulated units below.
-void paintMargins(QPainter &painter, const QTextDocument &document, QSizeF body, int page, int pages, bool simulated)
+void paintMargins(QPainter &painter, const QTextDocument &document, const Sheet &sheet, int page, bool simulated)
 {
+    const QSizeF body = sheet.body();
+    const double headRoom = sheet.headRoom;
     painter.setFont(smallFont(document));
     painter.setPen(QColor(0x47, 0x52, 0x5E));
     const QRectF head(0.0, 0.0, body.width(), headRoom - 10.0);
     const QRectF foot(0.0, headRoom + body.height() + 10.0, body.width(), headRoom - 10.0);
     painter.drawText(head, Qt::AlignLeft | Qt::AlignTop, document.metaInformation(QTextDocument::DocumentTitle));
     painter.drawText(head, Qt::AlignRight | Qt::AlignTop, QCoreApplication::applicationName());
-    painter.drawText(foot, Qt::AlignRight | Qt::AlignBottom, PdfText::tr("page %1 of %2").arg(page + 1).arg(pages));
+    painter.drawText(
+        foot, Qt::AlignRight | Qt::AlignBottom, PdfText::tr("page %1 of %2").arg(page + 1).arg(document.pageCount()));
     if (simulated)
         painter.drawText(foot, Qt::AlignLeft | Qt::AlignBottom, PdfText::tr("DEMO, a simulated unit"));
     painter.drawLine(QPointF(0.0, headRoom - 8.0), QPointF(body.width(), headRoom - 8.0));
 }
 
-void paintPages(QPdfWriter &pdf, QTextDocument &document, QSizeF body, bool simulated)
+void paintPages(QPdfWriter &pdf, QTextDocument &document, const Sheet &sheet, bool simulated)
 {
+    const QSizeF body = sheet.body();
     QPainter painter(&pdf);
     painter.scale(resolution / layoutDpi, resolution / layoutDpi);
     const int pages = document.pageCount();
     for (int page = 0; page < pages; ++page) {
         if (page > 0)
             pdf.newPage();
-        paintMargins(painter, document, body, page, pages, simulated);
+        if (sheet.headRoom > 0.0)
+            paintMargins(painter, document, sheet, page, simulated);
         painter.save();
         const QRectF view(0.0, page * body.height(), body.width(), body.height());
-        painter.translate(0.0, headRoom - view.top());
+        painter.translate(0.0, sheet.headRoom - view.top());
         painter.setClipRect(view);
         QAbstractTextDocumentLayout::PaintContext context;
         context.clip = view;
@@ -91,8 +121,9 @@ QByteArray pdfOf(const QString &html)
     QPdfWriter pdf(&content);
     pdf.setCreator(QCoreApplication::applicationName());
     pdf.setResolution(resolution);
-    pdf.setPageSize(QPageSize(QPageSize::A4));
-    pdf.setPageMargins(QMarginsF(sideMm, topMm, sideMm, topMm), QPageLayout::Millimeter);
+    const Sheet sheet = sheetOf(html);
+    pdf.setPageSize(QPageSize(sheet.mm, QPageSize::Millimeter));
+    pdf.setPageMargins(QMarginsF(sheet.side, sheet.top, sheet.side, sheet.top), QPageLayout::Millimeter);
     ReportDrawings drawings;
     QTextDocument document;
     document.setUndoRedoEnabled(false);
@@ -101,9 +132,8 @@ QByteArray pdfOf(const QString &html)
     document.documentLayout()->registerHandler(QTextFormat::ImageObject, &drawings);
     document.setHtml(drawings.takeFrom(printed(html)));
     pdf.setTitle(document.metaInformation(QTextDocument::DocumentTitle));
-    const QSizeF body(px(pageWidthMm - 2.0 * sideMm), px(pageHeightMm - 2.0 * topMm) - 2.0 * headRoom);
-    document.setPageSize(body);
-    paintPages(pdf, document, body, html.contains(QStringLiteral("<meta name=\"simulated\"")));
+    document.setPageSize(sheet.body());
+    paintPages(pdf, document, sheet, html.contains(QStringLiteral("<meta name=\"simulated\"")));
     return content.data();
 }
 

@@ -127,8 +127,8 @@ Verdict verdictOf(const ServiceView &view, const std::vector<std::uint32_t> &set
         verdict.next = row->mayInterrupt ? BenchText::tr("Safe to unplug") : BenchText::tr("Do not unplug");
         return verdict;
     }
-    verdict.cause = tableText(row->visit.cause);
-    verdict.remedy = tableText(row->visit.remedy);
+    verdict.cause = messageText(row->visit.cause);
+    verdict.remedy = messageText(row->visit.remedy);
     if (!view.running)
         return verdict;
     verdict.next = BenchText::tr("Unplug, connect next");
@@ -146,8 +146,8 @@ QString lineOf(const QueueRow &row)
             : qt(visit.from) + QStringLiteral(" → ") + qt(visit.to);
         return BenchText::tr("passed") + (versions.isEmpty() ? QString() : QStringLiteral(" · ") + versions);
     }
-    case RowState::Failed: return BenchText::tr("failed · %1").arg(tableText(visit.cause));
-    case RowState::Refused: return BenchText::tr("refused · %1").arg(tableText(visit.cause));
+    case RowState::Failed: return BenchText::tr("failed · %1").arg(messageText(visit.cause));
+    case RowState::Refused: return BenchText::tr("refused · %1").arg(messageText(visit.cause));
     case RowState::Running: return messageText(row.what);
     case RowState::Skipped: return BenchText::tr("left out");
     case RowState::Waiting: return BenchText::tr("waiting");

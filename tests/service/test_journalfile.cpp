@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The journal in a file that is damaged, full, not to be written, or shared by two programs.
+#include "files/qttext.h"
+#include "servicebench.h"
+#include "support/fulldisk.h"
+
+#include <unistd.h>
+
+#include <thread>
+
+namespace mb {
+namespace {
+
+using service::NumberWish;
+using service::Outcome;
+using service::Step;
+using service::Visit;
+
+class JournalFiles : public testing::Test {
+protected:
+    Visit opened(ServiceBook &book, const std::string &unit)
+    {
+        Visit visit;
+        visit.run = "run";
+        visit.recipe = "rev C";
+        visit.unit = unit;
+        const auto open = test::run(clock, book.open(visit));
+        EXPECT_TRUE(open) << (open ? "" : open.error().text());
+        return open.value_or(visit);
+    }
+    static Visit passed(Visit visit)
+    {
+        visit.outcome = Outcome::Passed;
+        visit.steps.push_back({Step::Done, 0.0, true, say("passed")});
+        return visit;
+    }
+    VirtualClock clock;
+    test::ServiceBooks books{clock};
+};
+
+TEST_F(JournalFiles, ADamagedFileIsPutAsideWithAWordAndTheQueueGoesOn)
+{
+    opened(*books.journal, "a");
+    books.journal.reset();
+    books.settings.reset();
+    books.trials.reset();
+    books.database.reset();
+    const QByteArray rubbish(20'000, 'x');
+    books.write("motorbench.db", rubbish);
+    books.open();
+    EXPECT_NE(books.database->remark().find(books.path("motorbench.db") + ".damaged"), std::string::npos)
+        << books.database->remark();
+    EXPECT_TRUE(books.visits().empty());
+    EXPECT_TRUE(test::run(clock, books.journal->write(passed(opened(*books.journal, "b")))));
+    EXPECT_EQ(books.visits().size(), 1U);
+    QFile aside(qt(books.path("motorbench.db.damaged")));
+    ASSERT_TRUE(aside.open(QIODevice::ReadOnly));
+    EXPECT_EQ(aside.readAll(), rubbish);
+}
+
+TEST_F(JournalFiles, AFullDiskFailsTheEntryAndChangesNothing)
+{
+    const Visit first = *test::run(clock, books.journal->write(passed(opened(*books.journal, "a"))));
+    clock.advance(std::chrono::seconds(1));
+    Visit second = opened(*books.journal, "b");
+    const Visit before = books.visits()[1];
+    std::string noise;
+    for (std::uint32_t i = 1; noise.size() < 1'000'000; i = i * 1664525U + 1013904223U)
+        noise += std::to_string(i);
+    {
+        const test::FullDisk full(300'000);
+        second.steps.push_back({Step::Backup, 0.0, true, Message::verbatim(noise)});
+        const auto written = test::run(clock, books.journal->write(passed(second)));
+        ASSERT_FALSE(written);
+        EXPECT_EQ(written.error().fault, Fault::OutOfRange);
+        EXPECT_NE(written.error().text().find("motorbench.db"), std::string::npos) << written.error().text();
+    }
+    const auto visits = books.visits();
+    ASSERT_EQ(visits.size(), 2U);
+    EXPECT_EQ(visits[0], first);
+    EXPECT_EQ(visits[1], before);
+    EXPECT_TRUE(test::run(clock, books.journal->write(passed(visits[1])))); // there is room again
+    EXPECT_EQ(books.visits()[1].outcome, Outcome::Passed);
+}
+
+/// An ordinary user while this lives; root may write everywhere.
+class OrdinaryUser {
+public:
+    OrdinaryUser()
+    {
+        if (m_user == 0) {
+            EXPECT_EQ(::setresuid(nobody, nobody, 0), 0); // the saved one brings it back
+        }
+    }
+    OrdinaryUser(const OrdinaryUser &) = delete;
+    OrdinaryUser &operator=(const OrdinaryUser &) = delete;
+    ~OrdinaryUser()
+    {
+        if (m_user == 0) {
+            EXPECT_EQ(::setresuid(0, 0, 0), 0);
+        }
+    }
+
+private:
+    static constexpr uid_t nobody = 65534;
+    const uid_t m_user = ::geteuid();
+};
+
+TEST_F(JournalFiles, AFolderThatCannotBeWrittenIsReadAndTakesNoEntry)
+{
+    Visit visit = opened(*books.journal, "a");
+    books.journal.reset();
+    books.settings.reset();
+    books.trials.reset();
+    books.database.reset();
+    const QString folder = books.folder.path();
+    const QString file = qt(books.path("motorbench.db"));
+    const auto readable = QFile::ReadOwner | QFile::ReadGroup | QFile::ReadOther;
+    ASSERT_TRUE(QFile::setPermissions(file, readable));
+    ASSERT_TRUE(QFile::setPermissions(folder, readable | QFile::ExeOwner | QFile::ExeGroup | QFile::ExeOther));
+    {
+        const OrdinaryUser user;
+        auto opened = Database::open(books.path("motorbench.db"));
+        ASSERT_TRUE(opened) << opened.error().text();
+        EXPECT_TRUE((*opened)->isReadOnly());
+        ServiceBook book(**opened, clock, "bench 1", "anna");
+        const auto visits = book.list({});
+        ASSERT_TRUE(visits) << visits.error().text();
+        ASSERT_EQ(visits->size(), 1U);
+        EXPECT_EQ(visits->front(), visit);
+        const auto written = test::run(clock, book.write(passed(visit)));
+        ASSERT_FALSE(written);
+        EXPECT_EQ(written.error().fault, Fault::OutOfRange);
+        EXPECT_EQ(book.list({})->front(), visit);
+    }
+    QFile::setPermissions(folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner); // so that it goes away
+}
+
+TEST_F(JournalFiles, TwoProgramsAtOnceLoseNoEntryAndGiveNoNumberTwice)
+{
+    constexpr int each = 25;
+    std::vector<std::vector<int>> given(2);
+    std::vector<std::thread> programs;
+    for (std::size_t program = 0; program < given.size(); ++program)
+        programs.emplace_back([&, program] {
+            VirtualClock time;
+            auto database = Database::open(books.path("motorbench.db"));
+            ASSERT_TRUE(database) << database.error().text();
+            ServiceBook book(**database, time, "bench " + std::to_string(program), "anna");
+            for (int i = 0; i < each; ++i) {
+                Visit visit;
+                visit.recipe = "rev C";
+                visit.unit = std::to_string(program) + '/' + std::to_string(i);
+                const auto opened = test::run(time, book.open(visit));
+                ASSERT_TRUE(opened) << opened.error().text();
+                const auto number = test::run(time, book.number({"dmc60c rev C", visit.unit, opened->id, 1, 1000, {}}));
+                ASSERT_TRUE(number) << number.error().text();
+                given[program].push_back(*number);
+                ASSERT_TRUE(test::run(time, book.write(passed(*opened))));
+            }
+        });
+    for (std::thread &program : programs)
+        program.join();
+    std::set<int> numbers(given[0].begin(), given[0].end());
+    numbers.insert(given[1].begin(), given[1].end());
+    EXPECT_EQ(numbers.size(), std::size_t{2 * each});
+    const auto visits = books.visits();
+    EXPECT_EQ(visits.size(), std::size_t{2 * each});
+    for (const Visit &visit : visits)
+        EXPECT_EQ(visit.outcome, Outcome::Passed) << visit.unit;
+}
+
+} // namespace
+} // namespace mb
