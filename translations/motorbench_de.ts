@@ -2357,6 +2357,25 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignFrame</name>
+    <message>
+        <source>Part of the page</source>
+        <translation>Teil der Seite</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Verlauf</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignPage</name>
     <message>
         <source>Loop</source>

@@ -2357,6 +2357,25 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignFrame</name>
+    <message>
+        <source>Part of the page</source>
+        <translation>Parte de la página</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modelo</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Curvas</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Desarrollo</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignPage</name>
     <message>
         <source>Loop</source>

@@ -2357,6 +2357,25 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignFrame</name>
+    <message>
+        <source>Part of the page</source>
+        <translation>Partie de la page</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Courbes</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>Déroulement</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignPage</name>
     <message>
         <source>Loop</source>

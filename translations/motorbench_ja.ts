@@ -2355,6 +2355,25 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignFrame</name>
+    <message>
+        <source>Part of the page</source>
+        <translation>ページの部分</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>モデル</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲線</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>経過</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignPage</name>
     <message>
         <source>Loop</source>

@@ -2355,6 +2355,25 @@
     </message>
 </context>
 <context>
+    <name>mb::DesignFrame</name>
+    <message>
+        <source>Part of the page</source>
+        <translation>页面部分</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Course</source>
+        <translation>过程</translation>
+    </message>
+</context>
+<context>
     <name>mb::DesignPage</name>
     <message>
         <source>Loop</source>

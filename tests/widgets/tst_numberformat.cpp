@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support/windowtests.h"
+#include "widgets/common/devicetext.h"
 #include "widgets/common/numberformat.h"
 
+#include <QLocale>
 #include <QTest>
 #include <cmath>
 
@@ -35,6 +37,7 @@ private Q_SLOTS:
     void understandsPercentOnlyWithAFullScale();
     void parsesIntegers();
     void editTextReadsBackEqual();
+    void aLanguageWithACommaWritesAndUnderstandsIt();
 };
 
 void NumberFormatTest::formatsNumbers_data()
@@ -144,6 +147,23 @@ void NumberFormatTest::editTextReadsBackEqual()
         QVERIFY(!text.contains(ThinSpace) && !text.contains(MinusSign));
         QCOMPARE(parseNumber(text).value_or(std::nan("")), value);
     }
+}
+
+void NumberFormatTest::aLanguageWithACommaWritesAndUnderstandsIt()
+{
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::German));
+    const QStringList shown{formatNumber(-20480.25, 2), formatSignificant(0.003464, 4), formatSignificant(2.5e12, 3),
+        formatValue(12.43, 2, QStringLiteral("V")), editText(0.25), editText(-1.5, 3), asWritten(QStringLiteral("1.5")),
+        understoodText(QStringLiteral("1.5")), understoodText(QStringLiteral("1,5")),
+        messageText(say("ended at %1", 0.5)), messageText(say("ended at %1", 0.5), QLatin1Char('.'))};
+    const auto back = parseNumber(editText(0.125));
+    QLocale::setDefault(before);
+    QCOMPARE(shown,
+        QStringList({QStringLiteral("−20\u202f480,25"), QStringLiteral("0,003464"), QStringLiteral("2,50e+12"),
+            QStringLiteral("12,43\u00a0V"), QStringLiteral("0,25"), QStringLiteral("-1,500"), QStringLiteral("1,5"),
+            QStringLiteral("= 1,5"), QString(), QStringLiteral("ended at 0,5"), QStringLiteral("ended at 0.5")}));
+    QCOMPARE(back, std::optional(0.125));
 }
 
 MB_WINDOW_TEST(NumberFormatTest);

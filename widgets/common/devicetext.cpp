@@ -36,20 +36,31 @@ QString tableText(std::string_view english)
 
 namespace {
 
-QString argumentText(const MessageArgument &argument)
+QString argumentText(const MessageArgument &argument, QChar decimal)
 {
     struct Wording {
+        QChar decimal;
         QString operator()(std::int64_t number) const { return QString::number(number); }
-        QString operator()(const MessageNumber &number) const { return qt(textOf(number)); }
+        QString operator()(const MessageNumber &number) const
+        {
+            const QString digits = qt(textOf({number.value, number.decimals}));
+            const QString unit = number.unit.empty() ? QString() : QLatin1Char(' ') + qt(number.unit);
+            return QString(digits).replace(QLatin1Char('.'), decimal) + unit;
+        }
         QString operator()(const std::string &text) const { return qt(text); }
-        QString operator()(const Message &message) const { return messageText(message); }
+        QString operator()(const Message &message) const { return messageText(message, decimal); }
     };
-    return std::visit(Wording{}, argument.value);
+    return std::visit(Wording{decimal}, argument.value);
 }
 
 } // namespace
 
 QString messageText(const Message &message)
+{
+    return messageText(message, decimalSign());
+}
+
+QString messageText(const Message &message, QChar decimal)
 {
     if (message.empty() || message.isVerbatim())
         return qt(message.english());
@@ -60,7 +71,7 @@ QString messageText(const Message &message)
     for (int i = 0; i < phrase.size(); ++i) {
         const int which = phrase[i] == QLatin1Char('%') && i + 1 < phrase.size() ? phrase[i + 1].digitValue() : 0;
         const bool stands = which >= 1 && static_cast<std::size_t>(which) <= arguments.size();
-        text += stands ? argumentText(arguments[static_cast<std::size_t>(which) - 1]) : QString(phrase[i]);
+        text += stands ? argumentText(arguments[static_cast<std::size_t>(which) - 1], decimal) : QString(phrase[i]);
         i += stands ? 1 : 0;
     }
     return text;

@@ -17,8 +17,10 @@ namespace mb {
 
 /// A label, help or word of a table of the library, in the language of the program.
 [[nodiscard]] QString tableText(std::string_view english);
-/// A sentence of the library in the language of the program; its numbers as everywhere in the window, with a dot.
+/// A sentence of the library in the language of the program; its numbers as everywhere in the window (numberformat.h).
 [[nodiscard]] QString messageText(const Message &message);
+/// The same with numbers for a file.
+[[nodiscard]] QString messageText(const Message &message, QChar decimal);
 [[nodiscard]] QString errorText(const Error &error);
 /// "over-current" for the key over_current.
 [[nodiscard]] QString faultText(const Family &family, std::string_view key);

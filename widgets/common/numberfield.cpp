@@ -76,7 +76,7 @@ NumberField::NumberField(QWidget *parent)
     setValidator(new NumberValidator(this));
     new UnderstoodNote(*this, understoodText);
     connect(this, &QLineEdit::editingFinished, this, [this] {
-        if (const QString plain = withDot(text()); plain != text())
+        if (const QString plain = asWritten(text()); plain != text())
             setText(plain);
     });
 }

@@ -16,6 +16,8 @@ QString grouped(const QString &plain)
     int end = text.indexOf(QLatin1Char('.'));
     if (end < 0)
         end = text.size();
+    else
+        text[end] = decimalSign();
     for (int i = end - 3; i > start; i -= 3)
         text.insert(i, ThinSpace);
     if (start == 1)
@@ -38,7 +40,18 @@ QString fixed(double value, int decimals)
     return text;
 }
 
+/// A number with a dot as its reader writes it.
+QString local(QString plain)
+{
+    return plain.replace(QLatin1Char('.'), decimalSign());
+}
+
 } // namespace
+
+QChar decimalSign()
+{
+    return QLocale().decimalPoint();
+}
 
 QString formatNumber(double value, int decimals)
 {
@@ -56,7 +69,7 @@ QString formatSignificant(double value, int digits)
         return UnknownMark;
     const double size = std::abs(value);
     if (size > 0 && (size < 1e-4 || size >= 1e9))
-        return QString::number(value, 'e', digits - 1).replace(QLatin1Char('-'), MinusSign);
+        return local(QString::number(value, 'e', digits - 1)).replace(QLatin1Char('-'), MinusSign);
     const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
     return formatNumber(value, std::max(0, digits - before));
 }
@@ -110,12 +123,12 @@ QString formatBytes(qint64 bytes)
 
 QString editText(double value)
 {
-    return std::isfinite(value) ? QString::number(value, 'g', QLocale::FloatingPointShortest) : QString();
+    return std::isfinite(value) ? local(QString::number(value, 'g', QLocale::FloatingPointShortest)) : QString();
 }
 
 QString editText(double value, int decimals)
 {
-    return std::isfinite(value) ? fixed(value, decimals) : QString();
+    return std::isfinite(value) ? local(fixed(value, decimals)) : QString();
 }
 
 std::optional<double> parseNumber(const QString &text, std::optional<double> fullScale)
@@ -137,17 +150,18 @@ std::optional<double> parseNumber(const QString &text, std::optional<double> ful
     return percent ? number / 100.0 * *fullScale : number;
 }
 
-QString withDot(const QString &typed)
+QString asWritten(const QString &typed)
 {
-    return parseNumber(typed, 1.0) ? QString(typed).replace(QLatin1Char(','), QLatin1Char('.')) : typed;
+    return parseNumber(typed, 1.0) ? local(QString(typed).replace(QLatin1Char(','), QLatin1Char('.'))) : typed;
 }
 
 QString understoodText(const QString &typed)
 {
-    static const QRegularExpression other(QStringLiteral("[,eExX]"));
+    static const QRegularExpression notation(QStringLiteral("[eExX]"));
+    const QChar foreign = decimalSign() == QLatin1Char(',') ? QLatin1Char('.') : QLatin1Char(',');
     const auto percent = parseNumber(typed, 100.0);
     const auto whole = percent ? std::nullopt : parseInteger(typed);
-    if (!typed.contains(other) || (!percent && !whole))
+    if ((!typed.contains(notation) && !typed.contains(foreign)) || (!percent && !whole))
         return {};
     const QString unit = typed.contains(QLatin1Char('%')) ? QStringLiteral(" %") : QString();
     return QStringLiteral("= ") + editText(percent.value_or(static_cast<double>(whole.value_or(0)))) + unit;

@@ -12,6 +12,9 @@ inline constexpr QChar MinusSign{0x2212};
 /// Groups thousands in read-only values; narrow and unbreakable.
 inline constexpr QChar ThinSpace{0x202F};
 
+/// Of the language of the program (QLocale()): a dot or a comma. Only on screen: files, the clipboard and JSON have a dot. The examples
+/// below have a dot.
+QChar decimalSign();
 /// Read-only number with U+2212 and grouped thousands: "−20 480". NaN and infinity give "–".
 QString formatNumber(double value, int decimals = 0);
 QString formatCount(qint64 value);
@@ -28,7 +31,7 @@ QString formatClock(qint64 seconds);
 /// "512 B", "38 kB", "1.2 MB" (powers of 1000).
 QString formatBytes(qint64 bytes);
 
-/// Text for an input field: a plain "-", a dot, never grouped, shortest form that reads back equal.
+/// Text for an input field: a plain "-", never grouped, shortest form that reads back equal.
 QString editText(double value);
 QString editText(double value, int decimals);
 
@@ -37,10 +40,10 @@ QString editText(double value, int decimals);
 /// given: "55 %" is 0.55 × fullScale. Empty when it is not a finite number.
 std::optional<double> parseNumber(const QString &text, std::optional<double> fullScale = {});
 /// "= 1.5" for "1,5", "= 31" for "0x1F": what is understood of a text that is not written as the program writes numbers. Empty where
-/// there is nothing to add. "1,500" is 1.5: a comma is the decimal sign, never a group of thousands.
+/// there is nothing to add. "1,500" is 1.5: comma and dot are decimal signs, never of a group of thousands.
 QString understoodText(const QString &typed);
-/// The same number with a dot, where it was typed with a comma; anything else as it is.
-QString withDot(const QString &typed);
+/// The same number with the decimal sign of the program, where it was typed with the other; anything else as it is.
+QString asWritten(const QString &typed);
 /// As parseNumber, but only whole numbers; also "0x1A".
 std::optional<qint64> parseInteger(const QString &text);
 

@@ -7,23 +7,48 @@
 #include <QCursor>
 #include <QHBoxLayout>
 #include <QPainter>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
 #include <QToolButton>
+
+#include <algorithm>
 
 namespace mb {
 namespace {
 
-/// As wide as its bold text, so that the row does not move when another segment is chosen.
+/// As wide as its bold text, so that the row does not move when another segment is chosen. Where there is less room its padding goes
+/// first, then the end of its text.
 class SegmentButton : public QToolButton {
 public:
     using QToolButton::QToolButton;
     QSize sizeHint() const override
     {
+        return {bold().horizontalAdvance(text()) + bold().height() * 3 / 2, QToolButton::sizeHint().height()};
+    }
+    QSize minimumSizeHint() const override
+    {
+        const int least = std::min(bold().horizontalAdvance(text()), bold().height() * 2);
+        return {least + bold().height() / 2, QToolButton::sizeHint().height()};
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override
+    {
+        QStylePainter painter(this);
+        QStyleOptionToolButton option;
+        initStyleOption(&option);
+        option.text
+            = bold().elidedText(text(), Qt::ElideRight, width() - bold().height() * 2 / 3, Qt::TextShowMnemonic);
+        painter.drawComplexControl(QStyle::CC_ToolButton, option);
+    }
+
+private:
+    QFontMetrics bold() const
+    {
         QFont widest = font();
         widest.setBold(true);
-        const QFontMetrics bold(widest);
-        return {bold.horizontalAdvance(text()) + bold.height() * 3 / 2, QToolButton::sizeHint().height()};
+        return QFontMetrics(widest);
     }
-    QSize minimumSizeHint() const override { return sizeHint(); }
 };
 
 } // namespace
@@ -32,7 +57,7 @@ Segmented::Segmented(const QString &accessibleName, QWidget *parent)
     : QWidget(parent)
 {
     setAccessibleName(accessibleName);
-    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
     m_group = new QButtonGroup(this);
     m_row = new QHBoxLayout(this);
     m_row->setContentsMargins(0, 0, 0, 0);
@@ -72,7 +97,7 @@ int Segmented::addSegment(const QString &text)
     button->setCheckable(true);
     button->setAutoExclusive(true);
     button->setFocusPolicy(Qt::TabFocus);
-    button->setSizePolicy(m_even ? QSizePolicy::Expanding : QSizePolicy::Fixed, QSizePolicy::Fixed);
+    button->setSizePolicy(m_even ? QSizePolicy::Expanding : QSizePolicy::Maximum, QSizePolicy::Fixed);
     m_group->addButton(button, id);
     m_row->addWidget(button);
     if (id == 0)
@@ -126,10 +151,10 @@ void Segmented::setCurrent(int index)
 void Segmented::setEven(bool even)
 {
     m_even = even;
-    setSizePolicy(even ? QSizePolicy::Preferred : QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setSizePolicy(even ? QSizePolicy::Preferred : QSizePolicy::Maximum, QSizePolicy::Fixed);
     const auto buttons = m_group->buttons();
     for (QAbstractButton *button : buttons)
-        button->setSizePolicy(even ? QSizePolicy::Expanding : QSizePolicy::Fixed, QSizePolicy::Fixed);
+        button->setSizePolicy(even ? QSizePolicy::Expanding : QSizePolicy::Maximum, QSizePolicy::Fixed);
 }
 
 PageTabs::PageTabs(const ThemeSource &theme, QWidget *parent)

@@ -12,6 +12,7 @@
 #include "widgets/common/segmented.h"
 #include "widgets/control/envelopepanel.h"
 #include "widgets/control/experimentplan.h"
+#include "widgets/design/designframe.h"
 #include "widgets/design/designplots.h"
 #include "widgets/design/modelpanel.h"
 #include "widgets/design/ownproposal.h"
@@ -19,6 +20,7 @@
 #include "widgets/design/scrollcolumn.h"
 #include "widgets/design/sweeppanel.h"
 #include "widgets/design/tuningsteps.h"
+#include "widgets/parameters/wraplayout.h"
 #include "widgets/report/reportorder.h"
 
 #include <QHBoxLayout>
@@ -32,8 +34,6 @@
 namespace mb {
 namespace {
 
-constexpr int modelWidth = 344;
-constexpr int stepsWidth = 252;
 constexpr std::array designedLoops{Mode::Velocity, Mode::Position, Mode::Current};
 constexpr double checkedDuty = 0.15;
 constexpr double checkedSeconds = 0.6;
@@ -50,20 +50,11 @@ DesignPage::DesignPage(
     setObjectName(QStringLiteral("designPage"));
     m_stack = new QStackedWidget(this);
     m_empty = new EmptyState(theme, Symbol::Wave, {}, {}, m_stack);
-    auto *content = new QWidget(m_stack);
-    auto *grid = new QGridLayout(content);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(0);
-    grid->addWidget(buildCommands(), 0, 0, 1, 5);
-    grid->addWidget(separatorLine(Qt::Horizontal, content), 1, 0, 1, 5);
-    grid->addWidget(buildColumn(), 2, 0);
-    grid->addWidget(separatorLine(Qt::Vertical, content), 2, 1);
+    auto *content = new DesignFrame(theme, m_stack);
+    auto *orders = buildOrders();
+    m_status = new StatusLine(theme, content);
     m_plots = new DesignPlots(theme, content);
-    grid->addWidget(m_plots, 2, 2);
-    grid->addWidget(separatorLine(Qt::Vertical, content), 2, 3);
-    grid->addWidget(buildSide(), 2, 4);
-    grid->setColumnStretch(2, 1);
-    grid->setRowStretch(2, 1);
+    content->setParts({m_status, orders, buildColumn(), m_plots, buildSide()});
     m_stack->addWidget(m_empty);
     m_stack->addWidget(content);
     auto *all = new QVBoxLayout(this);
@@ -75,14 +66,12 @@ DesignPage::DesignPage(
     connect(&selection, &Selection::changed, this, &DesignPage::follow);
 }
 
-QWidget *DesignPage::buildCommands()
+QWidget *DesignPage::buildOrders()
 {
-    const Theme &theme = m_theme.theme();
     auto *bar = new QWidget(this);
-    auto *row = new QHBoxLayout(bar);
-    row->setContentsMargins(theme.u(12), theme.u(6), theme.u(12), theme.u(6));
-    row->setSpacing(theme.u(8));
-    m_status = new StatusLine(m_theme, bar);
+    auto *row = new WrapLayout(bar);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(m_theme.theme().u(8));
     m_loops = new Segmented(tr("Loop"), {tr("Velocity"), tr("Position"), tr("Current")}, bar);
     m_slots = new Segmented(tr("Gain slot"), {tr("slot 0"), tr("slot 1")}, bar);
     m_identify = new CommandButton(m_theme, tr("Identify"), bar);
@@ -93,7 +82,6 @@ QWidget *DesignPage::buildCommands()
     m_prove = new CommandButton(m_theme, Symbol::Play, tr("Write and prove"), bar);
     m_prove->setPrimary(true);
     m_prove->setKeyHint(QStringLiteral("F5"));
-    row->addWidget(m_status, 1);
     row->addWidget(m_loops);
     row->addWidget(m_slots);
     row->addWidget(m_identify);
@@ -110,7 +98,7 @@ QWidget *DesignPage::buildCommands()
 
 QWidget *DesignPage::buildColumn()
 {
-    auto *area = new ScrollColumn(m_theme.theme(), modelWidth, this);
+    auto *area = new ScrollColumn(m_theme.theme(), this);
     QWidget *const column = area->content();
     m_model = new ModelPanel(m_theme, column);
     m_envelope = new EnvelopePanel(m_theme, column);
@@ -133,7 +121,7 @@ QWidget *DesignPage::buildColumn()
 /// What happens, the sliders, and the sines: in sight whatever the left column shows.
 QWidget *DesignPage::buildSide()
 {
-    auto *area = new ScrollColumn(m_theme.theme(), stepsWidth, this);
+    auto *area = new ScrollColumn(m_theme.theme(), this);
     QWidget *const side = area->content();
     m_steps = new TuningSteps(m_theme, side);
     m_own = new OwnProposal(m_theme, side);

@@ -76,7 +76,7 @@ private:
         double ms = 0.0;
         int slot = 0;
     };
-    QWidget *buildCommands();
+    QWidget *buildOrders();
     QWidget *buildColumn();
     QWidget *buildSide();
     void buildKeys();

@@ -5,14 +5,13 @@
 
 namespace mb {
 
-ScrollColumn::ScrollColumn(const Theme &theme, int width, QWidget *parent)
+ScrollColumn::ScrollColumn(const Theme &theme, QWidget *parent)
     : QScrollArea(parent)
 {
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFocusPolicy(Qt::NoFocus);
-    setFixedWidth(theme.u(width));
     m_content = new QWidget(this);
     m_content->setProperty("transparent", true);
     m_rows = new QVBoxLayout(m_content);

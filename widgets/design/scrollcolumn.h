@@ -9,12 +9,11 @@ class QVBoxLayout;
 
 namespace mb {
 
-/// A column of a page, of one width: it scrolls before anything in it is squeezed. Takes no focus of its own.
+/// A column of a page: it scrolls before anything in it is squeezed. Takes no focus of its own.
 class ScrollColumn : public QScrollArea {
     Q_OBJECT
 public:
-    /// `width` in theme units.
-    ScrollColumn(const Theme &theme, int width, QWidget *parent);
+    ScrollColumn(const Theme &theme, QWidget *parent);
 
     /// Parent of what goes into it.
     [[nodiscard]] QWidget *content() { return m_content; }

@@ -236,8 +236,8 @@ QString FrameModel::text(const FrameRow &row, int column) const
     const CanFrame &frame = record.frame;
     const FrameMeaning *known = meaning(row);
     switch (column) {
-    case Time: return QString::number(secondsOf(frame.time - m_origin), 'f', 4);
-    case Delta: return row.sinceSame > 0.0 ? QString::number(row.sinceSame * 1000.0, 'f', 1) : QString(UnknownMark);
+    case Time: return editText(secondsOf(frame.time - m_origin), 4);
+    case Delta: return row.sinceSame > 0.0 ? editText(row.sinceSame * 1000.0, 1) : QString(UnknownMark);
     case Dir: return frame.error ? tr("err") : record.direction == Direction::Sent ? tr("tx") : tr("rx");
     case Id: return record.isFrame() && !frame.error ? hexId(frame) : QString(UnknownMark);
     case Message:

@@ -81,7 +81,7 @@ void StagedEdits::endTyping(bool keep)
     const ParameterIndex index = *m_typing;
     m_typing.reset();
     if (keep)
-        push(index, withDot(m_typed.text)); // what stands in the table is what will be written
+        push(index, asWritten(m_typed.text)); // what stands in the table is what will be written
     Q_EMIT changed(index);
 }
 

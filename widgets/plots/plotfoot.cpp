@@ -70,7 +70,9 @@ double NumberTicker::getTickStep(const QCPRange &range)
 QString NumberTicker::getTickLabel(double tick, const QLocale &, QChar, int)
 {
     if (tick != 0 && (std::abs(tick) >= 1e7 || std::abs(tick) < 1e-4))
-        return QString::number(tick, 'g', 4).replace(QLatin1Char('-'), MinusSign);
+        return QString::number(tick, 'g', 4)
+            .replace(QLatin1Char('.'), decimalSign())
+            .replace(QLatin1Char('-'), MinusSign);
     const double rounded = std::round(tick * 1e6) / 1e6;
     QString plain = QString::number(std::abs(rounded), 'f', 6);
     while (plain.endsWith(QLatin1Char('0')))

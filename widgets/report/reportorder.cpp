@@ -88,7 +88,7 @@ void ReportOrder::make(const DeviceView &view, const ReportWish &wish, std::func
             report.program
                 = (QCoreApplication::applicationName() + QLatin1Char(' ') + QCoreApplication::applicationVersion())
                       .toStdString();
-            report.phrase = [](const Message &message) { return messageText(message); };
+            report.phrase = [](const Message &message) { return messageText(message, QLatin1Char('.')); };
             for (ReportUnit &found : *units) {
                 if (found.unit != subject.unit)
                     continue;

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/design/designframe.h"
+
+#include "widgets/common/labels.h"
+#include "widgets/common/segmented.h"
+
+#include <QFrame>
+#include <QGridLayout>
+#include <QScrollArea>
+
+namespace mb {
+namespace {
+
+constexpr int modelWidth = 344;
+constexpr int courseWidth = 252;
+constexpr int leastCurves = 340; ///< between the two
+constexpr int curvesHeight = 420;
+enum FrameRow { Commands, CommandsLine, Tabs, Work };
+
+} // namespace
+
+DesignFrame::DesignFrame(const ThemeSource &theme, QWidget *parent)
+    : QWidget(parent)
+    , m_theme(theme)
+{
+    const Theme &look = theme.theme();
+    m_grid = new QGridLayout(this);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setSpacing(0);
+    m_commands = new QGridLayout;
+    m_commands->setContentsMargins(look.u(12), look.u(6), look.u(12), look.u(6));
+    m_commands->setSpacing(look.u(8));
+    m_commands->setColumnStretch(0, 1);
+    m_tabsRow = new QWidget(this);
+    auto *row = new QHBoxLayout(m_tabsRow);
+    row->setContentsMargins(look.u(12), look.u(4), look.u(12), look.u(4));
+    m_tabs = new Segmented(tr("Part of the page"), {tr("Model"), tr("Curves"), tr("Course")}, m_tabsRow);
+    row->addWidget(m_tabs);
+    row->addStretch(1);
+    m_tabsRow->hide();
+    connect(m_tabs, &Segmented::currentChanged, this, &DesignFrame::arrange);
+    connect(&theme, &ThemeSource::changed, this, &DesignFrame::arrange);
+}
+
+void DesignFrame::setParts(const Parts &parts)
+{
+    m_parts = parts;
+    m_curvesArea = new QScrollArea(this);
+    m_curvesArea->setWidgetResizable(true);
+    m_curvesArea->setFrameShape(QFrame::NoFrame);
+    m_curvesArea->setFocusPolicy(Qt::NoFocus);
+    m_curvesArea->setWidget(parts.curves);
+    m_lineBefore = separatorLine(Qt::Vertical, this);
+    m_lineBehind = separatorLine(Qt::Vertical, this);
+    m_grid->addLayout(m_commands, Commands, 0, 1, 5);
+    m_grid->addWidget(separatorLine(Qt::Horizontal, this), CommandsLine, 0, 1, 5);
+    m_grid->addWidget(m_tabsRow, Tabs, 0, 1, 5);
+    int column = 0;
+    for (QWidget *part : {parts.model, m_lineBefore, static_cast<QWidget *>(m_curvesArea), m_lineBehind, parts.course})
+        m_grid->addWidget(part, Work, column++);
+    m_grid->setRowStretch(Work, 1);
+    arrange();
+}
+
+QSize DesignFrame::minimumSizeHint() const
+{
+    return {m_theme.theme().u(300), m_theme.theme().u(160)};
+}
+
+void DesignFrame::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const bool compact = width() < m_theme.theme().u(modelWidth + leastCurves + courseWidth);
+    if (compact == m_compact)
+        return;
+    m_compact = compact;
+    arrange();
+    Q_EMIT compactChanged(compact);
+}
+
+void DesignFrame::show(Part part)
+{
+    m_tabs->setCurrent(static_cast<int>(part));
+}
+
+void DesignFrame::setWidth(QWidget &column, int width) const
+{
+    column.setMinimumWidth(m_compact ? 0 : m_theme.theme().u(width));
+    column.setMaximumWidth(m_compact ? QWIDGETSIZE_MAX : m_theme.theme().u(width));
+}
+
+/// The parts stay where they are in the grid; which of them are seen is all that changes.
+void DesignFrame::arrange()
+{
+    if (!m_parts.model)
+        return;
+    const auto part = static_cast<Part>(m_tabs->current());
+    m_commands->addWidget(m_parts.status, 0, 0);
+    m_commands->addWidget(m_parts.orders, m_compact ? 1 : 0, m_compact ? 0 : 1);
+    m_tabsRow->setVisible(m_compact);
+    m_lineBefore->setVisible(!m_compact);
+    m_lineBehind->setVisible(!m_compact);
+    m_parts.model->setVisible(!m_compact || part == Part::Model);
+    m_curvesArea->setVisible(!m_compact || part == Part::Curves);
+    m_parts.course->setVisible(!m_compact || part == Part::Course);
+    setWidth(*m_parts.model, modelWidth);
+    setWidth(*m_parts.course, courseWidth);
+    m_parts.curves->setMinimumHeight(m_theme.theme().u(curvesHeight));
+    m_grid->setColumnStretch(0, m_compact && part == Part::Model ? 1 : 0);
+    m_grid->setColumnStretch(2, !m_compact || part == Part::Curves ? 1 : 0);
+    m_grid->setColumnStretch(4, m_compact && part == Part::Course ? 1 : 0);
+}
+
+} // namespace mb

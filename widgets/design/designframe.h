@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/common/theme.h"
+
+#include <QWidget>
+
+class QGridLayout;
+class QScrollArea;
+
+namespace mb {
+
+class Segmented;
+
+/// Where the parts of the Design page stand. With room: status and orders in one row, below it model and proposals, curves, and what
+/// happens, side by side. Without (large fonts, small screens): the orders wrap below the status, and one part is seen at a time,
+/// chosen in a row of tabs. GUI thread.
+class DesignFrame : public QWidget {
+    Q_OBJECT
+public:
+    /// Tabs of the compact arrangement.
+    enum class Part { Model, Curves, Course };
+    struct Parts {
+        QWidget *status = nullptr;
+        QWidget *orders = nullptr; ///< wraps where it is narrow
+        QWidget *model = nullptr;
+        QWidget *curves = nullptr;
+        QWidget *course = nullptr;
+    };
+
+    explicit DesignFrame(const ThemeSource &theme, QWidget *parent = nullptr);
+    /// Takes them; once.
+    void setParts(const Parts &parts);
+    [[nodiscard]] bool isCompact() const { return m_compact; }
+    /// Nothing happens where all parts are in sight.
+    void show(Part part);
+    /// Little: it arranges itself into what it gets.
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+Q_SIGNALS:
+    void compactChanged(bool compact);
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void arrange();
+    void setWidth(QWidget &column, int width) const;
+
+    const ThemeSource &m_theme;
+    Parts m_parts;
+    QGridLayout *m_grid = nullptr;
+    QGridLayout *m_commands = nullptr;
+    QWidget *m_tabsRow = nullptr;
+    Segmented *m_tabs = nullptr;
+    QScrollArea *m_curvesArea = nullptr;
+    QWidget *m_lineBefore = nullptr;
+    QWidget *m_lineBehind = nullptr;
+    bool m_compact = false;
+};
+
+} // namespace mb
