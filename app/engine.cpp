@@ -48,7 +48,7 @@ struct Engine::Room {
         , serviceJournal(owner.m_store, owner.m_toEngine)
         , core(clock, families, opensByItself, &guardian)
         , service(core, {serviceJournal, &settingsLog, &journal, QSysInfo::machineHostName().toStdString()})
-        , sleepGuard(core.session(), clock, inhibitor)
+        , sleepGuard(core.session(), clock, inhibitor, [this] { return service.needsComputer(); })
         , arrivals(owner.m_toEngine.descriptor(), QSocketNotifier::Read)
         , watch(clock)
         , tick(clock)

@@ -59,6 +59,16 @@
     </message>
 </context>
 <context>
+    <name>mb::QueueBar</name>
+    <message numerus="yes">
+        <source>Ended with %n unit(s) to go</source>
+        <translation>
+            <numerusform>Ended with %n unit to go</numerusform>
+            <numerusform>Ended with %n units to go</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>mb::ReportText</name>
     <message numerus="yes">
         <source>%n in the unit, read back</source>

@@ -31,6 +31,9 @@ public:
     void note(std::string_view text) const;
     /// Tells an error that does not end the verb by itself, and yields the exit status that it asks for.
     [[nodiscard]] int fails(const Error &error) const;
+    /// Real units are served: the computer must not go to sleep meanwhile.
+    void needComputer(bool needed) { m_needsComputer = needed; }
+    [[nodiscard]] bool needsComputer() const { return m_needsComputer; }
     /// The device of the verb is found: what is sent from now on is meant for it.
     void begin();
     /// Whatever is asked meanwhile, the device is told nothing until begin(): what is refused till then is wrong usage.
@@ -55,6 +58,7 @@ private:
     Subscription m_profileTrouble;
     Listeners<> m_interruptions;
     bool m_isInterrupted = false;
+    bool m_needsComputer = false;
     std::optional<std::uint64_t> m_sentBefore; ///< in finding the device
 };
 

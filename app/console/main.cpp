@@ -31,7 +31,7 @@ public:
     Program(QCoreApplication &application, Options options)
         : m_application(application)
         , m_console(m_clock, families(), options)
-        , m_sleepGuard(m_console.session(), m_clock, m_inhibitor)
+        , m_sleepGuard(m_console.session(), m_clock, m_inhibitor, [this] { return m_console.needsComputer(); })
         , m_mayBeSuspended(m_inhibitor.troubled().add([this](const Message &text) { m_console.note(text.english()); }))
         , m_scope(m_clock)
         , m_signals([this] { interrupt(); })

@@ -125,10 +125,13 @@ public:
             m_queue.addBus(stage.session(), *link);
         }
         m_console.begin();
+        m_console.needComputer(
+            std::any_of(links.begin(), links.end(), [](const LinkAddress &address) { return !address.isSimulated(); }));
         renew();
         m_queue.start();
         co_await m_ended.wait();
         m_renewal.stop();
+        m_console.needComputer(false);
         summarize();
         co_return verdict();
     }

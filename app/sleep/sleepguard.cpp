@@ -12,9 +12,10 @@ constexpr Duration lookEvery = std::chrono::milliseconds(100);
 
 } // namespace
 
-SleepGuard::SleepGuard(Session &session, Clock &clock, SleepInhibitor &inhibitor)
+SleepGuard::SleepGuard(Session &session, Clock &clock, SleepInhibitor &inhibitor, Need need)
     : m_session(session)
     , m_inhibitor(inhibitor)
+    , m_need(std::move(need))
     , m_look(clock)
 {
     look();
@@ -28,6 +29,8 @@ SleepGuard::~SleepGuard()
 
 bool SleepGuard::isNeeded() const
 {
+    if (m_need && m_need())
+        return true;
     const auto devices = m_session.devices();
     return std::any_of(devices.begin(), devices.end(), [this](Device *device) {
         const LinkAddress &link = device->link().address();

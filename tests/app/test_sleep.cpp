@@ -251,6 +251,18 @@ TEST_F(Guarded, TheComputerIsKeptAwakeWhileFirmwareIsWritten)
     EXPECT_TRUE(becomesAwake(false));
 }
 
+TEST_F(Guarded, TheComputerIsKeptAwakeForWhateverElseNeedsIt)
+{
+    bool served = false;
+    FakeInhibitor other;
+    const SleepGuard guard(session, loop.clock(), other, [&served] { return served; });
+    EXPECT_FALSE(other.isAwake);
+    served = true;
+    EXPECT_TRUE(loop.runUntil([&other] { return other.isAwake; }));
+    served = false;
+    EXPECT_TRUE(loop.runUntil([&other] { return !other.isAwake; }));
+}
+
 /// The real console program, with a board and its bootloader in another process.
 TEST(Sleep, AnUpdateByTheConsoleMarksItsDeviceBusySoThatTheComputerStaysAwake)
 {
@@ -285,6 +297,40 @@ TEST(Sleep, AnUpdateByTheConsoleMarksItsDeviceBusySoThatTheComputerStaysAwake)
     EXPECT_EQ(logind.held(), 1);
     EXPECT_TRUE(loop.runUntil([&] { return update.state() == QProcess::NotRunning; }, std::chrono::minutes(1)));
     EXPECT_EQ(update.exitCode(), 0) << update.readAllStandardError().toStdString();
+    EXPECT_EQ(logind.held(), 0);
+    board.terminate();
+    board.waitForFinished();
+}
+
+/// The same of units that are served: from the first to the last, also where no firmware is written.
+TEST(Sleep, AQueueOfTheConsoleKeepsTheComputerAwake)
+{
+    test::EventLoop loop;
+    PrivateBus bus;
+    Logind logind;
+    bus.offer(logind);
+    const QTemporaryDir folder;
+    const QString program = QCoreApplication::applicationDirPath() + QStringLiteral("/motorbenchctl");
+    const QString socket = QStringLiteral("unix:") + folder.filePath(QStringLiteral("board"));
+    QFile recipe(folder.filePath(QStringLiteral("recipe.json")));
+    ASSERT_TRUE(recipe.open(QIODevice::WriteOnly));
+    recipe.write(R"({"recipe":1,"name":"look","family":"quadquad2drv"})");
+    recipe.close();
+    QProcess board;
+    board.start(
+        program, {QStringLiteral("simulate"), QStringLiteral("--on"), socket, QStringLiteral("quadquad2drv:0")});
+    ASSERT_TRUE(board.waitForReadyRead(20'000));
+    QProcess queue;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("DBUS_SYSTEM_BUS_ADDRESS"), bus.address);
+    environment.insert(QStringLiteral("XDG_DATA_HOME"), folder.path());
+    queue.setProcessEnvironment(environment);
+    queue.start(program,
+        {QStringLiteral("service"), recipe.fileName(), socket, QStringLiteral("--units"), QStringLiteral("2")});
+    EXPECT_TRUE(loop.runUntil([&] { return logind.held() == 1 || queue.state() == QProcess::NotRunning; }));
+    EXPECT_EQ(logind.held(), 1) << "also while it waits for the second";
+    queue.terminate();
+    EXPECT_TRUE(loop.runUntil([&] { return queue.state() == QProcess::NotRunning; }, std::chrono::minutes(1)));
     EXPECT_EQ(logind.held(), 0);
     board.terminate();
     board.waitForFinished();

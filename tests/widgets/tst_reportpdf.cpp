@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -76,6 +77,7 @@ class TestReportPdf : public QObject {
 private Q_SLOTS:
     void aPdfHasPagesWithWordsAndLinesAndNoPixels();
     void aNewPageBeginsWhereTheTextSaysSo();
+    void aLabelHasThePaperThatItAsksFor();
     void thePageWritesWhatItShowsAsHtmlAndAsPdf();
     void whatCannotBeWrittenIsSaidAndLeavesNothing();
     void aNotebookThatCannotBeReadIsSaidSo();
@@ -98,6 +100,27 @@ void TestReportPdf::aNewPageBeginsWhereTheTextSaysSo()
     const QString page = QStringLiteral("<p style=\"page-break-before: always\">x</p>");
     const auto pages = [](const QString &html) { return pdfOf(html).count("/Type /Page\n"); };
     QCOMPARE(pages(QStringLiteral("<html><body><p>one</p>%1%1</body></html>").arg(page)), 3);
+}
+
+void TestReportPdf::aLabelHasThePaperThatItAsksFor()
+{
+    Report report;
+    ReportUnit unit;
+    unit.identity.family = "dmc60c";
+    unit.identity.address = 36;
+    service::Visit visit;
+    visit.serial = "2103343A7B2E";
+    visit.to = "1.25";
+    visit.outcome = service::Outcome::Passed;
+    unit.visits = {visit};
+    report.units = {unit, unit};
+    const QByteArray pdf = pdfOf(htmlOf(report, ReportForm::Label));
+    QCOMPARE(pdf.count("/Type /Page\n"), 2); // one for each unit
+    const QRegularExpression box(QStringLiteral(R"(/MediaBox \[\s*0 0 ([\d.]+) ([\d.]+))"));
+    const auto found = box.match(QString::fromLatin1(pdf.constData(), pdf.size()));
+    QVERIFY(found.hasMatch());
+    QVERIFY(std::abs(found.captured(1).toDouble() - 62.0 / 25.4 * 72.0) < 1.0);
+    QVERIFY(std::abs(found.captured(2).toDouble() - 29.0 / 25.4 * 72.0) < 1.0);
 }
 
 void TestReportPdf::thePageWritesWhatItShowsAsHtmlAndAsPdf()

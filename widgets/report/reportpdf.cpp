@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QPainter>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QTextDocument>
 
 namespace mb {
@@ -29,6 +30,27 @@ constexpr int smallText = 10;     // px
 double px(double millimetres)
 {
     return millimetres / 25.4 * layoutDpi;
+}
+
+/// Of the page, in mm; bare: without running head and foot.
+struct Sheet {
+    QSizeF size{pageWidthMm, pageHeightMm};
+    double side = sideMm;
+    double top = topMm;
+    bool bare = false;
+
+    [[nodiscard]] double room() const { return bare ? 0.0 : headRoom; }
+};
+
+Sheet sheetOf(const QString &html)
+{
+    static const QRegularExpression wish(
+        QStringLiteral(R"(@page\s*\{\s*size:\s*([\d.]+)mm\s+([\d.]+)mm;\s*margin:\s*([\d.]+)mm)"));
+    const QRegularExpressionMatch found = wish.match(html);
+    if (!found.hasMatch())
+        return {};
+    const double margin = found.captured(3).toDouble();
+    return {QSizeF(found.captured(1).toDouble(), found.captured(2).toDouble()), margin, margin, true};
 }
 
 QFont smallFont(const QTextDocument &document)
@@ -61,7 +83,7 @@ void paintMargins(QPainter &painter, const QTextDocument &document, QSizeF body,
     painter.drawLine(QPointF(0.0, headRoom - 8.0), QPointF(body.width(), headRoom - 8.0));
 }
 
-void paintPages(QPdfWriter &pdf, QTextDocument &document, QSizeF body, bool simulated)
+void paintPages(QPdfWriter &pdf, QTextDocument &document, QSizeF body, bool simulated, const Sheet &sheet)
 {
     QPainter painter(&pdf);
     painter.scale(resolution / layoutDpi, resolution / layoutDpi);
@@ -69,10 +91,11 @@ void paintPages(QPdfWriter &pdf, QTextDocument &document, QSizeF body, bool simu
     for (int page = 0; page < pages; ++page) {
         if (page > 0)
             pdf.newPage();
-        paintMargins(painter, document, body, page, pages, simulated);
+        if (!sheet.bare)
+            paintMargins(painter, document, body, page, pages, simulated);
         painter.save();
         const QRectF view(0.0, page * body.height(), body.width(), body.height());
-        painter.translate(0.0, headRoom - view.top());
+        painter.translate(0.0, sheet.room() - view.top());
         painter.setClipRect(view);
         QAbstractTextDocumentLayout::PaintContext context;
         context.clip = view;
@@ -91,8 +114,9 @@ QByteArray pdfOf(const QString &html)
     QPdfWriter pdf(&content);
     pdf.setCreator(QCoreApplication::applicationName());
     pdf.setResolution(resolution);
-    pdf.setPageSize(QPageSize(QPageSize::A4));
-    pdf.setPageMargins(QMarginsF(sideMm, topMm, sideMm, topMm), QPageLayout::Millimeter);
+    const Sheet sheet = sheetOf(html);
+    pdf.setPageSize(sheet.bare ? QPageSize(sheet.size, QPageSize::Millimeter) : QPageSize(QPageSize::A4));
+    pdf.setPageMargins(QMarginsF(sheet.side, sheet.top, sheet.side, sheet.top), QPageLayout::Millimeter);
     ReportDrawings drawings;
     QTextDocument document;
     document.setUndoRedoEnabled(false);
@@ -101,9 +125,10 @@ QByteArray pdfOf(const QString &html)
     document.documentLayout()->registerHandler(QTextFormat::ImageObject, &drawings);
     document.setHtml(drawings.takeFrom(printed(html)));
     pdf.setTitle(document.metaInformation(QTextDocument::DocumentTitle));
-    const QSizeF body(px(pageWidthMm - 2.0 * sideMm), px(pageHeightMm - 2.0 * topMm) - 2.0 * headRoom);
+    const QSizeF body(
+        px(sheet.size.width() - 2.0 * sheet.side), px(sheet.size.height() - 2.0 * sheet.top) - 2.0 * sheet.room());
     document.setPageSize(body);
-    paintPages(pdf, document, body, html.contains(QStringLiteral("<meta name=\"simulated\"")));
+    paintPages(pdf, document, body, html.contains(QStringLiteral("<meta name=\"simulated\"")), sheet);
     return content.data();
 }
 

@@ -3,13 +3,13 @@
 
 #include "model/family.h"
 #include "widgets/common/devicetext.h"
+#include "widgets/common/holdbutton.h"
 #include "widgets/common/iconbutton.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/numberformat.h"
 #include "widgets/common/pagekeys.h"
 #include "widgets/common/stateglyph.h"
 #include "widgets/common/workbench.h"
-#include "widgets/monitor/holdbutton.h"
 #include "widgets/service/verdictof.h"
 
 #include <QApplication>
@@ -214,10 +214,20 @@ void ProductionPage::start()
         return;
     }
     m_setAside.clear();
-    m_desk.begin({m_matter, link, 0}, [self = QPointer<ProductionPage>(this)](const Result<void> &result) {
+    m_desk.begin({m_matter, {link}, 0}, [self = QPointer<ProductionPage>(this)](const Result<void> &result) {
         if (self && !result)
             self->m_workbench.report(Severity::Danger, {}, errorText(result.error()));
     });
+}
+
+void ProductionPage::pause()
+{
+    m_desk.pause(true);
+}
+
+void ProductionPage::finish()
+{
+    m_desk.finish();
 }
 
 void ProductionPage::testAgain()
