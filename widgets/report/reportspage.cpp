@@ -58,6 +58,7 @@ ReportsPage::ReportsPage(Workbench &workbench, const ThemeSource &theme, QWidget
     column->addWidget(m_states);
     addKeys();
     connect(&workbench, &Workbench::changed, this, &ReportsPage::follow);
+    connect(&theme, &ThemeSource::changed, this, &ReportsPage::fill); // shapes have colours of their own
 }
 
 QWidget *ReportsPage::buildList()

@@ -76,6 +76,7 @@ ProductionPage::ProductionPage(ServiceDesk &desk, Workbench &workbench, std::spa
     connect(&desk, &ServiceDesk::changed, this, &ProductionPage::follow);
     connect(&desk, &ServiceDesk::unitEnded, this, &ProductionPage::ended);
     connect(&workbench, &Workbench::changed, this, &ProductionPage::followLinks);
+    connect(&theme, &ThemeSource::changed, this, &ProductionPage::follow); // shapes have colours of their own
     connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
         if (state != Qt::ApplicationActive && m_desk.view().armed)
             m_desk.arm(false);
