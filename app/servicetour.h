@@ -5,15 +5,12 @@
 #include "app/tourscript.h"
 #include "model/family.h"
 
-#include <QTemporaryDir>
-
 namespace mb {
 
-class ProductionPage;
 class QueueBoard;
 
-/// What the tour sees of service: values that wait for somebody to keep them, a queue of units, production that passes one and
-/// fails one, the journal. The script outlives this. GUI thread.
+/// What the tour sees of service: values that wait for somebody to keep them, a queue of units, the verdict in production, the
+/// journal. The script outlives this. GUI thread.
 class ServiceTour : public QObject {
     Q_OBJECT
 public:
@@ -28,17 +25,13 @@ private:
     [[nodiscard]] const DeviceView *unit(int DemoUnits::*which) const;
     [[nodiscard]] QString image() const;
     [[nodiscard]] QueueBoard &board() const;
-    [[nodiscard]] ProductionPage &bench() const;
     [[nodiscard]] bool isOver() const;
-    void planVerdict(const QString &name, const QByteArray &accept);
     void loosen();
     void enterProduction();
-    void serveOne(const QString &name, const QByteArray &accept);
 
     Workbench &m_workbench;
     MainWindow &m_window;
     TourScript &m_tour;
-    QTemporaryDir m_folder;
 };
 
 } // namespace mb

@@ -221,16 +221,6 @@ void ProductionPage::start()
     });
 }
 
-void ProductionPage::pause()
-{
-    m_desk.pause(true);
-}
-
-void ProductionPage::finish()
-{
-    m_desk.finish();
-}
-
 void ProductionPage::testAgain()
 {
     if (const service::QueueRow *row = lastEnded(m_desk.view(), m_setAside))

@@ -31,10 +31,6 @@ public:
     bool openRecipe(const QString &path);
     /// Serves what is put on the chosen link, until it is left.
     void start();
-    /// No other unit begins after this one; and no more at all.
-    void pause();
-    void finish();
-    [[nodiscard]] bool isServing() const { return m_desk.view().running; }
     /// The last that failed, once more.
     void testAgain();
     /// The verdict was seen: ready for the next.
